@@ -1,0 +1,53 @@
+// The loaded environment: a polygon soup in double precision, exactly as the file gave it, with Z up.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+  bool operator==(const Vec3&) const = default;
+};
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+enum class UpAxis { Y, Z };
+
+/// What the user may say about a file; what is left empty is guessed from the format and reported.
+struct ImportOptions {
+  std::optional<UpAxis> up;
+  /// Metres per unit of the file. Never applied to coordinates (they stay exact): it only turns metres into the
+  /// environment's units in the default pipeline and in what is shown.
+  std::optional<double> metresPerUnit;
+  /// Treat both sides of every triangle as its upper side, for soups with unreliable winding.
+  bool bothSides = false;
+};
+
+/// What import left out, for the user to see.
+struct SkippedElements {
+  std::uint64_t points = 0;    ///< point elements
+  std::uint64_t lines = 0;     ///< line elements
+  std::uint64_t polygons = 0;  ///< faces with fewer than three distinct corners, or that cannot be triangulated
+};
+
+/// A triangle soup. Coordinates are the file's own doubles; a Y-up file is turned by (x, y, z) -> (x, -z, y), which is
+/// exact and is undone on export.
+struct Environment {
+  std::string source;  ///< path as given by the user, for messages and export comments
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;  ///< counter-clockwise seen from the front; indices into `vertices`
+  UpAxis up = UpAxis::Z;            ///< the file's up axis
+  bool upGuessed = true;
+  double metresPerUnit = 1;
+  bool scaleGuessed = true;
+  bool bothSides = false;
+  SkippedElements skipped;
+};
+
+}  // namespace footfall

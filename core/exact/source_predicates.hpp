@@ -1,0 +1,19 @@
+// Exact decisions on single source triangles, for any finite doubles.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/environment/environment.hpp"
+
+namespace footfall {
+
+/// True when the three positions are collinear or equal (cases 2 to 4 of thesis 4.4.2).
+bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Sign of the z component of (b - a) x (c - a): +1 faces up, 0 vertical or degenerate, -1 faces down.
+int facing(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// True when a, b, c (counter-clockwise) faces up and the angle between its normal and +Z is at most `degrees`
+/// (0 < degrees < 90), exactly. Degenerate triangles are never within.
+bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees);
+
+}  // namespace footfall

@@ -1,0 +1,58 @@
+// Each filter is described once; parser, command line, editor, session file and docs follow from it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace footfall {
+
+enum class ParameterType { Real, Integer, Boolean };
+
+/// What a value measures; lengths and areas are in the environment's units.
+enum class Unit { None, Degrees, Length, Area, Count };
+
+struct ParameterDescriptor {
+  std::string_view name;   ///< identifier, e.g. "max_slope"
+  std::string_view label;  ///< for people, e.g. "Maximum slope"
+  std::string_view help;   ///< one or two sentences
+  ParameterType type = ParameterType::Real;
+  Unit unit = Unit::None;
+  double defaultValue = 0;  ///< lengths and areas: in metres; the default pipeline converts them. Booleans: 0 or 1
+  double minimum = 0;
+  double maximum = 0;
+  bool minimumOpen = false;  ///< the minimum itself is out of range
+  bool maximumOpen = false;
+  /// May be left out in a pipeline file; then the default holds. Optional parameters are the last ones.
+  bool optional = false;
+};
+
+enum class FilterKind { Filter, Strategy, Collapse };
+
+/// Local filters may run inside a parallel block; global ones see across cells and may not.
+enum class Scope { Local, Global };
+
+struct FilterDescriptor {
+  std::string_view name;                  ///< as in design and pipeline files, e.g. "LayerSubdivisionFilter"
+  std::vector<std::string_view> aliases;  ///< the thesis's names, e.g. "PEELFilter"
+  std::string_view label;                 ///< for people, e.g. "Layer subdivision"
+  std::string_view help;
+  std::string_view precondition;  ///< empty when there is none
+  std::string_view effect;
+  std::string_view source;  ///< thesis section or paper
+  std::vector<ParameterDescriptor> parameters;
+  FilterKind kind = FilterKind::Filter;
+  Scope scope = Scope::Local;
+  bool runs = true;  ///< false while a filter is parsed and validated only (strategies and Collapse, for now)
+};
+
+/// All filters, in the order in which users should see them.
+std::span<const FilterDescriptor> filterDescriptors();
+
+/// By name or alias, exact case; nullptr when unknown.
+const FilterDescriptor* findFilter(std::string_view nameOrAlias);
+
+}  // namespace footfall

@@ -1,0 +1,56 @@
+// Runs a pipeline over an environment, step by step, with cached steps, timings and counts.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/filters/filter.hpp"
+#include "core/pipeline/pipeline.hpp"
+
+namespace footfall {
+
+struct StepStatistics {
+  std::string name;
+  std::vector<double> parameters;
+  double wallMs = 0;
+  double cpuMs = 0;  ///< of the whole process while the step ran
+  bool fromCache = false;
+  StateSummary in, out;
+  std::string note;
+  ExactFallbacks fallbacks;
+};
+
+struct RunResult {
+  std::vector<StepStatistics> steps;  ///< enabled steps only
+  std::shared_ptr<const NavigationMesh> mesh;
+  StateSummary summary;
+  double finishMs = 0;  ///< making the navigation mesh from the last state
+  double totalMs = 0;
+  int threads = 1;
+};
+
+/// States of earlier runs by environment, filters and parameters: changing the last filter re-runs only the last.
+/// Thread-safe. Keeps the states of the most recent runs only (least recently used go first).
+class ResultCache {
+ public:
+  explicit ResultCache(std::size_t capacity = 32);
+  ~ResultCache();
+  ResultCache(const ResultCache&) = delete;
+  ResultCache& operator=(const ResultCache&) = delete;
+  void clear();
+
+ private:
+  friend RunResult runPipeline(std::shared_ptr<const Environment>, const Pipeline&, RunContext&, ResultCache*, int);
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Runs the enabled steps. `threads` limits the worker threads (0: as many as the machine has). Throws Cancelled,
+/// InputError (steps that do not run yet) or RunError; the cache keeps what was finished.
+RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                      ResultCache* cache = nullptr, int threads = 0);
+
+}  // namespace footfall
