@@ -197,7 +197,7 @@ int PlanKernel::orientation(Index a, Index b, Index c, ExactFallbacks& count) co
   const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + sign_.slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  const auto evaluate = [&](const auto& context) {
+  const auto evaluate = [&](const auto& context) -> typename std::decay_t<decltype(context)>::T {
     return context.difference(a, c, 0) * context.difference(b, c, 1) -
            context.difference(a, c, 1) * context.difference(b, c, 0);
   };
