@@ -5,6 +5,7 @@
 # The repository's root, whatever the current directory is.
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 # Where libQGLViewer is built; cmake/FindQGLViewerQt6.cmake looks there.
+# shellcheck disable=SC2034 # used by the scripts that source this
 qglviewer_prefix="${repository}/build/deps/qglviewer"
 
 # Prints one line to standard error and ends the script.
@@ -36,4 +37,16 @@ quietly() {
     tail -n 30 "${log}" >&2
     fail "'$*' failed; the whole output is in ${log}"
   fi
+}
+
+# Packages, libQGLViewer and a configured build of the preset named first; further arguments go to cmake.
+prepare() {
+  local preset="$1"
+  shift
+  "${repository}/installer/install_dependencies.sh"
+  "${repository}/installer/build_qglviewer.sh"
+  mkdir -p "${repository}/build"
+  cd -- "${repository}" || fail "cannot enter ${repository}"
+  say "configuring (${preset})"
+  quietly "${repository}/build/configure-${preset}.log" cmake --preset "${preset}" "$@"
 }
