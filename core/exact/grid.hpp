@@ -1,0 +1,48 @@
+// The common grid of integers on which all coordinates of an environment lie: every double is an integer times a power
+// of two.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/exact/error_double.hpp"
+
+namespace footfall {
+
+struct Grid {
+  int low = 5000;   ///< all numbers are integers times 2^low
+  int top = -5000;  ///< and smaller than 2^top in size
+
+  void include(double x) {
+    if (x == 0) return;
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    const auto digits = static_cast<std::uint64_t>(std::ldexp(std::fabs(mantissa), 53));
+    if (const int last = exponent - 53 + std::countr_zero(digits); last < low) low = last;
+    if (exponent > top) top = exponent;
+  }
+
+  [[nodiscard]] bool empty() const { return top < low; }
+
+  /// Doubles compute with coordinates times this power of two, which brings the largest to just below 2^36.
+  [[nodiscard]] int scaleExponent() const { return empty() ? 0 : kScaledTop - top; }
+
+  /// What computed signs are worth for numbers on this grid, scaled by 2^scale. The predicates reach degree 26 in the
+  /// coordinates, with at most 30 bits of sums. While all numbers are below 2^38, no product exceeds 2^(26 * 38 + 30)
+  /// < 2^1023; while all are multiples of 2^-38, none is below 2^-988, so nothing underflows. On a finer grid an
+  /// underflow, at most 2^-1074 each and fewer than 2^10 of them, is multiplied by less than 2^(39 * 25 + 30): together
+  /// below 2^-59, far below the slack, and a computed zero proves nothing. Beyond 2^38 doubles decide nothing.
+  [[nodiscard]] SignRule signRule(int scale) const {
+    if (empty() || (low + scale >= -38 && top + scale <= 38)) return {0, true};
+    if (top + scale <= 38) return {0x1p-40, false};
+    return {std::numeric_limits<double>::infinity(), false};
+  }
+
+ private:
+  static constexpr int kScaledTop = 36;
+};
+
+}  // namespace footfall

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exact/source_mesh.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/exact/source_predicates.hpp"
+
+namespace footfall {
+namespace {
+
+void chooseGrid(SourceMesh& mesh) {
+  for (const Vec3& v : mesh.vertices) {
+    mesh.grid.include(v.x);
+    mesh.grid.include(v.y);
+    mesh.grid.include(v.z);
+  }
+  const int scale = mesh.grid.scaleExponent();
+  mesh.scaled.resize(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3& v = mesh.vertices[i];
+    mesh.scaled[i] = {std::ldexp(v.x, scale), std::ldexp(v.y, scale), std::ldexp(v.z, scale)};
+  }
+}
+
+bool before(const Vec3& a, const Vec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  if (a.y != b.y) return a.y < b.y;
+  return a.z < b.z;
+}
+
+// Sorts and welds the used vertices; returns for each input vertex its new index.
+std::vector<Index> weldVertices(const std::vector<Vec3>& vertices, SourceMesh& mesh) {
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return before(vertices[a], vertices[b]) || (vertices[a] == vertices[b] && a < b);
+  });
+  std::vector<Index> welded(vertices.size());
+  for (const std::uint32_t i : order) {
+    const Vec3 v{vertices[i].x + 0.0, vertices[i].y + 0.0, vertices[i].z + 0.0};  // no negative zeros
+    if (mesh.vertices.empty() || !(mesh.vertices.back() == v)) {
+      const auto index = static_cast<Index>(mesh.vertices.size());
+      const bool samePlan = index > 0 && mesh.vertices.back().x == v.x && mesh.vertices.back().y == v.y;
+      mesh.planIds.push_back(samePlan ? mesh.planIds.back() : index);
+      mesh.vertices.push_back(v);
+    }
+    welded[i] = static_cast<Index>(mesh.vertices.size()) - 1;
+  }
+  return welded;
+}
+
+void classify(SourceMesh& mesh) {
+  const std::size_t count = mesh.triangles.size();
+  mesh.normals.resize(count);
+  mesh.facing.resize(count);
+  mesh.degenerate.resize(count);
+  const SignRule sign = mesh.grid.signRule(mesh.grid.scaleExponent());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      const auto& [ia, ib, ic] = mesh.triangles[t];
+      const Vec3 &a = mesh.scaled[ia], &b = mesh.scaled[ib], &c = mesh.scaled[ic];
+      using E = ErrorDouble;
+      const std::array<E, 3> u{E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)};
+      const std::array<E, 3> v{E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)};
+      auto& n = mesh.normals[t];
+      n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      const Vec3 &ra = mesh.vertices[ia], &rb = mesh.vertices[ib], &rc = mesh.vertices[ic];
+      const int facingSign = sign(n[2]);
+      mesh.facing[t] = static_cast<std::int8_t>(facingSign != kUnknownSign ? facingSign : facing(ra, rb, rc));
+      if (mesh.facing[t] == 0) n[2] = 0;
+      mesh.degenerate[t] = static_cast<char>(mesh.facing[t] == 0 && isDegenerate(ra, rb, rc));
+      if (mesh.degenerate[t]) n = {};
+    }
+  });
+}
+
+}  // namespace
+
+bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
+  return !obstacleEdges.empty() &&
+         std::binary_search(obstacleEdges.begin(), obstacleEdges.end(), std::make_pair(std::min(a, b), std::max(a, b)));
+}
+
+SourceMesh makeSourceMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                          const std::vector<std::uint32_t>& inputTriangles, bool bothSides) {
+  SourceMesh mesh;
+  const std::vector<Index> welded = weldVertices(vertices, mesh);
+  chooseGrid(mesh);
+
+  struct Entry {
+    std::array<Index, 3> corners;
+    std::uint32_t input;
+  };
+  std::vector<Entry> entries(triangles.size());
+  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
+    std::array<Index, 3> f{welded[triangles[i][0]], welded[triangles[i][1]], welded[triangles[i][2]]};
+    if (bothSides && facing(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]) < 0) std::swap(f[1], f[2]);
+    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+    entries[i] = {f, inputTriangles.empty() ? static_cast<std::uint32_t>(i) : inputTriangles[i]};
+  });
+  tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.corners != b.corners ? a.corners < b.corners : a.input < b.input;
+  });
+  mesh.triangles.reserve(entries.size());
+  mesh.inputTriangles.reserve(entries.size());
+  for (const Entry& entry : entries) {
+    mesh.triangles.push_back(entry.corners);
+    mesh.inputTriangles.push_back(entry.input);
+  }
+  classify(mesh);
+
+  std::vector<Box> boxes;
+  std::vector<std::int32_t> ids;
+  boxes.reserve(entries.size());
+  ids.reserve(entries.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.degenerate[t]) continue;
+    const auto& f = mesh.triangles[t];
+    const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+    boxes.push_back({{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                     {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}});
+    ids.push_back(static_cast<std::int32_t>(t));
+  }
+  mesh.tree.build(std::move(boxes), std::move(ids));
+  return mesh;
+}
+
+}  // namespace footfall

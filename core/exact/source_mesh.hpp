@@ -1,0 +1,49 @@
+// One generation of source geometry: distinct vertices and triangles in an order of their own, ready for exact work.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Vertices are sorted by x, y, z and welded; triangles start at their smallest vertex and are sorted by their vertices.
+// So nothing that follows can depend on the order of the input, and "first in a fixed geometric order" (design,
+// section 2) is simply "smaller index".
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/environment/environment.hpp"
+#include "core/environment/triangle_tree.hpp"
+#include "core/exact/error_double.hpp"
+#include "core/exact/grid.hpp"
+
+namespace footfall {
+
+using Index = std::int32_t;
+
+struct SourceMesh {
+  std::vector<Vec3> vertices;
+  /// Coordinates times 2^grid.scaleExponent(): what doubles compute with. Exact, except where a coordinate underflows, which
+  /// the sign rule allows for.
+  std::vector<Vec3> scaled;
+  /// For each vertex the smallest vertex with the same x and y: its identity in the plan.
+  std::vector<Index> planIds;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::uint32_t> inputTriangles;           ///< index in the environment (or in the earlier generation)
+  std::vector<std::array<ErrorDouble, 3>> normals;     ///< of scaled coordinates; zero components are exactly zero
+  std::vector<std::int8_t> facing;                     ///< sign of the normal's z
+  std::vector<char> degenerate;                        ///< zero area
+  std::vector<std::pair<Index, Index>> obstacleEdges;  ///< from an earlier generation: sorted, smaller vertex first
+
+  Grid grid;  ///< of the vertices
+
+  TriangleTree tree;  ///< over all triangles that are not degenerate
+
+  [[nodiscard]] bool hasObstacleEdge(Index a, Index b) const;
+};
+
+/// Welds, sorts and classifies. `inputTriangles` may be empty (then 0, 1, 2, ...). `bothSides` turns triangles that
+/// face down.
+SourceMesh makeSourceMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                          const std::vector<std::uint32_t>& inputTriangles, bool bothSides);
+
+}  // namespace footfall
