@@ -8,6 +8,7 @@
 
 #include "core/environment/environment.hpp"
 #include "core/environment/navigation_mesh.hpp"
+#include "core/exact/exact_fallbacks.hpp"
 #include "core/filters/descriptor.hpp"
 #include "core/pipeline/run_context.hpp"
 
@@ -24,12 +25,6 @@ struct StateSummary {
   std::uint32_t layers = 0;
   std::uint64_t connections = 0;
   std::uint64_t obstacleEdges = 0;
-};
-
-/// Where doubles could not decide and exact arithmetic had to, by kind of decision; summed over all threads.
-struct ExactFallbacks {
-  std::uint64_t slope = 0, height = 0, orientation = 0, side = 0, order = 0, equality = 0, area = 0;
-  [[nodiscard]] std::uint64_t total() const { return slope + height + orientation + side + order + equality + area; }
 };
 
 /// What a filter says about its own work beside the result, for the user (e.g. "3 vertices merged").

@@ -1,0 +1,111 @@
+// Exact predicates in the plan: the closed family of lines and points that the pipeline constructs, one level deep.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A new vertex is always the crossing, in the plan, of two lines of a closed family, lifted to a floor's plane: edges of
+// source triangles, and traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane. What
+// a point *is* is kept; its value is computed when needed. A decision goes through up to four stages: rounded
+// coordinates with a bound, provenance, doubles with a running error (ErrorDouble), exact integers (GMP).
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/exact/exact_fallbacks.hpp"
+#include "core/exact/source_mesh.hpp"
+
+namespace footfall {
+
+/// A directed line in the plan; positive is its left side.
+struct PlanLine {
+  enum Kind : Index { Edge, Trace };
+  Index kind = Edge;
+  Index a = -1;  ///< Edge: smaller plan id, from here ... Trace: the obstacle
+  Index b = -1;  ///< ... to the larger plan id. Trace: the level; positive where the obstacle is above floor + level
+  bool operator==(const PlanLine&) const = default;
+};
+
+/// A point in the plan. Fields that a kind does not use stay -1.
+struct PlanPoint {
+  enum Kind : Index {
+    Source,     ///< plan id `a`
+    EdgePlane,  ///< where the source edge of vertices (a < b) meets the plane of triangle c raised by level d
+    Crossing    ///< of the lines (a, b, c) < (d, e, f), traces taken on `face`
+  };
+  Index kind = Source;
+  Index a = -1, b = -1, c = -1, d = -1, e = -1, f = -1;
+  Index face = -1;
+  bool operator==(const PlanPoint&) const = default;
+  [[nodiscard]] PlanLine firstLine() const { return {a, b, c}; }
+  [[nodiscard]] PlanLine secondLine() const { return {d, e, f}; }
+};
+
+/// Homogeneous plan coordinates relative to an origin vertex: (x, y, w), w > 0, the point is (x / w, y / w).
+template <class T>
+using Homogeneous = std::array<T, 3>;
+
+/// Rounded scaled coordinates relative to some origin with an absolute error bound on each.
+struct ApproximatePoint {
+  double x = 0, y = 0;
+  double error = 0;
+};
+
+/// Predicates over one generation of source geometry and a set of levels. Immutable; shared by all threads.
+class PlanKernel {
+ public:
+  /// `heights[i]` is level i + 1 (environment units, > 0); level -i is its negative, level 0 is the plane itself.
+  PlanKernel(std::shared_ptr<const SourceMesh> mesh, std::vector<double> heights);
+
+  [[nodiscard]] const SourceMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] const std::shared_ptr<const SourceMesh>& sharedMesh() const { return mesh_; }
+  [[nodiscard]] const std::vector<double>& heights() const { return heights_; }
+  [[nodiscard]] const SignRule& sign() const { return sign_; }
+  /// The level of a height, if it is one of heights().
+  [[nodiscard]] std::optional<Index> levelOf(double height) const;
+
+  /// Sign of z(vertex) - z_face(vertex) - height(level); the face must face up.
+  int heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const;
+  /// Orientation in the plan of three source vertices.
+  int orientation(Index a, Index b, Index c, ExactFallbacks& count) const;
+  /// True when both triangles lie in one plane (the face must face up).
+  bool coplanar(Index face, Index other, ExactFallbacks& count) const;
+
+  // Values for FaceGeometry and the joining step.
+  [[nodiscard]] Homogeneous<ErrorDouble> homogeneous(const PlanPoint& point, Index origin) const;
+  [[nodiscard]] Homogeneous<mpz_class> exactHomogeneous(const PlanPoint& point, Index origin) const;
+  [[nodiscard]] std::array<ErrorDouble, 3> coefficients(const PlanLine& line, Index face, Index origin) const;
+  [[nodiscard]] std::array<mpz_class, 3> exactCoefficients(const PlanLine& line, Index face, Index origin) const;
+  /// Rounded coordinates; computed exactly where the running error would be too coarse to decide anything.
+  [[nodiscard]] ApproximatePoint approximate(const Homogeneous<ErrorDouble>& h, const PlanPoint& point,
+                                             Index origin) const;
+
+  /// Orientation in the plan of any three points; `origin` should be near them.
+  int orientation(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, Index origin,
+                  ExactFallbacks& count) const;
+  /// Compares coordinate `axis` (0 or 1) of two points.
+  int compare(const PlanPoint& a, const PlanPoint& b, int axis, Index origin, ExactFallbacks& count) const;
+  /// Sign of z on face f minus z on face g at one plan point; both must not be vertical.
+  int compareHeight(const PlanPoint& point, Index f, Index g, ExactFallbacks& count) const;
+  /// Sign of a line taken on `face` at a point.
+  int side(const PlanLine& line, Index face, const PlanPoint& point, Index origin, ExactFallbacks& count) const;
+
+  /// The exact coordinates of a plan point lifted to a face, in the environment's units.
+  [[nodiscard]] std::array<mpq_class, 3> exactPosition(const PlanPoint& point, Index face) const;
+  /// The same, each coordinate rounded to the nearest double; `exact` (may be null) tells whether nothing was lost.
+  [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face, bool* exact = nullptr) const;
+
+ private:
+  std::shared_ptr<const SourceMesh> mesh_;
+  std::vector<double> heights_;
+  std::vector<double> scaledHeights_;
+  Grid grid_;
+  SignRule sign_;
+};
+
+/// Nearest double of a rational, ties to even; overflow gives infinity.
+double nearestDouble(const mpq_class& value);
+
+}  // namespace footfall
