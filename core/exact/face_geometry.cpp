@@ -184,7 +184,7 @@ int FaceGeometry::orientation(Index a, Index b, Index c) {
     for (const PlanLine& l : {points_[p].firstLine(), points_[p].secondLine()})
       if (isKnownOn(l, points_[q]) && isKnownOn(l, points_[r])) return 0;
   }
-  const auto determinant = [](const auto& x, const auto& y, const auto& z) {
+  const auto determinant = [](const auto& x, const auto& y, const auto& z) -> std::decay_t<decltype(x[0])> {
     return x[0] * (y[1] * z[2] - z[1] * y[2]) - x[1] * (y[0] * z[2] - z[0] * y[2]) +
            x[2] * (y[0] * z[1] - z[0] * y[1]);
   };

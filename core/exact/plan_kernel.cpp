@@ -72,7 +72,7 @@ struct ExactContext {
 };
 
 // numerator / denominator * 2^exponent, rounded to the nearest double.
-double roundedQuotient(const mpz_class& numerator, const mpz_class& denominator, int exponent) {
+double roundedQuotient(const mpz_class& numerator, const mpz_class& denominator, int exponent, bool* exact = nullptr) {
   mpfr_t value;
   mpfr_init2(value, 53);
   mpq_class quotient;
@@ -82,7 +82,8 @@ double roundedQuotient(const mpz_class& numerator, const mpz_class& denominator,
     quotient.get_num() = -numerator;
     quotient.get_den() = -denominator;
   }
-  mpfr_set_q(value, quotient.get_mpq_t(), MPFR_RNDN);
+  const int lost = mpfr_set_q(value, quotient.get_mpq_t(), MPFR_RNDN);
+  if (exact != nullptr && lost != 0) *exact = false;
   mpfr_mul_2si(value, value, exponent, MPFR_RNDN);
   const double result = mpfr_get_d(value, MPFR_RNDN);
   mpfr_clear(value);
@@ -197,7 +198,7 @@ int PlanKernel::orientation(Index a, Index b, Index c, ExactFallbacks& count) co
   const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + sign_.slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  const auto evaluate = [&](const auto& context) {
+  const auto evaluate = [&](const auto& context) -> typename std::decay_t<decltype(context)>::T {
     return context.difference(a, c, 0) * context.difference(b, c, 1) -
            context.difference(a, c, 1) * context.difference(b, c, 0);
   };
@@ -325,7 +326,8 @@ std::array<mpq_class, 3> PlanKernel::exactPosition(const PlanPoint& point, Index
   return result;
 }
 
-Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face) const {
+Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact) const {
+  if (exact != nullptr) *exact = true;
   const Index origin = mesh_->triangles[face][0];
   const auto h = exactHomogeneous(point, origin);
   const ExactContext context{*mesh_, heights_, grid_.low, origin};
@@ -334,7 +336,7 @@ Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face) const {
   // (local + base) on the grid over a common denominator, without reducing fractions
   const auto round = [&](const mpz_class& numerator, const mpz_class& denominator, double base) {
     const mpz_class whole = numerator + toInteger(base, grid_.low) * denominator;
-    return roundedQuotient(whole, denominator, grid_.low);
+    return roundedQuotient(whole, denominator, grid_.low, exact);
   };
   const mpz_class zNumerator = -(n[0] * h[0] + n[1] * h[1]);
   const mpz_class zDenominator = n[2] * h[2];

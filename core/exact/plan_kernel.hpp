@@ -94,8 +94,8 @@ class PlanKernel {
 
   /// The exact coordinates of a plan point lifted to a face, in the environment's units.
   [[nodiscard]] std::array<mpq_class, 3> exactPosition(const PlanPoint& point, Index face) const;
-  /// The same, each coordinate rounded to the nearest double.
-  [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face) const;
+  /// The same, each coordinate rounded to the nearest double; `exact` (may be null) tells whether nothing was lost.
+  [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face, bool* exact = nullptr) const;
 
  private:
   std::shared_ptr<const SourceMesh> mesh_;

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/clearance_clipper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace footfall {
+namespace {
+
+int next(int k) { return k == 2 ? 0 : k + 1; }
+
+}  // namespace
+
+ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level)
+    : kernel_(kernel),
+      mesh_(kernel.mesh()),
+      walkable_(walkable),
+      level_(level),
+      height_(kernel.heights()[level - 1]),
+      scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
+      geometry_(kernel) {}
+
+FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
+  prepareFloor(face);
+  if (earlier != nullptr) {
+    if (earlier->removed) return *earlier;
+    addEarlier(*earlier);
+  }
+  const auto& f = mesh_.triangles[face];
+  Box query;
+  const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
+  query.lower = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
+  query.upper = {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height_};
+  query.upper[2] = std::nextafter(query.upper[2], std::numeric_limits<double>::infinity());
+
+  bool removed = false;
+  mesh_.tree.visitOverlapping(query, stack_, [&](Index obstacle) {
+    if (obstacle == face) return true;
+    const Heights heights = heightsOf(obstacle);
+    if (heights.coplanar ? !(walkable_[obstacle] && obstacle < face) : !heights.reaches) return true;
+    if (!mayOverlap(obstacle)) return true;
+    if (!started_) {
+      geometry_.start(face);
+      started_ = true;
+    }
+    if (mesh_.facing[obstacle] == 0)
+      addWall(obstacle, heights);
+    else
+      removed = addArea(obstacle, heights);
+    return !removed;
+  });
+  if (removed) {
+    FaceCuts cuts;
+    cuts.removed = true;
+    return cuts;
+  }
+  cancelSegments();
+  return collect();
+}
+
+void ClearanceClipper::prepareFloor(Index face) {
+  face_ = face;
+  started_ = false;
+  segments_.clear();
+  edgeWalls_ = 0;
+  const auto& f = mesh_.triangles[face];
+  for (int k = 0; k < 3; ++k)
+    if (mesh_.hasObstacleEdge(f[k], f[next(k)])) edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
+  const auto& n = mesh_.normals[face];
+  nx_ = n[0].value, ny_ = n[1].value, nz_ = n[2].value;
+  ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
+}
+
+ClearanceClipper::Heights ClearanceClipper::heightsOf(Index obstacle) {
+  Heights heights;
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[obstacle];
+  const Vec3& base = mesh_.scaled[f[0]];
+  const double slack = kernel_.sign().slack;
+  bool above = false, below = false, on = true;
+  for (int j = 0; j < 3; ++j) {
+    const Index v = o[j];
+    if (v == f[0] || v == f[1] || v == f[2]) {
+      heights.floor[j] = 0;
+      heights.ceiling[j] = -1;
+    } else {
+      const Vec3& p = mesh_.scaled[v];
+      const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
+      const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
+      const double value = tx + ty + tz;
+      // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
+      const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
+                            ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
+                               kInflate +
+                           slack;
+      heights.floor[j] = value > bound    ? 1
+                         : value < -bound ? -1
+                                          : kernel_.heightSign(face_, v, 0, geometry_.fallbacks);
+      if (heights.floor[j] <= 0)
+        heights.ceiling[j] = -1;
+      else
+        heights.ceiling[j] = value - th > bound    ? 1
+                             : value - th < -bound ? -1
+                                                   : kernel_.heightSign(face_, v, level_, geometry_.fallbacks);
+    }
+    above = above || heights.floor[j] > 0;
+    below = below || heights.ceiling[j] < 0;
+    on = on && heights.floor[j] == 0;
+  }
+  heights.coplanar = on;
+  heights.reaches = above && below;
+  return heights;
+}
+
+bool ClearanceClipper::mayOverlap(Index obstacle) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[obstacle];
+  const auto& plan = mesh_.planIds;
+  const int facing = mesh_.facing[obstacle];
+  // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
+  for (int k = 0; k < 3; ++k) {
+    bool inside = false;
+    int zeros = 0;
+    for (int j = 0; j < 3; ++j) {
+      const Index v = plan[o[j]];
+      sides_[k][j] = v == plan[f[k]] || v == plan[f[next(k)]]
+                         ? 0
+                         : kernel_.orientation(f[k], f[next(k)], o[j], geometry_.fallbacks);
+      inside = inside || sides_[k][j] > 0;
+      zeros += sides_[k][j] == 0;
+    }
+    if (!inside && !(facing == 0 && zeros >= 2)) return false;
+  }
+  if (facing != 0) {
+    for (int k = 0; k < 3; ++k) {
+      const Index a = facing > 0 ? o[k] : o[next(k)];
+      const Index b = facing > 0 ? o[next(k)] : o[k];
+      bool inside = false;
+      for (int j = 0; j < 3 && !inside; ++j)
+        inside = plan[f[j]] != plan[a] && plan[f[j]] != plan[b] &&
+                 kernel_.orientation(a, b, f[j], geometry_.fallbacks) > 0;
+      if (!inside) return false;
+    }
+    return true;
+  }
+  // A wall must not have the whole face strictly on one side, nor touch it in a corner only.
+  Index a = -1, b = -1;
+  for (int k = 0; k < 3 && a < 0; ++k)
+    if (plan[o[k]] != plan[o[next(k)]]) a = o[k], b = o[next(k)];
+  int left = 0, right = 0;
+  for (int j = 0; j < 3; ++j) {
+    const int s = plan[f[j]] == plan[a] || plan[f[j]] == plan[b]
+                      ? 0
+                      : kernel_.orientation(a, b, f[j], geometry_.fallbacks);
+    left += s > 0;
+    right += s < 0;
+  }
+  return !(left == 3 || right == 3 || (left == 2 && right == 0) || (right == 2 && left == 0));
+}
+
+bool ClearanceClipper::addArea(Index obstacle, const Heights& heights) {
+  const auto& o = mesh_.triangles[obstacle];
+  const auto& plan = mesh_.planIds;
+  const bool up = mesh_.facing[obstacle] > 0;
+  Polygon polygon;
+  for (int j = 0; j < 3; ++j) {  // counter-clockwise in the plan
+    const int i = up ? j : 2 - j;
+    const int i2 = up ? next(j) : (4 - j) % 3;
+    const Index a = plan[o[i]], b = plan[o[i2]];
+    polygon.push({geometry_.point({PlanPoint::Source, a}), geometry_.edgeLine(a, b), a < b ? 1 : -1, heights.floor[i],
+                  heights.ceiling[i]});
+  }
+  if (!heights.coplanar) {
+    clipToLevel(polygon, obstacle, false);
+    if (polygon.size > 0) clipToLevel(polygon, obstacle, true);
+  }
+  for (int k = 0; k < 3 && polygon.size > 0; ++k) {
+    const auto& s = sides_[k];
+    if (s[0] >= 0 && s[1] >= 0 && s[2] >= 0) {
+      // inside already; only remember what lies on the edge
+      const int zeros = (s[0] == 0) + (s[1] == 0) + (s[2] == 0);
+      for (int i = 0; i < polygon.size; ++i) {
+        const Index p = polygon.corners[i].point;
+        if (zeros >= 2) {
+          geometry_.sideOfEdge(k, p);
+        } else if (zeros == 1 && geometry_[p].kind == PlanPoint::Source) {
+          for (int j = 0; j < 3; ++j)
+            if (s[j] == 0 && geometry_[p].a == plan[o[j]]) geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
+        }
+      }
+      continue;
+    }
+    clipToEdge(polygon, k);
+  }
+  if (polygon.size < 3) return false;
+  if (polygon.size == 3) {
+    int corners = 0;
+    for (int i = 0; i < 3; ++i) corners += polygon.corners[i].point < 3;  // the face's corners are points 0, 1, 2
+    if (corners == 3) return true;
+  }
+  for (int i = 0; i < polygon.size; ++i) {
+    const Corner& c = polygon.corners[i];
+    addSegment(c.point, polygon.corners[(i + 1) % polygon.size].point, c.line, c.direction, 1, false);
+  }
+  return false;
+}
+
+// Keeps what is above the floor, or below the clearance.
+void ClearanceClipper::clipToLevel(Polygon& polygon, Index obstacle, bool ceiling) {
+  const int keep = ceiling ? -1 : 1;
+  const auto value = [&](const Corner& c) { return (ceiling ? c.ceiling : c.floor) * keep; };
+  bool needed = false, any = false;
+  for (int i = 0; i < polygon.size; ++i) {
+    needed = needed || value(polygon.corners[i]) < 0;
+    any = any || value(polygon.corners[i]) > 0;
+  }
+  if (!any) polygon.size = 0;
+  if (!any || !needed) return;
+
+  const Index level = ceiling ? level_ : 0;
+  const Index trace = geometry_.line({PlanLine::Trace, obstacle, level});
+  const auto& o = mesh_.triangles[obstacle];
+  const auto crossingOf = [&](Index line) {
+    const PlanLine l = geometry_.lineAt(line);
+    for (int j = 0; j < 3; ++j) {
+      const Index u = o[j], v = o[next(j)];
+      const Index a = mesh_.planIds[u], b = mesh_.planIds[v];
+      if (std::min(a, b) == l.a && std::max(a, b) == l.b)
+        return geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
+    }
+    return geometry_.crossing(line, trace);
+  };
+  Polygon result;
+  for (int i = 0; i < polygon.size; ++i) {
+    const Corner& c = polygon.corners[i];
+    const int a = value(c), b = value(polygon.corners[(i + 1) % polygon.size]);
+    if (a == 0 && b < 0)
+      result.push({c.point, trace, keep, c.floor, c.ceiling});
+    else if (a >= 0)
+      result.push(c);
+    if (a * b < 0) {
+      Corner cut{crossingOf(c.line), c.line, c.direction, ceiling ? 1 : 0, ceiling ? 0 : -1};
+      if (a > 0) {
+        cut.line = trace;
+        cut.direction = keep;
+      }
+      result.push(cut);
+    }
+  }
+  polygon = result;
+}
+
+void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
+  std::array<int, 12> side{};
+  bool any = false;
+  for (int i = 0; i < polygon.size; ++i) {
+    side[i] = geometry_.sideOfEdge(k, polygon.corners[i].point);
+    any = any || side[i] > 0;
+  }
+  if (!any) {
+    polygon.size = 0;
+    return;
+  }
+  Polygon result;
+  for (int i = 0; i < polygon.size; ++i) {
+    Corner c = polygon.corners[i];
+    const int a = side[i], b = side[(i + 1) % polygon.size];
+    if (a == 0 && b < 0) {
+      c.line = k;  // FaceGeometry: the face's edges are the lines 0, 1, 2
+      c.direction = geometry_.edgeDirection(k);
+      result.push(c);
+    } else if (a >= 0) {
+      result.push(c);
+    }
+    if (a * b < 0) {
+      Corner cut = polygon.corners[i];
+      cut.point = geometry_.crossing(cut.line, k);
+      geometry_.addBorder(cut.point, static_cast<std::uint8_t>(1 << k));
+      if (a > 0) {
+        cut.line = k;
+        cut.direction = geometry_.edgeDirection(k);
+      }
+      result.push(cut);
+    }
+  }
+  polygon = result;
+}
+
+void ClearanceClipper::addWall(Index obstacle, const Heights& heights) {
+  const auto& o = mesh_.triangles[obstacle];
+  const auto& plan = mesh_.planIds;
+  // Where the wall reaches into the clearance: its corners there, and where its edges pass floor and ceiling.
+  std::array<Index, 12> points{};
+  int count = 0;
+  Index line = -1;
+  for (int k = 0; k < 3; ++k) {
+    const Index u = o[k], v = o[next(k)];
+    const bool upright = plan[u] == plan[v];
+    if (!upright && line < 0) line = geometry_.edgeLine(plan[u], plan[v]);
+    if (heights.floor[k] >= 0 && heights.ceiling[k] <= 0)
+      points[count++] = geometry_.point({PlanPoint::Source, plan[u]});
+    const auto addCrossing = [&](Index level) {
+      points[count++] =
+          upright ? geometry_.point({PlanPoint::Source, plan[u]})
+                  : geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
+    };
+    if (heights.floor[k] * heights.floor[next(k)] < 0) addCrossing(0);
+    if (heights.ceiling[k] * heights.ceiling[next(k)] < 0) addCrossing(level_);
+  }
+  const PlanLine l = geometry_.lineAt(line);
+  const Vec3 &start = mesh_.vertices[l.a], &end = mesh_.vertices[l.b];
+  const double dx = end.x - start.x, dy = end.y - start.y;
+  const int axis = std::fabs(dx) > std::fabs(dy) ? 0 : 1;
+  const int along = (axis == 0 ? end.x > start.x : end.y > start.y) ? 1 : -1;
+  Index first = points[0], last = points[0];
+  for (int i = 1; i < count; ++i) {
+    if (geometry_.compare(points[i], first, axis) * along < 0) first = points[i];
+    if (geometry_.compare(points[i], last, axis) * along > 0) last = points[i];
+  }
+  if (geometry_.compare(first, last, axis) == 0) return;
+  for (int k = 0; k < 3; ++k) {
+    const int a = geometry_.sideOfEdge(k, first), b = geometry_.sideOfEdge(k, last);
+    if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return;
+    if (a * b >= 0) continue;
+    const Index p = geometry_.crossing(line, k);
+    geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
+    (a < 0 ? first : last) = p;
+  }
+  if (first == last) return;
+  for (int k = 0; k < 3; ++k) {
+    if ((first == k && last == next(k)) || (last == k && first == next(k))) {
+      edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
+      return;
+    }
+  }
+  addSegment(first, last, line, 1, 0, true);
+}
+
+void ClearanceClipper::addSegment(Index from, Index to, Index line, int direction, int winding, bool wall) {
+  if (from == to) return;
+  CutSegment s{from, to, line, static_cast<std::int8_t>(direction), winding, wall};
+  if (s.from > s.to) {
+    std::swap(s.from, s.to);
+    s.direction = static_cast<std::int8_t>(-s.direction);
+    s.winding = -s.winding;
+  }
+  segments_.push_back(s);
+}
+
+void ClearanceClipper::addEarlier(const FaceCuts& earlier) {
+  edgeWalls_ |= earlier.edgeWalls;
+  if (earlier.segments.empty()) return;
+  geometry_.start(face_);
+  started_ = true;
+  std::vector<Index> points, lines;
+  for (std::size_t i = 0; i < earlier.points.size(); ++i) {
+    points.push_back(geometry_.point(earlier.points[i]));
+    geometry_.addBorder(points.back(), earlier.borders[i]);
+  }
+  for (const PlanLine& l : earlier.lines) lines.push_back(geometry_.line(l));
+  for (const CutSegment& s : earlier.segments)
+    addSegment(points[s.from], points[s.to], lines[s.line], s.direction, s.winding, s.wall);
+}
+
+// Two obstacles that share an edge and lie on either side of it in the plan cover it: their windings cancel.
+void ClearanceClipper::cancelSegments() {
+  std::sort(segments_.begin(), segments_.end(), [](const CutSegment& a, const CutSegment& b) {
+    return a.from != b.from ? a.from < b.from : a.to != b.to ? a.to < b.to : a.line < b.line;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < segments_.size();) {
+    CutSegment sum = segments_[i];
+    std::size_t j = i + 1;
+    for (; j < segments_.size() && segments_[j].from == sum.from && segments_[j].to == sum.to; ++j) {
+      sum.winding += segments_[j].winding;
+      sum.wall = sum.wall || segments_[j].wall;
+    }
+    if (sum.winding != 0 || sum.wall) segments_[kept++] = sum;
+    i = j;
+  }
+  segments_.resize(kept);
+}
+
+FaceCuts ClearanceClipper::collect() {
+  FaceCuts cuts;
+  cuts.edgeWalls = edgeWalls_;
+  if (segments_.empty()) return cuts;
+  std::vector<Index> points(geometry_.pointCount(), -1);
+  std::unordered_map<Index, Index> lines;
+  const auto pointOf = [&](Index p) {
+    if (points[p] < 0) {
+      points[p] = static_cast<Index>(cuts.points.size());
+      cuts.points.push_back(geometry_[p]);
+      cuts.borders.push_back(geometry_.border(p));
+    }
+    return points[p];
+  };
+  for (CutSegment s : segments_) {
+    s.from = pointOf(s.from);
+    s.to = pointOf(s.to);
+    const auto [it, isNew] = lines.try_emplace(s.line, static_cast<Index>(cuts.lines.size()));
+    if (isNew) cuts.lines.push_back(geometry_.lineAt(s.line));
+    s.line = it->second;
+    cuts.segments.push_back(s);
+  }
+  return cuts;
+}
+
+}  // namespace footfall
