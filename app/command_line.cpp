@@ -64,6 +64,10 @@ void printInfo(const EnvironmentArguments& arguments) {
   std::cout << formatInfo(*environment, inspectEnvironment(*environment));
 }
 
+void checkOutput() {
+  if (!std::cout.flush()) throw RunError("standard output cannot be written; check where it leads");
+}
+
 }  // namespace
 
 void runCommandLine(int argc, const char* const* argv) {
@@ -107,6 +111,8 @@ void runCommandLine(int argc, const char* const* argv) {
       throw InputError(std::string(error.what()) + "; `footfall --help` tells what can be given");
     }
     app.exit(error);  // --help and --version
+    checkOutput();
+    return;
   }
 
   if (runCommand->parsed()) {
@@ -115,10 +121,10 @@ void runCommandLine(int argc, const char* const* argv) {
     std::cout << runAndExport(run);
   } else if (infoCommand->parsed()) {
     printInfo(environment);
-  } else if (filtersCommand->parsed()) {
+  } else {
     printFilters(filterName, markdown);
   }
-  if (!std::cout.flush()) throw RunError("standard output cannot be written; check where it leads");
+  checkOutput();
 }
 
 }  // namespace footfall

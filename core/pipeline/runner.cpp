@@ -119,8 +119,8 @@ class Run {
     statistics.parameters = step.values;
     statistics.in = current_.summary;
     const auto position = static_cast<std::size_t>(&step - pipeline_.steps.data());
-    context_.beginStep(index, statistics.name);
     guarded(placeOfStep(pipeline_, position) + ", " + statistics.name, [&] {
+      context_.beginStep(index, statistics.name);
       const Stopwatch watch;
       FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_);
       statistics.wallMs = watch.wallMs();
@@ -129,13 +129,12 @@ class Run {
       statistics.fallbacks = outcome.fallbacks;
       current_.state = std::move(outcome.state);
       current_.summary = summarize(*current_.state);
+      current_.mesh = nullptr;
+      statistics.out = current_.summary;
+      current_.steps.push_back(std::move(statistics));
+      remember();
+      context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
     });
-    statistics.out = current_.summary;
-    current_.mesh = nullptr;
-    current_.steps.push_back(std::move(statistics));
-    remember();
-    context_.endStep(context_.wantsParts() ? guarded("preview", [&] { return makePreviewMesh(*current_.state); })
-                                           : nullptr);
   }
 
   void remember() {
