@@ -135,8 +135,7 @@ Homogeneous<typename C::T> rawHomogeneous(const C& c, const PlanPoint& p) {
   if (p.kind == PlanPoint::EdgePlane) {
     const T ha = heightValue(c, p.c, p.a, p.d);
     const T hb = heightValue(c, p.c, p.b, p.d);
-    return {T(c.local(p.a, 0) * hb - c.local(p.b, 0) * ha), T(c.local(p.a, 1) * hb - c.local(p.b, 1) * ha),
-            T(hb - ha)};
+    return {T(c.local(p.a, 0) * hb - c.local(p.b, 0) * ha), T(c.local(p.a, 1) * hb - c.local(p.b, 1) * ha), T(hb - ha)};
   }
   const auto l = lineCoefficients(c, p.firstLine(), p.face);
   const auto m = lineCoefficients(c, p.secondLine(), p.face);
@@ -145,8 +144,7 @@ Homogeneous<typename C::T> rawHomogeneous(const C& c, const PlanPoint& p) {
 
 template <class T>
 T determinant(const Homogeneous<T>& a, const Homogeneous<T>& b, const Homogeneous<T>& c) {
-  return a[0] * (b[1] * c[2] - c[1] * b[2]) - a[1] * (b[0] * c[2] - c[0] * b[2]) +
-         a[2] * (b[0] * c[1] - c[0] * b[1]);
+  return a[0] * (b[1] * c[2] - c[1] * b[2]) - a[1] * (b[0] * c[2] - c[0] * b[2]) + a[2] * (b[0] * c[1] - c[0] * b[1]);
 }
 
 // Heights of two planes at a point, as numerator over positive denominators: sign of z_f - z_g.
@@ -282,11 +280,12 @@ int PlanKernel::compareHeight(const PlanPoint& point, Index f, Index g, ExactFal
   if (f == g) return 0;
   const Index origin = mesh_->triangles[f][0];
   const int flip = mesh_->facing[f] * mesh_->facing[g];
-  const int s = sign_(heightDifference(DoubleContext{*mesh_, scaledHeights_, origin}, homogeneous(point, origin), f, g));
+  const int s =
+      sign_(heightDifference(DoubleContext{*mesh_, scaledHeights_, origin}, homogeneous(point, origin), f, g));
   if (s != kUnknownSign) return s * flip;
   ++count.height;
-  return flip * sgn(heightDifference(ExactContext{*mesh_, heights_, grid_.low, origin},
-                                     exactHomogeneous(point, origin), f, g));
+  return flip * sgn(heightDifference(ExactContext{*mesh_, heights_, grid_.low, origin}, exactHomogeneous(point, origin),
+                                     f, g));
 }
 
 int PlanKernel::side(const PlanLine& line, Index face, const PlanPoint& point, Index origin,

@@ -1,9 +1,9 @@
 // Exact predicates in the plan: the closed family of lines and points that the pipeline constructs, one level deep.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A new vertex is always the crossing, in the plan, of two lines of a closed family, lifted to a floor's plane: edges of
-// source triangles, and traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane. What
-// a point *is* is kept; its value is computed when needed. A decision goes through up to four stages: rounded
+// A new vertex is always the crossing, in the plan, of two lines of a closed family, lifted to a floor's plane: edges
+// of source triangles, and traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane.
+// What a point *is* is kept; its value is computed when needed. A decision goes through up to four stages: rounded
 // coordinates with a bound, provenance, doubles with a running error (ErrorDouble), exact integers (GMP).
 #pragma once
 

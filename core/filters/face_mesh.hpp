@@ -14,8 +14,8 @@ namespace footfall {
 struct FaceMesh {
   struct Cell {
     std::array<Index, 3> corners{};
-    std::uint8_t obstacleEdges = 0;        ///< bit k: edge from corner k to k + 1
-    std::uint8_t outlineEdges = 0;         ///< bit k: no walkable part of this face on the other side
+    std::uint8_t obstacleEdges = 0;                    ///< bit k: edge from corner k to k + 1
+    std::uint8_t outlineEdges = 0;                     ///< bit k: no walkable part of this face on the other side
     std::array<std::int8_t, 3> faceEdges{-1, -1, -1};  ///< for an outline edge on the face's own edge: which
     std::array<Index, 3> lines{-1, -1, -1};            ///< supporting line of an outline or obstacle edge
   };

@@ -85,8 +85,8 @@ std::shared_ptr<const NavigationMesh> makePreviewMesh(const WalkableState& state
     for (std::size_t t = 0; t < source.triangles.size(); ++t) {
       if (state.walkable[t] == 0) continue;
       const auto& f = source.triangles[t];
-      preview->triangles.push_back({static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]),
-                                    static_cast<std::uint32_t>(f[2])});
+      preview->triangles.push_back(
+          {static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]), static_cast<std::uint32_t>(f[2])});
       preview->sourceTriangles.push_back(source.inputTriangles[t]);
     }
     return preview;

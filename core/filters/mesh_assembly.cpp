@@ -17,8 +17,7 @@ namespace {
 constexpr std::size_t kFacesPerTask = 32;
 
 std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel, const std::vector<Index>& faces,
-                                          const std::vector<FaceMesh>& meshes,
-                                          const std::vector<std::size_t>& which) {
+                                          const std::vector<FaceMesh>& meshes, const std::vector<std::size_t>& which) {
   const SourceMesh& source = kernel.mesh();
   const int scale = -source.grid.scaleExponent();
   auto part = std::make_shared<NavigationMesh>();

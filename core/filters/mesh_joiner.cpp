@@ -32,7 +32,8 @@ Index MeshJoiner::sourceVertex(Index source, Index face) {
   if (ofSource_[source] < 0) {
     ofSource_[source] = static_cast<Index>(vertices_.size());
     const Vec3& p = mesh_.scaled[source];
-    vertices_.push_back({{PlanPoint::Source, mesh_.planIds[source]}, face, source, p.x, p.y, p.z, kernel_.sign().slack});
+    vertices_.push_back(
+        {{PlanPoint::Source, mesh_.planIds[source]}, face, source, p.x, p.y, p.z, kernel_.sign().slack});
   }
   return ofSource_[source];
 }
@@ -77,7 +78,11 @@ void MeshJoiner::addWholeFace(Index face, std::uint8_t obstacleEdges) {
   for (int k = 0; k < 3; ++k) {
     const Index u = f[k], v = f[next(k)];
     const Index a = mesh_.planIds[u], b = mesh_.planIds[v];
-    outlines_.push_back({t.corners[k], t.corners[next(k)], index, static_cast<std::int8_t>(k), face,
+    outlines_.push_back({t.corners[k],
+                         t.corners[next(k)],
+                         index,
+                         static_cast<std::int8_t>(k),
+                         face,
                          {PlanLine::Edge, std::min(a, b), std::max(a, b)},
                          {std::min(u, v), std::max(u, v)}});
   }
@@ -100,8 +105,8 @@ void MeshJoiner::addParts(Index face, const FaceMesh& parts) {
     triangles_.push_back(t);
     for (int k = 0; k < 3; ++k) {
       if ((cell.outlineEdges >> k & 1) == 0) continue;
-      Outline outline{t.corners[k], t.corners[next(k)], index, static_cast<std::int8_t>(k), face,
-                      parts.lines[cell.lines[k]], {-1, -1}};
+      Outline outline{t.corners[k], t.corners[next(k)],         index,   static_cast<std::int8_t>(k),
+                      face,         parts.lines[cell.lines[k]], {-1, -1}};
       if (cell.faceEdges[k] >= 0) {
         const Index u = f[cell.faceEdges[k]], v = f[next(cell.faceEdges[k])];
         outline.sourceEdge = {std::min(u, v), std::max(u, v)};

@@ -26,8 +26,8 @@ struct DirectedEdge {
   std::int8_t k = 0;
 };
 
-// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being joined:
-// each such pair is an obstacle edge, so that a reader who welds by position knows it.
+// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
+// joined: each such pair is an obstacle edge, so that a reader who welds by position knows it.
 void markClosedSlivers(RoundedMesh& mesh) {
   std::vector<std::array<Index, 3>> uses;  // vertices (smaller first) and 3 * triangle + k
   for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)

@@ -30,9 +30,9 @@ struct RoundedMesh {
 std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices,
                                 std::vector<char>& exact, RunContext& context);
 
-/// Removes every triangle that is degenerate or turned over, by collapsing edges as short as rounding errors, by handing
-/// a corner that fell onto (or beyond) the opposite edge to the neighbour there, or, at the border, by dropping it;
-/// obstacle flags move to the neighbours (algorithm 3). Afterwards every triangle faces up, exactly. `sturdy[v]`:
+/// Removes every triangle that is degenerate or turned over, by collapsing edges as short as rounding errors, by
+/// handing a corner that fell onto (or beyond) the opposite edge to the neighbour there, or, at the border, by dropping
+/// it; obstacle flags move to the neighbours (algorithm 3). Afterwards every triangle faces up, exactly. `sturdy[v]`:
 /// prefer to keep this vertex's place.
 RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
 
