@@ -2,8 +2,6 @@
 #include "core/filters/filter_registry.hpp"
 namespace footfall {
 FilterOutcome applyDuplication(const StatePtr& state, double, RunContext&) { return {state, {}, {}}; }
-FilterOutcome applyArea(const StatePtr& state, double, RunContext&) { return {state, {}, {}}; }
-FilterOutcome applySimplification(const StatePtr& state, bool, double, RunContext&) { return {state, {}, {}}; }
 FilterOutcome applyLayerSubdivision(const StatePtr& state, RunContext&) { return {state, {}, {}}; }
 FilterOutcome applyRounding(const StatePtr& state, RunContext&) { return {state, {}, {}}; }
 }  // namespace footfall
