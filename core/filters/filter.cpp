@@ -73,6 +73,7 @@ StateSummary summarize(const WalkableState& state) {
   }
   summary.area = std::ldexp(summary.area, -2 * source.grid.scaleExponent());
   summary.layers = mesh.layerCount;
+  summary.connections = mesh.connectionCount;
   summary.obstacleEdges = marks / 2;
   return summary;
 }

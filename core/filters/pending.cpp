@@ -2,6 +2,5 @@
 #include "core/filters/filter_registry.hpp"
 namespace footfall {
 FilterOutcome applyDuplication(const StatePtr& state, double, RunContext&) { return {state, {}, {}}; }
-FilterOutcome applyLayerSubdivision(const StatePtr& state, RunContext&) { return {state, {}, {}}; }
 FilterOutcome applyRounding(const StatePtr& state, RunContext&) { return {state, {}, {}}; }
 }  // namespace footfall
