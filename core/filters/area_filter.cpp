@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The area of a region is a sum of (area in the plan) * |normal| / normal_z over its faces: rational numbers and square
-// roots. Doubles with error bounds decide nearly always; else the rational parts are summed exactly face by face and the
-// roots enclosed by intervals of growing precision. Areas that agree with the minimum to kFinestPrecision bits count as
-// equal, and are removed.
+// roots. Doubles with error bounds decide nearly always; else the rational parts are summed exactly face by face and
+// the roots enclosed by intervals of growing precision. Areas that agree with the minimum to kFinestPrecision bits
+// count as equal, and are removed.
 #include <mpfr.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-// LayerSubdivisionFilter (the thesis's PEELFilter): splits the walkable triangles into layers that do not overlap in the
-// plan, with few connections (design section 2, thesis 3.2).
-// SPDX-License-Identifier: GPL-3.0-or-later
+// LayerSubdivisionFilter (the thesis's PEELFilter): splits the walkable triangles into layers that do not overlap in
+// the plan, with few connections (design section 2, thesis 3.2). SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The minimum number of connections is NP-hard to find (Hillebrand et al. 2016). Here: pieces grow from the lowest
 // triangle upwards (their height heuristic), taking what overlaps nothing in the piece; neighbouring pieces that do not
@@ -122,9 +121,8 @@ class LayerSubdivision {
     piece_.assign(count_, kNone);
     std::vector<Index> order(count_), blockedFor(count_, kNone);
     for (Index t = 0; t < count_; ++t) order[t] = t;
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return lowest(a) != lowest(b) ? lowest(a) < lowest(b) : a < b;
-    });
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return lowest(a) != lowest(b) ? lowest(a) < lowest(b) : a < b; });
     using Candidate = std::pair<double, Index>;
     for (const Index seed : order) {
       if (piece_[seed] != kNone) continue;

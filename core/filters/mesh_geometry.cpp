@@ -12,8 +12,8 @@ Index MeshGeometry::origin(Index vertex) const { return kernel_.mesh().triangles
 int MeshGeometry::orientation(Index a, Index b, Index c) {
   if (a == b || b == c || a == c) return 0;
   const MeshVertex &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
-  const int filtered = filteredOrientation({p.x, p.y, p.error}, {q.x, q.y, q.error}, {r.x, r.y, r.error},
-                                           kernel_.sign().slack);
+  const int filtered =
+      filteredOrientation({p.x, p.y, p.error}, {q.x, q.y, q.error}, {r.x, r.y, r.error}, kernel_.sign().slack);
   if (filtered != kUnknownSign) return filtered;
   if (p.source >= 0 && q.source >= 0 && r.source >= 0)
     return kernel_.orientation(p.source, q.source, r.source, fallbacks);

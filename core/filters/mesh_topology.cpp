@@ -37,8 +37,7 @@ std::vector<Index> findRegions(const WalkableMesh& mesh, const MeshTopology& top
   DisjointSets sets(mesh.triangles.size());
   for (const MeshEdge& e : topology.edges) {
     if (e.obstacle) continue;
-    for (Index u = 1; u < e.useCount; ++u)
-      sets.unite(topology.uses[e.firstUse] / 3, topology.uses[e.firstUse + u] / 3);
+    for (Index u = 1; u < e.useCount; ++u) sets.unite(topology.uses[e.firstUse] / 3, topology.uses[e.firstUse + u] / 3);
   }
   std::vector<Index> region(mesh.triangles.size());
   regionCount = 0;

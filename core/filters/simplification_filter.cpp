@@ -51,9 +51,9 @@ class Simplifier {
     std::vector<Index> triangles;
     std::vector<Index> ring;  ///< opposite vertices, counter-clockwise; a closed fan does not repeat the first
     bool closed = false;
-    int firstFlag = 0, lastFlag = 0;      ///< obstacle flags of the first and the last outline edge
-    std::vector<Index> ringNeighbors;     ///< for each ring edge the side beyond it, or -1
-    std::vector<int> ringFlags;           ///< and its obstacle flag
+    int firstFlag = 0, lastFlag = 0;   ///< obstacle flags of the first and the last outline edge
+    std::vector<Index> ringNeighbors;  ///< for each ring edge the side beyond it, or -1
+    std::vector<int> ringFlags;        ///< and its obstacle flag
   };
 
   void findInnerEdges() {
@@ -231,8 +231,7 @@ class Simplifier {
     const double a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
     const double inside = a2 * (bx * cy - by * cx) + b2 * (cx * ay - cy * ax) + c2 * (ax * by - ay * bx);
     const double size = a2 * (std::fabs(bx * cy) + std::fabs(by * cx)) +
-                        b2 * (std::fabs(cx * ay) + std::fabs(cy * ax)) +
-                        c2 * (std::fabs(ax * by) + std::fabs(ay * bx));
+                        b2 * (std::fabs(cx * ay) + std::fabs(cy * ax)) + c2 * (std::fabs(ax * by) + std::fabs(ay * bx));
     if (!(inside > size * 0x1p-32)) return false;  // a margin, so that flips cannot go round in circles
     if (geometry_.orientation(c, a, d) <= 0 || geometry_.orientation(c, d, b) <= 0) return false;
     const auto flag = [](const MeshTriangle& m, int edge) { return m.obstacleEdges >> edge & 1; };
