@@ -147,6 +147,11 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   }
   kept->layerCount = mesh.layerCount;
   auto result = std::make_shared<WalkableState>(*state);
+  if (!state->cuts && !state->simplified) {
+    // Faces without cuts are in one region each: those that went are no floors for a later clearance filter.
+    result->walkable.assign(state->walkable.size(), 0);
+    for (const MeshTriangle& t : kept->triangles) result->walkable[t.face] = 1;
+  }
   result->mesh = std::move(kept);
   result->dropped = std::move(dropped);
   outcome.state = std::move(result);
