@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/descriptor.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace footfall {
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::max();
+constexpr double kLargestInteger = 2147483647;
+
+// --- Parameters that several descriptors share -----------------------------------------------------------------------
+
+constexpr ParameterDescriptor kMinimumTriangles{
+    .name = "min",
+    .label = "Fewest triangles",
+    .help = "A cell with no more triangles than this is not cut again.",
+    .type = ParameterType::Integer,
+    .unit = Unit::Count,
+    .defaultValue = 50,
+    .minimum = 1,
+    .maximum = kLargestInteger,
+};
+
+constexpr ParameterDescriptor kMaximumDepth{
+    .name = "depth",
+    .label = "Largest depth",
+    .help = "How many times the whole environment may be cut, one cut inside the other.",
+    .type = ParameterType::Integer,
+    .unit = Unit::Count,
+    .defaultValue = 3,
+    .minimum = 1,
+    .maximum = 32,
+};
+
+constexpr ParameterDescriptor kRoundCuts{
+    .name = "round",
+    .label = "Round the cuts",
+    .help =
+        "Whether points on a cut are rounded. The thesis does so to keep its numbers small; here cut points are "
+        "exact and vanish in Collapse, so both values give the same result.",
+    .type = ParameterType::Boolean,
+    .unit = Unit::None,
+    .defaultValue = 1,
+    .minimum = 0,
+    .maximum = 1,
+};
+
+ParameterDescriptor optional(ParameterDescriptor parameter) {
+  parameter.optional = true;
+  return parameter;
+}
+
+// --- Filters ---------------------------------------------------------------------------------------------------------
+
+FilterDescriptor duplication() {
+  return {
+      .name = "DuplicationFilter",
+      .aliases = {},
+      .label = "Duplication",
+      .help =
+          "Merges vertices that lie close together, so that triangles that only look connected share their "
+          "corners. A distance of 0 joins vertices at equal positions and moves nothing. A larger distance moves "
+          "vertices and may make triangles degenerate: let a DegeneracyFilter follow.",
+      .precondition = "",
+      .effect =
+          "No two separate vertices are closer to each other than the distance. The result does not depend on "
+          "the order of the vertices in the file.",
+      .source = "thesis 3.2, filter 2",
+      .parameters = {{
+          .name = "distance",
+          .label = "Distance",
+          .help = "Vertices closer than this become one; 0 joins equal positions only.",
+          .type = ParameterType::Real,
+          .unit = Unit::Length,
+          .defaultValue = 0,
+          .minimum = 0,
+          .maximum = kNoLimit,
+      }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+  };
+}
+
+FilterDescriptor degeneracy() {
+  return {
+      .name = "DegeneracyFilter",
+      .aliases = {},
+      .label = "Degeneracy",
+      .help =
+          "Removes triangles without area: those with a repeated corner and those whose corners lie on one line. "
+          "An obstacle edge of a removed triangle moves to the neighbour that shares it.",
+      .precondition = "",
+      .effect = "No triangle of the environment, walkable or rejected, is degenerate.",
+      .source = "thesis 3.2, filter 1; cases 2 to 4 and algorithm 3 of 4.4.2",
+      .parameters = {},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Local,
+  };
+}
+
+FilterDescriptor slope() {
+  return {
+      .name = "SlopeFilter",
+      .aliases = {},
+      .label = "Slope",
+      .help =
+          "Keeps what is not too steep to walk on. The comparison is exact: a ramp of exactly the maximum slope "
+          "stays walkable. Triangles that face down are never walkable. What is removed stays an obstacle.",
+      .precondition = "",
+      .effect = "Every walkable triangle faces up and is inclined by at most the maximum slope.",
+      .source = "thesis 3.2, filter 3",
+      .parameters = {{
+          .name = "max_slope",
+          .label = "Maximum slope",
+          .help = "The steepest ground that an agent can walk on, measured from the horizontal.",
+          .type = ParameterType::Real,
+          .unit = Unit::Degrees,
+          .defaultValue = 45,
+          .minimum = 0,
+          .maximum = 90,
+          .minimumOpen = true,
+          .maximumOpen = true,
+      }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Local,
+  };
+}
+
+FilterDescriptor verticalClearance() {
+  return {
+      .name = "VerticalClearanceFilter",
+      .aliases = {},
+      .label = "Vertical clearance",
+      .help =
+          "Removes the places where an agent would hit its head: those with anything, walkable or not, straight "
+          "above and lower than the clearance. A vertical wall covers no area, so it removes none; where it "
+          "reaches into the clearance it leaves obstacle edges, which agents cannot cross. Where walkable "
+          "triangles overlap in one plane, one of them stays.",
+      .precondition = "",
+      .effect =
+          "No walkable point has a point of another triangle straight above it and nearer than the clearance; "
+          "no place is walkable twice.",
+      .source = "thesis 3.2, filter 4; obstacle edges: 4.4.2, algorithm 3",
+      .parameters = {{
+          .name = "height",
+          .label = "Clearance",
+          .help = "The free height that an agent needs. An obstacle at exactly this height is no obstacle.",
+          .type = ParameterType::Real,
+          .unit = Unit::Length,
+          .defaultValue = 2,
+          .minimum = 0,
+          .maximum = kNoLimit,
+          .minimumOpen = true,
+      }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Local,
+  };
+}
+
+FilterDescriptor area() {
+  return {
+      .name = "AreaFilter",
+      .aliases = {},
+      .label = "Area",
+      .help =
+          "Removes regions that are too small to matter, such as table tops and ledges. A region is what can be "
+          "reached over shared edges without crossing an obstacle edge. What is removed stays an obstacle.",
+      .precondition = "",
+      .effect = "Every walkable region has a surface area above the minimum.",
+      .source = "thesis 3.2, filter 5",
+      .parameters = {{
+          .name = "min_area",
+          .label = "Minimum area",
+          .help = "Regions of at most this surface area are removed; 0 removes nothing.",
+          .type = ParameterType::Real,
+          .unit = Unit::Area,
+          .defaultValue = 1,
+          .minimum = 0,
+          .maximum = kNoLimit,
+      }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+  };
+}
+
+FilterDescriptor simplification() {
+  return {
+      .name = "SimplificationFilter",
+      .aliases = {},
+      .label = "Simplification",
+      .help =
+          "Covers each flat region with as few triangles as its outline needs. Outlines, holes and obstacle edges "
+          "stay as they are. The approximate form also joins regions that are nearly coplanar.",
+      .precondition = "No walkable triangle is degenerate.",
+      .effect =
+          "Other triangles, the same walkable area. In the approximate form vertices may move, by a stated bound "
+          "at most.",
+      .source = "thesis 3.2, filter 6; approximate form: 5.1.2",
+      .parameters = {{
+                         .name = "approximate",
+                         .label = "Approximate",
+                         .help = "Treat nearly coplanar neighbours as coplanar.",
+                         .type = ParameterType::Boolean,
+                         .unit = Unit::None,
+                         .defaultValue = 0,
+                         .minimum = 0,
+                         .maximum = 1,
+                         .optional = true,
+                     },
+                     {
+                         .name = "tolerance",
+                         .label = "Tolerance",
+                         .help = "In the approximate form, triangles count as coplanar when the dot product of their "
+                                 "unit normals is above 1 minus this.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::None,
+                         .defaultValue = 0.000001,
+                         .minimum = 0,
+                         .maximum = 1,
+                         .maximumOpen = true,
+                         .optional = true,
+                     }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+  };
+}
+
+FilterDescriptor layerSubdivision() {
+  return {
+      .name = "LayerSubdivisionFilter",
+      .aliases = {"PEELFilter"},
+      .label = "Layer subdivision",
+      .help =
+          "Splits the walkable area into layers, such as the floors of a building, so that each can be drawn as a "
+          "flat map. Edges on which two layers meet become connections; the fewer, the better.",
+      .precondition = "Every walkable triangle has an area and is not vertical.",
+      .effect =
+          "No two triangles of one layer overlap in the plan; layers and connections form a multi-layered "
+          "environment.",
+      .source = "thesis 3.2, filter 7; Hillebrand et al. 2016",
+      .parameters = {},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+  };
+}
+
+FilterDescriptor rounding() {
+  return {
+      .name = "RoundingFilter",
+      .aliases = {},
+      .label = "Rounding",
+      .help =
+          "Gives every vertex double coordinates and repairs what rounding can break: corners that fall together, "
+          "triangles that lose their area or turn over. Tells how many of each case it met.",
+      .precondition = "",
+      .effect = "Every vertex has double coordinates and no walkable triangle is degenerate or turned over.",
+      .source = "thesis 4.4.2, cases 1 to 5",
+      .parameters = {{
+          .name = "repair",
+          .label = "Repair",
+          .help = "The thesis's files give this value. Rounding is always repaired here, so both values give the same "
+                  "result.",
+          .type = ParameterType::Boolean,
+          .unit = Unit::None,
+          .defaultValue = 1,
+          .minimum = 0,
+          .maximum = 1,
+          .optional = true,
+      }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Local,
+  };
+}
+
+// --- Parallel blocks -------------------------------------------------------------------------------------------------
+
+FilterDescriptor gridStrategy() {
+  const auto count = [](std::string_view name, std::string_view label, std::string_view help) {
+    return ParameterDescriptor{.name = name,
+                               .label = label,
+                               .help = help,
+                               .type = ParameterType::Integer,
+                               .unit = Unit::Count,
+                               .defaultValue = 2,
+                               .minimum = 1,
+                               .maximum = kLargestInteger};
+  };
+  return {
+      .name = "GridStrategy",
+      .aliases = {},
+      .label = "Grid strategy",
+      .help =
+          "Begins a parallel block: cuts the environment into a grid of equal rectangles in the plan. Good where "
+          "obstacles are spread evenly.",
+      .precondition = "A Collapse follows, with only local filters in between.",
+      .effect = "The filters up to Collapse run on each cell on its own.",
+      .source = "thesis 4.3.1",
+      .parameters = {count("n", "Columns", "Number of cells along x."), count("m", "Rows", "Number of cells along y.")},
+      .kind = FilterKind::Strategy,
+      .scope = Scope::Global,
+      .runs = false,
+  };
+}
+
+FilterDescriptor recursiveStrategy() {
+  return {
+      .name = "RecursiveStrategy",
+      .aliases = {},
+      .label = "Recursive strategy",
+      .help =
+          "Begins a parallel block: cuts the environment into four equal rectangles, and each of them again as "
+          "long as it holds many triangles.",
+      .precondition = "A Collapse follows, with only local filters in between.",
+      .effect = "The filters up to Collapse run on each cell on its own.",
+      .source = "thesis 4.3.2",
+      .parameters = {kMinimumTriangles, kMaximumDepth, optional(kRoundCuts)},
+      .kind = FilterKind::Strategy,
+      .scope = Scope::Global,
+      .runs = false,
+  };
+}
+
+FilterDescriptor sortedRecursiveStrategy() {
+  return {
+      .name = "SortedRecursiveStrategy",
+      .aliases = {"SmartRecursiveStrategy"},
+      .label = "Sorted recursive strategy",
+      .help =
+          "Begins a parallel block: cuts the environment in two so that each side gets about half of the "
+          "triangles, across x and y in turn, and each side again as long as it holds many triangles.",
+      .precondition = "A Collapse follows, with only local filters in between.",
+      .effect = "The filters up to Collapse run on each cell on its own.",
+      .source = "thesis 4.3.3",
+      .parameters = {kMinimumTriangles, kMaximumDepth, kRoundCuts},
+      .kind = FilterKind::Strategy,
+      .scope = Scope::Global,
+      .runs = false,
+  };
+}
+
+FilterDescriptor collapse() {
+  return {
+      .name = "Collapse",
+      .aliases = {},
+      .label = "Collapse",
+      .help =
+          "Ends a parallel block: puts the cells together again. The seams vanish, so that the result is the one "
+          "of the same filters without a block.",
+      .precondition = "A strategy stands before it.",
+      .effect = "One environment again, without a trace of the cells.",
+      .source = "thesis 4.1, 5.1.1",
+      .parameters = {},
+      .kind = FilterKind::Collapse,
+      .scope = Scope::Global,
+      .runs = false,
+  };
+}
+
+}  // namespace
+
+std::span<const FilterDescriptor> filterDescriptors() {
+  static const std::vector<FilterDescriptor> descriptors = {
+      duplication(),
+      degeneracy(),
+      slope(),
+      verticalClearance(),
+      area(),
+      simplification(),
+      layerSubdivision(),
+      rounding(),
+      gridStrategy(),
+      recursiveStrategy(),
+      sortedRecursiveStrategy(),
+      collapse(),
+  };
+  return descriptors;
+}
+
+const FilterDescriptor* findFilter(std::string_view nameOrAlias) {
+  for (const FilterDescriptor& filter : filterDescriptors()) {
+    if (filter.name == nameOrAlias || std::ranges::count(filter.aliases, nameOrAlias) > 0) return &filter;
+  }
+  return nullptr;
+}
+
+}  // namespace footfall

@@ -1,0 +1,33 @@
+// The descriptors in words: for messages, `footfall filters` and docs/filters.md.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/filters/descriptor.hpp"
+
+namespace footfall {
+
+/// A value as it stands in a pipeline file: true or false, or the shortest digits that read back to the same double.
+std::string formatValue(const ParameterDescriptor& parameter, double value);
+
+/// What a value may be, e.g. "a number above 0 and below 90 (degrees)".
+std::string describeRange(const ParameterDescriptor& parameter);
+
+/// How to write the filter in a pipeline file, e.g. "SimplificationFilter [approximate [tolerance]]".
+std::string describeUsage(const FilterDescriptor& filter);
+
+/// Everything about one filter as plain text of at most 100 columns, ending in a line break.
+std::string describeFilter(const FilterDescriptor& filter);
+
+/// All filters in one line each, ending in a line break.
+std::string listFilters();
+
+/// All filters as a Markdown document: docs/filters.md.
+std::string filtersMarkdown();
+
+/// The known filter name or alias that `name` most likely stands for (fewest edits, letter case ignored).
+std::string_view nearestFilterName(std::string_view name);
+
+}  // namespace footfall

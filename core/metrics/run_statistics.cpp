@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrics/run_statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/filters/descriptor_text.hpp"
+#include "core/metrics/process_usage.hpp"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parametersJson(const StepStatistics& step) {
+  Json parameters = Json::object();
+  const FilterDescriptor* filter = findFilter(step.name);
+  if (filter == nullptr) return parameters;
+  for (std::size_t i = 0; i < std::min(filter->parameters.size(), step.parameters.size()); ++i) {
+    const ParameterDescriptor& parameter = filter->parameters[i];
+    Json& value = parameters[std::string(parameter.name)];
+    switch (parameter.type) {
+      case ParameterType::Boolean:
+        value = step.parameters[i] != 0;
+        break;
+      case ParameterType::Integer:
+        value = static_cast<std::int64_t>(step.parameters[i]);
+        break;
+      case ParameterType::Real:
+        value = step.parameters[i];
+        break;
+    }
+  }
+  return parameters;
+}
+
+ExactFallbacks sumFallbacks(const RunResult& result) {
+  ExactFallbacks sum;
+  for (const StepStatistics& step : result.steps) {
+    sum.slope += step.fallbacks.slope;
+    sum.height += step.fallbacks.height;
+    sum.orientation += step.fallbacks.orientation;
+    sum.side += step.fallbacks.side;
+    sum.order += step.fallbacks.order;
+    sum.equality += step.fallbacks.equality;
+    sum.area += step.fallbacks.area;
+  }
+  return sum;
+}
+
+std::string number(double value, const char* format = "%.1f") {
+  std::array<char, 400> buffer;
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+// Columns as wide as their widest cell; the first to the left, the others but the last to the right.
+std::string formatTable(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(widths[i] - row[i].size(), ' ');
+      const bool left = i == 0 || i + 1 == row.size();
+      line += (i == 0 ? "" : "  ") + (left ? row[i] + padding : padding + row[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string stepText(const StepStatistics& step) {
+  const FilterDescriptor* filter = findFilter(step.name);
+  return filter == nullptr ? step.name : formatStep({filter, step.parameters, true, 0});
+}
+
+}  // namespace
+
+std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
+  Json json;
+  json["environment"] = {{"source", environment.source},
+                         {"triangles", environment.triangles.size()},
+                         {"vertices", environment.vertices.size()},
+                         {"up", environment.up == UpAxis::Y ? "y" : "z"},
+                         {"up_guessed", environment.upGuessed},
+                         {"metres_per_unit", environment.metresPerUnit},
+                         {"scale_guessed", environment.scaleGuessed},
+                         {"both_sides", environment.bothSides}};
+  json["steps"] = Json::array();
+  for (const StepStatistics& step : result.steps) {
+    json["steps"].push_back({{"name", step.name},
+                             {"parameters", parametersJson(step)},
+                             {"wall_ms", step.wallMs},
+                             {"cpu_ms", step.cpuMs},
+                             {"triangles_in", step.in.triangles},
+                             {"triangles_out", step.out.triangles},
+                             {"area_in", step.in.area},
+                             {"area_out", step.out.area},
+                             {"note", step.note}});
+  }
+  json["load_ms"] = times.loadMs;
+  json["finish_ms"] = result.finishMs;
+  json["export_ms"] = times.exportMs;
+  json["total_ms"] = times.totalMs;
+  json["threads"] = result.threads;
+  json["peak_rss_bytes"] = peakRssBytes();
+  json["triangles"] = result.mesh ? result.mesh->triangles.size() : result.summary.triangles;
+  json["area"] = result.summary.area;
+  json["layers"] = result.mesh ? result.mesh->layerCount : result.summary.layers;
+  json["connections"] = result.mesh ? result.mesh->connections.size() : result.summary.connections;
+  json["obstacle_edges"] = result.mesh ? result.mesh->obstacleEdges.size() : result.summary.obstacleEdges;
+  const ExactFallbacks fallbacks = sumFallbacks(result);
+  json["exact_fallbacks"] = fallbacks.total();
+  json["exact_fallbacks_by_kind"] = {
+      {"slope", fallbacks.slope}, {"height", fallbacks.height}, {"orientation", fallbacks.orientation},
+      {"side", fallbacks.side},   {"order", fallbacks.order},   {"equality", fallbacks.equality},
+      {"area", fallbacks.area}};
+  // File names are bytes; what is no UTF-8 must not lose the statistics.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string formatSummary(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
+  std::vector<std::vector<std::string>> rows = {{"step", "wall ms", "cpu ms", "triangles", "area", "note"}};
+  if (!result.steps.empty()) {
+    const StateSummary& first = result.steps.front().in;
+    rows.push_back({"(start)", "", "", std::to_string(first.triangles), number(first.area, "%.6g"), ""});
+  }
+  for (const StepStatistics& step : result.steps) {
+    rows.push_back({stepText(step), number(step.wallMs), number(step.cpuMs), std::to_string(step.out.triangles),
+                    number(step.out.area, "%.6g"), step.note});
+  }
+  rows.push_back({"(navigation mesh)", number(result.finishMs), "",
+                  std::to_string(result.mesh ? result.mesh->triangles.size() : result.summary.triangles), "", ""});
+  std::string text = environment.source + ": " + std::to_string(environment.triangles.size()) + " triangles, " +
+                     (environment.up == UpAxis::Y ? "Y" : "Z") + " up" + (environment.upGuessed ? " (guessed)" : "") +
+                     ", " + number(environment.metresPerUnit, "%.6g") + " m per unit" +
+                     (environment.scaleGuessed ? " (guessed)" : "") + "\n\n" + formatTable(rows) + '\n';
+  const StateSummary& summary = result.summary;
+  const auto count = [](std::uint64_t n, const char* one, const char* many) {
+    return std::to_string(n) + ' ' + (n == 1 ? one : many);
+  };
+  text += count(result.mesh ? result.mesh->layerCount : summary.layers, "layer", "layers") + ", " +
+          count(result.mesh ? result.mesh->connections.size() : summary.connections, "connection", "connections") +
+          ", " +
+          count(result.mesh ? result.mesh->obstacleEdges.size() : summary.obstacleEdges, "obstacle edge",
+                "obstacle edges") +
+          '\n';
+  text += "load " + number(times.loadMs) + " ms, run " + number(result.totalMs) + " ms on " +
+          count(static_cast<std::uint64_t>(result.threads), "thread", "threads") + ", export " +
+          number(times.exportMs) + " ms\n";
+  return text;
+}
+
+}  // namespace footfall

@@ -1,0 +1,25 @@
+// Which steps may follow each other: a parallel block runs from a strategy to Collapse (design section 2).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "core/pipeline/pipeline.hpp"
+
+namespace footfall {
+
+struct StructureError {
+  std::size_t step = 0;  ///< index into Pipeline::steps
+  std::string message;   ///< what is wrong and what to do, without the place
+};
+
+/// The first enabled step that breaks the rules of parallel blocks: a Collapse without a strategy, a strategy without a
+/// Collapse, a strategy inside a block, or a global filter inside a block. Disabled steps do not count.
+std::optional<StructureError> findStructureError(const Pipeline& pipeline);
+
+/// "line 3" when the step comes from a file, else "step 3" (1-based); for messages.
+std::string placeOfStep(const Pipeline& pipeline, std::size_t step);
+
+}  // namespace footfall

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/pipeline.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/filters/descriptor_text.hpp"
+
+namespace footfall {
+namespace {
+
+// 2 m in units of 0.3 mm is 6666.66666667, not 6666.666666666667: defaults are for people to read.
+double roundForPeople(double value) {
+  std::array<char, 32> buffer;
+  const auto written =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 12);
+  double rounded = value;
+  std::from_chars(buffer.data(), written.ptr, rounded);
+  return rounded;
+}
+
+double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit) {
+  const double unitsPerMetre = 1 / metresPerUnit;
+  double value = parameter.defaultValue;
+  if (parameter.unit == Unit::Length) value = roundForPeople(value * unitsPerMetre);
+  if (parameter.unit == Unit::Area) value = roundForPeople(value * unitsPerMetre * unitsPerMetre);
+  // A scale that takes the default out of range (or is no scale at all) must not make an invalid step.
+  return checkValue(parameter, value).empty() ? value : parameter.defaultValue;
+}
+
+}  // namespace
+
+std::string formatStep(const PipelineStep& step) {
+  const std::vector<ParameterDescriptor>& parameters = step.filter->parameters;
+  std::size_t written = step.values.size();
+  while (written > 0 && parameters[written - 1].optional &&
+         step.values[written - 1] == parameters[written - 1].defaultValue) {
+    --written;
+  }
+  std::string text(step.filter->name);
+  for (std::size_t i = 0; i < written; ++i) text += ' ' + formatValue(parameters[i], step.values[i]);
+  return text;
+}
+
+std::string formatPipeline(const Pipeline& pipeline) {
+  std::string text;
+  for (const PipelineStep& step : pipeline.steps) text += (step.enabled ? "" : "#off ") + formatStep(step) + '\n';
+  return text;
+}
+
+PipelineStep defaultStep(const FilterDescriptor& filter, double metresPerUnit) {
+  PipelineStep step;
+  step.filter = &filter;
+  for (const ParameterDescriptor& parameter : filter.parameters) {
+    step.values.push_back(defaultInUnits(parameter, metresPerUnit));
+  }
+  return step;
+}
+
+std::string checkValue(const ParameterDescriptor& parameter, double value) {
+  const auto complain = [&](const std::string& what) {
+    return std::string(parameter.name) + ' ' + what + "; give " + describeRange(parameter);
+  };
+  if (!std::isfinite(value)) return complain("is not a finite number");
+  if (parameter.type != ParameterType::Real && value != std::floor(value)) {
+    return complain("is not a whole number");
+  }
+  const bool above = parameter.minimumOpen ? value > parameter.minimum : value >= parameter.minimum;
+  const bool below = parameter.maximumOpen ? value < parameter.maximum : value <= parameter.maximum;
+  if (!above || !below) {
+    ParameterDescriptor plain = parameter;  // an integer field shows a number of any size in its shortest form
+    plain.type = ParameterType::Real;
+    return complain(formatValue(plain, value) + " is out of range");
+  }
+  return {};
+}
+
+Pipeline defaultPipeline(const Environment& environment) {
+  Pipeline pipeline;
+  for (const std::string_view name : {"DuplicationFilter", "DegeneracyFilter", "SlopeFilter", "VerticalClearanceFilter",
+                                      "AreaFilter", "SimplificationFilter", "LayerSubdivisionFilter"}) {
+    pipeline.steps.push_back(defaultStep(*findFilter(name), environment.metresPerUnit));
+  }
+  return pipeline;
+}
+
+}  // namespace footfall

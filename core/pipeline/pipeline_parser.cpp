@@ -1,0 +1,182 @@
+// The text form of pipelines: the thesis's files (5.4), with messages that name line and column.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/errors.hpp"
+#include "core/filters/descriptor_text.hpp"
+#include "core/pipeline/block_structure.hpp"
+#include "core/pipeline/pipeline.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\v\f";
+constexpr std::string_view kSwitchedOff = "#off";
+
+struct Token {
+  std::string_view text;
+  int column = 0;  // 1-based, in characters
+};
+
+int columnOf(std::string_view line, std::size_t offset) {
+  int column = 1;
+  for (const char c : line.substr(0, offset)) column += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  return column;
+}
+
+std::vector<Token> splitIntoTokens(std::string_view line, std::size_t from) {
+  std::vector<Token> tokens;
+  const std::size_t end = std::min(line.find('#', from), line.size());
+  for (std::size_t at = line.find_first_not_of(kBlanks, from); at < end;) {
+    const std::size_t stop = std::min(line.find_first_of(kBlanks, at), end);
+    tokens.push_back({line.substr(at, stop - at), columnOf(line, at)});
+    at = line.find_first_not_of(kBlanks, stop);
+  }
+  return tokens;
+}
+
+// What the user wrote, short and printable, whatever file was given as a pipeline.
+std::string quote(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  std::string quoted = "\"";
+  for (const char c : text.substr(0, kLongest)) {
+    const bool printable = static_cast<unsigned char>(c) >= 0x20 && c != 0x7F;
+    quoted += printable ? c : '?';
+  }
+  return quoted + (text.size() > kLongest ? "...\"" : "\"");
+}
+
+class Parser {
+ public:
+  explicit Parser(const std::string& source) : source_(source) {}
+
+  void parseLine(std::string_view line, int number) {
+    line_ = number;
+    std::vector<Token> tokens = splitIntoTokens(line, 0);
+    bool enabled = true;
+    if (tokens.empty()) {
+      tokens = tokensOfDisabledStep(line);
+      enabled = false;
+    }
+    if (tokens.empty()) return;
+
+    const FilterDescriptor* filter = findFilter(tokens[0].text);
+    if (filter == nullptr) {
+      fail(tokens[0].column, "unknown filter " + quote(tokens[0].text) + "; did you mean " +
+                                 std::string(nearestFilterName(tokens[0].text)) +
+                                 "? (`footfall filters` lists them all)");
+    }
+    PipelineStep step{filter, {}, enabled, number};
+    parseValues(step, tokens, columnOf(line, line.find_last_not_of(kBlanks) + 1));
+    pipeline_.steps.push_back(std::move(step));
+    columns_.push_back(tokens[0].column);
+  }
+
+  Pipeline finish() {
+    if (const auto error = findStructureError(pipeline_)) {
+      line_ = pipeline_.steps[error->step].line;
+      fail(columns_[error->step], error->message);
+    }
+    return std::move(pipeline_);
+  }
+
+ private:
+  [[noreturn]] void fail(int column, const std::string& message) const {
+    throw InputError(source_ + ':' + std::to_string(line_) + ':' + std::to_string(column) + ": " + message);
+  }
+
+  // `#off` before a filter's name is a step that is switched off; before anything else it is an ordinary comment.
+  static std::vector<Token> tokensOfDisabledStep(std::string_view line) {
+    const std::size_t at = line.find_first_not_of(kBlanks);
+    if (at == line.npos || !line.substr(at).starts_with(kSwitchedOff)) return {};
+    const std::size_t rest = at + kSwitchedOff.size();
+    if (rest >= line.size() || kBlanks.find(line[rest]) == kBlanks.npos) return {};
+    std::vector<Token> tokens = splitIntoTokens(line, rest);
+    if (!tokens.empty() && findFilter(tokens[0].text) == nullptr) tokens.clear();
+    return tokens;
+  }
+
+  void parseValues(PipelineStep& step, const std::vector<Token>& tokens, int columnBehind) const {
+    const std::vector<ParameterDescriptor>& parameters = step.filter->parameters;
+    const std::string name(tokens[0].text);
+    const std::string example = "write for example \"" + formatStep(defaultStep(*step.filter, 1)) + '"';
+    if (tokens.size() > parameters.size() + 1) {
+      const Token& extra = tokens[parameters.size() + 1];
+      const std::string takes = parameters.empty() ? "no parameters" : "only \"" + describeUsage(*step.filter) + '"';
+      fail(extra.column, name + " takes " + takes + "; remove " + quote(extra.text));
+    }
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (i + 1 < tokens.size()) {
+        step.values.push_back(parseValue(parameters[i], tokens[i + 1]));
+      } else if (parameters[i].optional) {
+        step.values.push_back(parameters[i].defaultValue);
+      } else {
+        fail(columnBehind, name + " needs a value for " + std::string(parameters[i].name) + "; " + example);
+      }
+    }
+  }
+
+  double parseValue(const ParameterDescriptor& parameter, const Token& token) const {
+    const auto notValue = [&]() {
+      fail(token.column, quote(token.text) + " is no value for " + std::string(parameter.name) + "; give " +
+                             describeRange(parameter));
+    };
+    if (parameter.type == ParameterType::Boolean) {
+      if (token.text != "true" && token.text != "false") notValue();
+      return token.text == "true" ? 1 : 0;
+    }
+    double value = 0;
+    const char* end = token.text.data() + token.text.size();
+    const auto read = std::from_chars(token.text.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end) notValue();
+    const std::string wrong = checkValue(parameter, value);
+    if (!wrong.empty()) fail(token.column, wrong);
+    return value + 0.0;  // -0 becomes 0: equal values are to be equal in every way
+  }
+
+  const std::string& source_;
+  int line_ = 0;
+  Pipeline pipeline_;
+  std::vector<int> columns_;  // of each step's name
+};
+
+}  // namespace
+
+Pipeline parsePipeline(std::string_view text, const std::string& source) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  Parser parser(source);
+  int number = 1;
+  for (std::size_t at = 0; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    parser.parseLine(text.substr(at, end - at), number);
+    at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+  }
+  return parser.finish();
+}
+
+Pipeline readPipelineFile(const std::string& path) {
+  constexpr std::size_t kLongest = 1 << 20;  // a thousand times more than any pipeline
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(path + ": is a folder; give a pipeline file");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw InputError(path + ": cannot be opened (" + std::strerror(errno) + "); give a pipeline file that can be read");
+  }
+  std::string text(kLongest + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) throw InputError(path + ": cannot be read; check the file and its disk");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kLongest) throw InputError(path + ": is too long for a pipeline; give a text file of filters");
+  return parsePipeline(text, path);
+}
+
+}  // namespace footfall

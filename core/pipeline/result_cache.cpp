@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/result_cache.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+namespace footfall {
+
+ResultCache::ResultCache(std::size_t capacity) : impl_(std::make_unique<Impl>(capacity)) {}
+ResultCache::~ResultCache() = default;
+void ResultCache::clear() { impl_->clear(); }
+
+std::list<PrefixCache::Entry>::iterator PrefixCache::locate(const EnvironmentPtr& environment, const std::string& key) {
+  std::erase_if(entries_, [](const Entry& entry) { return entry.environment.expired(); });
+  return std::ranges::find_if(entries_, [&](const Entry& entry) {
+    return entry.key == key && !entry.environment.owner_before(environment) &&
+           !environment.owner_before(entry.environment);
+  });
+}
+
+std::optional<CachedPrefix> PrefixCache::find(const EnvironmentPtr& environment, const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  const auto found = locate(environment, key);
+  if (found == entries_.end()) return std::nullopt;
+  entries_.splice(entries_.begin(), entries_, found);
+  return found->prefix;
+}
+
+void PrefixCache::store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix) {
+  std::list<Entry> added;
+  added.push_back({environment, key, std::move(prefix)});
+  std::list<Entry> dropped;  // large states are freed after the lock is
+  const std::lock_guard lock(mutex_);
+  const auto found = locate(environment, key);
+  if (found != entries_.end()) dropped.splice(dropped.begin(), entries_, found);
+  entries_.splice(entries_.begin(), added);
+  while (entries_.size() > capacity_) dropped.splice(dropped.begin(), entries_, std::prev(entries_.end()));
+}
+
+void PrefixCache::clear() {
+  std::list<Entry> dropped;
+  const std::lock_guard lock(mutex_);
+  dropped.swap(entries_);
+}
+
+std::string prefixKey(const std::vector<const PipelineStep*>& steps, std::size_t count) {
+  std::string key;
+  for (std::size_t i = 0; i < count; ++i) {
+    key += steps[i]->filter->name;
+    for (const double value : steps[i]->values) {
+      key += ' ' + std::to_string(std::bit_cast<std::uint64_t>(value + 0.0));  // -0 equals 0
+    }
+    key += '\n';
+  }
+  return key;
+}
+
+}  // namespace footfall

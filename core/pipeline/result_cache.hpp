@@ -1,0 +1,59 @@
+// The inside of ResultCache; only the runner looks in here.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/runner.hpp"
+
+namespace footfall {
+
+/// What is known after the first steps of a pipeline. Complete in itself, so that it stays of use when the entries of
+/// shorter prefixes are gone.
+struct CachedPrefix {
+  StatePtr state;
+  StateSummary summary;
+  std::vector<StepStatistics> steps;           ///< of the whole prefix, as they were measured
+  std::shared_ptr<const NavigationMesh> mesh;  ///< empty until somebody made it
+};
+
+/// Thread-safe; see ResultCache.
+class PrefixCache {
+ public:
+  using EnvironmentPtr = std::shared_ptr<const Environment>;
+
+  explicit PrefixCache(std::size_t capacity) : capacity_(capacity) {}
+
+  /// `key` is prefixKey() of the steps. Touches the entry.
+  std::optional<CachedPrefix> find(const EnvironmentPtr& environment, const std::string& key);
+  /// Replaces an entry with the same environment and key; the least recently used goes when there are too many.
+  void store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix);
+  void clear();
+
+ private:
+  struct Entry {
+    // Held weakly and compared by owner: an address that is used again is another environment.
+    std::weak_ptr<const Environment> environment;
+    std::string key;
+    CachedPrefix prefix;
+  };
+  std::list<Entry>::iterator locate(const EnvironmentPtr& environment, const std::string& key);
+
+  std::mutex mutex_;
+  std::size_t capacity_;
+  std::list<Entry> entries_;  // most recently used first
+};
+
+struct ResultCache::Impl : PrefixCache {
+  using PrefixCache::PrefixCache;
+};
+
+/// Filters and parameters of the first `count` of `steps` as one text, equal exactly when they are equal.
+std::string prefixKey(const std::vector<const PipelineStep*>& steps, std::size_t count);
+
+}  // namespace footfall

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/runner.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "core/metrics/process_usage.hpp"
+#include "core/pipeline/block_structure.hpp"
+#include "core/pipeline/result_cache.hpp"
+
+namespace footfall {
+namespace {
+
+// Everything that can be known to be wrong before the first step runs.
+void checkRunnable(const Pipeline& pipeline) {
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
+    const PipelineStep& step = pipeline.steps[i];
+    if (!step.enabled) continue;
+    const std::string place = placeOfStep(pipeline, i) + ", " + std::string(step.filter->name) + ": ";
+    if (step.values.size() != step.filter->parameters.size()) {
+      throw InputError(place + "has " + std::to_string(step.values.size()) + " values; give " +
+                       std::to_string(step.filter->parameters.size()));
+    }
+    for (std::size_t v = 0; v < step.values.size(); ++v) {
+      const std::string wrong = checkValue(step.filter->parameters[v], step.values[v]);
+      if (!wrong.empty()) throw InputError(place + wrong);
+    }
+  }
+  if (const auto error = findStructureError(pipeline)) {
+    throw InputError(placeOfStep(pipeline, error->step) + ": " + error->message);
+  }
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
+    const PipelineStep& step = pipeline.steps[i];
+    if (step.enabled && !step.filter->runs) {
+      throw InputError(placeOfStep(pipeline, i) + ": " + std::string(step.filter->name) +
+                       " is understood but does not run yet; remove the strategy and its Collapse, the result is the "
+                       "same without them");
+    }
+  }
+}
+
+// Runs `work`; whatever goes wrong in it that is not the user's doing becomes a RunError that says where.
+template <typename Work>
+auto guarded(const std::string& where, Work&& work) {
+  try {
+    return work();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const InputError&) {
+    throw;
+  } catch (const RunError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw RunError(where + ": memory ran out; close other programs or use a smaller environment");
+  } catch (const std::exception& error) {
+    throw RunError(where + ": internal error (" + error.what() + "); please report it with the environment's file");
+  }
+}
+
+class Run {
+ public:
+  Run(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context, PrefixCache* cache)
+      : environment_(std::move(environment)), pipeline_(pipeline), context_(context), cache_(cache) {
+    for (const PipelineStep& step : pipeline.steps) {
+      if (step.enabled) steps_.push_back(&step);
+    }
+  }
+
+  RunResult execute() {
+    context_.checkCancelled();
+    takeFromCache();
+    if (!current_.state) makeStart();
+    for (std::size_t i = current_.steps.size(); i < steps_.size(); ++i) runStep(i);
+    const Stopwatch watch;
+    context_.checkCancelled();
+    if (!current_.mesh) {
+      current_.mesh = guarded("navigation mesh", [&] { return makeNavigationMesh(current_.state, context_); });
+      remember();
+    }
+    RunResult result;
+    result.finishMs = watch.wallMs();
+    result.steps = std::move(current_.steps);
+    result.mesh = current_.mesh;
+    result.summary = current_.summary;
+    return result;
+  }
+
+ private:
+  // The longest known prefix; listeners hear of its steps as if they had run.
+  void takeFromCache() {
+    if (cache_ == nullptr) return;
+    for (std::size_t count = steps_.size() + 1; count-- > 0 && !current_.state;) {
+      if (auto found = cache_->find(environment_, prefixKey(steps_, count))) current_ = std::move(*found);
+    }
+    for (std::size_t i = 0; i < current_.steps.size(); ++i) {
+      current_.steps[i].fromCache = true;
+      context_.beginStep(i, current_.steps[i].name);
+      context_.endStep();
+    }
+  }
+
+  void makeStart() {
+    guarded("environment", [&] {
+      current_.state = makeInitialState(environment_, context_);
+      current_.summary = summarize(*current_.state);
+    });
+    remember();
+  }
+
+  void runStep(std::size_t index) {
+    context_.checkCancelled();
+    const PipelineStep& step = *steps_[index];
+    StepStatistics statistics;
+    statistics.name = step.filter->name;
+    statistics.parameters = step.values;
+    statistics.in = current_.summary;
+    const auto position = static_cast<std::size_t>(&step - pipeline_.steps.data());
+    context_.beginStep(index, statistics.name);
+    guarded(placeOfStep(pipeline_, position) + ", " + statistics.name, [&] {
+      const Stopwatch watch;
+      FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_);
+      statistics.wallMs = watch.wallMs();
+      statistics.cpuMs = watch.cpuMs();
+      statistics.note = std::move(outcome.note);
+      statistics.fallbacks = outcome.fallbacks;
+      current_.state = std::move(outcome.state);
+      current_.summary = summarize(*current_.state);
+    });
+    statistics.out = current_.summary;
+    current_.mesh = nullptr;
+    current_.steps.push_back(std::move(statistics));
+    remember();
+    context_.endStep(context_.wantsParts() ? guarded("preview", [&] { return makePreviewMesh(*current_.state); })
+                                           : nullptr);
+  }
+
+  void remember() {
+    if (cache_ != nullptr) cache_->store(environment_, prefixKey(steps_, current_.steps.size()), current_);
+  }
+
+  std::shared_ptr<const Environment> environment_;
+  const Pipeline& pipeline_;
+  RunContext& context_;
+  PrefixCache* cache_;
+  std::vector<const PipelineStep*> steps_;  // the enabled ones
+  CachedPrefix current_;
+};
+
+}  // namespace
+
+RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                      ResultCache* cache, int threads) {
+  checkRunnable(pipeline);
+  const Stopwatch watch;
+  const int workers = threads > 0 ? threads : tbb::info::default_concurrency();
+  // The arena bounds this run, however many others there are; the control lets it have more threads than processors.
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(workers));
+  tbb::task_arena arena(workers);
+  RunResult result = arena.execute(
+      [&] { return Run(std::move(environment), pipeline, context, cache ? cache->impl_.get() : nullptr).execute(); });
+  result.threads = workers;
+  result.totalMs = watch.wallMs();
+  return result;
+}
+
+}  // namespace footfall
