@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environment/assimp_reader.hpp"
+
+#include <assimp/config.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+
+#include "core/environment/collada_asset.hpp"
+#include "core/environment/input_file.hpp"
+#include "core/environment/polygon_triangulation.hpp"
+
+namespace footfall {
+namespace {
+
+/// The upper three rows of an affine transform.
+using Affine = std::array<std::array<double, 4>, 3>;
+
+constexpr Affine kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+/// Undoes the turn from Z up to Y up that Assimp gives the root of a 3DS file.
+constexpr Affine kYUpToZUp{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
+
+Affine toAffine(const aiMatrix4x4& m) {
+  return {{{m.a1, m.a2, m.a3, m.a4}, {m.b1, m.b2, m.b3, m.b4}, {m.c1, m.c2, m.c3, m.c4}}};
+}
+
+Affine operator*(const Affine& a, const Affine& b) {
+  Affine product;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      product[row][column] = a[row][0] * b[0][column] + a[row][1] * b[1][column] + a[row][2] * b[2][column] +
+                             (column == 3 ? a[row][3] : 0.0);
+    }
+  }
+  return product;
+}
+
+Vec3 operator*(const Affine& m, const aiVector3D& p) {
+  const double x = p.x, y = p.y, z = p.z;
+  return {m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3], m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
+          m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3]};
+}
+
+double determinant(const Affine& m) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+class SceneReader {
+ public:
+  SceneReader(const std::string& path, const aiScene& scene, Environment& environment, RunContext* context)
+      : path_(path), scene_(scene), environment_(environment), context_(context) {}
+
+  /// Depth first with a stack of our own: a file may nest its nodes deeper than the call stack is.
+  void read(const Affine& frame) {
+    std::vector<std::pair<const aiNode*, Affine>> stack{{scene_.mRootNode, frame}};
+    while (!stack.empty()) {
+      const auto [node, parent] = stack.back();
+      stack.pop_back();
+      const Affine world = parent * toAffine(node->mTransformation);
+      for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+        if (node->mMeshes[i] >= scene_.mNumMeshes) {
+          failInput(path_, 0, "node '" + std::string(node->mName.C_Str()) + "' refers to a mesh that is not there",
+                    "export the file again");
+        }
+        mesh(*scene_.mMeshes[node->mMeshes[i]], world);
+      }
+      for (unsigned i = node->mNumChildren; i-- > 0;) stack.emplace_back(node->mChildren[i], world);
+    }
+  }
+
+ private:
+  void poll() {
+    if (++polls_ % 4096 == 0 && context_ != nullptr) context_->checkCancelled();
+  }
+
+  void mesh(const aiMesh& mesh, const Affine& world) {
+    const std::size_t first = environment_.vertices.size();
+    if (first + mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
+      failInput(path_, 0, "more than 4294967295 vertices", "split the file");
+    }
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      poll();
+      const Vec3 p = world * mesh.mVertices[i];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        failInput(path_, 0,
+                  "vertex " + std::to_string(i) + " of mesh '" + mesh.mName.C_Str() +
+                      "' has a coordinate that is not finite or too large",
+                  "correct it or export the file again");
+      }
+      environment_.vertices.push_back(p);
+    }
+    const bool mirrored = determinant(world) < 0;
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+      poll();
+      face(mesh, mesh.mFaces[i], static_cast<std::uint32_t>(first), mirrored);
+    }
+  }
+
+  void face(const aiMesh& mesh, const aiFace& face, std::uint32_t first, bool mirrored) {
+    corners_.clear();
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      if (face.mIndices[i] >= mesh.mNumVertices) {
+        failInput(path_, 0,
+                  "vertex index " + std::to_string(face.mIndices[i]) + " in mesh '" + mesh.mName.C_Str() +
+                      "' is out of range: it has " + std::to_string(mesh.mNumVertices) + " vertices",
+                  "export the file again");
+      }
+      corners_.push_back(first + face.mIndices[i]);
+    }
+    if (corners_.size() <= 2) {
+      ++(corners_.size() == 2 ? environment_.skipped.lines : environment_.skipped.points);
+      return;
+    }
+    if (mirrored) std::reverse(corners_.begin() + 1, corners_.end());
+    if (!triangulatePolygon(corners_, environment_.vertices, environment_.triangles)) ++environment_.skipped.polygons;
+  }
+
+  const std::string& path_;
+  const aiScene& scene_;
+  Environment& environment_;
+  RunContext* context_;
+  std::vector<std::uint32_t> corners_;
+  std::size_t polls_ = 0;
+};
+
+/// FBX says which axis is up (0, 1, 2) and how many centimetres a unit has.
+FileFrame fbxFrame(const aiMetadata* metadata) {
+  FileFrame frame;
+  if (metadata == nullptr) return frame;
+  std::int32_t axis = 1;
+  if (metadata->Get("UpAxis", axis)) frame.up = axis == 2 ? UpAxis::Z : UpAxis::Y;
+  double centimetres = 0;
+  float narrow = 0;
+  if (!metadata->Get("UnitScaleFactor", centimetres) && metadata->Get("UnitScaleFactor", narrow)) {
+    centimetres = static_cast<double>(narrow);
+  }
+  if (std::isfinite(centimetres) && centimetres > 0) frame.metresPerUnit = centimetres / 100;
+  return frame;
+}
+
+}  // namespace
+
+FileFrame readWithAssimp(const std::string& path, Environment& environment, RunContext* context) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+
+  Assimp::Importer importer;
+  // A skeleton alone is no environment: without this Assimp makes up a mesh for it.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  FileFrame frame;
+  Affine undo = kIdentity;
+  if (extension == ".dae") {
+    frame = readColladaAsset(readInputFile(path, context));
+    // Our own turn keeps the file's frame for the export; X up, which has none, is left to Assimp.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, frame.up.has_value());
+  }
+
+  const aiScene* scene = nullptr;
+  std::string problem;
+  try {
+    scene = importer.ReadFile(path, 0);
+    problem = importer.GetErrorString();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  if (context != nullptr) context->checkCancelled();
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    failInput(path, 0, "cannot be read (" + (problem.empty() ? "unknown content" : problem) + ")",
+              "check that the file is complete and of the format that its extension says");
+  }
+  if (extension == ".fbx") frame = fbxFrame(scene->mMetaData);
+  if (extension == ".3ds") undo = kYUpToZUp;
+  SceneReader(path, *scene, environment, context).read(undo);
+  return frame;
+}
+
+std::vector<std::string> assimpExtensions() {
+  aiString list;  // "*.3ds;*.dae;..."
+  Assimp::Importer().GetExtensionList(list);
+  std::vector<std::string> extensions;
+  std::string_view rest(list.C_Str());
+  while (!rest.empty()) {
+    const std::size_t stop = std::min(rest.find(';'), rest.size());
+    std::string_view entry = rest.substr(0, stop);
+    if (entry.substr(0, 2) == "*.") extensions.emplace_back(entry.substr(2));
+    rest.remove_prefix(std::min(stop + 1, rest.size()));
+  }
+  return extensions;
+}
+
+}  // namespace footfall

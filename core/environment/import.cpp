@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environment/import.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include "core/environment/assimp_reader.hpp"
+#include "core/environment/input_file.hpp"
+#include "core/environment/obj_reader.hpp"
+
+namespace footfall {
+namespace {
+
+std::string lowerExtension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+/// By format where the file does not say. Game and web formats have Y up, or Assimp turns them so; formats of
+/// scanning, printing and building have Z up, as does 3DS.
+UpAxis usualUpAxis(const std::string& extension) {
+  for (const std::string_view zUp : {"stl", "ply", "3ds", "off", "dxf", "x3d", "3mf", "amf"}) {
+    if (extension == zUp) return UpAxis::Z;
+  }
+  return UpAxis::Y;
+}
+
+/// Formats for printing count in millimetres; all others have or suggest metres.
+double usualMetresPerUnit(const std::string& extension) {
+  if (extension == "3mf" || extension == "amf") return 0.001;
+  if (extension == "fbx") return 0.01;
+  return 1;
+}
+
+/// Exact. Adding to +0 makes +0 of -0, so that equal positions also have equal bits.
+void turnToZUp(std::vector<Vec3>& vertices, UpAxis up) {
+  for (Vec3& p : vertices) {
+    p = up == UpAxis::Y ? Vec3{0.0 + p.x, 0.0 - p.z, 0.0 + p.y} : Vec3{0.0 + p.x, 0.0 + p.y, 0.0 + p.z};
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const Environment> importEnvironment(const std::string& path, const ImportOptions& options,
+                                                     RunContext* context) {
+  if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
+    throw InputError("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres");
+  }
+  checkInputFile(path);
+  const std::string extension = lowerExtension(path);
+  auto environment = std::make_shared<Environment>();
+  environment->source = path;
+
+  FileFrame frame;
+  if (extension == "obj") {
+    readObj(path, readInputFile(path, context), *environment, context);
+  } else {
+    const std::vector<std::string> known = importableExtensions();
+    if (std::find(known.begin(), known.end(), extension) == known.end()) {
+      failInput(path, 0, extension.empty() ? "has no extension" : "unknown extension '." + extension + "'",
+                "use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads");
+    }
+    frame = readWithAssimp(path, *environment, context);
+  }
+  if (environment->triangles.empty()) {
+    const SkippedElements& skipped = environment->skipped;
+    failInput(path, 0,
+              "no triangles in it (skipped: " + std::to_string(skipped.polygons) + " polygons, " +
+                  std::to_string(skipped.lines) + " lines, " + std::to_string(skipped.points) + " points)",
+              "choose a file that has faces");
+  }
+
+  environment->upGuessed = !options.up;
+  environment->up = options.up.value_or(frame.up.value_or(usualUpAxis(extension)));
+  environment->scaleGuessed = !options.metresPerUnit;
+  environment->metresPerUnit =
+      options.metresPerUnit.value_or(frame.metresPerUnit.value_or(usualMetresPerUnit(extension)));
+  environment->bothSides = options.bothSides;
+  turnToZUp(environment->vertices, environment->up);
+  return environment;
+}
+
+std::vector<std::string> importableExtensions() {
+  std::vector<std::string> extensions = assimpExtensions();
+  extensions.push_back("obj");
+  std::sort(extensions.begin(), extensions.end());
+  extensions.erase(std::unique(extensions.begin(), extensions.end()), extensions.end());
+  return extensions;
+}
+
+}  // namespace footfall

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environment/obj_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string_view>
+
+#include "core/environment/input_file.hpp"
+#include "core/environment/polygon_triangulation.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr const char* kExportAgain = "correct the line or export the file again";
+
+/// A face that is not a triangle; split once all vertices are known, because a face may refer to later ones.
+struct PendingPolygon {
+  std::size_t trianglesBefore;  ///< number of triangular faces before it in the file
+  std::size_t firstCorner;
+  std::size_t cornerCount;
+};
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// One pass over the text. The text ends with a NUL and has no other, so that a look at the current character is
+/// always allowed and never a statement at the end.
+class ObjParser {
+ public:
+  ObjParser(const std::string& path, const std::string& text, Environment& environment, RunContext* context)
+      : path_(path),
+        begin_(text.data()),
+        cursor_(text.data()),
+        end_(text.data() + text.size()),
+        environment_(environment),
+        context_(context) {}
+
+  void parse() {
+    if (std::string_view(begin_, end_).substr(0, 3) == "\xEF\xBB\xBF") cursor_ += 3;
+    const char* nextPoll = cursor_;
+    while (cursor_ < end_) {
+      if (cursor_ >= nextPoll) {
+        poll();
+        nextPoll = cursor_ + kPollBytes;
+      }
+      statement();
+    }
+    checkForwardReferences();
+    splitPolygons();
+  }
+
+ private:
+  static constexpr std::ptrdiff_t kPollBytes = 1 << 20;  // about 5 ms of parsing
+
+  [[noreturn]] void fail(std::string_view what, std::string_view todo = kExportAgain) const {
+    failInput(path_, line_, what, todo);
+  }
+
+  void poll() const {
+    if (context_ == nullptr) return;
+    context_->checkCancelled();
+    context_->progress(static_cast<double>(cursor_ - begin_) / static_cast<double>(end_ - begin_));
+  }
+
+  [[nodiscard]] bool atLineEnd() const { return *cursor_ == '\n' || *cursor_ == '\0'; }
+  [[nodiscard]] bool atEndOfValues() const { return atLineEnd() || *cursor_ == '#'; }
+
+  /// Length of "backslash, line end" here, or 0.
+  [[nodiscard]] std::ptrdiff_t continuation() const {
+    if (*cursor_ != '\\') return 0;
+    if (cursor_[1] == '\n') return 2;
+    return cursor_[1] == '\r' && cursor_[2] == '\n' ? 3 : 0;
+  }
+
+  void skipBlanks() {
+    for (;;) {
+      while (isBlank(*cursor_)) ++cursor_;
+      const std::ptrdiff_t length = continuation();
+      if (length == 0) return;
+      cursor_ += length;
+      ++line_;
+    }
+  }
+
+  void skipPhysicalLine() {
+    const void* found = std::memchr(cursor_, '\n', static_cast<std::size_t>(end_ - cursor_));
+    cursor_ = found == nullptr ? end_ : static_cast<const char*>(found) + 1;
+    ++line_;
+  }
+
+  void skipStatement() {
+    for (;;) {
+      const char* start = cursor_;
+      skipPhysicalLine();
+      const char* last = cursor_ - 1;
+      if (last > start && *last == '\n') --last;
+      if (last > start && *last == '\r') --last;
+      if (*last != '\\' || last < start || cursor_ == end_) return;
+    }
+  }
+
+  /// The rest of the current word, shortened, for messages.
+  [[nodiscard]] std::string word(const char* start) const {
+    constexpr std::ptrdiff_t kShown = 24;
+    const char* stop = start;
+    while (stop < end_ && !isBlank(*stop) && *stop != '\n') ++stop;
+    std::string shown(start, std::min(stop, start + kShown));
+    for (char& c : shown) {
+      if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
+    }
+    return "'" + shown + (stop - start > kShown ? "...'" : "'");
+  }
+
+  /// To be called where a statement lacks something.
+  void rejectTruncation() const {
+    if (*cursor_ == '\0') fail("the file ends inside this line", "it is truncated: copy or export it again");
+  }
+
+  void statement() {
+    skipBlanks();
+    const char first = *cursor_;
+    if (first == 'v' && isBlank(cursor_[1])) {
+      ++cursor_;
+      vertex();
+    } else if (first == 'f' && isBlank(cursor_[1])) {
+      ++cursor_;
+      face();
+    } else if (first == '#' || first == '\n' || first == '\0') {
+      skipPhysicalLine();
+    } else if (isLetter(first)) {
+      otherStatement();
+    } else {
+      fail("not an OBJ statement: " + word(cursor_), "is the file really OBJ? Rename it or export it again");
+    }
+  }
+
+  void vertex() {
+    Vec3 position;
+    position.x = coordinate();
+    position.y = coordinate();
+    position.z = coordinate();
+    if (environment_.vertices.size() == std::numeric_limits<std::uint32_t>::max()) {
+      fail("more than 4294967295 vertices", "split the file");
+    }
+    environment_.vertices.push_back(position);
+    skipStatement();
+  }
+
+  double coordinate() {
+    skipBlanks();
+    if (atEndOfValues()) {
+      rejectTruncation();
+      fail("a vertex needs three coordinates");
+    }
+    const char* start = cursor_;
+    const char* digits = *start == '+' && start[1] != '-' ? start + 1 : start;
+    double value = 0;
+    const auto [stop, error] = std::from_chars(digits, end_, value);
+    if (error == std::errc::invalid_argument || !(isBlank(*stop) || *stop == '\n' || *stop == '\0' || *stop == '\\')) {
+      const bool comma = stop != digits && *stop == ',';
+      fail(word(start) + " is not a number",
+           comma ? "write numbers with a decimal point, and export the file again" : kExportAgain);
+    }
+    if (error == std::errc::result_out_of_range) value = outOfRange(digits, stop);
+    if (!std::isfinite(value)) fail("coordinate " + word(start) + " is not finite or too large");
+    cursor_ = stop;
+    return value;
+  }
+
+  /// from_chars does not tell too small (a fine zero) from too large.
+  static double outOfRange(const char* start, const char* stop) {
+    std::istringstream stream(std::string(start, stop));
+    stream.imbue(std::locale::classic());
+    double value = 0;
+    stream >> value;
+    return stream.fail() ? std::numeric_limits<double>::infinity() : value;
+  }
+
+  void face() {
+    corners_.resize(faceStart_);
+    for (skipBlanks(); !atEndOfValues(); skipBlanks()) corners_.push_back(cornerIndex());
+    const std::size_t count = corners_.size() - faceStart_;
+    if (count < 3) {
+      rejectTruncation();
+      ++environment_.skipped.polygons;
+    } else if (count == 3) {
+      const Triangle triangle{corners_[faceStart_], corners_[faceStart_ + 1], corners_[faceStart_ + 2]};
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
+        ++environment_.skipped.polygons;
+      } else {
+        environment_.triangles.push_back(triangle);
+      }
+    } else {
+      polygons_.push_back({environment_.triangles.size(), faceStart_, count});
+      faceStart_ = corners_.size();
+    }
+    skipPhysicalLine();
+  }
+
+  std::uint32_t cornerIndex() {
+    const char* start = cursor_;
+    const bool negative = *cursor_ == '-';
+    if (negative) ++cursor_;
+    if (!isDigit(*cursor_)) fail(word(start) + " is not a face corner");
+    std::uint64_t value = 0;
+    for (; isDigit(*cursor_); ++cursor_) {
+      if (value < std::uint64_t{1} << 40) value = value * 10 + static_cast<std::uint64_t>(*cursor_ - '0');
+    }
+    // texture coordinate and normal indices are not used, but garbage in their place is a broken file
+    while (*cursor_ == '/' || *cursor_ == '-' || isDigit(*cursor_)) ++cursor_;
+    if (!isBlank(*cursor_) && !atLineEnd() && continuation() == 0) fail(word(start) + " is not a face corner");
+
+    const std::uint64_t known = environment_.vertices.size();
+    if (value == 0) fail("vertex index 0: OBJ counts from 1");
+    if (negative) {
+      if (value > known) {
+        fail("vertex index " + word(start) + " is out of range: only " + std::to_string(known) +
+             " vertices precede it");
+      }
+      return static_cast<std::uint32_t>(known - value);
+    }
+    if (value > std::numeric_limits<std::uint32_t>::max()) fail("vertex index " + word(start) + " is out of range");
+    if (value > known && value > largestForward_) {
+      largestForward_ = value;
+      largestForwardLine_ = line_;
+    }
+    return static_cast<std::uint32_t>(value - 1);
+  }
+
+  void checkForwardReferences() const {
+    if (largestForward_ <= environment_.vertices.size()) return;
+    failInput(path_, largestForwardLine_,
+              "vertex index " + std::to_string(largestForward_) + " is out of range: the file has " +
+                  std::to_string(environment_.vertices.size()) + " vertices",
+              kExportAgain);
+  }
+
+  void otherStatement() {
+    const char* start = cursor_;
+    while (isLetter(*cursor_)) ++cursor_;
+    const std::string_view keyword(start, static_cast<std::size_t>(cursor_ - start));
+    if (keyword == "v" || keyword == "f") {
+      if (!atLineEnd() && continuation() == 0) fail("not an OBJ statement: " + word(start));
+      keyword == "v" ? vertex() : face();
+      return;
+    }
+    if (keyword == "l") ++environment_.skipped.lines;
+    if (keyword == "p") {
+      for (skipBlanks(); !atEndOfValues(); skipBlanks()) {
+        ++environment_.skipped.points;
+        while (!isBlank(*cursor_) && !atLineEnd() && continuation() == 0) ++cursor_;
+      }
+    }
+    if (keyword == "surf") ++environment_.skipped.polygons;
+    if (keyword == "curv") ++environment_.skipped.lines;
+    skipStatement();
+  }
+
+  /// Puts the triangles of the polygons between those of the triangular faces, in the order of the file.
+  void splitPolygons() {
+    if (polygons_.empty()) return;
+    const std::vector<Triangle> faces = std::move(environment_.triangles);
+    std::vector<Triangle>& triangles = environment_.triangles;
+    triangles.clear();
+    triangles.reserve(faces.size() + corners_.size() - 2 * polygons_.size());
+    std::size_t copied = 0, sincePoll = 0;
+    const auto copyUpTo = [&](std::size_t stop) {
+      triangles.insert(triangles.end(), faces.begin() + static_cast<std::ptrdiff_t>(copied),
+                       faces.begin() + static_cast<std::ptrdiff_t>(stop));
+      copied = stop;
+    };
+    for (const PendingPolygon& polygon : polygons_) {
+      if (++sincePoll % 1024 == 0 && context_ != nullptr) context_->checkCancelled();
+      copyUpTo(polygon.trianglesBefore);
+      const std::span<const std::uint32_t> corners(corners_.data() + polygon.firstCorner, polygon.cornerCount);
+      if (!triangulatePolygon(corners, environment_.vertices, triangles)) ++environment_.skipped.polygons;
+    }
+    copyUpTo(faces.size());
+  }
+
+  const std::string& path_;
+  const char* begin_;
+  const char* cursor_;
+  const char* end_;
+  Environment& environment_;
+  RunContext* context_;
+  std::size_t line_ = 1;
+  std::vector<std::uint32_t> corners_;  ///< corners of all pending polygons, then of the face being read
+  std::size_t faceStart_ = 0;
+  std::vector<PendingPolygon> polygons_;
+  std::uint64_t largestForward_ = 0;
+  std::size_t largestForwardLine_ = 0;
+};
+
+void rejectBinary(const std::string& path, const std::string& text) {
+  const std::size_t nul = text.find('\0');
+  if (nul == std::string::npos) return;
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
+  failInput(path, static_cast<std::size_t>(line), "has a NUL byte, so it is not OBJ text",
+            "give the file the extension of its real format, or export it as plain text");
+}
+
+}  // namespace
+
+void readObj(const std::string& path, std::string text, Environment& environment, RunContext* context) {
+  rejectBinary(path, text);
+  // Files of old Macintosh programs end their lines with a lone carriage return.
+  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+  ObjParser(path, text, environment, context).parse();
+}
+
+}  // namespace footfall

@@ -1,0 +1,27 @@
+// Splitting the polygons of a file into triangles.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/environment/environment.hpp"
+
+namespace footfall {
+
+/// Appends triangles that cover the polygon with these `corners` (indices into `vertices`, any orientation, convex or
+/// not, nearly planar), wound like the polygon. Three corners are one triangle, even of zero area.
+///
+/// The polygon is looked at along the coordinate axis that is nearest to its normal (Newell's method), where its
+/// corners keep their exact coordinates. There, the fan from the first corner is taken when each of its triangles
+/// turns the same way as the polygon, else ears are clipped (Meisters 1975; ElGindy, Everett and Toussaint 1993 show
+/// that one always exists in a simple polygon); all turns are exact. A polygon that crosses itself or has no area is
+/// covered by a fan, so that none of it gets lost.
+///
+/// Returns false, and appends nothing, when fewer than three of the corners are distinct vertices. A corner that
+/// follows itself counts once.
+bool triangulatePolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
+                        std::vector<Triangle>& triangles);
+
+}  // namespace footfall
