@@ -1,0 +1,23 @@
+# What all targets of the project have in common.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# ccache where it is found. It only stores results that used a precompiled header when told that macros and times in
+# it do not matter, and only shares them between checkouts when it knows the root.
+find_program(FOOTFALL_CCACHE ccache)
+if(FOOTFALL_CCACHE AND (NOT CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_COMPILER_LAUNCHER STREQUAL "ccache"))
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
+      ${FOOTFALL_CCACHE})
+endif()
+
+# Warnings, and what precompiled headers need, for a target of our own.
+function(footfall_target target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra)
+  if(FOOTFALL_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # ccache preprocesses first; GCC then needs to keep the inclusion of a precompiled header in sight.
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  endif()
+endfunction()

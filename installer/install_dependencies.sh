@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that Footfall is built with, tested with and runs on. Does nothing, quickly, when all are
+# there. Needs root, or sudo, only when something is missing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+# shellcheck source=installer/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+packages=(
+  # building
+  ca-certificates ccache cmake dpkg-dev g++ git make ninja-build
+  # the core
+  libassimp-dev libcgal-dev libcli11-dev libgmp-dev libmpfr-dev libtbb-dev libtinyobjloader-dev nlohmann-json3-dev
+  # the editor; fonts, because a bare system has none and Qt then draws empty boxes
+  fonts-dejavu-core libegl-dev libgl-dev libgl1-mesa-dri libglu1-mesa-dev libopengl-dev libqt6opengl6-dev
+  qmake6 qt6-base-dev qt6-base-dev-tools qt6-qpa-plugins
+  # testing
+  clang-format librapidcheck-dev xauth xvfb
+)
+
+command -v dpkg-query >/dev/null || fail "this is not a Debian system; install by hand: ${packages[*]}"
+missing=()
+for package in "${packages[@]}"; do
+  # A virtual or missing package gives no line, a removed one another status.
+  status="$(dpkg-query -W -f '${db:Status-Status}\n' "${package}" 2>/dev/null || true)"
+  case $'\n'"${status}"$'\n' in
+    *$'\ninstalled\n'*) ;;
+    *) missing+=("${package}") ;;
+  esac
+done
+if [ "${#missing[@]}" -eq 0 ]; then exit 0; fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || fail "not root and no sudo; run as root: apt-get install ${missing[*]}"
+  as_root=(sudo)
+fi
+say "installing ${#missing[@]} packages: ${missing[*]}"
+mkdir -p "${repository}/build/deps"
+log="${repository}/build/deps/packages.log"
+quietly "${log}" "${as_root[@]}" apt-get update
+quietly "${log}" "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
+  "${missing[@]}"

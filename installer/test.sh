@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# test.sh [--werror] [PRESET]: installs what is missing, builds Footfall (preset release, or dev, asan, tsan) and runs
+# all tests under a virtual display with software OpenGL. --werror makes warnings errors, as in continuous integration.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+# shellcheck source=installer/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+preset=release
+options=()
+for argument in "$@"; do
+  case "${argument}" in
+    -h | --help)
+      sed -n '2,3s/^# //p' "${BASH_SOURCE[0]}"
+      exit 0
+      ;;
+    --werror) options+=(-DFOOTFALL_WERROR=ON) ;;
+    dev | release | asan | tsan) preset="${argument}" ;;
+    *) fail "unknown argument ${argument}; usage: test.sh [--werror] [dev|release|asan|tsan]" ;;
+  esac
+done
+
+prepare "${preset}" "${options[@]}"
+say "building"
+cmake --build --preset "${preset}" -j "$(build_jobs)"
+
+say "testing"
+# The tests belong on the virtual display, whatever display this was started from.
+unset WAYLAND_DISPLAY
+export QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
+xvfb-run -a -s "-screen 0 1280x1024x24" ctest --preset "${preset}"
