@@ -39,5 +39,5 @@ say "installing ${#missing[@]} packages: ${missing[*]}"
 mkdir -p "${repository}/build/deps"
 log="${repository}/build/deps/packages.log"
 quietly "${log}" "${as_root[@]}" apt-get update
-quietly "${log}" "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-  "${missing[@]}"
+quietly "${log}" "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get -o DPkg::Lock::Timeout=300 install -y --no-install-recommends "${missing[@]}"

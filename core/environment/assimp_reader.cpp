@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -15,6 +17,7 @@
 #include "core/environment/collada_asset.hpp"
 #include "core/environment/input_file.hpp"
 #include "core/environment/polygon_triangulation.hpp"
+#include "core/environment/truncation_check.hpp"
 
 namespace footfall {
 namespace {
@@ -23,6 +26,8 @@ namespace {
 using Affine = std::array<std::array<double, 4>, 3>;
 
 constexpr Affine kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+/// Collada's X up (right is -Y, up is +X) turned to Y up.
+constexpr Affine kXUpToYUp{{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
 /// Undoes the turn from Z up to Y up that Assimp gives the root of a 3DS file.
 constexpr Affine kYUpToZUp{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
 
@@ -58,12 +63,11 @@ class SceneReader {
       : path_(path), scene_(scene), environment_(environment), context_(context) {}
 
   /// Depth first with a stack of our own: a file may nest its nodes deeper than the call stack is.
-  void read(const Affine& frame) {
-    std::vector<std::pair<const aiNode*, Affine>> stack{{scene_.mRootNode, frame}};
+  void read(const Affine& rootTransform) {
+    std::vector<std::pair<const aiNode*, Affine>> stack{{scene_.mRootNode, rootTransform}};
     while (!stack.empty()) {
-      const auto [node, parent] = stack.back();
+      const auto [node, world] = stack.back();
       stack.pop_back();
-      const Affine world = parent * toAffine(node->mTransformation);
       for (unsigned i = 0; i < node->mNumMeshes; ++i) {
         if (node->mMeshes[i] >= scene_.mNumMeshes) {
           failInput(path_, 0, "node '" + std::string(node->mName.C_Str()) + "' refers to a mesh that is not there",
@@ -71,7 +75,10 @@ class SceneReader {
         }
         mesh(*scene_.mMeshes[node->mMeshes[i]], world);
       }
-      for (unsigned i = node->mNumChildren; i-- > 0;) stack.emplace_back(node->mChildren[i], world);
+      for (unsigned i = node->mNumChildren; i-- > 0;) {
+        const aiNode* child = node->mChildren[i];
+        stack.emplace_back(child, world * toAffine(child->mTransformation));
+      }
     }
   }
 
@@ -139,10 +146,20 @@ FileFrame fbxFrame(const aiMetadata* metadata) {
   double centimetres = 0;
   float narrow = 0;
   if (!metadata->Get("UnitScaleFactor", centimetres) && metadata->Get("UnitScaleFactor", narrow)) {
-    centimetres = static_cast<double>(narrow);
+    // the double that the file's text meant: 2.54, not the float next to it
+    char text[32];
+    std::from_chars(text, std::to_chars(text, text + sizeof text, narrow).ptr, centimetres);
   }
   if (std::isfinite(centimetres) && centimetres > 0) frame.metresPerUnit = centimetres / 100;
   return frame;
+}
+
+/// Assimp scales the root of a Collada scene to metres, but coordinates shall stay in the file's unit.
+Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
+  const auto unit = static_cast<ai_real>(asset.metresPerUnit.value_or(1));
+  const aiMatrix4x4 scale(unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1);
+  const Affine own = root == scale ? kIdentity : toAffine(root);
+  return asset.upAxis == 'X' ? kXUpToYUp * own : own;
 }
 
 }  // namespace
@@ -152,16 +169,14 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
 
+  if (extension == ".ply") rejectTruncatedPly(path, readInputFile(path, context));
+  if (extension == ".stl") rejectTruncatedStl(path, readInputFile(path, context));
+
   Assimp::Importer importer;
   // A skeleton alone is no environment: without this Assimp makes up a mesh for it.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  FileFrame frame;
-  Affine undo = kIdentity;
-  if (extension == ".dae") {
-    frame = readColladaAsset(readInputFile(path, context));
-    // Our own turn keeps the file's frame for the export; X up, which has none, is left to Assimp.
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, frame.up.has_value());
-  }
+  // We turn axes ourselves, so that the export can turn them back.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, extension == ".dae");
 
   const aiScene* scene = nullptr;
   std::string problem;
@@ -178,9 +193,20 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     failInput(path, 0, "cannot be read (" + (problem.empty() ? "unknown content" : problem) + ")",
               "check that the file is complete and of the format that its extension says");
   }
-  if (extension == ".fbx") frame = fbxFrame(scene->mMetaData);
-  if (extension == ".3ds") undo = kYUpToZUp;
-  SceneReader(path, *scene, environment, context).read(undo);
+
+  FileFrame frame;
+  Affine root = toAffine(scene->mRootNode->mTransformation);
+  if (extension == ".fbx") {
+    frame = fbxFrame(scene->mMetaData);
+  } else if (extension == ".3ds") {
+    root = kYUpToZUp * root;
+  } else if (extension == ".dae") {
+    const ColladaAsset asset = readColladaAsset(readInputFile(path, context));
+    frame.up = asset.upAxis == 'Z' ? UpAxis::Z : UpAxis::Y;
+    frame.metresPerUnit = asset.metresPerUnit;
+    root = colladaRoot(scene->mRootNode->mTransformation, asset);
+  }
+  SceneReader(path, *scene, environment, context).read(root);
   return frame;
 }
 
@@ -191,7 +217,7 @@ std::vector<std::string> assimpExtensions() {
   std::string_view rest(list.C_Str());
   while (!rest.empty()) {
     const std::size_t stop = std::min(rest.find(';'), rest.size());
-    std::string_view entry = rest.substr(0, stop);
+    const std::string_view entry = rest.substr(0, stop);
     if (entry.substr(0, 2) == "*.") extensions.emplace_back(entry.substr(2));
     rest.remove_prefix(std::min(stop + 1, rest.size()));
   }

@@ -18,21 +18,21 @@ std::string_view between(std::string_view text, std::string_view open, std::stri
 
 }  // namespace
 
-FileFrame readColladaAsset(std::string_view text) {
-  // The document's own <asset> comes first; libraries may have further ones.
+ColladaAsset readColladaAsset(std::string_view text) {
   const std::string_view asset = between(text, "<asset", "</asset>");
-  FileFrame frame;
+  ColladaAsset result;
   const std::string_view axis = between(asset, "<up_axis>", "</up_axis>");
-  if (axis.find("X_UP") == std::string_view::npos) {
-    frame.up = axis.find("Z_UP") == std::string_view::npos ? UpAxis::Y : UpAxis::Z;
+  const std::size_t letter = axis.find("_UP");
+  if (letter != std::string_view::npos && letter > 0 && (axis[letter - 1] == 'X' || axis[letter - 1] == 'Z')) {
+    result.upAxis = axis[letter - 1];
   }
   const std::string_view unit = between(asset, "<unit", ">");
   std::string_view metres = between(unit, "meter=\"", "\"");
   if (metres.empty()) metres = between(unit, "meter='", "'");
   double value = 0;
   std::from_chars(metres.data(), metres.data() + metres.size(), value);
-  if (std::isfinite(value) && value > 0) frame.metresPerUnit = value;
-  return frame;
+  if (std::isfinite(value) && value > 0) result.metresPerUnit = value;
+  return result;
 }
 
 }  // namespace footfall

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environment/export.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string_view>
@@ -31,7 +32,9 @@ void appendHeader(std::string& text, const NavigationMesh& mesh, const Environme
                   const ExportHeader& header) {
   appendComment(text, "", "Walkable area by Footfall " FOOTFALL_VERSION);
   // The name alone: the same file gives the same bytes wherever it lies.
-  appendComment(text, "source: ", std::filesystem::path(environment.source).filename().string());
+  std::string name = std::filesystem::path(environment.source).filename().string();
+  std::replace(name.begin(), name.end(), '\n', ' ');
+  appendComment(text, "source: ", name);
   appendComment(text, "pipeline: ", header.pipeline);
   appendComment(text, "agent: ", header.agent);
   std::string frame = environment.up == UpAxis::Y ? "Y up, " : "Z up, ";

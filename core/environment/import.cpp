@@ -25,7 +25,7 @@ std::string lowerExtension(const std::string& path) {
 /// By format where the file does not say. Game and web formats have Y up, or Assimp turns them so; formats of
 /// scanning, printing and building have Z up, as does 3DS.
 UpAxis usualUpAxis(const std::string& extension) {
-  for (const std::string_view zUp : {"stl", "ply", "3ds", "off", "dxf", "x3d", "3mf", "amf"}) {
+  for (const std::string_view zUp : {"stl", "ply", "3ds", "off", "dxf", "3mf", "amf"}) {
     if (extension == zUp) return UpAxis::Z;
   }
   return UpAxis::Y;

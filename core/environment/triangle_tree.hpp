@@ -14,8 +14,8 @@ struct Box {
 };
 
 inline bool overlaps(const Box& a, const Box& b) {
-  return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] &&
-         a.upper[1] >= b.lower[1] && a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
+  return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] && a.upper[1] >= b.lower[1] &&
+         a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
 }
 
 /// Median-split tree with closed boxes in doubles. Touching counts as overlapping, so nothing is missed.
@@ -57,8 +57,8 @@ class TriangleTree {
                  const std::vector<Box>& boxes);
 
   std::vector<Node> nodes_;
-  std::vector<Box> boxes_;          ///< in leaf order
-  std::vector<std::int32_t> ids_;   ///< in leaf order
+  std::vector<Box> boxes_;         ///< in leaf order
+  std::vector<std::int32_t> ids_;  ///< in leaf order
 };
 
 }  // namespace footfall

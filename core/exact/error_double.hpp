@@ -41,9 +41,9 @@ inline ErrorDouble operator-(ErrorDouble a, ErrorDouble b) { return a + (-b); }
 inline ErrorDouble operator*(ErrorDouble a, ErrorDouble b) {
   const double product = a.value * b.value;
   const double residual = std::fma(a.value, b.value, -product);
-  return {product, (std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error +
-                    std::fabs(residual)) *
-                       kInflate};
+  return {product,
+          (std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error + std::fabs(residual)) *
+              kInflate};
 }
 
 /// Quotient; the error is infinite when the divisor may be zero.
@@ -53,8 +53,7 @@ inline ErrorDouble operator/(ErrorDouble a, ErrorDouble b) {
   if (!(smallest > 0)) return {0, std::numeric_limits<double>::infinity()};
   const double quotient = a.value / b.value;
   const double residual = std::fma(quotient, -b.value, a.value);
-  return {quotient,
-          ((a.error + std::fabs(quotient) * b.error + std::fabs(residual)) / smallest) * kInflate};
+  return {quotient, ((a.error + std::fabs(quotient) * b.error + std::fabs(residual)) / smallest) * kInflate};
 }
 
 /// A sign, or that the doubles could not tell.

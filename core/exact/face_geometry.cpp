@@ -6,8 +6,7 @@
 
 namespace footfall {
 
-int filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c,
-                        double slack) {
+int filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c, double slack) {
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
   const double left = ax * by, right = ay * bx;
   const double value = left - right;
@@ -147,11 +146,11 @@ int FaceGeometry::side(Index line, Index point) {
   const ApproximatePoint& p = approximate_[point];
   const double ax = l.a * p.x, by = l.b * p.y;
   const double value = ax + by + l.c;
-  const double bound = ((std::fabs(l.a) + std::fabs(l.b) + l.errorA + l.errorB) * p.error +
-                        l.errorA * std::fabs(p.x) + l.errorB * std::fabs(p.y) + l.errorC +
-                        (std::fabs(ax) + std::fabs(by) + std::fabs(l.c)) * (5 * 0x1p-53)) *
-                           kInflate +
-                       kernel_.sign().slack;
+  const double bound =
+      ((std::fabs(l.a) + std::fabs(l.b) + l.errorA + l.errorB) * p.error + l.errorA * std::fabs(p.x) +
+       l.errorB * std::fabs(p.y) + l.errorC + (std::fabs(ax) + std::fabs(by) + std::fabs(l.c)) * (5 * 0x1p-53)) *
+          kInflate +
+      kernel_.sign().slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
   if (isKnownOn(lines_[line], points_[point])) return 0;
@@ -175,8 +174,7 @@ int FaceGeometry::sideOfEdge(int k, Index point) {
 
 int FaceGeometry::orientation(Index a, Index b, Index c) {
   if (a == b || b == c || a == c) return 0;
-  const int filtered =
-      filteredOrientation(approximate_[a], approximate_[b], approximate_[c], kernel_.sign().slack);
+  const int filtered = filteredOrientation(approximate_[a], approximate_[b], approximate_[c], kernel_.sign().slack);
   if (filtered != kUnknownSign) return filtered;
   if ((border_[a] & border_[b] & border_[c]) != 0) return 0;
   for (const auto& [p, q, r] : {std::array{a, b, c}, std::array{b, c, a}, std::array{c, a, b}}) {
@@ -185,8 +183,7 @@ int FaceGeometry::orientation(Index a, Index b, Index c) {
       if (isKnownOn(l, points_[q]) && isKnownOn(l, points_[r])) return 0;
   }
   const auto determinant = [](const auto& x, const auto& y, const auto& z) -> std::decay_t<decltype(x[0])> {
-    return x[0] * (y[1] * z[2] - z[1] * y[2]) - x[1] * (y[0] * z[2] - z[0] * y[2]) +
-           x[2] * (y[0] * z[1] - z[0] * y[1]);
+    return x[0] * (y[1] * z[2] - z[1] * y[2]) - x[1] * (y[0] * z[2] - z[0] * y[2]) + x[2] * (y[0] * z[1] - z[0] * y[1]);
   };
   const int s = kernel_.sign()(determinant(homogeneous_[a], homogeneous_[b], homogeneous_[c]));
   if (s != kUnknownSign) return s;
@@ -200,8 +197,8 @@ int FaceGeometry::compare(Index a, Index b, int axis) {
   if (a == b) return 0;
   const ApproximatePoint &p = approximate_[a], &q = approximate_[b];
   const double u = axis == 0 ? p.x : p.y, v = axis == 0 ? q.x : q.y;
-  const double bound = (p.error + q.error + 2 * 0x1p-53 * (std::fabs(u) + std::fabs(v))) * kInflate +
-                       kernel_.sign().slack;
+  const double bound =
+      (p.error + q.error + 2 * 0x1p-53 * (std::fabs(u) + std::fabs(v))) * kInflate + kernel_.sign().slack;
   if (u - v > bound) return 1;
   if (u - v < -bound) return -1;
   const auto &x = homogeneous_[a], &y = homogeneous_[b];

@@ -164,8 +164,8 @@ bool FaceTriangulation::flipIfBetter(Index cell, int k) {
   if (other < 0 || x.lines[k] >= 0) return false;
   const Index c = x.corners[k], a = x.corners[next(k)], b = x.corners[previous(k)];
   const Index d = cells_[other].corners[neighborSlot(cells_[other], cell)];
-  const ApproximatePoint &pa = geometry_.approximate(a), &pb = geometry_.approximate(b),
-                         &pc = geometry_.approximate(c), &pd = geometry_.approximate(d);
+  const ApproximatePoint &pa = geometry_.approximate(a), &pb = geometry_.approximate(b), &pc = geometry_.approximate(c),
+                         &pd = geometry_.approximate(d);
   const double ax = pa.x - pd.x, ay = pa.y - pd.y, bx = pb.x - pd.x, by = pb.y - pd.y, cx = pc.x - pd.x,
                cy = pc.y - pd.y;
   const double a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;

@@ -1,9 +1,9 @@
 // A constrained triangulation of one floor triangle by the segments that obstacles leave on it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Incremental: points are located by walking, segments are inserted by flipping edges away, and where two segments cross
-// their canonical crossing point becomes a vertex. All decisions are exact. That the triangles are well shaped (nearly
-// Delaunay) is a nicety and is judged by rounded coordinates.
+// Incremental: points are located by walking, segments are inserted by flipping edges away, and where two segments
+// cross their canonical crossing point becomes a vertex. All decisions are exact. That the triangles are well shaped
+// (nearly Delaunay) is a nicety and is judged by rounded coordinates.
 #pragma once
 
 #include <array>
@@ -27,8 +27,7 @@ class FaceTriangulation {
   };
 
   /// `poll` is called now and then and may throw to cancel.
-  FaceTriangulation(FaceGeometry& geometry, std::function<void()> poll)
-      : geometry_(geometry), poll_(std::move(poll)) {}
+  FaceTriangulation(FaceGeometry& geometry, std::function<void()> poll) : geometry_(geometry), poll_(std::move(poll)) {}
 
   /// Starts with the face of the geometry as the only cell.
   void start();

@@ -72,7 +72,7 @@ struct ExactContext {
 };
 
 // numerator / denominator * 2^exponent, rounded to the nearest double.
-double roundedQuotient(const mpz_class& numerator, const mpz_class& denominator, int exponent) {
+double roundedQuotient(const mpz_class& numerator, const mpz_class& denominator, int exponent, bool* exact = nullptr) {
   mpfr_t value;
   mpfr_init2(value, 53);
   mpq_class quotient;
@@ -82,7 +82,8 @@ double roundedQuotient(const mpz_class& numerator, const mpz_class& denominator,
     quotient.get_num() = -numerator;
     quotient.get_den() = -denominator;
   }
-  mpfr_set_q(value, quotient.get_mpq_t(), MPFR_RNDN);
+  const int lost = mpfr_set_q(value, quotient.get_mpq_t(), MPFR_RNDN);
+  if (exact != nullptr && lost != 0) *exact = false;
   mpfr_mul_2si(value, value, exponent, MPFR_RNDN);
   const double result = mpfr_get_d(value, MPFR_RNDN);
   mpfr_clear(value);
@@ -134,8 +135,7 @@ Homogeneous<typename C::T> rawHomogeneous(const C& c, const PlanPoint& p) {
   if (p.kind == PlanPoint::EdgePlane) {
     const T ha = heightValue(c, p.c, p.a, p.d);
     const T hb = heightValue(c, p.c, p.b, p.d);
-    return {T(c.local(p.a, 0) * hb - c.local(p.b, 0) * ha), T(c.local(p.a, 1) * hb - c.local(p.b, 1) * ha),
-            T(hb - ha)};
+    return {T(c.local(p.a, 0) * hb - c.local(p.b, 0) * ha), T(c.local(p.a, 1) * hb - c.local(p.b, 1) * ha), T(hb - ha)};
   }
   const auto l = lineCoefficients(c, p.firstLine(), p.face);
   const auto m = lineCoefficients(c, p.secondLine(), p.face);
@@ -144,8 +144,7 @@ Homogeneous<typename C::T> rawHomogeneous(const C& c, const PlanPoint& p) {
 
 template <class T>
 T determinant(const Homogeneous<T>& a, const Homogeneous<T>& b, const Homogeneous<T>& c) {
-  return a[0] * (b[1] * c[2] - c[1] * b[2]) - a[1] * (b[0] * c[2] - c[0] * b[2]) +
-         a[2] * (b[0] * c[1] - c[0] * b[1]);
+  return a[0] * (b[1] * c[2] - c[1] * b[2]) - a[1] * (b[0] * c[2] - c[0] * b[2]) + a[2] * (b[0] * c[1] - c[0] * b[1]);
 }
 
 // Heights of two planes at a point, as numerator over positive denominators: sign of z_f - z_g.
@@ -281,11 +280,12 @@ int PlanKernel::compareHeight(const PlanPoint& point, Index f, Index g, ExactFal
   if (f == g) return 0;
   const Index origin = mesh_->triangles[f][0];
   const int flip = mesh_->facing[f] * mesh_->facing[g];
-  const int s = sign_(heightDifference(DoubleContext{*mesh_, scaledHeights_, origin}, homogeneous(point, origin), f, g));
+  const int s =
+      sign_(heightDifference(DoubleContext{*mesh_, scaledHeights_, origin}, homogeneous(point, origin), f, g));
   if (s != kUnknownSign) return s * flip;
   ++count.height;
-  return flip * sgn(heightDifference(ExactContext{*mesh_, heights_, grid_.low, origin},
-                                     exactHomogeneous(point, origin), f, g));
+  return flip * sgn(heightDifference(ExactContext{*mesh_, heights_, grid_.low, origin}, exactHomogeneous(point, origin),
+                                     f, g));
 }
 
 int PlanKernel::side(const PlanLine& line, Index face, const PlanPoint& point, Index origin,
@@ -325,7 +325,8 @@ std::array<mpq_class, 3> PlanKernel::exactPosition(const PlanPoint& point, Index
   return result;
 }
 
-Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face) const {
+Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact) const {
+  if (exact != nullptr) *exact = true;
   const Index origin = mesh_->triangles[face][0];
   const auto h = exactHomogeneous(point, origin);
   const ExactContext context{*mesh_, heights_, grid_.low, origin};
@@ -334,7 +335,7 @@ Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face) const {
   // (local + base) on the grid over a common denominator, without reducing fractions
   const auto round = [&](const mpz_class& numerator, const mpz_class& denominator, double base) {
     const mpz_class whole = numerator + toInteger(base, grid_.low) * denominator;
-    return roundedQuotient(whole, denominator, grid_.low);
+    return roundedQuotient(whole, denominator, grid_.low, exact);
   };
   const mpz_class zNumerator = -(n[0] * h[0] + n[1] * h[1]);
   const mpz_class zDenominator = n[2] * h[2];

@@ -1,9 +1,9 @@
 // Exact predicates in the plan: the closed family of lines and points that the pipeline constructs, one level deep.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A new vertex is always the crossing, in the plan, of two lines of a closed family, lifted to a floor's plane: edges of
-// source triangles, and traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane. What
-// a point *is* is kept; its value is computed when needed. A decision goes through up to four stages: rounded
+// A new vertex is always the crossing, in the plan, of two lines of a closed family, lifted to a floor's plane: edges
+// of source triangles, and traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane.
+// What a point *is* is kept; its value is computed when needed. A decision goes through up to four stages: rounded
 // coordinates with a bound, provenance, doubles with a running error (ErrorDouble), exact integers (GMP).
 #pragma once
 
@@ -94,8 +94,8 @@ class PlanKernel {
 
   /// The exact coordinates of a plan point lifted to a face, in the environment's units.
   [[nodiscard]] std::array<mpq_class, 3> exactPosition(const PlanPoint& point, Index face) const;
-  /// The same, each coordinate rounded to the nearest double.
-  [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face) const;
+  /// The same, each coordinate rounded to the nearest double; `exact` (may be null) tells whether nothing was lost.
+  [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face, bool* exact = nullptr) const;
 
  private:
   std::shared_ptr<const SourceMesh> mesh_;

@@ -22,8 +22,8 @@ using Index = std::int32_t;
 
 struct SourceMesh {
   std::vector<Vec3> vertices;
-  /// Coordinates times 2^grid.scaleExponent(): what doubles compute with. Exact, except where a coordinate underflows, which
-  /// the sign rule allows for.
+  /// Coordinates times 2^grid.scaleExponent(): what doubles compute with. Exact, except where a coordinate underflows,
+  /// which the sign rule allows for.
   std::vector<Vec3> scaled;
   /// For each vertex the smallest vertex with the same x and y: its identity in the plan.
   std::vector<Index> planIds;

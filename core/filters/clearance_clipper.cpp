@@ -94,9 +94,7 @@ ClearanceClipper::Heights ClearanceClipper::heightsOf(Index obstacle) {
                             ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
                                kInflate +
                            slack;
-      heights.floor[j] = value > bound    ? 1
-                         : value < -bound ? -1
-                                          : kernel_.heightSign(face_, v, 0, geometry_.fallbacks);
+      heights.floor[j] = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, geometry_.fallbacks);
       if (heights.floor[j] <= 0)
         heights.ceiling[j] = -1;
       else
@@ -138,8 +136,8 @@ bool ClearanceClipper::mayOverlap(Index obstacle) {
       const Index b = facing > 0 ? o[next(k)] : o[k];
       bool inside = false;
       for (int j = 0; j < 3 && !inside; ++j)
-        inside = plan[f[j]] != plan[a] && plan[f[j]] != plan[b] &&
-                 kernel_.orientation(a, b, f[j], geometry_.fallbacks) > 0;
+        inside =
+            plan[f[j]] != plan[a] && plan[f[j]] != plan[b] && kernel_.orientation(a, b, f[j], geometry_.fallbacks) > 0;
       if (!inside) return false;
     }
     return true;
@@ -150,9 +148,8 @@ bool ClearanceClipper::mayOverlap(Index obstacle) {
     if (plan[o[k]] != plan[o[next(k)]]) a = o[k], b = o[next(k)];
   int left = 0, right = 0;
   for (int j = 0; j < 3; ++j) {
-    const int s = plan[f[j]] == plan[a] || plan[f[j]] == plan[b]
-                      ? 0
-                      : kernel_.orientation(a, b, f[j], geometry_.fallbacks);
+    const int s =
+        plan[f[j]] == plan[a] || plan[f[j]] == plan[b] ? 0 : kernel_.orientation(a, b, f[j], geometry_.fallbacks);
     left += s > 0;
     right += s < 0;
   }
@@ -301,9 +298,8 @@ void ClearanceClipper::addWall(Index obstacle, const Heights& heights) {
     if (heights.floor[k] >= 0 && heights.ceiling[k] <= 0)
       points[count++] = geometry_.point({PlanPoint::Source, plan[u]});
     const auto addCrossing = [&](Index level) {
-      points[count++] =
-          upright ? geometry_.point({PlanPoint::Source, plan[u]})
-                  : geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
+      points[count++] = upright ? geometry_.point({PlanPoint::Source, plan[u]})
+                                : geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
     };
     if (heights.floor[k] * heights.floor[next(k)] < 0) addCrossing(0);
     if (heights.ceiling[k] * heights.ceiling[next(k)] < 0) addCrossing(level_);

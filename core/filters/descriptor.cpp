@@ -292,7 +292,7 @@ FilterDescriptor gridStrategy() {
       .aliases = {},
       .label = "Grid strategy",
       .help =
-          "Begins a parallel block: cuts the environment into a grid of equal rectangles in the plan. Good where "
+          "Cuts the environment into a grid of equal rectangles in the plan and begins a parallel block. Good where "
           "obstacles are spread evenly.",
       .precondition = "A Collapse follows, with only local filters in between.",
       .effect = "The filters up to Collapse run on each cell on its own.",
@@ -310,8 +310,8 @@ FilterDescriptor recursiveStrategy() {
       .aliases = {},
       .label = "Recursive strategy",
       .help =
-          "Begins a parallel block: cuts the environment into four equal rectangles, and each of them again as "
-          "long as it holds many triangles.",
+          "Cuts the environment into four equal rectangles, and each of them again as long as it holds many triangles, "
+          "and begins a parallel block.",
       .precondition = "A Collapse follows, with only local filters in between.",
       .effect = "The filters up to Collapse run on each cell on its own.",
       .source = "thesis 4.3.2",
@@ -328,8 +328,8 @@ FilterDescriptor sortedRecursiveStrategy() {
       .aliases = {"SmartRecursiveStrategy"},
       .label = "Sorted recursive strategy",
       .help =
-          "Begins a parallel block: cuts the environment in two so that each side gets about half of the "
-          "triangles, across x and y in turn, and each side again as long as it holds many triangles.",
+          "Cuts the environment into halves of about equally many triangles, across x and y in turn and again as long "
+          "as a part holds many, and begins a parallel block.",
       .precondition = "A Collapse follows, with only local filters in between.",
       .effect = "The filters up to Collapse run on each cell on its own.",
       .source = "thesis 4.3.3",

@@ -206,15 +206,16 @@ std::string_view nearestFilterName(std::string_view name) {
       bestDistance = distance;
     }
   };
-  for (const FilterDescriptor& filter : filterDescriptors()) {
-    consider(filter.name, editDistance(name, filter.name));
-    for (const std::string_view alias : filter.aliases) consider(alias, editDistance(name, alias));
+  const auto considerName = [&](std::string_view known) {
+    consider(known, editDistance(name, known));
     // "Slope" stands for SlopeFilter, although other names may be fewer edits away.
     for (const std::string_view ending : {"Filter", "Strategy"}) {
-      if (filter.name.ends_with(ending)) {
-        consider(filter.name, editDistance(name, filter.name.substr(0, filter.name.size() - ending.size())));
-      }
+      if (known.ends_with(ending)) consider(known, editDistance(name, known.substr(0, known.size() - ending.size())));
     }
+  };
+  for (const FilterDescriptor& filter : filterDescriptors()) {
+    considerName(filter.name);
+    std::ranges::for_each(filter.aliases, considerName);
   }
   return best;
 }

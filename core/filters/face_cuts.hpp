@@ -11,10 +11,10 @@ namespace footfall {
 
 /// A piece of a region's outline or of a wall's trace.
 struct CutSegment {
-  Index from = -1, to = -1;  ///< points of the FaceCuts
-  Index line = -1;           ///< line of the FaceCuts
+  Index from = -1, to = -1;   ///< points of the FaceCuts
+  Index line = -1;            ///< line of the FaceCuts
   std::int8_t direction = 1;  ///< +1: from -> to runs along the line
-  int winding = 0;           ///< regions on the left minus regions on the right
+  int winding = 0;            ///< regions on the left minus regions on the right
   bool wall = false;
 };
 

@@ -15,9 +15,9 @@ namespace footfall {
 
 struct RunEvent {
   enum class Kind {
-    StepStarted,   ///< `step`, `text` = filter name
-    Progress,      ///< `step`, `fraction` in [0, 1] of that step
-    PartReady,     ///< `step`, `part` = a piece of the step's result, good enough to be shown while the rest is computed
+    StepStarted,  ///< `step`, `text` = filter name
+    Progress,     ///< `step`, `fraction` in [0, 1] of that step
+    PartReady,    ///< `step`, `part` = a piece of the step's result, good enough to be shown while the rest is computed
     StepFinished,  ///< `step`; `part` may hold the step's whole result for display
   };
   Kind kind = Kind::Progress;

@@ -73,16 +73,17 @@ class Run {
   RunResult execute() {
     context_.checkCancelled();
     takeFromCache();
-    if (!current_.state) makeStart();
+    const double startMs = current_.state ? 0 : makeStart();
     for (std::size_t i = current_.steps.size(); i < steps_.size(); ++i) runStep(i);
-    const Stopwatch watch;
+    const Stopwatch finishing;
     context_.checkCancelled();
     if (!current_.mesh) {
       current_.mesh = guarded("navigation mesh", [&] { return makeNavigationMesh(current_.state, context_); });
       remember();
     }
     RunResult result;
-    result.finishMs = watch.wallMs();
+    result.startMs = startMs;
+    result.finishMs = finishing.wallMs();
     result.steps = std::move(current_.steps);
     result.mesh = current_.mesh;
     result.summary = current_.summary;
@@ -103,12 +104,15 @@ class Run {
     }
   }
 
-  void makeStart() {
+  // Returns the time it took, in milliseconds.
+  double makeStart() {
+    const Stopwatch watch;
     guarded("environment", [&] {
       current_.state = makeInitialState(environment_, context_);
       current_.summary = summarize(*current_.state);
     });
     remember();
+    return watch.wallMs();
   }
 
   void runStep(std::size_t index) {
@@ -119,8 +123,8 @@ class Run {
     statistics.parameters = step.values;
     statistics.in = current_.summary;
     const auto position = static_cast<std::size_t>(&step - pipeline_.steps.data());
-    context_.beginStep(index, statistics.name);
     guarded(placeOfStep(pipeline_, position) + ", " + statistics.name, [&] {
+      context_.beginStep(index, statistics.name);
       const Stopwatch watch;
       FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_);
       statistics.wallMs = watch.wallMs();
@@ -129,13 +133,12 @@ class Run {
       statistics.fallbacks = outcome.fallbacks;
       current_.state = std::move(outcome.state);
       current_.summary = summarize(*current_.state);
+      current_.mesh = nullptr;
+      statistics.out = current_.summary;
+      current_.steps.push_back(std::move(statistics));
+      remember();
+      context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
     });
-    statistics.out = current_.summary;
-    current_.mesh = nullptr;
-    current_.steps.push_back(std::move(statistics));
-    remember();
-    context_.endStep(context_.wantsParts() ? guarded("preview", [&] { return makePreviewMesh(*current_.state); })
-                                           : nullptr);
   }
 
   void remember() {

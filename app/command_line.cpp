@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run_command.hpp"
+#include "core/environment/import.hpp"
+#include "core/environment/info.hpp"
+#include "core/errors.hpp"
+#include "core/filters/descriptor_text.hpp"
+
+namespace footfall {
+namespace {
+
+struct EnvironmentArguments {
+  std::string path;
+  std::string up;
+  std::optional<double> metresPerUnit;
+  bool bothSides = false;
+
+  [[nodiscard]] ImportOptions importOptions() const {
+    ImportOptions options;
+    if (!up.empty()) options.up = up == "y" ? UpAxis::Y : UpAxis::Z;
+    if (metresPerUnit && !(std::isfinite(*metresPerUnit) && *metresPerUnit > 0)) {
+      throw InputError("--scale: must be the metres in one unit of the file; give a number above 0");
+    }
+    options.metresPerUnit = metresPerUnit;
+    options.bothSides = bothSides;
+    return options;
+  }
+};
+
+void addEnvironmentArguments(CLI::App& command, EnvironmentArguments& arguments) {
+  command.add_option("ENV", arguments.path, "The environment: OBJ, glTF, FBX, PLY, STL or another mesh file")
+      ->required();
+  command.add_option("--up", arguments.up, "The file's up axis, y or z; guessed from the format when left out")
+      ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case))
+      ->type_name("y|z");
+  command.add_option("--scale", arguments.metresPerUnit, "Metres in one unit of the file; guessed when left out")
+      ->type_name("METRES");
+  command.add_flag("--both-sides", arguments.bothSides,
+                   "Take both sides of every triangle as its upper side, for files with unreliable winding");
+}
+
+void printFilters(const std::string& name, bool markdown) {
+  if (markdown) {
+    std::cout << filtersMarkdown();
+  } else if (name.empty()) {
+    std::cout << listFilters();
+  } else if (const FilterDescriptor* filter = findFilter(name)) {
+    std::cout << describeFilter(*filter);
+  } else {
+    throw InputError("unknown filter \"" + name + "\"; did you mean " + std::string(nearestFilterName(name)) + '?');
+  }
+}
+
+void printInfo(const EnvironmentArguments& arguments) {
+  const auto environment = importEnvironment(arguments.path, arguments.importOptions());
+  std::cout << formatInfo(*environment, inspectEnvironment(*environment));
+}
+
+void checkOutput() {
+  if (!std::cout.flush()) throw RunError("standard output cannot be written; check where it leads");
+}
+
+}  // namespace
+
+void runCommandLine(int argc, const char* const* argv) {
+  CLI::App app("Computes the exact walkable area of 3D environments.", "footfall");
+  app.set_version_flag("--version", "footfall " FOOTFALL_VERSION, "Print the version and exit");
+  app.require_subcommand(1);
+
+  EnvironmentArguments environment;
+  RunArguments run;
+  CLI::App* runCommand = app.add_subcommand("run", "Run a pipeline over an environment");
+  addEnvironmentArguments(*runCommand, environment);
+  CLI::Option* pipelineFile = runCommand->add_option("-p,--pipeline", run.pipelineFile, "A pipeline file");
+  pipelineFile->type_name("FILE");
+  runCommand
+      ->add_option("--filter", run.filters,
+                   "One step, such as \"SlopeFilter 45\"; give it once for each step. Without steps and file the "
+                   "default pipeline runs")
+      ->allow_extra_args(false)
+      ->excludes(pipelineFile)
+      ->type_name("STEP");
+  runCommand->add_option("--threads", run.threads, "Threads to use at most; as many as there are processors by default")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  runCommand->add_option("-o,--output", run.output, "Write the walkable area to this OBJ file")->type_name("OUT.obj");
+  runCommand->add_option("--stats", run.statistics, "Write times and counts to this file")->type_name("FILE.json");
+  runCommand->add_flag("--quiet", run.quiet, "No progress bar and no summary");
+
+  CLI::App* infoCommand = app.add_subcommand("info", "Tell what an environment holds");
+  addEnvironmentArguments(*infoCommand, environment);
+
+  std::string filterName;
+  bool markdown = false;
+  CLI::App* filtersCommand = app.add_subcommand("filters", "List the filters, or tell all about one");
+  CLI::Option* filterNameOption = filtersCommand->add_option("NAME", filterName, "A filter's name");
+  filtersCommand->add_flag("--markdown", markdown, "The whole reference as Markdown")->excludes(filterNameOption);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
+      throw InputError(std::string(error.what()) + "; `footfall --help` tells what can be given");
+    }
+    app.exit(error);  // --help and --version
+    checkOutput();
+    return;
+  }
+
+  if (runCommand->parsed()) {
+    run.environment = environment.path;
+    run.importOptions = environment.importOptions();
+    std::cout << runAndExport(run);
+  } else if (infoCommand->parsed()) {
+    printInfo(environment);
+  } else {
+    printFilters(filterName, markdown);
+  }
+  checkOutput();
+}
+
+}  // namespace footfall

@@ -1,0 +1,37 @@
+// The command line program: `footfall run|info|filters`. Needs no display.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/command_line.hpp"
+#include "core/errors.hpp"
+
+namespace {
+
+enum ExitCode { kDone = 0, kRunFailed = 1, kWrongInput = 2 };
+
+int fail(ExitCode code, const char* message) {
+  std::fprintf(stderr, "footfall: %s\n", message);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    footfall::runCommandLine(argc, argv);
+    return kDone;
+  } catch (const footfall::InputError& error) {
+    return fail(kWrongInput, error.what());
+  } catch (const footfall::RunError& error) {
+    return fail(kRunFailed, error.what());
+  } catch (const footfall::Cancelled&) {
+    return fail(kRunFailed, "cancelled");
+  } catch (const std::bad_alloc&) {
+    return fail(kRunFailed, "memory ran out; close other programs or use a smaller environment");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "footfall: internal error (%s); please report it with what you typed\n", error.what());
+    return kRunFailed;
+  }
+}

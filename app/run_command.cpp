@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "app/interrupt_watcher.hpp"
+#include "app/progress_bar.hpp"
+#include "core/environment/export.hpp"
+#include "core/environment/import.hpp"
+#include "core/metrics/process_usage.hpp"
+#include "core/metrics/run_statistics.hpp"
+#include "core/pipeline/export_header.hpp"
+#include "core/pipeline/pipeline.hpp"
+#include "core/pipeline/runner.hpp"
+
+namespace footfall {
+namespace {
+
+// Empty when the default pipeline is to run, which needs the environment's scale.
+std::optional<Pipeline> givenPipeline(const RunArguments& arguments) {
+  if (!arguments.pipelineFile.empty()) return readPipelineFile(arguments.pipelineFile);
+  if (arguments.filters.empty()) return std::nullopt;
+  std::string text;
+  for (const std::string& filter : arguments.filters) text += filter + '\n';
+  return parsePipeline(text, "--filter");
+}
+
+bool sameFile(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code failed;
+  return a == b || std::filesystem::equivalent(a, b, failed);
+}
+
+void checkTargets(const RunArguments& arguments) {
+  for (const std::string& target : {arguments.output, arguments.statistics}) {
+    for (const std::string& input : {arguments.environment, arguments.pipelineFile}) {
+      if (sameFile(target, input)) throw InputError(target + ": would be overwritten; give another file to write to");
+    }
+  }
+  if (sameFile(arguments.output, arguments.statistics)) {
+    throw InputError(arguments.output + ": cannot hold both the export and the statistics; give two files");
+  }
+}
+
+RunResult runNamingFile(const RunArguments& arguments, std::shared_ptr<const Environment> environment,
+                        const Pipeline& pipeline, RunContext& context) {
+  try {
+    return runPipeline(std::move(environment), pipeline, context, nullptr, arguments.threads);
+  } catch (const InputError& error) {
+    // The runner knows the line, but not the file that it is in.
+    if (arguments.pipelineFile.empty()) throw;
+    throw InputError(arguments.pipelineFile + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+std::string runAndExport(const RunArguments& arguments) {
+  const Stopwatch total;
+  ProgramTimes times;
+  checkTargets(arguments);
+  std::optional<Pipeline> pipeline = givenPipeline(arguments);
+
+  ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO) != 0);
+  RunContext context([&bar](const RunEvent& event) { bar.show(event); });
+  const InterruptWatcher watcher(context);
+
+  const Stopwatch loading;
+  bar.begin("loading", 0);
+  const auto environment = importEnvironment(arguments.environment, arguments.importOptions, &context);
+  times.loadMs = loading.wallMs();
+  if (!pipeline) pipeline = defaultPipeline(*environment);
+
+  bar.begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline->steps, true, &PipelineStep::enabled)));
+  const RunResult result = runNamingFile(arguments, environment, *pipeline, context);
+
+  if (!arguments.output.empty()) {
+    const Stopwatch exporting;
+    bar.begin("exporting", 0);
+    context.checkCancelled();
+    writeObj(arguments.output, *result.mesh, *environment, makeExportHeader(*pipeline));
+    times.exportMs = exporting.wallMs();
+  }
+  times.totalMs = total.wallMs();
+  if (!arguments.statistics.empty()) {
+    context.checkCancelled();
+    writeFileSafely(arguments.statistics, formatStatistics(*environment, result, times));
+  }
+  bar.clear();
+  return arguments.quiet ? std::string() : formatSummary(*environment, result, times);
+}
+
+}  // namespace footfall

@@ -1,0 +1,27 @@
+// `footfall run`: load, run the pipeline, export.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/environment/environment.hpp"
+
+namespace footfall {
+
+struct RunArguments {
+  std::string environment;
+  ImportOptions importOptions;
+  std::string pipelineFile;          ///< empty: `filters`, or the default pipeline when they are empty as well
+  std::vector<std::string> filters;  ///< one line of a pipeline file each
+  int threads = 0;                   ///< 0: as many as the machine has
+  std::string output;                ///< empty: nothing is exported
+  std::string statistics;            ///< empty: no statistics are written
+  bool quiet = false;
+};
+
+/// Returns the summary for stdout, empty when quiet. SIGINT and SIGTERM cancel while it runs: files that were there
+/// before stay as they were. Throws InputError, RunError or Cancelled.
+std::string runAndExport(const RunArguments& arguments);
+
+}  // namespace footfall

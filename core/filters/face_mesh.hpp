@@ -1,0 +1,45 @@
+// The walkable part of one face as triangles: what its cuts leave.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/exact/face_triangulation.hpp"
+#include "core/filters/face_cuts.hpp"
+
+namespace footfall {
+
+/// Points are numbered within the face; 0, 1, 2 are its corners.
+struct FaceMesh {
+  struct Cell {
+    std::array<Index, 3> corners{};
+    std::uint8_t obstacleEdges = 0;                    ///< bit k: edge from corner k to k + 1
+    std::uint8_t outlineEdges = 0;                     ///< bit k: no walkable part of this face on the other side
+    std::array<std::int8_t, 3> faceEdges{-1, -1, -1};  ///< for an outline edge on the face's own edge: which
+    std::array<Index, 3> lines{-1, -1, -1};            ///< supporting line of an outline or obstacle edge
+  };
+  std::vector<PlanPoint> points;
+  std::vector<ApproximatePoint> approximate;  ///< relative to the face's first vertex
+  std::vector<PlanLine> lines;
+  std::vector<Cell> cells;
+};
+
+/// Triangulates a face by its cuts. `covered` chooses the covered parts instead of the walkable ones.
+class FaceMesher {
+ public:
+  FaceMesher(const PlanKernel& kernel, std::function<void()> poll)
+      : geometry_(kernel), triangulation_(geometry_, std::move(poll)) {}
+
+  FaceMesh mesh(Index face, const FaceCuts* cuts, bool covered = false);
+
+  [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
+
+ private:
+  void insertCuts(const FaceCuts& cuts);
+
+  FaceGeometry geometry_;
+  FaceTriangulation triangulation_;
+};
+
+}  // namespace footfall

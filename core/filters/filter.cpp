@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/filter.hpp"
+
+#include <cmath>
+
+#include "core/filters/filter_registry.hpp"
+
+namespace footfall {
+
+StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context) {
+  context.checkCancelled();
+  auto mesh = std::make_shared<SourceMesh>(
+      makeSourceMesh(environment->vertices, environment->triangles, {}, environment->bothSides));
+  context.checkCancelled();
+  auto state = std::make_shared<WalkableState>();
+  state->environment = std::move(environment);
+  state->walkable.resize(mesh->triangles.size());
+  state->removed.assign(mesh->triangles.size(), 0);
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) state->walkable[t] = static_cast<char>(mesh->facing[t] > 0);
+  state->kernel = std::make_shared<PlanKernel>(std::move(mesh), std::vector<double>{});
+  return state;
+}
+
+FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,
+                          RunContext& context) {
+  context.checkCancelled();
+  const std::string_view name = filter.name;
+  if (name == "DuplicationFilter") return applyDuplication(state, values[0], context);
+  if (name == "DegeneracyFilter") return applyDegeneracy(state, context);
+  if (name == "SlopeFilter") return applySlope(state, values[0], context);
+  if (name == "VerticalClearanceFilter") return applyVerticalClearance(state, values[0], context);
+  if (name == "AreaFilter") return applyArea(state, values[0], context);
+  if (name == "SimplificationFilter") return applySimplification(state, values[0] != 0, values[1], context);
+  if (name == "LayerSubdivisionFilter") return applyLayerSubdivision(state, context);
+  if (name == "RoundingFilter") return applyRounding(state, context);
+  throw InputError(std::string(name) + " is understood but does not run yet; take it out of the pipeline");
+}
+
+namespace {
+
+double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+  return 0.5 * std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+}
+
+Vec3 scaledPlace(const MeshVertex& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+StateSummary summarize(const WalkableState& state) {
+  StateSummary summary;
+  const SourceMesh& source = state.kernel->mesh();
+  for (std::size_t t = 0; t < source.triangles.size(); ++t) {
+    if (state.removed[t] != 0) continue;
+    if (state.walkable[t] == 0) {
+      ++summary.rejected;
+    } else if (!state.mesh) {
+      const auto& f = source.triangles[t];
+      ++summary.triangles;
+      summary.area += triangleArea(source.vertices[f[0]], source.vertices[f[1]], source.vertices[f[2]]);
+    } else if (state.cuts && (*state.cuts)[t].removed) {
+      ++summary.rejected;
+    }
+  }
+  if (!state.mesh) return summary;
+  const WalkableMesh& mesh = *state.mesh;
+  summary.triangles = mesh.triangles.size();
+  std::size_t marks = 0;
+  for (const MeshTriangle& t : mesh.triangles) {
+    summary.area += triangleArea(scaledPlace(mesh.vertices[t.corners[0]]), scaledPlace(mesh.vertices[t.corners[1]]),
+                                 scaledPlace(mesh.vertices[t.corners[2]]));
+    for (int k = 0; k < 3; ++k) marks += t.obstacleEdges >> k & 1;
+  }
+  summary.area = std::ldexp(summary.area, -2 * source.grid.scaleExponent());
+  summary.layers = mesh.layerCount;
+  summary.obstacleEdges = marks / 2;
+  return summary;
+}
+
+std::shared_ptr<const NavigationMesh> makePreviewMesh(const WalkableState& state) {
+  auto preview = std::make_shared<NavigationMesh>();
+  const SourceMesh& source = state.kernel->mesh();
+  if (!state.mesh) {
+    preview->vertices = source.vertices;
+    for (std::size_t t = 0; t < source.triangles.size(); ++t) {
+      if (state.walkable[t] == 0) continue;
+      const auto& f = source.triangles[t];
+      preview->triangles.push_back(
+          {static_cast<std::uint32_t>(f[0]), static_cast<std::uint32_t>(f[1]), static_cast<std::uint32_t>(f[2])});
+      preview->sourceTriangles.push_back(source.inputTriangles[t]);
+    }
+    return preview;
+  }
+  const int scale = -source.grid.scaleExponent();
+  for (const MeshVertex& v : state.mesh->vertices)
+    preview->vertices.push_back({std::ldexp(v.x, scale), std::ldexp(v.y, scale), std::ldexp(v.z, scale)});
+  for (const MeshTriangle& t : state.mesh->triangles) {
+    preview->triangles.push_back({static_cast<std::uint32_t>(t.corners[0]), static_cast<std::uint32_t>(t.corners[1]),
+                                  static_cast<std::uint32_t>(t.corners[2])});
+    preview->sourceTriangles.push_back(source.inputTriangles[t.face]);
+  }
+  preview->layers = state.mesh->layers;
+  preview->layerCount = state.mesh->layerCount;
+  return preview;
+}
+
+}  // namespace footfall

@@ -1,0 +1,21 @@
+// The filters' own functions. Each is implemented in the file of its name; applyFilter() finds it by descriptor.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/filters/filter.hpp"
+#include "core/filters/walkable_state.hpp"
+
+namespace footfall {
+
+FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContext& context);
+FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
+FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context);
+FilterOutcome applyVerticalClearance(const StatePtr& state, double height, RunContext& context);
+FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);
+FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, RunContext& context);
+FilterOutcome applyLayerSubdivision(const StatePtr& state, RunContext& context);
+FilterOutcome applyRounding(const StatePtr& state, RunContext& context);
+
+}  // namespace footfall

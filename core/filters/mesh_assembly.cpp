@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/mesh_assembly.hpp"
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/filters/mesh_joiner.hpp"
+
+namespace footfall {
+namespace {
+
+// Faces that one task triangulates, and that one part for display shows.
+constexpr std::size_t kFacesPerTask = 32;
+
+std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel, const std::vector<Index>& faces,
+                                          const std::vector<FaceMesh>& meshes, const std::vector<std::size_t>& which) {
+  const SourceMesh& source = kernel.mesh();
+  const int scale = -source.grid.scaleExponent();
+  auto part = std::make_shared<NavigationMesh>();
+  for (const std::size_t i : which) {
+    const Index face = faces[i];
+    const auto base = static_cast<std::uint32_t>(part->vertices.size());
+    const Vec3& origin = source.vertices[source.triangles[face][0]];
+    const auto& n = source.normals[face];
+    for (const ApproximatePoint& p : meshes[i].approximate) {
+      const double z = -(n[0].value * p.x + n[1].value * p.y) / n[2].value;
+      part->vertices.push_back(
+          {origin.x + std::ldexp(p.x, scale), origin.y + std::ldexp(p.y, scale), origin.z + std::ldexp(z, scale)});
+    }
+    for (const FaceMesh::Cell& c : meshes[i].cells) {
+      part->triangles.push_back({base + static_cast<std::uint32_t>(c.corners[0]),
+                                 base + static_cast<std::uint32_t>(c.corners[1]),
+                                 base + static_cast<std::uint32_t>(c.corners[2])});
+      part->sourceTriangles.push_back(source.inputTriangles[face]);
+    }
+  }
+  return part;
+}
+
+}  // namespace
+
+std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
+                                                 ExactFallbacks& fallbacks) {
+  const PlanKernel& kernel = *state.kernel;
+  const auto count = static_cast<Index>(kernel.mesh().triangles.size());
+  // Only faces with segments need a triangulation; largest first, so that no thread is left with a giant at the end.
+  std::vector<Index> cutFaces;
+  for (Index t = 0; t < count; ++t)
+    if (state.walkable[t] != 0 && state.cuts && !(*state.cuts)[t].removed && !(*state.cuts)[t].segments.empty())
+      cutFaces.push_back(t);
+  std::vector<std::size_t> order(cutFaces.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return (*state.cuts)[cutFaces[a]].segments.size() > (*state.cuts)[cutFaces[b]].segments.size();
+  });
+  std::vector<Index> faces(cutFaces.size());
+  for (std::size_t i = 0; i < order.size(); ++i) faces[i] = cutFaces[order[i]];
+
+  std::vector<FaceMesh> meshes(faces.size());
+  tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
+  std::atomic<std::size_t> done{0};
+  // Threads take the next face that is left, so a giant at the front keeps one thread while the others go on.
+  const std::size_t tasks = (faces.size() + kFacesPerTask - 1) / kFacesPerTask;
+  std::atomic<std::size_t> nextFace{0};
+  tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t) {
+    auto& mesher = meshers.local();
+    if (!mesher) mesher = std::make_unique<FaceMesher>(kernel, [&context] { context.checkCancelled(); });
+    std::vector<std::size_t> mine;
+    for (std::size_t k = 0; k < kFacesPerTask; ++k) {
+      const std::size_t i = nextFace.fetch_add(1, std::memory_order_relaxed);
+      if (i >= faces.size()) break;
+      context.checkCancelled();
+      meshes[i] = mesher->mesh(faces[i], &(*state.cuts)[faces[i]]);
+      const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
+      if (finished % 256 == 0) context.progress(0.5 + 0.4 * static_cast<double>(finished) / faces.size());
+      mine.push_back(i);
+    }
+    if (context.wantsParts()) context.part(previewOf(kernel, faces, meshes, mine));
+  });
+  for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
+
+  MeshJoiner joiner(kernel);
+  std::vector<Index> meshOf(count, -1);
+  for (std::size_t i = 0; i < faces.size(); ++i) meshOf[faces[i]] = static_cast<Index>(i);
+  for (Index t = 0; t < count; ++t) {
+    if ((t & 4095) == 0) context.checkCancelled();
+    if (state.walkable[t] == 0) continue;
+    if (state.cuts && (*state.cuts)[t].removed) continue;
+    if (meshOf[t] >= 0) {
+      joiner.addParts(t, meshes[meshOf[t]]);
+      meshes[meshOf[t]] = {};
+      continue;
+    }
+    std::uint8_t walls = state.cuts ? (*state.cuts)[t].edgeWalls : std::uint8_t{0};
+    const auto& f = kernel.mesh().triangles[t];
+    for (int k = 0; k < 3; ++k)
+      if (kernel.mesh().hasObstacleEdge(f[k], f[(k + 1) % 3])) walls |= static_cast<std::uint8_t>(1 << k);
+    joiner.addWholeFace(t, walls);
+  }
+  auto mesh = std::make_shared<WalkableMesh>(joiner.join(context));
+  fallbacks += joiner.fallbacks();
+  return mesh;
+}
+
+std::shared_ptr<const WalkableState> withMesh(const std::shared_ptr<const WalkableState>& state, RunContext& context,
+                                              ExactFallbacks& fallbacks) {
+  if (state->mesh) return state;
+  auto result = std::make_shared<WalkableState>(*state);
+  result->mesh = assembleMesh(*state, context, fallbacks);
+  return result;
+}
+
+}  // namespace footfall

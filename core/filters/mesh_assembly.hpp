@@ -1,0 +1,22 @@
+// From faces and their cuts to one conforming mesh: triangulate, weld, close T-joints, join contacts (design section
+// 3). SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/filters/walkable_state.hpp"
+#include "core/pipeline/run_context.hpp"
+
+namespace footfall {
+
+/// The mesh of all walkable parts. Every vertex that lies exactly on the outline of another part splits it, and equal
+/// vertices are one: so parts that meet along a line share its edges, whether it was an edge of both, a T-joint, or a
+/// contact. Faces are triangulated on all threads; the result does not depend on their number.
+std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
+                                                 ExactFallbacks& fallbacks);
+
+/// The state with its mesh assembled (the same state when it is already).
+std::shared_ptr<const WalkableState> withMesh(const std::shared_ptr<const WalkableState>& state, RunContext& context,
+                                              ExactFallbacks& fallbacks);
+
+}  // namespace footfall

@@ -1,0 +1,70 @@
+// Welds and splits the outlines of face parts so that they meet in whole edges.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/filters/face_mesh.hpp"
+#include "core/filters/walkable_state.hpp"
+#include "core/pipeline/run_context.hpp"
+
+namespace footfall {
+
+/// Collects the parts of all faces (in any fixed order), then joins them. One object for one mesh.
+class MeshJoiner {
+ public:
+  explicit MeshJoiner(const PlanKernel& kernel);
+
+  /// A face that nothing cuts.
+  void addWholeFace(Index face, std::uint8_t obstacleEdges);
+  /// The walkable parts of a face.
+  void addParts(Index face, const FaceMesh& parts);
+
+  /// Joins everything that was added. To be called once.
+  WalkableMesh join(RunContext& context);
+
+  [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
+
+ private:
+  /// An edge of a part's outline: other parts may meet it.
+  struct Outline {
+    Index from = -1, to = -1;  ///< vertices
+    Index triangle = -1;
+    std::int8_t k = 0;
+    Index face = -1;
+    PlanLine line;                               ///< taken on `face`
+    std::pair<Index, Index> sourceEdge{-1, -1};  ///< the source vertices of the face's edge that it lies on
+  };
+  struct Incidence {
+    Index outline = -1;
+    Index vertex = -1;
+  };
+  enum class Relation { Apart, AtStart, Between, AtEnd };
+
+  Index sourceVertex(Index source, Index face);
+  Index constructedVertex(Index face, const PlanPoint& point, const ApproximatePoint& approximate);
+  void findIncidences(RunContext& context, std::vector<Incidence>& between,
+                      std::vector<std::pair<Index, Index>>& equal);
+  Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
+  [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;
+  /// Order of two vertices along an outline's direction.
+  int compareAlong(const Outline& outline, Index a, Index b, ExactFallbacks& count) const;
+  void splitTriangles(const std::vector<std::vector<Index>>& splits,
+                      const std::unordered_map<std::uint64_t, Index>& splitOf, std::vector<MeshTriangle>& result) const;
+
+  const PlanKernel& kernel_;
+  const SourceMesh& mesh_;
+  std::vector<MeshVertex> vertices_;
+  std::vector<MeshTriangle> triangles_;
+  std::vector<Outline> outlines_;
+  std::vector<Index> ofSource_;  ///< vertex of a source vertex, or -1
+  /// Constructed vertices on a source edge, by what they are in space.
+  std::unordered_map<std::uint64_t, std::vector<Index>> onSourceEdges_;
+  ExactFallbacks fallbacks_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,39 @@
+// The one place where coordinates are rounded, and where what rounding can break is repaired (design section 3, thesis
+// 4.4.2).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/filters/walkable_state.hpp"
+#include "core/pipeline/run_context.hpp"
+
+namespace footfall {
+
+/// How many triangles of each geometry case rounding met.
+struct RoundingCases {
+  std::uint64_t exact = 0;      ///< case 1: all corners are doubles already
+  std::uint64_t edge = 0;       ///< case 2: two corners fell together
+  std::uint64_t point = 0;      ///< case 3: all corners fell together
+  std::uint64_t collinear = 0;  ///< case 4
+  std::uint64_t flipped = 0;    ///< case 5
+};
+
+struct RoundedMesh {
+  std::vector<Vec3> vertices;  ///< environment units
+  std::vector<MeshTriangle> triangles;
+  std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
+};
+
+/// Positions of all vertices, each coordinate the nearest double to the exact one. `exact[v]` tells what was exact.
+std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices,
+                                std::vector<char>& exact, RunContext& context);
+
+/// Removes every triangle that is degenerate or turned over, by collapsing edges as short as rounding errors, by
+/// handing a corner that fell onto (or beyond) the opposite edge to the neighbour there, or, at the border, by dropping
+/// it; obstacle flags move to the neighbours (algorithm 3). Afterwards every triangle faces up, exactly. `sturdy[v]`:
+/// prefer to keep this vertex's place.
+RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
+
+}  // namespace footfall

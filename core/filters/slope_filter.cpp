@@ -1,0 +1,33 @@
+// SlopeFilter: rejects triangles that are steeper than the limit, exactly (design section 2).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_for.h>
+
+#include "core/exact/source_predicates.hpp"
+#include "core/filters/filter_registry.hpp"
+
+namespace footfall {
+
+FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context) {
+  const SourceMesh& source = state->kernel->mesh();
+  auto result = std::make_shared<WalkableState>(*state);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, source.triangles.size(), 1024), [&](const auto& range) {
+    context.checkCancelled();
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      if (result->walkable[t] == 0) continue;
+      const auto& f = source.triangles[t];
+      result->walkable[t] = static_cast<char>(
+          isWithinSlope(source.vertices[f[0]], source.vertices[f[1]], source.vertices[f[2]], degrees));
+    }
+  });
+  if (state->mesh) {
+    // Parts keep the plane of the face that they were cut from.
+    auto mesh = std::make_shared<WalkableMesh>();
+    mesh->vertices = state->mesh->vertices;
+    for (const MeshTriangle& t : state->mesh->triangles)
+      if (result->walkable[t.face] != 0) mesh->triangles.push_back(t);
+    result->mesh = mesh;
+  }
+  return {result, {}, {}};
+}
+
+}  // namespace footfall

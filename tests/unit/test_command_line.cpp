@@ -1,0 +1,360 @@
+// The built program as a user meets it: output, files, exit codes and signals.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <signal.h>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+struct Outcome {
+  int exitCode = -1;
+  bool crashed = false;
+  QByteArray out;
+  QByteArray err;
+};
+
+Outcome footfall(const QStringList& arguments) {
+  QProcess process;
+  process.start(FOOTFALL_PROGRAM, arguments);
+  process.closeWriteChannel();
+  Outcome outcome;
+  if (!process.waitForFinished(120000)) {
+    process.kill();
+    process.waitForFinished();
+  }
+  outcome.crashed = process.exitStatus() != QProcess::NormalExit;
+  outcome.exitCode = process.exitCode();
+  outcome.out = process.readAllStandardOutput();
+  outcome.err = process.readAllStandardError();
+  return outcome;
+}
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void write(const QString& path, const QByteArray& content) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  QCOMPARE(file.write(content), content.size());
+}
+
+// A floor of 10 by 10, Z up, with a board of 2 by 2 one above it.
+constexpr const char* kFloorWithBoard =
+    "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 4 4 1\nv 6 4 1\nv 6 6 1\nv 4 6 1\n"
+    "f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n";
+
+// A hilly ground of 2 * n * n triangles under as many others: enough work for a signal to arrive in the middle.
+QByteArray largeEnvironment(int n) {
+  QByteArray text;
+  for (int level = 0; level < 2; ++level) {
+    for (int y = 0; y <= n; ++y) {
+      for (int x = 0; x <= n; ++x) {
+        const int height = (x * 7 + y * 13 + level * 5) % 11;
+        text += QByteArray("v ") + QByteArray::number(x) + ' ' + QByteArray::number(y) + ' ' +
+                QByteArray::number(height * 0.125 + level) + '\n';
+      }
+    }
+  }
+  for (int level = 0; level < 2; ++level) {
+    for (int y = 0; y < n; ++y) {
+      for (int x = 0; x < n; ++x) {
+        const int a = level * (n + 1) * (n + 1) + y * (n + 1) + x + 1, b = a + 1, c = b + n + 1, d = a + n + 1;
+        for (const auto& [p, q, r] : {std::array{a, b, c}, std::array{a, c, d}}) {
+          text += QByteArray("f ") + QByteArray::number(p) + ' ' + QByteArray::number(q) + ' ' + QByteArray::number(r) +
+                  '\n';
+        }
+      }
+    }
+  }
+  return text;
+}
+
+// Whether the process holds SIGINT back, which it does from the moment on that it cancels instead of dying of it.
+bool blocksInterrupt(qint64 pid) {
+  for (const QByteArray& line : contentOf(QString("/proc/%1/status").arg(pid)).split('\n')) {
+    if (line.startsWith("SigBlk:")) return (line.mid(7).trimmed().toULongLong(nullptr, 16) & (1u << (SIGINT - 1))) != 0;
+  }
+  return false;
+}
+
+}  // namespace
+
+class TestCommandLine : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void version();
+  void help();
+  void filtersAreListed();
+  void oneFilterIsExplained();
+  void referenceAsMarkdown();
+  void info();
+  void runWithDefaultPipeline();
+  void runWritesNothingByDefault();
+  void quietRun();
+  void noProgressBarInAPipe();
+  void exportSaysHowItWasMade();
+  void sameBytesWithAnyNumberOfThreads();
+  void statisticsSchema();
+  void parallelListingSaysThatItDoesNotRunYet();
+  void wrongUsageOrInput_data();
+  void wrongUsageOrInput();
+  void failedRunKeepsAnEarlierFile();
+  void signalsCancel_data();
+  void signalsCancel();
+
+ private:
+  QString path(const QString& name) const { return folder_->filePath(name); }
+  QStringList names() const {
+    return QDir(folder_->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden);
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void TestCommandLine::init() {
+  folder_ = std::make_unique<QTemporaryDir>();
+  QVERIFY(folder_->isValid());
+  write(path("board.obj"), kFloorWithBoard);
+}
+
+void TestCommandLine::version() {
+  const Outcome outcome = footfall({"--version"});
+  QCOMPARE(outcome.exitCode, 0);
+  QVERIFY(outcome.out.startsWith("footfall "));
+  QVERIFY(outcome.out.at(9) >= '0' && outcome.out.at(9) <= '9');
+}
+
+void TestCommandLine::help() {
+  const Outcome outcome = footfall({"--help"});
+  QCOMPARE(outcome.exitCode, 0);
+  for (const char* word : {"run", "info", "filters", "--version"}) QVERIFY(outcome.out.contains(word));
+  const Outcome run = footfall({"run", "--help"});
+  QCOMPARE(run.exitCode, 0);
+  for (const char* word :
+       {"-p", "--filter", "--up", "--scale", "--both-sides", "--threads", "-o", "--stats", "--quiet"}) {
+    QVERIFY2(run.out.contains(word), word);
+  }
+}
+
+void TestCommandLine::filtersAreListed() {
+  const Outcome outcome = footfall({"filters"});
+  QCOMPARE(outcome.exitCode, 0);
+  QVERIFY(outcome.out.contains("SlopeFilter max_slope"));
+  QVERIFY(outcome.out.contains("Collapse"));
+}
+
+void TestCommandLine::oneFilterIsExplained() {
+  const Outcome outcome = footfall({"filters", "PEELFilter"});
+  QCOMPARE(outcome.exitCode, 0);
+  QVERIFY(outcome.out.startsWith("LayerSubdivisionFilter\n"));
+  QVERIFY(outcome.out.contains("precondition:"));
+}
+
+void TestCommandLine::referenceAsMarkdown() {
+  const Outcome outcome = footfall({"filters", "--markdown"});
+  QCOMPARE(outcome.exitCode, 0);
+  QCOMPARE(outcome.out, contentOf(FOOTFALL_SOURCE_DIR "/docs/filters.md"));
+}
+
+void TestCommandLine::info() {
+  const Outcome outcome = footfall({"info", path("board.obj"), "--up", "z"});
+  QCOMPARE(outcome.exitCode, 0);
+  QVERIFY(outcome.out.contains("triangles") && outcome.out.contains('4'));
+  QVERIFY(outcome.err.isEmpty());
+}
+
+void TestCommandLine::runWithDefaultPipeline() {
+  const Outcome outcome = footfall({"run", path("board.obj"), "--up", "z", "--scale", "1", "-o", path("out.obj")});
+  QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+  QVERIFY(outcome.out.contains("VerticalClearanceFilter 2"));
+  QVERIFY(outcome.out.contains("LayerSubdivisionFilter"));
+  QVERIFY(contentOf(path("out.obj")).contains("\nf "));
+  QCOMPARE(names(), (QStringList{"board.obj", "out.obj"}));
+}
+
+void TestCommandLine::runWritesNothingByDefault() {
+  QCOMPARE(footfall({"run", path("board.obj"), "--up", "z"}).exitCode, 0);
+  QCOMPARE(names(), QStringList{"board.obj"});
+}
+
+void TestCommandLine::quietRun() {
+  const Outcome outcome = footfall({"run", path("board.obj"), "--quiet", "--both-sides"});
+  QCOMPARE(outcome.exitCode, 0);
+  QVERIFY(outcome.out.isEmpty() && outcome.err.isEmpty());
+}
+
+void TestCommandLine::noProgressBarInAPipe() {
+  const Outcome outcome = footfall({"run", path("board.obj")});
+  QCOMPARE(outcome.exitCode, 0);
+  QVERIFY(outcome.err.isEmpty());
+  QVERIFY(!outcome.out.contains('\r') && !outcome.out.contains('\x1b'));
+}
+
+void TestCommandLine::exportSaysHowItWasMade() {
+  const Outcome outcome =
+      footfall({"run", path("board.obj"), "--up", "z", "--filter", "SlopeFilter 44.5", "--filter",
+                "VerticalClearanceFilter 1.5", "--filter", "#off AreaFilter 3", "-o", path("out.obj"), "--quiet"});
+  QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+  QByteArray comments;
+  for (const QByteArray& line : contentOf(path("out.obj")).split('\n')) {
+    if (line.startsWith('#')) comments += line + '\n';
+  }
+  for (const char* text :
+       {"board.obj", "SlopeFilter 44.5", "VerticalClearanceFilter 1.5", "slope 44.5 degrees, height 1.5"}) {
+    QVERIFY2(comments.contains(text), text);
+  }
+  QVERIFY(!comments.contains("AreaFilter"));
+}
+
+void TestCommandLine::sameBytesWithAnyNumberOfThreads() {
+  for (const char* threads : {"1", "2", "5"}) {
+    const Outcome outcome =
+        footfall({"run", path("board.obj"), "--up", "z", "--threads", threads, "-o", path(threads), "--quiet"});
+    QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+    QCOMPARE(contentOf(path(threads)), contentOf(path("1")));
+  }
+}
+
+void TestCommandLine::statisticsSchema() {
+  const QString pipeline = FOOTFALL_SOURCE_DIR "/resources/pipelines/thesis_sequential.pipeline";
+  const Outcome outcome = footfall({"run", path("board.obj"), "--up", "z", "-p", pipeline, "--stats",
+                                    path("stats.json"), "--threads", "2", "-o", path("out.obj")});
+  QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+  const auto json = nlohmann::json::parse(contentOf(path("stats.json")).toStdString());
+  QCOMPARE(json.at("steps").size(), std::size_t{9});
+  for (const auto& step : json.at("steps")) {
+    QVERIFY(step.at("name").is_string() && step.at("note").is_string());
+    QVERIFY(step.at("parameters").is_object());
+    for (const char* key : {"wall_ms", "cpu_ms", "area_in", "area_out"}) QVERIFY2(step.at(key).is_number(), key);
+    for (const char* key : {"triangles_in", "triangles_out"}) QVERIFY2(step.at(key).is_number_unsigned(), key);
+  }
+  QVERIFY(json.at("steps")[1].at("name") == "SlopeFilter");
+  QVERIFY(json.at("steps")[1].at("parameters").at("max_slope") == 60);
+  QVERIFY(json.at("steps")[7].at("parameters").at("approximate") == false);
+  for (const char* key : {"load_ms", "export_ms", "total_ms"}) QVERIFY2(json.at(key).get<double>() > 0, key);
+  QVERIFY(json.at("total_ms").get<double>() >= json.at("load_ms").get<double>() + json.at("export_ms").get<double>());
+  QVERIFY(json.at("threads") == 2);
+  QVERIFY(json.at("peak_rss_bytes").get<std::uint64_t>() > 1000000);
+  for (const char* key : {"layers", "connections", "obstacle_edges", "exact_fallbacks"}) {
+    QVERIFY2(json.at(key).is_number_unsigned(), key);
+  }
+  std::uint64_t sum = 0;
+  for (const auto& [kind, count] : json.at("exact_fallbacks_by_kind").items()) sum += count.get<std::uint64_t>();
+  QCOMPARE(json.at("exact_fallbacks").get<std::uint64_t>(), sum);
+  const auto& environment = json.at("environment");
+  QVERIFY(environment.at("source") == path("board.obj").toStdString());
+  QVERIFY(environment.at("triangles") == 4);
+  QVERIFY(environment.at("up") == "z");
+  QVERIFY(environment.at("metres_per_unit").get<double>() > 0);
+}
+
+void TestCommandLine::parallelListingSaysThatItDoesNotRunYet() {
+  const QString pipeline = FOOTFALL_SOURCE_DIR "/resources/pipelines/thesis_parallel.pipeline";
+  const Outcome outcome = footfall({"run", path("board.obj"), "-p", pipeline, "-o", path("out.obj")});
+  QCOMPARE(outcome.exitCode, 2);
+  QVERIFY2(outcome.err.contains("line 6: SortedRecursiveStrategy is understood but does not run yet"),
+           outcome.err.constData());
+  QCOMPARE(names(), QStringList{"board.obj"});
+}
+
+void TestCommandLine::wrongUsageOrInput_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QByteArray>("says");
+  const auto row = [](const char* name, const QStringList& arguments, const char* says) {
+    QTest::newRow(name) << arguments << QByteArray(says);
+  };
+  row("nothing", {}, "subcommand");
+  row("unknown command", {"frobnicate"}, "--help");
+  row("unknown option", {"run", "ENV", "--fast"}, "--fast");
+  row("no environment", {"run"}, "ENV is required");
+  row("missing environment", {"run", "nowhere.obj"}, "nowhere.obj");
+  row("missing environment for info", {"info", "nowhere.obj"}, "nowhere.obj");
+  row("directory", {"run", "."}, ".");
+  row("up", {"run", "ENV", "--up", "x"}, "--up");
+  row("scale zero", {"run", "ENV", "--scale", "0"}, "--scale");
+  row("scale infinite", {"run", "ENV", "--scale", "inf"}, "--scale");
+  row("scale no number", {"run", "ENV", "--scale", "big"}, "--scale");
+  row("threads", {"run", "ENV", "--threads", "0"}, "--threads");
+  row("bad filter", {"run", "ENV", "--filter", "DegeneracyFilter", "--filter", "SlopeFilter 95"},
+      "--filter:2:13: max_slope 95 is out of range; give");
+  row("unknown filter", {"run", "ENV", "--filter", "Slop 45"}, "did you mean SlopeFilter?");
+  row("filter and file", {"run", "ENV", "--filter", "DegeneracyFilter", "-p", "x"}, "excludes");
+  row("missing pipeline", {"run", "ENV", "-p", "nowhere.pipeline"}, "nowhere.pipeline: cannot be opened");
+  row("environment as pipeline", {"run", "ENV", "-p", "ENV"}, "board.obj:1:1: unknown filter \"v\"");
+  row("environment as output", {"run", "ENV", "-o", "ENV"}, "board.obj: would be overwritten");
+  row("output and statistics in one", {"run", "ENV", "-o", "x", "--stats", "x"}, "give two files");
+  row("explain an unknown filter", {"filters", "Slop"}, "did you mean SlopeFilter?");
+}
+
+void TestCommandLine::wrongUsageOrInput() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QByteArray, says);
+  arguments.replaceInStrings(QRegularExpression("^ENV$"), path("board.obj"));
+  const Outcome outcome = footfall(arguments);
+  QVERIFY(!outcome.crashed);
+  QCOMPARE(outcome.exitCode, 2);
+  QVERIFY2(outcome.err.contains(says), outcome.err.constData());
+  QVERIFY2(outcome.err.startsWith("footfall: ") && outcome.err.count('\n') == 1, outcome.err.constData());
+  QVERIFY(outcome.out.isEmpty());
+  QCOMPARE(names(), QStringList{"board.obj"});
+}
+
+void TestCommandLine::failedRunKeepsAnEarlierFile() {
+  const Outcome missing = footfall({"run", path("board.obj"), "-o", path("nowhere/out.obj")});
+  QCOMPARE(missing.exitCode, 1);
+  QVERIFY2(missing.err.startsWith("footfall: ") && missing.err.count('\n') == 1, missing.err.constData());
+  write(path("out.obj"), "earlier");
+  QCOMPARE(footfall({"run", path("board.obj"), "--filter", "SlopeFilter 95", "-o", path("out.obj")}).exitCode, 2);
+  QCOMPARE(contentOf(path("out.obj")), QByteArray("earlier"));
+  if (QFile::exists("/dev/full")) {
+    QProcess process;
+    process.setStandardOutputFile("/dev/full");
+    process.start(FOOTFALL_PROGRAM, {"filters"});
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitCode(), 1);
+  }
+}
+
+void TestCommandLine::signalsCancel_data() {
+  QTest::addColumn<int>("signal");
+  QTest::newRow("SIGINT") << SIGINT;
+  QTest::newRow("SIGTERM") << SIGTERM;
+}
+
+void TestCommandLine::signalsCancel() {
+  QFETCH(int, signal);
+  write(path("large.obj"), largeEnvironment(350));
+  write(path("out.obj"), "earlier");
+  QProcess process;
+  process.start(FOOTFALL_PROGRAM,
+                {"run", path("large.obj"), "--up", "z", "-o", path("out.obj"), "--stats", path("s.json")});
+  QVERIFY(process.waitForStarted());
+  QTRY_VERIFY_WITH_TIMEOUT(blocksInterrupt(process.processId()) || process.state() == QProcess::NotRunning, 10000);
+  QElapsedTimer timer;
+  timer.start();
+  QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
+  QVERIFY(process.waitForFinished(20000));
+  QVERIFY2(timer.elapsed() < 2000, QByteArray::number(timer.elapsed()).constData());
+  QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+  QCOMPARE(process.exitCode(), 1);
+  QCOMPARE(process.readAllStandardError(), QByteArray("footfall: cancelled\n"));
+  QVERIFY(process.readAllStandardOutput().isEmpty());
+  QCOMPARE(contentOf(path("out.obj")), QByteArray("earlier"));
+  QCOMPARE(names(), (QStringList{"board.obj", "large.obj", "out.obj"}));
+}
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+#include "test_command_line.moc"
