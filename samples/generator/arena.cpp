@@ -77,7 +77,7 @@ void pitch(Mesh& mesh) {
   for (int side : {-1, 1}) {
     for (int y : {-3.625_m, 3.625_m}) post(mesh, {side * 50_m, y, 0}, 0.125_m, 0.125_m, 2.5_m);
     box(mesh, {side * 50_m - 0.0625_m, -3.6875_m, 2.4375_m}, {side * 50_m + 0.0625_m, 3.6875_m, 2.5625_m});
-    box(mesh, {side * 20_m - 4_m, -37_m, 0}, {side * 20_m + 4_m, -35.5_m, 2.25_m});  // dugouts
+    box(mesh, {side * 20_m - 4_m, -37_m, kHair}, {side * 20_m + 4_m, -35.5_m, 2.25_m});  // dugouts
   }
 }
 

@@ -9,8 +9,8 @@ namespace footfall::samples {
 
 namespace {
 
-// The quay lies south of y = 0 at height 0; the water, two metres below, reaches under everything.
-constexpr int kWater = -2_m;
+// The quay lies south of y = 0 at height 0; the water, less than an agent lower, reaches under everything.
+constexpr int kWater = -1.75_m;
 constexpr int kPierLength = 48_m;
 
 void ground(Mesh& mesh) {
@@ -72,7 +72,7 @@ void ship(Mesh& mesh, int masts, Random& random) {
   for (std::size_t i = 0; i < rail.size(); ++i) {
     if (i != 7) fin(mesh, rail[i], rail[(i + 1) % rail.size()], 1_m);  // open where the gangway comes up
   }
-  box(mesh, {-3_m, -length, deck}, {3_m, -8_m, deck + 2.25_m});  // quarterdeck
+  box(mesh, {-3_m, -length, deck + kHair}, {3_m, -8_m, deck + 2.25_m});  // quarterdeck
   {
     const Mesh::Frame frame(mesh, {2.75_m, -5_m, deck}, -kQuarterTurn);
     stairs(mesh, {0, -1.5_m, 0}, {3_m, 0, 2.25_m}, 8, true);
@@ -143,10 +143,10 @@ void townHouse(Mesh& mesh, Random& random) {
 
 void townWall(Mesh& mesh) {
   mesh.group("town_wall");
-  box(mesh, {-150_m, -90_m, 0}, {150_m, -86_m, 6_m});
+  box(mesh, {-150_m, -90_m, kHair}, {150_m, -86_m, 6_m});
   for (int x = -150_m; x < 150_m; x += 2_m) box(mesh, {x, -90_m, 6_m}, {x + 1_m, -89.5_m, 7.25_m});
   for (int x : {-148_m, -74_m, 0_m, 74_m, 148_m}) {
-    const Point foot{x, -88_m, 0};
+    const Point foot{x, -88_m, kHair};
     cylinder(mesh, foot, 5_m, 11_m, 16);
     for (int i = 0; i < 16; i += 2) {
       const Mesh::Frame frame(mesh, foot + Point{0, 0, 11_m}, i * kTurn / 16 + kTurn / 32);
@@ -202,7 +202,7 @@ void quaySide(Mesh& mesh) {
   mesh.group("slipway");
   {
     const Mesh::Frame frame(mesh, {135_m, 16_m, kWater}, -kQuarterTurn);
-    ramp(mesh, {0, -5_m, 0}, {16_m, 5_m, 2_m});
+    ramp(mesh, {0, -5_m, 0}, {16_m, 5_m, -kWater});
   }
 }
 
@@ -224,7 +224,7 @@ Mesh makeDocks() {
       }
       mesh.group("gangways");
       const Mesh::Frame gangway(mesh, {side * 2.5_m, side == 1 ? 24_m : 28_m, 0}, side == 1 ? 0 : 2 * kQuarterTurn);
-      slope(mesh, {0, -0.75_m, 0}, {3.75_m, 0.75_m, 1_m});
+      slope(mesh, {0, -0.75_m, 0}, {3.75_m, 0.75_m, 3_m + kWater});
       mesh.group("ropes");
       rope(mesh, {0, -9_m, 0.625_m}, {4.25_m, -7_m, 1.75_m}, 0.25_m, 12);
       rope(mesh, {0, 12_m, 0.625_m}, {4.25_m, 9_m, 1.75_m}, 0.25_m, 12);

@@ -86,8 +86,8 @@ Mesh makeHouse() {
     garage(mesh);
   }
   mesh.group("tanks");
-  cylinder(mesh, {7_m, 30_m, 0}, 2.5_m, 4_m, 10);
-  cylinder(mesh, {6.5_m, 22_m, 0}, 2_m, 3_m, 10);
+  cylinder(mesh, {7_m, 30_m, kHair}, 2.5_m, 4_m, 10);
+  cylinder(mesh, {6.5_m, 22_m, kHair}, 2_m, 3_m, 10);
   // Places that touch nothing else: a tree house and stones.
   mesh.group("tree_house");
   cylinder(mesh, {36_m, 29_m, 0}, 0.5_m, 3.5_m, 6);

@@ -79,7 +79,8 @@ std::string Mesh::obj(std::string_view description) const {
   }
   std::size_t next = 0;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    if (next < groups_.size() && groups_[next].first == i) text.append("g ").append(groups_[next++].second).append("\n");
+    if (next < groups_.size() && groups_[next].first == i)
+      text.append("g ").append(groups_[next++].second).append("\n");
     text += 'f';
     for (int corner : triangles_[i]) text.append(" ").append(std::to_string(corner + 1));
     text += '\n';

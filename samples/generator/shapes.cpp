@@ -168,13 +168,12 @@ WallFace wallFace(Mesh& mesh, Point foot, int height, const std::vector<int>& bo
 }  // namespace
 
 void wall(Mesh& mesh, Point foot, int length, int thickness, int height, const std::vector<Opening>& openings) {
-  const int hair = 1;
-  const Point front = foot + Point{0, 0, hair};
+  const Point front = foot + Point{0, 0, kHair};
   std::vector<int> borders{0};
   for (std::size_t i = 1; i < openings.size(); ++i) borders.push_back((openings[i - 1].right + openings[i].left) / 2);
   borders.push_back(length);
-  const WallFace near = wallFace(mesh, front, height - hair, borders, openings);
-  const WallFace far = wallFace(mesh, front + Point{0, thickness, 0}, height - hair, borders, openings);
+  const WallFace near = wallFace(mesh, front, height - kHair, borders, openings);
+  const WallFace far = wallFace(mesh, front + Point{0, thickness, 0}, height - kHair, borders, openings);
 
   const auto both = [&mesh](int a, int b, int c, int d, int a2, int b2, int c2, int d2) {
     mesh.quad(a, b, c, d);

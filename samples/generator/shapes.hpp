@@ -14,6 +14,10 @@ using Ring = std::vector<Point>;
 /// Which ends of a solid are closed.
 enum class Caps { kBoth, kTop, kBottom, kNone };
 
+/// Between a tall solid and the floor that it stands on, as in many models: its closed underside then takes the floor
+/// inside it away. On a coincident face that floor would stay, a place to walk on that nobody can reach.
+constexpr int kHair = 1;
+
 /// A horizontal rectangle, counter-clockwise seen from above.
 Ring rectangle(Point lower, int width, int depth);
 /// A horizontal regular polygon, counter-clockwise; its first corner lies in direction `angle`.
@@ -72,8 +76,8 @@ struct Opening {
 Opening door(int left, int width = 1_m, int height = 2.125_m);
 Opening window(int left, int width = 1.25_m, int bottom = 0.875_m, int top = 2_m);
 
-/// A wall along +X from the origin of `foot`, `thickness` deep along +Y. Its closed underside is a hair above the
-/// floor, as in many models, so that the floor inside it is no room to walk in. Openings go from left to right.
+/// A wall along +X from the origin of `foot`, `thickness` deep along +Y. Its closed underside is kHair above the
+/// floor. Openings go from left to right.
 void wall(Mesh& mesh, Point foot, int length, int thickness, int height, const std::vector<Opening>& openings = {});
 /// Four walls around a rectangle: south, east, north, west; openings count from the left seen from outside.
 void shell(Mesh& mesh, Point lower, int width, int depth, int height, int thickness,

@@ -10,7 +10,7 @@ Mesh makeTower() {
   constexpr int kHeight = 1.75_m;
   Mesh mesh;
   for (int storey = 0; storey < kStoreys; ++storey) {
-    mesh.group("storey_" + std::to_string(storey + 1));
+    mesh.group(std::string("storey_").append(std::to_string(storey + 1)));
     const int foot = storey * kHeight;
     // A step narrower every few storeys, and overhanging on changing sides.
     const int half = 8_m - storey / 4 * 0.75_m;

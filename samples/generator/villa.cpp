@@ -117,8 +117,8 @@ void furnish(Mesh& mesh, Point lower, int width, int depth, int kind, Random& ra
 
 /// Outer and inner walls, rooms, and the stairs to the next storey, with its floor at the origin.
 void storey(Mesh& mesh, int number, Random& random) {
-  const std::string suffix = "_" + std::to_string(number);
-  mesh.group("walls" + suffix);
+  const auto group = [&](std::string name) { mesh.group(name.append(std::to_string(number))); };
+  group("walls_");
   const std::vector<Opening> front{window(1.5_m),  window(5_m),    window(8_m), door(11_m, 2_m),
                                    window(14.5_m), window(17.5_m), window(21_m)};
   const std::vector<Opening> back{window(1.5_m), window(5_m), door(11.25_m, 1.5_m), window(17.5_m), window(21_m)};
@@ -133,14 +133,14 @@ void storey(Mesh& mesh, int number, Random& random) {
     wall(mesh, {}, 6.25_m, 0.125_m, kStorey - kSlab);
     wall(mesh, {8.875_m, 0, 0}, 6.625_m, 0.125_m, kStorey - kSlab, {door(2_m)});
   }
-  mesh.group("furniture" + suffix);
+  group("furniture_");
   for (int i = 0; i < 3; ++i) {
     const int x = i * 8_m + 0.25_m;
     furnish(mesh, {x, 0.5_m, 0}, 7.5_m, 5.75_m, (number + i) % 5, random);
     if (i != 1) furnish(mesh, {x, 9.5_m, 0}, 7.5_m, 6_m, (number + i + 3) % 5, random);
   }
   if (number == 3) return;
-  mesh.group("stairs" + suffix);
+  group("stairs_");
   stairs(mesh, {9.5_m, 13_m, 0}, {15_m, 15.5_m, kStorey}, 16, true);
   {
     const Mesh::Frame frame(mesh, {9_m, 12.875_m, kStorey}, 0);
@@ -181,8 +181,8 @@ void building(Mesh& mesh, Random& random) {
   for (int x : {4_m, 18_m}) box(mesh, {x, 9_m, top}, {x + 1.5_m, 10.5_m, top + 10_m});
   mesh.group("turret");
   {
-    const Point foot{kWidth + 1_m, kDepth, -0.5_m};
-    cylinder(mesh, foot, 3_m, 15_m, 16, Caps::kTop);
+    const Point foot{kWidth, kDepth, 0.5_m + kHair};
+    cylinder(mesh, foot, 3_m, 14.5_m, 16);
     cone(mesh, polygonRing(foot + Point{0, 0, 14.5_m}, 3.5_m, 16), foot + Point{0, 0, 20_m});
   }
 }
