@@ -86,32 +86,39 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
          std::binary_search(obstacleEdges.begin(), obstacleEdges.end(), std::make_pair(std::min(a, b), std::max(a, b)));
 }
 
-SourceMesh makeSourceMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                          const std::vector<std::uint32_t>& inputTriangles, bool bothSides) {
+SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order) {
   SourceMesh mesh;
-  const std::vector<Index> welded = weldVertices(vertices, mesh);
+  const std::vector<Index> welded = weldVertices(soup.vertices, mesh);
   chooseGrid(mesh);
 
   struct Entry {
     std::array<Index, 3> corners;
-    std::uint32_t input;
+    std::uint32_t number;
   };
-  std::vector<Entry> entries(triangles.size());
-  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
-    std::array<Index, 3> f{welded[triangles[i][0]], welded[triangles[i][1]], welded[triangles[i][2]]};
+  std::vector<Entry> entries(soup.triangles.size());
+  tbb::parallel_for(std::size_t{0}, soup.triangles.size(), [&](std::size_t i) {
+    const Triangle& t = soup.triangles[i];
+    std::array<Index, 3> f{welded[t[0]], welded[t[1]], welded[t[2]]};
     if (bothSides && facing(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]) < 0) std::swap(f[1], f[2]);
     std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-    entries[i] = {f, inputTriangles.empty() ? static_cast<std::uint32_t>(i) : inputTriangles[i]};
+    entries[i] = {f, static_cast<std::uint32_t>(i)};
   });
   tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.corners != b.corners ? a.corners < b.corners : a.input < b.input;
+    return a.corners != b.corners ? a.corners < b.corners : a.number < b.number;
   });
   mesh.triangles.reserve(entries.size());
   mesh.inputTriangles.reserve(entries.size());
+  if (order != nullptr) order->clear();
   for (const Entry& entry : entries) {
     mesh.triangles.push_back(entry.corners);
-    mesh.inputTriangles.push_back(entry.input);
+    mesh.inputTriangles.push_back(soup.inputTriangles.empty() ? entry.number : soup.inputTriangles[entry.number]);
+    if (order != nullptr) order->push_back(entry.number);
   }
+  for (const auto& [u, v] : soup.obstacleEdges)
+    if (welded[u] != welded[v])
+      mesh.obstacleEdges.emplace_back(std::min(welded[u], welded[v]), std::max(welded[u], welded[v]));
+  std::sort(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end());
+  mesh.obstacleEdges.erase(std::unique(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end()), mesh.obstacleEdges.end());
   classify(mesh);
 
   std::vector<Box> boxes;

@@ -41,9 +41,16 @@ struct SourceMesh {
   [[nodiscard]] bool hasObstacleEdge(Index a, Index b) const;
 };
 
-/// Welds, sorts and classifies. `inputTriangles` may be empty (then 0, 1, 2, ...). `bothSides` turns triangles that
-/// face down.
-SourceMesh makeSourceMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                          const std::vector<std::uint32_t>& inputTriangles, bool bothSides);
+/// A triangle soup to make a generation of.
+struct SourceSoup {
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> inputTriangles;                ///< for each triangle; empty: 0, 1, 2, ...
+  std::vector<std::array<std::uint32_t, 2>> obstacleEdges;  ///< vertex pairs
+};
+
+/// Welds, sorts and classifies. `bothSides` turns triangles that face down. `order` (may be null) receives for each
+/// triangle of the mesh its number in the soup.
+SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr);
 
 }  // namespace footfall

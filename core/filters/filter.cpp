@@ -10,7 +10,7 @@ namespace footfall {
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context) {
   context.checkCancelled();
   auto mesh = std::make_shared<SourceMesh>(
-      makeSourceMesh(environment->vertices, environment->triangles, {}, environment->bothSides));
+      makeSourceMesh({environment->vertices, environment->triangles, {}, {}}, environment->bothSides));
   context.checkCancelled();
   auto state = std::make_shared<WalkableState>();
   state->environment = std::move(environment);
@@ -73,6 +73,7 @@ StateSummary summarize(const WalkableState& state) {
   }
   summary.area = std::ldexp(summary.area, -2 * source.grid.scaleExponent());
   summary.layers = mesh.layerCount;
+  summary.connections = mesh.connectionCount;
   summary.obstacleEdges = marks / 2;
   return summary;
 }

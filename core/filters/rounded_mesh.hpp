@@ -36,4 +36,8 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
 /// prefer to keep this vertex's place.
 RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
 
+/// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
+/// joined: each such pair becomes an obstacle edge, so that a reader who welds by position knows it.
+void markClosedSlivers(RoundedMesh& mesh);
+
 }  // namespace footfall

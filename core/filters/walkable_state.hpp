@@ -36,6 +36,7 @@ struct WalkableMesh {
   std::vector<MeshTriangle> triangles;
   std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
   std::uint32_t layerCount = 0;
+  std::uint64_t connectionCount = 0;  ///< edges on which two layers meet
 };
 
 struct WalkableState {
@@ -49,6 +50,8 @@ struct WalkableState {
   std::shared_ptr<const std::vector<FaceCuts>> cuts;
   /// The mesh of walkable parts; null until a filter needed it.
   std::shared_ptr<const WalkableMesh> mesh;
+  /// The mesh's triangles may span several coplanar source triangles (SimplificationFilter).
+  bool simplified = false;
   /// Pieces that AreaFilter took away since the cuts were made: obstacles still, but no floor any more.
   std::shared_ptr<const WalkableMesh> dropped;
 };

@@ -108,6 +108,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
                              {"note", step.note}});
   }
   json["load_ms"] = times.loadMs;
+  json["start_ms"] = result.startMs;
   json["finish_ms"] = result.finishMs;
   json["export_ms"] = times.exportMs;
   json["total_ms"] = times.totalMs;
@@ -132,7 +133,8 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
   std::vector<std::vector<std::string>> rows = {{"step", "wall ms", "cpu ms", "triangles", "area", "note"}};
   if (!result.steps.empty()) {
     const StateSummary& first = result.steps.front().in;
-    rows.push_back({"(start)", "", "", std::to_string(first.triangles), number(first.area, "%.6g"), ""});
+    rows.push_back(
+        {"(start)", number(result.startMs), "", std::to_string(first.triangles), number(first.area, "%.6g"), ""});
   }
   for (const StepStatistics& step : result.steps) {
     rows.push_back({stepText(step), number(step.wallMs), number(step.cpuMs), std::to_string(step.out.triangles),

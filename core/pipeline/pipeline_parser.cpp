@@ -105,6 +105,9 @@ class Parser {
     const std::vector<ParameterDescriptor>& parameters = step.filter->parameters;
     const std::string name(tokens[0].text);
     const std::string example = "write for example \"" + formatStep(defaultStep(*step.filter, 1)) + '"';
+    const auto failMissing = [&](const ParameterDescriptor& parameter) {
+      fail(columnBehind, name + " needs a value for " + std::string(parameter.name) + "; " + example);
+    };
     if (tokens.size() > parameters.size() + 1) {
       const Token& extra = tokens[parameters.size() + 1];
       const std::string takes = parameters.empty() ? "no parameters" : "only \"" + describeUsage(*step.filter) + '"';
@@ -116,7 +119,7 @@ class Parser {
       } else if (parameters[i].optional) {
         step.values.push_back(parameters[i].defaultValue);
       } else {
-        fail(columnBehind, name + " needs a value for " + std::string(parameters[i].name) + "; " + example);
+        failMissing(parameters[i]);
       }
     }
   }

@@ -73,16 +73,17 @@ class Run {
   RunResult execute() {
     context_.checkCancelled();
     takeFromCache();
-    if (!current_.state) makeStart();
+    const double startMs = current_.state ? 0 : makeStart();
     for (std::size_t i = current_.steps.size(); i < steps_.size(); ++i) runStep(i);
-    const Stopwatch watch;
+    const Stopwatch finishing;
     context_.checkCancelled();
     if (!current_.mesh) {
       current_.mesh = guarded("navigation mesh", [&] { return makeNavigationMesh(current_.state, context_); });
       remember();
     }
     RunResult result;
-    result.finishMs = watch.wallMs();
+    result.startMs = startMs;
+    result.finishMs = finishing.wallMs();
     result.steps = std::move(current_.steps);
     result.mesh = current_.mesh;
     result.summary = current_.summary;
@@ -103,12 +104,15 @@ class Run {
     }
   }
 
-  void makeStart() {
+  // Returns the time it took, in milliseconds.
+  double makeStart() {
+    const Stopwatch watch;
     guarded("environment", [&] {
       current_.state = makeInitialState(environment_, context_);
       current_.summary = summarize(*current_.state);
     });
     remember();
+    return watch.wallMs();
   }
 
   void runStep(std::size_t index) {

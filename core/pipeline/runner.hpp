@@ -27,6 +27,7 @@ struct RunResult {
   std::vector<StepStatistics> steps;  ///< enabled steps only
   std::shared_ptr<const NavigationMesh> mesh;
   StateSummary summary;
+  double startMs = 0;   ///< making the first state from the environment; 0 when cached
   double finishMs = 0;  ///< making the navigation mesh from the last state
   double totalMs = 0;
   int threads = 1;

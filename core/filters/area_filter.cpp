@@ -1,0 +1,162 @@
+// AreaFilter: removes regions whose surface area is at most a minimum (design section 2, thesis 3.2).
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The area of a region is a sum of (area in the plan) * |normal| / normal_z over its faces: rational numbers and square
+// roots. Doubles with error bounds decide nearly always; else the rational parts are summed exactly face by face and
+// the roots enclosed by intervals of growing precision. Areas that agree with the minimum to kFinestPrecision bits
+// count as equal, and are removed.
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "core/filters/filter_registry.hpp"
+#include "core/filters/mesh_assembly.hpp"
+#include "core/filters/mesh_topology.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr mpfr_prec_t kFinestPrecision = 4096;
+
+ErrorDouble squareRoot(ErrorDouble x) {
+  // |sqrt(x) - q| = |x - q^2| / (sqrt(x) + q) <= |x - q^2| / q
+  const double q = std::sqrt(x.value);
+  const double residual = std::fabs(std::fma(-q, q, x.value));
+  return {q, ((x.error + residual) / q) * kInflate};
+}
+
+ErrorDouble twiceArea(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTriangle& t) {
+  std::array<ErrorDouble, 3> x, y;
+  for (int k = 0; k < 3; ++k) {
+    const MeshVertex& v = mesh.vertices[t.corners[k]];
+    x[k] = {v.x, v.error};
+    y[k] = {v.y, v.error};
+  }
+  const ErrorDouble plan = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+  const auto& n = kernel.mesh().normals[t.face];
+  return plan * squareRoot(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / n[2];
+}
+
+// Sign of (area of the triangles) - minimum, decided or equal to the finest precision.
+int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, const std::vector<Index>& triangles,
+                   double minimum) {
+  std::map<Index, mpq_class> planOfFace;  // twice the area in the plan
+  for (const Index i : triangles) {
+    const MeshTriangle& t = mesh.triangles[i];
+    std::array<std::array<mpq_class, 3>, 3> p;
+    for (int k = 0; k < 3; ++k) {
+      const MeshVertex& v = mesh.vertices[t.corners[k]];
+      p[k] = kernel.exactPosition(v.point, v.face);
+    }
+    planOfFace[t.face] += (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+  }
+  // each term is sqrt(rational): (plan |n| / nz)^2 is rational
+  std::vector<mpq_class> squares;
+  for (const auto& [face, plan] : planOfFace) {
+    const auto& f = kernel.mesh().triangles[face];
+    std::array<std::array<mpq_class, 3>, 3> v;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& p = kernel.mesh().vertices[f[k]];
+      v[k] = {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)};
+    }
+    std::array<mpq_class, 3> a, b;
+    for (int k = 0; k < 3; ++k) {
+      a[k] = v[1][k] - v[0][k];
+      b[k] = v[2][k] - v[0][k];
+    }
+    const mpq_class nx = a[1] * b[2] - a[2] * b[1], ny = a[2] * b[0] - a[0] * b[2], nz = a[0] * b[1] - a[1] * b[0];
+    squares.emplace_back(plan * plan * (nx * nx + ny * ny + nz * nz) / (nz * nz));
+  }
+  const mpq_class limit = mpq_class(minimum) * 2;
+  for (mpfr_prec_t precision = 128; precision <= kFinestPrecision; precision *= 4) {
+    mpfr_t low, high, term;
+    mpfr_inits2(precision, low, high, term, static_cast<mpfr_ptr>(nullptr));
+    mpfr_set_zero(low, 1);
+    mpfr_set_zero(high, 1);
+    for (const mpq_class& square : squares) {
+      mpfr_set_q(term, square.get_mpq_t(), MPFR_RNDD);
+      mpfr_sqrt(term, term, MPFR_RNDD);
+      mpfr_add(low, low, term, MPFR_RNDD);
+      mpfr_set_q(term, square.get_mpq_t(), MPFR_RNDU);
+      mpfr_sqrt(term, term, MPFR_RNDU);
+      mpfr_add(high, high, term, MPFR_RNDU);
+    }
+    const bool above = mpfr_cmp_q(low, limit.get_mpq_t()) > 0, below = mpfr_cmp_q(high, limit.get_mpq_t()) < 0;
+    mpfr_clears(low, high, term, static_cast<mpfr_ptr>(nullptr));
+    if (above) return 1;
+    if (below) return -1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& context) {
+  FilterOutcome outcome;
+  const StatePtr state = withMesh(given, context, outcome.fallbacks);
+  const PlanKernel& kernel = *state->kernel;
+  const WalkableMesh& mesh = *state->mesh;
+  Index regionCount = 0;
+  const std::vector<Index> region = findRegions(mesh, findEdges(mesh), regionCount);
+  context.checkCancelled();
+
+  std::vector<ErrorDouble> area(regionCount);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    area[region[t]] = area[region[t]] + twiceArea(kernel, mesh, mesh.triangles[t]);
+  const int scale = kernel.mesh().grid.scaleExponent();
+  const ErrorDouble limit(std::ldexp(minimum, 2 * scale + 1));
+  std::vector<char> keep(regionCount);
+  std::vector<Index> undecided;
+  for (Index r = 0; r < regionCount; ++r) {
+    const int s = kernel.sign()(area[r] - limit);
+    keep[r] = static_cast<char>(s == 1);
+    if (s == kUnknownSign || s == 0) undecided.push_back(r);
+  }
+  for (const Index r : undecided) {
+    context.checkCancelled();
+    std::vector<Index> triangles;
+    for (std::size_t t = 0; t < region.size(); ++t)
+      if (region[t] == r) triangles.push_back(static_cast<Index>(t));
+    ++outcome.fallbacks.area;
+    keep[r] = static_cast<char>(compareExactly(kernel, mesh, triangles, minimum) > 0);
+  }
+
+  const auto removed = std::count(keep.begin(), keep.end(), 0);
+  if (removed == 0) {
+    outcome.state = state;
+    return outcome;
+  }
+  auto kept = std::make_shared<WalkableMesh>();
+  auto dropped = std::make_shared<WalkableMesh>();
+  kept->vertices = mesh.vertices;
+  if (state->dropped) *dropped = *state->dropped;
+  const auto firstDropped = static_cast<Index>(dropped->vertices.size());
+  dropped->vertices.insert(dropped->vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    MeshTriangle triangle = mesh.triangles[t];
+    if (keep[region[t]] != 0) {
+      kept->triangles.push_back(triangle);
+      if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
+      continue;
+    }
+    for (Index& v : triangle.corners) v += firstDropped;
+    dropped->triangles.push_back(triangle);
+  }
+  kept->layerCount = mesh.layerCount;
+  auto result = std::make_shared<WalkableState>(*state);
+  if (!state->cuts && !state->simplified) {
+    // Faces without cuts are in one region each: those that went are no floors for a later clearance filter.
+    result->walkable.assign(state->walkable.size(), 0);
+    for (const MeshTriangle& t : kept->triangles) result->walkable[t.face] = 1;
+  }
+  result->mesh = std::move(kept);
+  result->dropped = std::move(dropped);
+  outcome.state = std::move(result);
+  outcome.note = std::to_string(removed) + " of " + std::to_string(regionCount) + " regions removed";
+  return outcome;
+}
+
+}  // namespace footfall

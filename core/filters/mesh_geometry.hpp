@@ -1,0 +1,33 @@
+// Exact decisions on the vertices of a walkable mesh, seen in the plan.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filters/walkable_state.hpp"
+
+namespace footfall {
+
+/// Not for sharing between threads: it counts fall-backs.
+class MeshGeometry {
+ public:
+  MeshGeometry(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices)
+      : kernel_(kernel), vertices_(vertices) {}
+
+  /// Orientation of three vertices in the plan.
+  int orientation(Index a, Index b, Index c);
+  /// Compares x (axis 0) or y (axis 1).
+  int compare(Index a, Index b, int axis);
+  /// True when v lies strictly between u and w on one line in the plan.
+  bool isBetween(Index u, Index v, Index w);
+  /// True when the insides of two triangles that face up overlap in the plan.
+  bool overlap(const MeshTriangle& s, const MeshTriangle& t);
+
+  ExactFallbacks fallbacks;
+
+ private:
+  [[nodiscard]] Index origin(Index vertex) const;
+
+  const PlanKernel& kernel_;
+  const std::vector<MeshVertex>& vertices_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,29 @@
+// RoundingFilter: vertices become doubles; what that breaks is repaired and counted (design section 2, thesis 4.4.2 and
+// 5.1.1).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "core/filters/filter_registry.hpp"
+#include "core/filters/generation.hpp"
+#include "core/filters/mesh_assembly.hpp"
+
+namespace footfall {
+
+FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
+  FilterOutcome outcome;
+  if (!hasConstructedVertices(*state)) {
+    outcome.state = state;
+    outcome.note = "all vertices are exact already";
+    return outcome;
+  }
+  const GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
+  outcome.state = withMesh(startGeneration(*state, soup), context, outcome.fallbacks);
+  if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, context).state;
+  const RoundingCases& c = soup.cases;
+  outcome.note = "case 1: " + std::to_string(c.exact) + ", case 2: " + std::to_string(c.edge) +
+                 ", case 3: " + std::to_string(c.point) + ", case 4: " + std::to_string(c.collinear) +
+                 ", case 5: " + std::to_string(c.flipped);
+  return outcome;
+}
+
+}  // namespace footfall
