@@ -70,9 +70,8 @@ Polygon clip(const Polygon& polygon, const Linear& keep) {
 
 bool mayTouch(const Polygon& a, const Polygon& b) {
   const auto range = [](const Polygon& p, auto coordinate) {
-    return std::minmax_element(p.begin(), p.end(), [&](const Point2& u, const Point2& v) {
-      return coordinate(u) < coordinate(v);
-    });
+    return std::minmax_element(p.begin(), p.end(),
+                               [&](const Point2& u, const Point2& v) { return coordinate(u) < coordinate(v); });
   };
   if (a.empty() || b.empty()) return false;
   const auto x = [](const Point2& p) -> const Rational& { return p.x; };

@@ -140,8 +140,8 @@ WalkableArea computeWalkableArea(const Environment& environment, const Agent& ag
     const auto corners = upwardCorners(environment, t);
     if (!corners || (agent.slope && !isWithinSlope(*corners, *agent.slope))) continue;
     const Linear plane = *planeThrough(*corners);
-    auto region = std::find_if(area.regions.begin(), area.regions.end(),
-                               [&](const Region& r) { return r.plane == plane; });
+    auto region =
+        std::find_if(area.regions.begin(), area.regions.end(), [&](const Region& r) { return r.plane == plane; });
     if (region == area.regions.end()) region = area.regions.insert(area.regions.end(), Region{plane, {}, {}, {}});
     // What earlier floors of the plane cover is there already.
     std::vector<Polygon> pieces{planTriangle(*corners)};
