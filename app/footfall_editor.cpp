@@ -1,0 +1,63 @@
+// The editor program: reads the command line and hands over to footfall::ui.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "core/errors.hpp"
+#include "ui/editor_application.hpp"
+
+namespace {
+
+QSize sizeFrom(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 320 || height < 240 ||
+      width > 16384 || height > 16384) {
+    throw footfall::InputError("--size " + text + ": not a size; give WIDTHxHEIGHT, from 320x240 to 16384x16384");
+  }
+  return {width, height};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Footfall's editor: shows the walkable area of an environment while you change the filters.",
+               "footfall-editor");
+  footfall::EditorOptions options;
+  std::string pipelinePath;
+  std::string size;
+  std::string view = "oblique";
+  std::string up;
+  double scale = 0;
+  app.set_version_flag("--version", "footfall-editor " FOOTFALL_VERSION);
+  app.add_option("ENV", options.environment, "environment (OBJ, glTF, PLY, ...) or session (.footfall)");
+  app.add_option("-p,--pipeline", pipelinePath, "pipeline file instead of the default filters");
+  app.add_option("--up", up, "axis of the file that points up")->check(CLI::IsMember({"y", "z"}));
+  auto* scaleOption = app.add_option("--scale", scale, "metres per unit of the file")->check(CLI::PositiveNumber);
+  app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
+  app.add_option("--size", size, "size of the window, e.g. 1600x1000");
+  app.add_option("--view", view, "where to look from")->check(CLI::IsMember({"top", "oblique"}))->capture_default_str();
+  try {
+    app.parse(argc, argv);
+    if (!options.screenshot.empty() && options.environment.empty()) {
+      throw footfall::InputError("--screenshot needs an environment; name one");
+    }
+    if (!pipelinePath.empty() && options.environment.empty()) {
+      throw footfall::InputError("-p needs an environment; name one");
+    }
+    if (!pipelinePath.empty()) options.pipeline = footfall::readPipelineFile(pipelinePath);
+    if (!size.empty()) options.size = sizeFrom(size);
+    if (!up.empty()) options.import.up = up == "y" ? footfall::UpAxis::Y : footfall::UpAxis::Z;
+    if (*scaleOption) options.import.metresPerUnit = scale;
+    options.top = view == "top";
+    return footfall::runEditor(argc, argv, options);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::fprintf(stderr, "footfall-editor: %s; see footfall-editor --help\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "footfall-editor: %s\n", error.what());
+    return 2;
+  }
+}

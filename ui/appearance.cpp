@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/appearance.hpp"
+
+#include <QImage>
+#include <QPainter>
+#include <array>
+#include <cmath>
+
+namespace footfall {
+namespace {
+
+// The pattern of shaders/surface.frag; y runs down here and up there.
+bool inked(Pattern pattern, double x, double y) {
+  const auto wrap = [](double value, double period) { return value - period * std::floor(value / period); };
+  switch (pattern) {
+    case Pattern::Plain:
+      return false;
+    case Pattern::RisingStripes:
+      return wrap(x + y, 8) <= 2.5;
+    case Pattern::FallingStripes:
+      return wrap(x - y, 8) <= 2.5;
+    case Pattern::Dots:
+      return std::hypot(wrap(x, 6) - 3, wrap(y, 6) - 3) <= 1.6;
+  }
+  return false;
+}
+
+}  // namespace
+
+Paint wallPaint() { return {QColor(196, 199, 203), Pattern::Plain}; }
+Paint undecidedPaint() { return {QColor(222, 224, 227), Pattern::Plain}; }
+Paint walkablePaint() { return {QColor(0, 158, 115), Pattern::Plain}; }
+
+Paint layerPaint(std::uint32_t layer) {
+  static const std::array<QColor, 6> kColours = {QColor(0, 158, 115), QColor(86, 180, 233),  QColor(240, 228, 66),
+                                                 QColor(0, 114, 178), QColor(204, 121, 167), QColor(230, 159, 0)};
+  const QColor& colour = kColours[layer % kColours.size()];
+  switch (layer / kColours.size() % 3) {
+    case 1:
+      return {colour.darker(150), Pattern::Plain};
+    case 2:
+      return {colour.lighter(140), Pattern::Plain};
+    default:
+      return {colour, Pattern::Plain};
+  }
+}
+
+QColor obstacleEdgeColour() { return {213, 60, 0}; }
+QColor connectionColour() { return {255, 255, 255}; }
+QColor outlineColour() { return {28, 40, 48}; }
+QColor creaseColour() { return {118, 123, 130}; }
+QColor backgroundLower() { return {247, 248, 250}; }
+QColor backgroundUpper() { return {221, 227, 234}; }
+
+const RemovalStyle* removalStyle(std::string_view filter) {
+  static const std::array<RemovalStyle, 3> kStyles = {{
+      {"SlopeFilter", QStringLiteral("Too steep"), {QColor(176, 150, 128), Pattern::RisingStripes}},
+      {"VerticalClearanceFilter",
+       QStringLiteral("Too little headroom"),
+       {QColor(150, 138, 176), Pattern::FallingStripes}},
+      {"AreaFilter", QStringLiteral("Too small an area"), {QColor(146, 160, 168), Pattern::Dots}},
+  }};
+  for (const RemovalStyle& style : kStyles) {
+    if (style.filter == filter) return &style;
+  }
+  return nullptr;
+}
+
+QPixmap paintSwatch(const Paint& paint, const QSize& size, qreal devicePixelRatio) {
+  QImage image(size * devicePixelRatio, QImage::Format_RGB32);
+  const QColor ink =
+      QColor::fromRgbF(paint.colour.redF() * 0.55F, paint.colour.greenF() * 0.55F, paint.colour.blueF() * 0.55F);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const bool dark = inked(paint.pattern, (x + 0.5) / devicePixelRatio, (y + 0.5) / devicePixelRatio);
+      const bool border = x == 0 || y == 0 || x == image.width() - 1 || y == image.height() - 1;
+      image.setPixelColor(x, y, border ? outlineColour() : dark ? ink : paint.colour);
+    }
+  }
+  image.setDevicePixelRatio(devicePixelRatio);
+  return QPixmap::fromImage(image);
+}
+
+QPixmap lineSwatch(const QColor& colour, qreal width, const QSize& size, qreal devicePixelRatio) {
+  QPixmap pixmap(size * devicePixelRatio);
+  pixmap.setDevicePixelRatio(devicePixelRatio);
+  // Lines are seen on walkable area.
+  pixmap.fill(walkablePaint().colour.darker(125));
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colour, width));
+  painter.drawLine(QPointF(0, size.height() / 2.0), QPointF(size.width(), size.height() / 2.0));
+  return pixmap;
+}
+
+}  // namespace footfall

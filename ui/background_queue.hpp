@@ -1,0 +1,33 @@
+// One background thread that does jobs one after the other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace footfall {
+
+/// post() never waits. The destructor drops jobs that have not begun and waits for the one that has: cancel it first.
+/// Jobs must not throw.
+class BackgroundQueue {
+ public:
+  BackgroundQueue();
+  ~BackgroundQueue();
+  BackgroundQueue(const BackgroundQueue&) = delete;
+  BackgroundQueue& operator=(const BackgroundQueue&) = delete;
+
+  void post(std::function<void()> job);
+
+ private:
+  void work(const std::stop_token& stop);
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::deque<std::function<void()>> jobs_;
+  std::jthread thread_;  // last: it uses the others
+};
+
+}  // namespace footfall

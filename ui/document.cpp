@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document.hpp"
+
+#include <QUndoCommand>
+#include <algorithm>
+
+namespace footfall {
+namespace {
+
+QString labelOf(const PipelineStep& step) {
+  return QString::fromUtf8(step.filter->label.data(), static_cast<qsizetype>(step.filter->label.size()));
+}
+
+}  // namespace
+
+bool sameImport(const ImportOptions& a, const ImportOptions& b) {
+  return a.up == b.up && a.metresPerUnit == b.metresPerUnit && a.bothSides == b.bothSides;
+}
+
+bool operator==(const DocumentState& a, const DocumentState& b) {
+  return a.filters == b.filters && sameImport(a.import, b.import);
+}
+
+/// The document before and after: a few hundred bytes, and nothing that could go out of step.
+class DocumentCommand : public QUndoCommand {
+ public:
+  DocumentCommand(Document& document, DocumentState after, const QString& text, QString mergeKey)
+      : QUndoCommand(text),
+        document_(document),
+        before_(document.state()),
+        after_(std::move(after)),
+        mergeKey_(std::move(mergeKey)) {}
+
+  void undo() override { document_.setState(before_); }
+  void redo() override { document_.setState(after_); }
+  [[nodiscard]] int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const DocumentCommand*>(other);  // same id, so the same class
+    if (next->mergeKey_ != mergeKey_) return false;
+    after_ = next->after_;
+    setObsolete(before_ == after_);
+    return true;
+  }
+
+ private:
+  Document& document_;
+  DocumentState before_, after_;
+  QString mergeKey_;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {}
+
+Pipeline Document::pipeline() const {
+  Pipeline pipeline;
+  for (const FilterEntry& entry : state_.filters) pipeline.steps.push_back(entry.step);
+  return pipeline;
+}
+
+std::size_t Document::indexOf(int id) const {
+  const auto at =
+      std::find_if(state_.filters.begin(), state_.filters.end(), [id](const auto& e) { return e.id == id; });
+  return static_cast<std::size_t>(at - state_.filters.begin());
+}
+
+std::vector<FilterEntry> Document::entriesOf(const Pipeline& pipeline) {
+  std::vector<FilterEntry> entries;
+  for (const PipelineStep& step : pipeline.steps) {
+    entries.push_back({nextId_++, step});
+    entries.back().step.line = 0;  // from here on, its place is its row
+  }
+  return entries;
+}
+
+void Document::push(DocumentState next, const QString& text, const QString& mergeKey) {
+  if (next == state_) return;
+  undoStack_.push(new DocumentCommand(*this, std::move(next), text, mergeKey));  // the stack owns it
+}
+
+void Document::setState(const DocumentState& state) {
+  const bool filters = !(state.filters == state_.filters);
+  const bool import = !sameImport(state.import, state_.import);
+  state_ = state;
+  if (import) emit importChanged();
+  if (filters) emit filtersChanged();
+}
+
+void Document::addFilter(const FilterDescriptor& filter, double metresPerUnit) {
+  DocumentState next = state_;
+  next.filters.push_back({nextId_++, defaultStep(filter, metresPerUnit)});
+  const QString text = tr("add %1").arg(labelOf(next.filters.back().step));
+  push(std::move(next), text);
+}
+
+void Document::removeFilter(int id) {
+  const std::size_t index = indexOf(id);
+  if (index == state_.filters.size()) return;
+  DocumentState next = state_;
+  const QString text = tr("remove %1").arg(labelOf(next.filters[index].step));
+  next.filters.erase(next.filters.begin() + static_cast<std::ptrdiff_t>(index));
+  push(std::move(next), text);
+}
+
+void Document::moveFilter(int id, std::size_t index) {
+  const std::size_t from = indexOf(id);
+  if (from == state_.filters.size()) return;
+  DocumentState next = state_;
+  const FilterEntry moved = next.filters[from];
+  next.filters.erase(next.filters.begin() + static_cast<std::ptrdiff_t>(from));
+  next.filters.insert(next.filters.begin() + static_cast<std::ptrdiff_t>(std::min(index, next.filters.size())), moved);
+  push(std::move(next), tr("move %1").arg(labelOf(moved.step)));
+}
+
+void Document::setEnabled(int id, bool enabled) {
+  const std::size_t index = indexOf(id);
+  if (index == state_.filters.size()) return;
+  DocumentState next = state_;
+  next.filters[index].step.enabled = enabled;
+  const QString text = enabled ? tr("switch on %1") : tr("switch off %1");
+  push(std::move(next), text.arg(labelOf(state_.filters[index].step)));
+}
+
+void Document::setValue(int id, std::size_t parameter, double value, int editSession) {
+  const std::size_t index = indexOf(id);
+  if (index == state_.filters.size() || parameter >= state_.filters[index].step.values.size()) return;
+  DocumentState next = state_;
+  next.filters[index].step.values[parameter] = value;
+  push(std::move(next), tr("change %1").arg(labelOf(state_.filters[index].step)),
+       QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession));
+}
+
+void Document::replacePipeline(const Pipeline& pipeline, const QString& text) {
+  setImportAndPipeline(state_.import, pipeline, text);
+}
+
+void Document::setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,
+                                    const QString& mergeKey) {
+  DocumentState next = state_;
+  next.import = options;
+  if (!(pipeline == this->pipeline())) {
+    std::vector<FilterEntry> entries = entriesOf(pipeline);
+    // Rows whose filter stays where it is keep their identity.
+    for (std::size_t i = 0; i < entries.size() && i < state_.filters.size(); ++i) {
+      if (entries[i].step.filter == state_.filters[i].step.filter) entries[i].id = state_.filters[i].id;
+    }
+    next.filters = std::move(entries);
+  }
+  push(std::move(next), text, mergeKey);
+}
+
+void Document::reset(const Pipeline& pipeline, const ImportOptions& import) {
+  undoStack_.clear();
+  state_.import = import;
+  state_.filters = entriesOf(pipeline);
+  emit importChanged();
+  emit filtersChanged();
+}
+
+Pipeline rescaleDefaults(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit) {
+  Pipeline rescaled = pipeline;
+  for (PipelineStep& step : rescaled.steps) {
+    const PipelineStep before = defaultStep(*step.filter, fromMetresPerUnit);
+    const PipelineStep after = defaultStep(*step.filter, toMetresPerUnit);
+    for (std::size_t i = 0; i < step.values.size(); ++i) {
+      if (step.values[i] == before.values[i]) step.values[i] = after.values[i];
+    }
+  }
+  return rescaled;
+}
+
+}  // namespace footfall

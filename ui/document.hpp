@@ -1,0 +1,78 @@
+// What the user edits, with undo: the filter list and the import options.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <cstddef>
+#include <vector>
+
+#include "core/environment/environment.hpp"
+#include "core/pipeline/pipeline.hpp"
+
+namespace footfall {
+
+/// A step that keeps its identity while it is moved and edited, so that its row and its state can follow it.
+struct FilterEntry {
+  int id = 0;  ///< unique in its document, never used again
+  PipelineStep step;
+  bool operator==(const FilterEntry&) const = default;
+};
+
+struct DocumentState {
+  std::vector<FilterEntry> filters;
+  ImportOptions import;
+};
+
+bool sameImport(const ImportOptions& a, const ImportOptions& b);
+bool operator==(const DocumentState& a, const DocumentState& b);
+
+/// Every edit is one entry of the undo stack; an edit that changes nothing is none. Edits with the same merge key that
+/// follow each other become one entry.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(QObject* parent = nullptr);
+
+  [[nodiscard]] const DocumentState& state() const { return state_; }
+  [[nodiscard]] const std::vector<FilterEntry>& filters() const { return state_.filters; }
+  [[nodiscard]] Pipeline pipeline() const;
+  [[nodiscard]] QUndoStack* undoStack() { return &undoStack_; }
+
+  void addFilter(const FilterDescriptor& filter, double metresPerUnit);
+  void removeFilter(int id);
+  /// `index` counts in the list without the moved entry.
+  void moveFilter(int id, std::size_t index);
+  void setEnabled(int id, bool enabled);
+  /// `value` must be valid (checkValue). Values that are typed one after the other into the same field are one edit.
+  void setValue(int id, std::size_t parameter, double value, int editSession);
+  void replacePipeline(const Pipeline& pipeline, const QString& text);
+  /// Import options and pipeline together, one edit.
+  void setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,
+                            const QString& mergeKey = {});
+
+  /// Starts anew, without undo.
+  void reset(const Pipeline& pipeline, const ImportOptions& import);
+
+ signals:
+  void filtersChanged();
+  void importChanged();
+
+ private:
+  friend class DocumentCommand;
+  std::vector<FilterEntry> entriesOf(const Pipeline& pipeline);
+  void push(DocumentState next, const QString& text, const QString& mergeKey = {});
+  void setState(const DocumentState& state);
+  [[nodiscard]] std::size_t indexOf(int id) const;
+
+  DocumentState state_;
+  QUndoStack undoStack_;
+  int nextId_ = 1;
+};
+
+/// Values of lengths and areas that are defaults at one scale become the defaults of the other.
+Pipeline rescaleDefaults(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit);
+
+}  // namespace footfall

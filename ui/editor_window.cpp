@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor_window.hpp"
+
+#include <QCloseEvent>
+#include <QDir>
+#include <QDropEvent>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMimeData>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include "core/environment/export.hpp"
+#include "core/pipeline/export_header.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr int kKeepAfterMs = 1000;  // between the last change and writing the session that survives a crash
+
+std::string toPath(const QString& path) { return QFile::encodeName(path).toStdString(); }
+QString fromPath(const std::string& path) { return QFile::decodeName(QByteArray::fromStdString(path)); }
+
+QString lastSessionPath() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/last-session.") +
+         QLatin1String(kSessionExtension);
+}
+
+QString counted(std::uint64_t count, const QString& one, const QString& many) {
+  return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)) + QLatin1Char(' ') +
+         (count == 1 ? one : many);
+}
+
+}  // namespace
+
+EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
+  setAcceptDrops(true);
+  setObjectName(QStringLiteral("editorWindow"));
+  createWidgets();
+  createActions();
+  connectParts();
+  keepTimer_.setSingleShot(true);
+  keepTimer_.setInterval(kKeepAfterMs);
+  connect(&keepTimer_, &QTimer::timeout, this, &EditorWindow::keepSession);
+  updateTitle();
+  hideProgress();
+}
+
+EditorWindow::~EditorWindow() {
+  // The parts outlive the widgets that listen to them.
+  document_.disconnect();
+  document_.undoStack()->disconnect();
+  controller_.disconnect();
+  loader_.disconnect();
+}
+
+void EditorWindow::connectParts() {
+  connect(&document_, &Document::filtersChanged, this, [this] {
+    controller_.setFilters(document_.filters());
+    keepTimer_.start();
+  });
+  connect(&document_, &Document::importChanged, this, &EditorWindow::applyImport);
+  connect(document_.undoStack(), &QUndoStack::cleanChanged, this, &EditorWindow::updateTitle);
+  connect(import_, &ImportPanel::optionsEdited, this, &EditorWindow::editImport);
+  connect(&recent_, &RecentFiles::chosen, this, &EditorWindow::open);
+  connect(cancel_, &QPushButton::clicked, this, &EditorWindow::cancelWork);
+  connect(legend_, &Legend::partsChanged, view_, &LevelView::setParts);
+  connect(view_, &LevelView::cameraMoved, this, [this] { keepTimer_.start(); });
+  connect(view_, &LevelView::failed, messages_, &MessageBar::showError);
+
+  connect(&loader_, &EnvironmentLoader::started, this,
+          [this](const QString& path) { showProgress(tr("Loading %1").arg(QFileInfo(path).fileName()), -1); });
+  connect(&loader_, &EnvironmentLoader::loaded, this, &EditorWindow::takeLoaded);
+  connect(&loader_, &EnvironmentLoader::cancelled, this, [this] {
+    opening_.reset();
+    hideProgress();
+    summary_->setText(tr("Loading cancelled"));
+  });
+  connect(&loader_, &EnvironmentLoader::failed, this, [this](const QString& message) {
+    opening_.reset();
+    hideProgress();
+    messages_->showError(message);
+    emit loadFailed(message);
+  });
+
+  connect(&controller_, &RunController::started, this, [this] { showProgress(tr("Starting"), 0); });
+  connect(&controller_, &RunController::progressed, this,
+          [this](double fraction, const QString& text) { showProgress(text, fraction); });
+  connect(&controller_, &RunController::contentReady, this, [this](const ViewContent& content) {
+    view_->setContent(content);
+    legend_->describe(content);
+    placeLegend();
+  });
+  connect(&controller_, &RunController::finished, this, &EditorWindow::showResult);
+  connect(&controller_, &RunController::cancelled, this, [this] {
+    hideProgress();
+    summary_->setText(tr("Cancelled; the view shows the result before. Press F5 to run again."));
+    pendingExport_.clear();
+  });
+  connect(&controller_, &RunController::failed, this, [this](const QString& message) {
+    hideProgress();
+    summary_->setText(tr("The run failed; the view shows the result before"));
+    messages_->showError(message);
+    runErrorShown_ = true;
+    pendingExport_.clear();
+  });
+}
+
+// --- Opening
+// ----------------------------------------------------------------------------------------------------------
+
+void EditorWindow::open(const QString& path) {
+  Opening opening;
+  opening.path = path;
+  try {
+    if (isSessionFile(toPath(path))) {
+      const Session session = readSession(toPath(path));
+      if (session.environment.empty()) {
+        document_.replacePipeline(session.pipeline, tr("open %1").arg(QFileInfo(path).fileName()));
+        return;
+      }
+      opening = {fromPath(session.environment), session.pipeline, session.import, session.camera, false, path};
+    }
+  } catch (const std::exception& error) {
+    const QString message = QString::fromUtf8(error.what());
+    messages_->showError(message);
+    emit loadFailed(message);
+    return;
+  }
+  startLoading(std::move(opening));
+}
+
+void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import) {
+  Opening opening;
+  opening.path = path;
+  opening.pipeline = pipeline;
+  opening.import = import;
+  startLoading(std::move(opening));
+}
+
+void EditorWindow::startLoading(Opening opening) {
+  opening_ = std::move(opening);
+  loader_.load(opening_->path, opening_->import);
+}
+
+void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
+  const Opening opening = std::exchange(opening_, std::nullopt).value_or(Opening{});
+  const std::shared_ptr<const Environment> before = loaded_.environment;
+  const Environment& environment = *loaded.environment;
+  hideProgress();
+  messages_->clear();
+  loaded_ = loaded;
+  guessedScale_ = environment.scaleGuessed ? std::optional(environment.metresPerUnit)
+                  : opening.reload         ? guessedScale_
+                                           : std::nullopt;
+  const Vec3& upper = loaded.geometry->upper;
+  import_->setEnvironment(&environment, {2 * upper.x, 2 * upper.y, 2 * upper.z});
+  filters_->setMetresPerUnit(environment.metresPerUnit);
+  view_->setEnvironment(loaded.geometry, !opening.reload || before->up != environment.up);
+  legend_->describe({});
+  welcome_->hide();
+
+  if (!opening.reload) {
+    // A pipeline that somebody has worked on is worth more than defaults.
+    const bool own = before && !(document_.pipeline() == defaultPipeline(*before));
+    const Pipeline pipeline = opening.pipeline ? *opening.pipeline
+                              : own            ? document_.pipeline()
+                                               : defaultPipeline(environment);
+    document_.reset(pipeline, opening.import);
+    sessionPath_ = opening.session;
+    if (opening.camera) view_->setCameraPose(*opening.camera);
+    if (!opening.pipeline && own) {
+      messages_->showHint(tr("Your filters were kept for this environment."), tr("Use default filters"),
+                          [this] { useDefaultFilters(); });
+    }
+    if (remembering_) recent_.add(opening.session.isEmpty() ? opening.path : opening.session);
+  }
+  controller_.setEnvironment(loaded.environment, loaded.geometry->centre);
+  legend_->show();
+  placeLegend();
+  updateTitle();
+  keepTimer_.start();
+  emit environmentLoaded();
+}
+
+void EditorWindow::openPipeline(const QString& path) {
+  try {
+    document_.replacePipeline(readPipelineFile(toPath(path)), tr("open %1").arg(QFileInfo(path).fileName()));
+  } catch (const std::exception& error) {
+    messages_->showError(QString::fromUtf8(error.what()));
+  }
+}
+
+void EditorWindow::offerLastSession() {
+  const QString path = lastSessionPath();
+  if (!isSessionFile(toPath(path))) return;
+  messages_->showHint(tr("The last session is still here, as it was left."), tr("Continue it"),
+                      [this, path] { open(path); });
+}
+
+void EditorWindow::useDefaultFilters() {
+  if (loaded_.environment) document_.replacePipeline(defaultPipeline(*loaded_.environment), tr("use default filters"));
+}
+
+// --- Import options
+// ---------------------------------------------------------------------------------------------------
+
+void EditorWindow::editImport(const ImportOptions& options) {
+  if (!loaded_.environment) return;
+  Pipeline pipeline = document_.pipeline();
+  QString mergeKey;
+  if (options.metresPerUnit && options.metresPerUnit != document_.state().import.metresPerUnit) {
+    pipeline = rescaleDefaults(pipeline, loaded_.environment->metresPerUnit, *options.metresPerUnit);
+    mergeKey = QStringLiteral("scale/%1").arg(import_->scaleField()->editSession());
+  }
+  document_.setImportAndPipeline(options, pipeline, tr("change import options"), mergeKey);
+}
+
+// The document's options have changed, by an edit or by undo: read the file again where that makes a difference.
+void EditorWindow::applyImport() {
+  const ImportOptions& options = document_.state().import;
+  import_->setOptions(options);
+  keepTimer_.start();
+  if (!loaded_.environment || opening_) {
+    if (!opening_ || !opening_->reload) return;  // a new file brings its own
+  }
+  const bool sameMesh = options.up == loaded_.options.up && options.bothSides == loaded_.options.bothSides;
+  const std::optional<double> scale = options.metresPerUnit ? options.metresPerUnit : guessedScale_;
+  if (sameMesh && scale && !loader_.busy()) {
+    // The scale changes no coordinate, so nothing is computed again.
+    auto rescaled = std::make_shared<Environment>(*loaded_.environment);
+    rescaled->metresPerUnit = *scale;
+    rescaled->scaleGuessed = !options.metresPerUnit;
+    loaded_.environment = std::move(rescaled);
+    loaded_.options = options;
+    filters_->setMetresPerUnit(*scale);
+    return;
+  }
+  Opening opening;
+  opening.path = fromPath(loaded_.environment->source);
+  opening.import = options;
+  opening.reload = true;
+  startLoading(std::move(opening));
+}
+
+// --- Saving
+// -----------------------------------------------------------------------------------------------------------
+
+void EditorWindow::writeInBackground(std::function<void()> write, const QString& path) {
+  ++exports_;
+  showProgress(tr("Writing %1").arg(QFileInfo(path).fileName()), -1);
+  writing_.post([this, write = std::move(write), path] {
+    QString error;
+    try {
+      write();
+    } catch (const std::exception& problem) {
+      error = QString::fromUtf8(problem.what());
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, error, path] {
+          --exports_;
+          if (idle()) hideProgress();
+          if (!error.isEmpty()) {
+            messages_->showError(error);
+            return;
+          }
+          summary_->setText(tr("Wrote %1").arg(path));
+          emit written(path);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void EditorWindow::exportResult(const QString& path) {
+  if (!loaded_.environment) {
+    messages_->showError(tr("nothing to export; open an environment first"));
+    return;
+  }
+  if (!controller_.upToDate()) {
+    pendingExport_ = path;
+    if (!controller_.busy()) controller_.runNow();
+    return;
+  }
+  // The loaded environment: its scale may have changed since the run, its coordinates have not.
+  writeInBackground(
+      [run = controller_.finishedRun(), environment = loaded_.environment, target = toPath(path)] {
+        writeObj(target, *run->result.mesh, *environment, makeExportHeader(run->pipeline));
+      },
+      path);
+}
+
+void EditorWindow::savePipeline(const QString& path) {
+  writeInBackground(
+      [text = formatPipeline(document_.pipeline()), target = toPath(path)] { writeFileSafely(target, text); }, path);
+}
+
+Session EditorWindow::currentSession() const {
+  Session session;
+  if (loaded_.environment) session.environment = loaded_.environment->source;
+  session.import = document_.state().import;
+  session.pipeline = document_.pipeline();
+  if (loaded_.environment) session.camera = view_->cameraPose();
+  return session;
+}
+
+void EditorWindow::saveSession(const QString& path) {
+  sessionPath_ = path;
+  document_.undoStack()->setClean();
+  updateTitle();
+  if (remembering_) recent_.add(path);
+  writeInBackground(
+      [text = formatSession(currentSession(), toPath(path)), target = toPath(path)] { writeFileSafely(target, text); },
+      path);
+}
+
+void EditorWindow::keepSession() {
+  if (!remembering_ || !loaded_.environment) return;
+  const QString path = lastSessionPath();
+  writing_.post([text = formatSession(currentSession(), toPath(path)), path] {
+    try {
+      QDir().mkpath(QFileInfo(path).path());
+      writeFileSafely(toPath(path), text);
+    } catch (const std::exception&) {
+      // A settings folder that cannot be written costs the offer to continue, and must not cost more.
+    }
+  });
+}
+
+void EditorWindow::closeEvent(QCloseEvent* event) {
+  keepSession();
+  if (remembering_) QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
+  QMainWindow::closeEvent(event);
+}
+
+// --- Showing
+// ----------------------------------------------------------------------------------------------------------
+
+void EditorWindow::showResult() {
+  hideProgress();
+  if (std::exchange(runErrorShown_, false)) messages_->clear();
+  const auto run = controller_.finishedRun();
+  const StateSummary& summary = run->result.summary;
+  const NavigationMesh& mesh = *run->result.mesh;
+  QStringList parts{counted(mesh.triangles.size(), tr("walkable triangle"), tr("walkable triangles")),
+                    tr("area %1 units²").arg(QString::number(summary.area, 'g', 6))};
+  if (mesh.layerCount > 0) {
+    parts << counted(mesh.layerCount, tr("layer"), tr("layers"))
+          << counted(mesh.connections.size(), tr("connection"), tr("connections"));
+  }
+  parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"))
+        << tr("%1 ms").arg(run->result.totalMs, 0, 'f', 0);
+  summary_->setText(parts.join(QStringLiteral("   ·   ")));
+  exportAction_->setEnabled(true);
+  if (!pendingExport_.isEmpty()) exportResult(std::exchange(pendingExport_, QString()));
+}
+
+void EditorWindow::showProgress(const QString& text, double fraction) {
+  summary_->setText(text);
+  progress_->setRange(0, fraction < 0 ? 0 : 1000);
+  if (fraction >= 0) progress_->setValue(static_cast<int>(fraction * 1000));
+  progress_->show();
+  cancel_->show();
+}
+
+void EditorWindow::hideProgress() {
+  progress_->hide();
+  cancel_->hide();
+}
+
+void EditorWindow::cancelWork() {
+  if (loader_.busy()) loader_.cancel();
+  controller_.cancel();
+}
+
+void EditorWindow::updateTitle() {
+  QString name = tr("no environment");
+  if (loaded_.environment) name = QFileInfo(fromPath(loaded_.environment->source)).fileName();
+  if (!sessionPath_.isEmpty()) name += QStringLiteral(" (%1)").arg(QFileInfo(sessionPath_).fileName());
+  setWindowTitle(name + QStringLiteral("[*] - Footfall"));
+  setWindowModified(!document_.undoStack()->isClean());
+}
+
+void EditorWindow::placeLegend() {
+  legend_->adjustSize();
+  legend_->move(12, view_->height() - legend_->height() - 12);
+  welcome_->setGeometry(view_->rect());
+}
+
+bool EditorWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_ && event->type() == QEvent::Resize) placeLegend();
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void EditorWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (!urls.isEmpty() && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void EditorWindow::dropEvent(QDropEvent* event) {
+  const QString path = event->mimeData()->urls().value(0).toLocalFile();
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  if (path.endsWith(QStringLiteral(".pipeline"), Qt::CaseInsensitive)) {
+    openPipeline(path);
+  } else {
+    open(path);
+  }
+}
+
+}  // namespace footfall

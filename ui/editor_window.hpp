@@ -1,0 +1,138 @@
+// The editor's window: puts document, loader, runs and view together.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QPushButton>
+#include <memory>
+#include <optional>
+
+#include "ui/document.hpp"
+#include "ui/environment_loader.hpp"
+#include "ui/filter_list.hpp"
+#include "ui/import_panel.hpp"
+#include "ui/legend.hpp"
+#include "ui/level_view.hpp"
+#include "ui/message_bar.hpp"
+#include "ui/recent_files.hpp"
+#include "ui/run_controller.hpp"
+#include "ui/session.hpp"
+
+namespace footfall {
+
+/// Errors appear in the message bar, in the words of the exception, and leave everything as it was. Nothing here waits
+/// for a computation.
+class EditorWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit EditorWindow(QWidget* parent = nullptr);
+  ~EditorWindow() override;
+
+  /// Opens an environment or a session, by its content; in the background.
+  void open(const QString& path);
+  /// Opens an environment with a pipeline in place of the default one, and with import options.
+  void openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import);
+  /// Reads a pipeline file into the list, one edit.
+  void openPipeline(const QString& path);
+  void savePipeline(const QString& path);
+  void saveSession(const QString& path);
+  /// Writes the last finished result, in the background.
+  void exportResult(const QString& path);
+  /// Offers the last session, which is kept through crashes too, when there is one.
+  void offerLastSession();
+  /// Off: nothing of this window is remembered (for screenshots).
+  void setRemembering(bool on) { remembering_ = on; }
+  /// Whether what is shown was opened as a session.
+  [[nodiscard]] bool openedSession() const { return !sessionPath_.isEmpty(); }
+
+  [[nodiscard]] Document& document() { return document_; }
+  [[nodiscard]] RunController& controller() { return controller_; }
+  [[nodiscard]] const EnvironmentLoader& loader() const { return loader_; }
+  [[nodiscard]] LevelView& view() { return *view_; }
+  [[nodiscard]] FilterList& filterList() { return *filters_; }
+  [[nodiscard]] ImportPanel& importPanel() { return *import_; }
+  [[nodiscard]] MessageBar& messageBar() { return *messages_; }
+  [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
+  [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
+  /// Neither loading, running nor exporting.
+  [[nodiscard]] bool idle() const { return !loader_.busy() && !controller_.busy() && exports_ == 0; }
+
+ signals:
+  void environmentLoaded();
+  void loadFailed(const QString& message);
+  /// A file has been saved or exported.
+  void written(const QString& path);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  /// What is to happen once the file under way is loaded.
+  struct Opening {
+    QString path;
+    std::optional<Pipeline> pipeline;
+    ImportOptions import;
+    std::optional<CameraPose> camera;
+    bool reload = false;  ///< the same file with other options
+    QString session;      ///< the file that all this comes from, when it is one
+  };
+
+  void createWidgets();
+  void createActions();
+  void connectParts();
+  void openDialog();
+  void openPipelineDialog();
+  void savePipelineDialog();
+  void saveSessionDialog();
+  void exportDialog();
+  void startLoading(Opening opening);
+  void takeLoaded(const LoadedEnvironment& loaded);
+  void editImport(const ImportOptions& options);
+  void applyImport();
+  void useDefaultFilters();
+  void writeInBackground(std::function<void()> write, const QString& path);
+  void showResult();
+  void showProgress(const QString& text, double fraction);
+  void hideProgress();
+  void cancelWork();
+  void placeLegend();
+  void updateTitle();
+  [[nodiscard]] Session currentSession() const;
+  void keepSession();
+  [[nodiscard]] QString suggestedPath(const QString& ending) const;
+
+  Document document_;
+  LoadedEnvironment loaded_;
+  std::optional<Opening> opening_;
+  bool remembering_ = true;
+  int exports_ = 0;        ///< being written
+  QString pendingExport_;  ///< to be written when the run under way is finished
+  bool runErrorShown_ = false;
+  std::optional<double> guessedScale_;  ///< of the loaded file
+  QString sessionPath_;
+  RecentFiles recent_;
+
+  LevelView* view_ = nullptr;
+  Legend* legend_ = nullptr;
+  FilterList* filters_ = nullptr;
+  ImportPanel* import_ = nullptr;
+  MessageBar* messages_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QLabel* welcome_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QAction* exportAction_ = nullptr;
+  QTimer keepTimer_;
+
+  // Last: their threads end before the rest goes.
+  RunController controller_;
+  EnvironmentLoader loader_;
+  BackgroundQueue writing_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,46 @@
+// Loads environments in the background.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+
+#include "core/environment/environment.hpp"
+#include "core/pipeline/run_context.hpp"
+#include "ui/background_queue.hpp"
+#include "ui/render_geometry.hpp"
+
+namespace footfall {
+
+struct LoadedEnvironment {
+  std::shared_ptr<const Environment> environment;
+  std::shared_ptr<const EnvironmentGeometry> geometry;
+  ImportOptions options;  ///< as asked for
+};
+
+/// One load at a time: another one cancels it. Signals come on the thread that the loader lives on.
+class EnvironmentLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit EnvironmentLoader(QObject* parent = nullptr);
+  ~EnvironmentLoader() override;
+
+  void load(const QString& path, const ImportOptions& options);
+  void cancel();
+  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+
+ signals:
+  void started(const QString& path);
+  void loaded(const footfall::LoadedEnvironment& environment);
+  /// One line: what, where and what to do.
+  void failed(const QString& message);
+  void cancelled();
+
+ private:
+  std::shared_ptr<RunContext> context_;
+  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+};
+
+}  // namespace footfall

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/filter_row.hpp"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "core/filters/descriptor_text.hpp"
+
+namespace footfall {
+namespace {
+
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
+
+QString helpOf(const FilterDescriptor& filter) {
+  QString help =
+      QStringLiteral("<b>%1</b> (%2)<p>%3</p>").arg(text(filter.label), text(filter.name), text(filter.help));
+  if (!filter.precondition.empty()) help += QStringLiteral("<p><i>Needs:</i> %1</p>").arg(text(filter.precondition));
+  return help + QStringLiteral("<p><i>Effect:</i> %1</p>").arg(text(filter.effect));
+}
+
+QString helpOf(const ParameterDescriptor& parameter) {
+  return QStringLiteral("<p>%1</p><p>Takes %2. Default: %3%4.</p>")
+      .arg(text(parameter.help), QString::fromStdString(describeRange(parameter)),
+           QString::fromStdString(formatValue(parameter, parameter.defaultValue)),
+           parameter.unit == Unit::Length ? QStringLiteral(" m")
+           : parameter.unit == Unit::Area ? QStringLiteral(" m²")
+                                          : QString());
+}
+
+QString durationText(double milliseconds) {
+  if (milliseconds < 1) return FilterRow::tr("under 1 ms");
+  if (milliseconds < 1000) return FilterRow::tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 10 ? 1 : 0);
+  return FilterRow::tr("%1 s").arg(milliseconds / 1000, 0, 'f', 2);
+}
+
+QString countText(std::uint64_t count) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)); }
+
+QString figuresText(const StepStatus& status) {
+  QStringList parts;
+  if (status.wallMs) parts << durationText(*status.wallMs);
+  if (status.trianglesIn && status.trianglesOut) {
+    parts << FilterRow::tr("%1 → %2 triangles").arg(countText(*status.trianglesIn), countText(*status.trianglesOut));
+  } else if (status.trianglesOut) {
+    parts << FilterRow::tr("%1 triangles").arg(countText(*status.trianglesOut));
+  }
+  QString line = parts.join(QStringLiteral("  ·  "));
+  if (!status.note.isEmpty()) line += (line.isEmpty() ? QString() : QStringLiteral("\n")) + status.note;
+  return line;
+}
+
+}  // namespace
+
+FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
+    : QFrame(parent), id_(entry.id), filter_(*entry.step.filter) {
+  setObjectName(QStringLiteral("filterRow"));
+  setFrameShape(QFrame::StyledPanel);
+  setAccessibleName(text(filter_.label));
+
+  handle_ = new QLabel(QStringLiteral("⋮⋮"), this);
+  handle_->setObjectName(QStringLiteral("dragHandle"));
+  handle_->setToolTip(tr("Drag to change the order (or Alt+Up, Alt+Down)"));
+  handle_->setCursor(Qt::OpenHandCursor);
+  enabled_ = new QCheckBox(text(filter_.label), this);
+  enabled_->setObjectName(QStringLiteral("filterName"));
+  enabled_->setToolTip(helpOf(filter_));
+  state_ = new QLabel(this);
+  remove_ = new QToolButton(this);
+  remove_->setText(QStringLiteral("✕"));
+  remove_->setAutoRaise(true);
+  remove_->setToolTip(tr("Remove this filter"));
+  remove_->setAccessibleName(tr("Remove %1").arg(text(filter_.label)));
+
+  auto* head = new QHBoxLayout;
+  head->setSpacing(6);
+  head->addWidget(handle_);
+  head->addWidget(enabled_, 1);
+  head->addWidget(state_);
+  head->addWidget(remove_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 5, 5, 6);
+  layout->setSpacing(3);
+  layout->addLayout(head);
+  addParameters(layout);
+  figures_ = new QLabel(this);
+  figures_->setObjectName(QStringLiteral("figures"));
+  figures_->setWordWrap(true);
+  figures_->setContentsMargins(22, 0, 0, 0);
+  error_ = new QLabel(this);
+  error_->setObjectName(QStringLiteral("rowError"));
+  error_->setWordWrap(true);
+  error_->setContentsMargins(22, 0, 0, 0);
+  layout->addWidget(figures_);
+  layout->addWidget(error_);
+  error_->hide();
+
+  connect(enabled_, &QCheckBox::clicked, this, [this](bool on) { emit enabledEdited(id_, on); });
+  connect(remove_, &QToolButton::clicked, this, [this] { emit removeRequested(id_); });
+  setEntry(entry);
+  setStatus({});
+}
+
+void FilterRow::addParameters(QVBoxLayout* layout) {
+  if (filter_.parameters.empty()) return;
+  parameters_ = new QWidget(this);
+  auto* grid = new QGridLayout(parameters_);
+  grid->setContentsMargins(22, 0, 4, 0);
+  grid->setVerticalSpacing(3);
+  grid->setColumnStretch(0, 1);
+  for (std::size_t i = 0; i < filter_.parameters.size(); ++i) {
+    const ParameterDescriptor& parameter = filter_.parameters[i];
+    const int row = static_cast<int>(i);
+    auto* label = new QLabel(text(parameter.label), parameters_);
+    label->setToolTip(helpOf(parameter));
+    grid->addWidget(label, row, 0);
+    if (parameter.type == ParameterType::Boolean) {
+      auto* box = new QCheckBox(parameters_);
+      box->setToolTip(helpOf(parameter));
+      box->setAccessibleName(text(parameter.label));
+      connect(box, &QCheckBox::clicked, this, [this, i](bool on) { emit valueEdited(id_, i, on ? 1 : 0, -1); });
+      grid->addWidget(box, row, 1);
+      fields_.push_back(box);
+      continue;
+    }
+    auto* field = new NumberField(parameter, parameters_);
+    field->setToolTip(helpOf(parameter));
+    field->setAccessibleName(text(parameter.label));
+    field->setFixedWidth(104);
+    label->setBuddy(field);
+    connect(field, &NumberField::valueEdited, this,
+            [this, i, field](double value) { emit valueEdited(id_, i, value, field->editSession()); });
+    connect(field, &NumberField::problemChanged, this, &FilterRow::showError);
+    grid->addWidget(field, row, 1);
+    auto* unit = new QLabel(unitText(parameter.unit), parameters_);
+    unit->setMinimumWidth(52);
+    grid->addWidget(unit, row, 2);
+    fields_.push_back(field);
+  }
+  layout->addWidget(parameters_);
+}
+
+void FilterRow::setEntry(const FilterEntry& entry) {
+  enabled_->setChecked(entry.step.enabled);
+  if (parameters_) parameters_->setEnabled(entry.step.enabled);
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (auto* field = qobject_cast<NumberField*>(fields_[i])) {
+      if (field->value() != entry.step.values[i] || field->text().isEmpty()) field->setValue(entry.step.values[i]);
+    } else if (auto* box = qobject_cast<QCheckBox*>(fields_[i])) {
+      box->setChecked(entry.step.values[i] != 0);
+    }
+  }
+}
+
+void FilterRow::setStatus(const StepStatus& status) {
+  QString word = stateWord(status.state);
+  if (status.state == StepState::Running && status.fraction > 0) {
+    word += QStringLiteral(" %1 %").arg(static_cast<int>(status.fraction * 100));
+  }
+  if (word != state_->text()) {
+    state_->setText(word);
+    state_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(stateColour(status.state).name()));
+  }
+  const QString figures = figuresText(status);
+  if (figures != figures_->text()) figures_->setText(figures);
+  const bool old = status.state == StepState::Stale || status.state == StepState::Cancelled;
+  figures_->setEnabled(!old);
+  figures_->setVisible(!figures.isEmpty() && status.state != StepState::Off);
+  statusError_ = status.error;
+  showError();
+}
+
+void FilterRow::showError() {
+  QStringList lines;
+  for (QWidget* widget : fields_) {
+    const auto* field = qobject_cast<NumberField*>(widget);
+    if (field && !field->problem().isEmpty()) lines << field->problem();
+  }
+  if (!statusError_.isEmpty()) lines << statusError_;
+  error_->setText(lines.join(QLatin1Char('\n')));
+  error_->setVisible(!lines.isEmpty());
+}
+
+}  // namespace footfall

@@ -1,0 +1,60 @@
+// One step of the pipeline in the filter list.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCheckBox>
+#include <QFrame>
+#include <QLabel>
+#include <QToolButton>
+#include <vector>
+
+#include "ui/document.hpp"
+#include "ui/number_field.hpp"
+#include "ui/step_status.hpp"
+
+namespace footfall {
+
+/// Shows an entry and its status; tells what the user does to it and changes nothing itself.
+class FilterRow : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FilterRow(const FilterEntry& entry, QWidget* parent = nullptr);
+
+  [[nodiscard]] int entryId() const { return id_; }
+  /// The same filter with other values.
+  void setEntry(const FilterEntry& entry);
+  void setStatus(const StepStatus& status);
+
+  /// Where the row can be dragged.
+  [[nodiscard]] QWidget* handle() const { return handle_; }
+  /// The NumberField or QCheckBox of a parameter.
+  [[nodiscard]] QWidget* field(std::size_t parameter) const { return fields_[parameter]; }
+  [[nodiscard]] QCheckBox* enabledBox() const { return enabled_; }
+  [[nodiscard]] QToolButton* removeButton() const { return remove_; }
+  [[nodiscard]] QString stateText() const { return state_->text(); }
+  [[nodiscard]] QString errorText() const { return error_->text(); }
+
+ signals:
+  void enabledEdited(int id, bool enabled);
+  void valueEdited(int id, std::size_t parameter, double value, int editSession);
+  void removeRequested(int id);
+
+ private:
+  void addParameters(QVBoxLayout* layout);
+  void showError();
+
+  int id_;
+  const FilterDescriptor& filter_;
+  QLabel* handle_;
+  QCheckBox* enabled_;
+  QLabel* state_;
+  QToolButton* remove_;
+  std::vector<QWidget*> fields_;
+  QWidget* parameters_ = nullptr;
+  QLabel* figures_;
+  QLabel* error_;
+  QString statusError_;
+};
+
+}  // namespace footfall

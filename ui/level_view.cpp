@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level_view.hpp"
+
+#include <QGLViewer/manipulatedCameraFrame.h>
+
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace footfall {
+namespace {
+
+using qglviewer::Camera;
+using qglviewer::Quaternion;
+using qglviewer::Vec;
+
+constexpr double kMargin = 1.06;  // around the scene when everything is to be in sight
+
+Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
+  setObjectName(QStringLiteral("levelView"));
+  setStateFileName(QString());  // the session keeps the camera
+  setMinimumSize(320, 240);
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+LevelView::~LevelView() {
+  if (!ready_) return;
+  makeCurrent();
+  renderer_.release();
+  doneCurrent();
+}
+
+void LevelView::bindMouse() {
+  clearMouseBindings();
+  clearShortcuts();
+  for (int key = Qt::Key_F1; key <= Qt::Key_F12; ++key) setPathKey(-key);  // no camera paths on function keys
+  setMouseBinding(Qt::NoModifier, Qt::LeftButton, CAMERA, ROTATE);
+  setMouseBinding(Qt::NoModifier, Qt::RightButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::NoModifier, Qt::MiddleButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::ShiftModifier, Qt::LeftButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::ControlModifier, Qt::LeftButton, CAMERA, ZOOM);
+  setMouseBinding(Qt::NoModifier, Qt::LeftButton, RAP_FROM_PIXEL, true);
+  setWheelBinding(Qt::NoModifier, CAMERA, ZOOM);
+  camera()->frame()->setZoomSensitivity(1.0);
+  camera()->frame()->setWheelSensitivity(1.0);
+  camera()->frame()->setSpinningSensitivity(1e9);  // the camera stops with the mouse
+}
+
+void LevelView::init() {
+  bindMouse();
+  camera()->setUpVector(Vec(0, 0, 1));
+  camera()->frame()->setSceneUpVector(Vec(0, 0, 1));
+  camera()->frame()->setRotatesAroundUpVector(true);
+  camera()->setFieldOfView(M_PI / 4);
+  connect(camera()->frame(), &qglviewer::ManipulatedFrame::manipulated, this, &LevelView::cameraMoved);
+  const QString problem = renderer_.initialize();
+  ready_ = problem.isEmpty();
+  if (!ready_) emit failed(QStringLiteral("cannot show the scene: ") + problem);
+}
+
+void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera) {
+  environment_ = std::move(geometry);
+  renderer_.setEnvironment(environment_);
+  setContent({});
+  if (environment_) {
+    const double radius = toVec(environment_->upper).norm();
+    setSceneCenter(Vec(0, 0, 0));
+    setSceneRadius(radius > 0 ? radius : 1);
+  }
+  if (fitCamera) {
+    viewOblique();
+    fitWhenSized_ = !isVisible();
+  }
+  update();
+}
+
+void LevelView::setContent(ViewContent content) {
+  content_ = std::move(content);
+  renderer_.setContent(content_);
+  update();
+}
+
+void LevelView::setParts(const SceneParts& parts) {
+  parts_ = parts;
+  update();
+}
+
+void LevelView::resizeGL(int width, int height) {
+  QGLViewer::resizeGL(width, height);
+  if (fitWhenSized_) fit();
+  fitWhenSized_ = false;
+}
+
+void LevelView::draw() {
+  if (!ready_) return;
+  QElapsedTimer timer;
+  timer.start();
+  GLdouble modelView[16];
+  GLdouble projection[16];
+  camera()->getModelViewMatrix(modelView);
+  camera()->getProjectionMatrix(projection);
+  SceneCamera scene;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      double sum = 0;
+      for (int k = 0; k < 4; ++k) sum += projection[k * 4 + row] * modelView[column * 4 + k];
+      scene.modelViewProjection(row, column) = static_cast<float>(sum);
+    }
+  }
+  const Vec eye = camera()->position();
+  const Vec direction = camera()->viewDirection();
+  scene.eye = QVector3D(static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
+  scene.viewDirection =
+      QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
+  scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
+  scene.devicePixelRatio = static_cast<float>(devicePixelRatioF());
+  scene.viewport = size() * devicePixelRatioF();
+  renderer_.draw(scene, parts_);
+  if (measuring_) {
+    context()->functions()->glFinish();
+    lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  }
+}
+
+void LevelView::lookAlong(const Vec& direction, const Vec& up, bool orthographic) {
+  camera()->setType(orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
+  const Vec d = direction.unit();
+  const Vec right = (d ^ up).unit();
+  const Vec upright = right ^ d;
+  Quaternion orientation;
+  orientation.setFromRotatedBasis(right, upright, -d);
+  camera()->setOrientation(orientation);
+  fit();
+}
+
+void LevelView::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), true); }
+
+void LevelView::viewOblique() { lookAlong(Vec(0.5, 0.8, -0.9), Vec(0, 0, 1), false); }
+
+void LevelView::fit() {
+  if (!environment_) return;
+  const Vec right = camera()->rightVector();
+  const Vec up = camera()->upVector();
+  const Vec ahead = camera()->viewDirection();
+  const double tanVertical = std::tan(camera()->fieldOfView() / 2);
+  const double tanHorizontal = tanVertical * std::max(0.1, width() / std::max(1.0, static_cast<double>(height())));
+  const bool parallel = camera()->type() == Camera::ORTHOGRAPHIC;
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto pick = [&](int bit, double lower, double upper) { return (corner >> bit & 1) != 0 ? upper : lower; };
+    const Vec3& lower = environment_->lower;
+    const Vec3& upper = environment_->upper;
+    const Vec p(pick(0, lower.x, upper.x), pick(1, lower.y, upper.y), pick(2, lower.z, upper.z));
+    const double wanted = std::max(std::abs(p * right) / tanHorizontal, std::abs(p * up) / tanVertical) * kMargin -
+                          (parallel ? 0 : p * ahead);
+    distance = std::max(distance, wanted);
+  }
+  camera()->setPivotPoint(Vec(0, 0, 0));
+  // In a parallel projection the distance only sets the scale; it must still be outside the scene.
+  camera()->setPosition(ahead * -std::max(distance, sceneRadius() * 1e-3));
+  emit cameraMoved();
+  update();
+}
+
+void LevelView::zoomBy(double factor) {
+  const Vec pivot = camera()->pivotPoint();
+  camera()->setPosition(pivot + (camera()->position() - pivot) / factor);
+  emit cameraMoved();
+  update();
+}
+
+void LevelView::keyPressEvent(QKeyEvent* event) {
+  const double step = 0.08 * (camera()->position() - camera()->pivotPoint()).norm();
+  Vec move;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      move = camera()->rightVector() * -step;
+      break;
+    case Qt::Key_Right:
+      move = camera()->rightVector() * step;
+      break;
+    case Qt::Key_Up:
+      move = camera()->upVector() * step;
+      break;
+    case Qt::Key_Down:
+      move = camera()->upVector() * -step;
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+      return;
+  }
+  camera()->setPosition(camera()->position() + move);
+  camera()->setPivotPoint(camera()->pivotPoint() + move);
+  emit cameraMoved();
+  update();
+}
+
+CameraPose LevelView::cameraPose() const {
+  CameraPose pose;
+  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
+  const Vec position = camera()->position();
+  const Vec pivot = camera()->pivotPoint();
+  pose.position = {position.x + origin.x, position.y + origin.y, position.z + origin.z};
+  pose.pivot = {pivot.x + origin.x, pivot.y + origin.y, pivot.z + origin.z};
+  const Quaternion orientation = camera()->orientation();
+  for (int i = 0; i < 4; ++i) pose.orientation[static_cast<std::size_t>(i)] = orientation[i];
+  pose.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
+  return pose;
+}
+
+void LevelView::setCameraPose(const CameraPose& pose) {
+  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
+  camera()->setType(pose.orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
+  camera()->setPivotPoint(Vec(pose.pivot.x - origin.x, pose.pivot.y - origin.y, pose.pivot.z - origin.z));
+  camera()->setOrientation(
+      Quaternion(pose.orientation[0], pose.orientation[1], pose.orientation[2], pose.orientation[3]));
+  camera()->setPosition(Vec(pose.position.x - origin.x, pose.position.y - origin.y, pose.position.z - origin.z));
+  fitWhenSized_ = false;
+  update();
+}
+
+}  // namespace footfall

@@ -1,0 +1,79 @@
+// The 3D view: libQGLViewer's camera and mouse handling over SceneRenderer.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QGLViewer/qglviewer.h>
+
+#include <array>
+#include <memory>
+
+#include "ui/scene_renderer.hpp"
+
+namespace footfall {
+
+/// Where one looks from, in the environment's coordinates; for sessions.
+struct CameraPose {
+  Vec3 position, pivot;
+  std::array<double, 4> orientation{0, 0, 0, 1};  ///< quaternion x, y, z, w
+  bool orthographic = false;
+};
+
+/// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
+/// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move.
+class LevelView : public QGLViewer {
+  Q_OBJECT
+
+ public:
+  explicit LevelView(QWidget* parent = nullptr);
+  ~LevelView() override;
+
+  /// Shows another environment without content. Moves the camera only when `fitCamera`.
+  void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera);
+  void setContent(ViewContent content);
+  [[nodiscard]] const ViewContent& content() const { return content_; }
+
+  void setParts(const SceneParts& parts);
+  [[nodiscard]] const SceneParts& parts() const { return parts_; }
+
+  /// Straight down, parallel projection, everything in sight.
+  void viewFromTop();
+  /// From above at an angle, perspective, everything in sight.
+  void viewOblique();
+  /// Everything in sight from where one looks now.
+  void fit();
+  void zoomBy(double factor);
+
+  [[nodiscard]] CameraPose cameraPose() const;
+  void setCameraPose(const CameraPose& pose);
+
+  /// Of the last frame, measured until OpenGL had finished it; 0 before the first. Measured only when switched on,
+  /// because waiting for OpenGL takes time itself.
+  [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
+  void setMeasuring(bool on) { measuring_ = on; }
+
+ signals:
+  /// OpenGL cannot show the scene; once.
+  void failed(const QString& message);
+  void cameraMoved();
+
+ protected:
+  void init() override;
+  void draw() override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeGL(int width, int height) override;
+
+ private:
+  void bindMouse();
+  void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
+
+  SceneRenderer renderer_;
+  std::shared_ptr<const EnvironmentGeometry> environment_;
+  ViewContent content_;
+  SceneParts parts_;
+  bool ready_ = false;
+  bool fitWhenSized_ = false;
+  bool measuring_ = false;
+  double lastFrameMs_ = 0;
+};
+
+}  // namespace footfall

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/render_geometry.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <unordered_map>
+
+namespace footfall {
+namespace {
+
+// Steeper than this counts as a wall on screen: stripes on walls would only be noise.
+constexpr double kWallNormalZ = 0.02;
+// Edges whose triangles turn by more than about 25 degrees help to read a shape.
+constexpr double kCreaseCosine = 0.9;
+
+std::array<float, 3> toFloats(const Vec3& p, const Vec3& centre) {
+  return {static_cast<float>(p.x - centre.x), static_cast<float>(p.y - centre.y), static_cast<float>(p.z - centre.z)};
+}
+
+Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
+  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
+  const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+  return length > 0 ? Vec3{n.x / length, n.y / length, n.z / length} : Vec3{0, 0, 1};
+}
+
+std::int8_t toByte(double component) { return static_cast<std::int8_t>(std::lround(component * 127)); }
+
+void addTriangle(std::vector<SurfaceVertex>& surface, const std::array<const Vec3*, 3>& corners, const Vec3& centre,
+                 const Vec3& normal, const Paint& paint, bool takesFloorPaint) {
+  SurfaceVertex vertex;
+  vertex.normal = {toByte(normal.x), toByte(normal.y), toByte(normal.z), static_cast<std::int8_t>(paint.pattern)};
+  vertex.colour = {static_cast<std::uint8_t>(paint.colour.red()), static_cast<std::uint8_t>(paint.colour.green()),
+                   static_cast<std::uint8_t>(paint.colour.blue()),
+                   static_cast<std::uint8_t>(takesFloorPaint ? 0 : 255)};
+  for (const Vec3* corner : corners) {
+    vertex.position = toFloats(*corner, centre);
+    surface.push_back(vertex);
+  }
+}
+
+std::array<const Vec3*, 3> cornersOf(const std::vector<Vec3>& vertices, const Triangle& triangle) {
+  return {&vertices[triangle[0]], &vertices[triangle[1]], &vertices[triangle[2]]};
+}
+
+struct EdgeUse {
+  std::uint32_t low = 0, high = 0;
+  std::uint32_t triangle = 0;
+  bool operator<(const EdgeUse& o) const {
+    return low != o.low ? low < o.low : high != o.high ? high < o.high : triangle < o.triangle;
+  }
+};
+
+// Calls visit(first, last) for the uses of each edge.
+template <typename Visit>
+void forEachEdge(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& ids, Visit visit) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(triangles.size() * 3);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = ids.empty() ? triangles[t][k] : ids[triangles[t][k]];
+      const std::uint32_t b = ids.empty() ? triangles[t][(k + 1) % 3] : ids[triangles[t][(k + 1) % 3]];
+      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), t});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  for (auto first = uses.begin(); first != uses.end();) {
+    auto last = first;
+    while (last != uses.end() && last->low == first->low && last->high == first->high) ++last;
+    visit(first, last);
+    first = last;
+  }
+}
+
+struct PositionHash {
+  std::size_t operator()(const Vec3& p) const {
+    std::uint64_t h = 0;
+    for (const double d : {p.x, p.y, p.z}) h = (h ^ std::bit_cast<std::uint64_t>(d + 0.0)) * 0x9E3779B97F4A7C15ULL;
+    return static_cast<std::size_t>(h ^ (h >> 32U));
+  }
+};
+
+// The first vertex at the same position, for each vertex: soups repeat theirs.
+std::vector<std::uint32_t> weldedIds(const std::vector<Vec3>& vertices) {
+  std::unordered_map<Vec3, std::uint32_t, PositionHash> firstAt;
+  firstAt.reserve(vertices.size());
+  std::vector<std::uint32_t> ids(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) ids[i] = firstAt.try_emplace(vertices[i], i).first->second;
+  return ids;
+}
+
+std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 2>>& pairs,
+                                    const std::vector<Vec3>& vertices, const Vec3& centre) {
+  std::vector<LineSegment> segments;
+  segments.reserve(pairs.size());
+  for (const auto& [a, b] : pairs) segments.push_back({toFloats(vertices[a], centre), toFloats(vertices[b], centre)});
+  return segments;
+}
+
+}  // namespace
+
+std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment) {
+  auto geometry = std::make_shared<EnvironmentGeometry>();
+  const std::vector<Vec3>& vertices = environment.vertices;
+  Vec3 lower = vertices.empty() ? Vec3{} : vertices[environment.triangles.front()[0]];
+  Vec3 upper = lower;
+  for (const Triangle& triangle : environment.triangles) {
+    for (const Vec3* p : cornersOf(vertices, triangle)) {
+      lower = {std::min(lower.x, p->x), std::min(lower.y, p->y), std::min(lower.z, p->z)};
+      upper = {std::max(upper.x, p->x), std::max(upper.y, p->y), std::max(upper.z, p->z)};
+    }
+  }
+  // Halves first: the sum of two large bounds may overflow.
+  const Vec3 centre{lower.x / 2 + upper.x / 2, lower.y / 2 + upper.y / 2, lower.z / 2 + upper.z / 2};
+  geometry->centre = centre;
+  geometry->lower = {lower.x - centre.x, lower.y - centre.y, lower.z - centre.z};
+  geometry->upper = {upper.x - centre.x, upper.y - centre.y, upper.z - centre.z};
+
+  std::vector<Vec3> normals;
+  normals.reserve(environment.triangles.size());
+  geometry->surface.reserve(environment.triangles.size() * 3);
+  for (const Triangle& triangle : environment.triangles) {
+    const auto corners = cornersOf(vertices, triangle);
+    const Vec3 normal = unitNormal(*corners[0], *corners[1], *corners[2]);
+    normals.push_back(normal);
+    const double up = environment.bothSides ? std::abs(normal.z) : normal.z;
+    addTriangle(geometry->surface, corners, centre, normal, wallPaint(), up > kWallNormalZ);
+  }
+
+  forEachEdge(environment.triangles, weldedIds(vertices), [&](auto first, auto last) {
+    bool crease = last - first != 2;
+    if (!crease) {
+      const Vec3& a = normals[first->triangle];
+      const Vec3& b = normals[(first + 1)->triangle];
+      crease = std::abs(a.x * b.x + a.y * b.y + a.z * b.z) < kCreaseCosine;
+    }
+    if (crease) {
+      geometry->creases.push_back({toFloats(vertices[first->low], centre), toFloats(vertices[first->high], centre)});
+    }
+  });
+  return geometry;
+}
+
+std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh, const Vec3& centre,
+                                                     const std::optional<Paint>& paint) {
+  auto geometry = std::make_shared<MeshGeometry>();
+  geometry->layers = mesh.layerCount;
+  geometry->surface.reserve(mesh.triangles.size() * 3);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corners = cornersOf(mesh.vertices, mesh.triangles[t]);
+    const Paint colour = paint ? *paint : mesh.layers.empty() ? walkablePaint() : layerPaint(mesh.layers[t]);
+    addTriangle(geometry->surface, corners, centre, unitNormal(*corners[0], *corners[1], *corners[2]), colour, false);
+  }
+  if (paint) return geometry;  // what was removed shows no lines
+  forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
+    if (last - first != 1) return;
+    geometry->outline.push_back(
+        {toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+  });
+  geometry->obstacleEdges = toSegments(mesh.obstacleEdges, mesh.vertices, centre);
+  geometry->connections = toSegments(mesh.connections, mesh.vertices, centre);
+  return geometry;
+}
+
+}  // namespace footfall

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run_controller.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+#include "core/pipeline/block_structure.hpp"
+#include "ui/appearance.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr int kPauseMs = 200;  // between the last edit and the run
+constexpr int kDrainMs = 40;   // between two updates of the window
+// The old result stays this long: most runs are over by then, and the view does not flicker through their steps.
+constexpr auto kPartsAfter = std::chrono::milliseconds(150);
+constexpr std::size_t kPreviews = 32;  // as many as ResultCache keeps states
+
+std::string extendPrefix(const std::string& prefix, const PipelineStep& step) {
+  return prefix + formatStep(step) + '\n';
+}
+
+double milliseconds(RunEventBuffer::Clock::duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+}  // namespace
+
+/// Thread-safe; the least recently used goes first.
+class RunController::PreviewCache {
+ public:
+  void store(const std::string& prefix, MeshPtr mesh) {
+    const std::scoped_lock lock(mutex_);
+    entries_.remove_if([&](const auto& entry) { return entry.first == prefix; });
+    entries_.emplace_front(prefix, std::move(mesh));
+    if (entries_.size() > kPreviews) entries_.pop_back();
+  }
+  MeshPtr find(const std::string& prefix) {
+    const std::scoped_lock lock(mutex_);
+    for (auto it = entries_.begin(); it != entries_.end(); ++it) {
+      if (it->first != prefix) continue;
+      entries_.splice(entries_.begin(), entries_, it);
+      return it->second;
+    }
+    return nullptr;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::list<std::pair<std::string, MeshPtr>> entries_;
+};
+
+/// One run: shared by the window and the threads that work on it.
+struct RunController::Job {
+  std::shared_ptr<const Environment> environment;
+  Vec3 centre;
+  Pipeline pipeline;
+  std::string key;
+  std::vector<int> ids;                    // of the enabled steps
+  std::vector<const PipelineStep*> steps;  // the enabled ones, inside `pipeline`
+  std::vector<std::string> prefixes;       // prefixes[i]: steps before the enabled step i, and one more for all
+  RunEventBuffer::Clock::time_point begun = RunEventBuffer::Clock::now();
+  // What the window shows of it while it runs; the window's own.
+  std::vector<std::shared_ptr<const MeshGeometry>> pieces;
+  std::size_t shownStep = static_cast<std::size_t>(-1), shownParts = 0;
+  std::shared_ptr<PreviewCache> previews;
+  std::unique_ptr<RunEventBuffer> events;
+  std::unique_ptr<RunContext> context;
+};
+
+struct RunController::Outcome {
+  std::shared_ptr<const FinishedRun> finished;
+  ViewContent content;
+  QString error;  // empty: finished or cancelled
+};
+
+RunController::RunController(QObject* parent)
+    : QObject(parent), previews_(std::make_shared<PreviewCache>()), cache_(std::make_shared<ResultCache>()) {
+  pause_.setSingleShot(true);
+  pause_.setInterval(kPauseMs);
+  connect(&pause_, &QTimer::timeout, this, &RunController::start);
+  drainTimer_.setSingleShot(true);
+  drainTimer_.setInterval(kDrainMs);
+  connect(&drainTimer_, &QTimer::timeout, this, &RunController::drain);
+}
+
+RunController::~RunController() {
+  if (job_) job_->context->cancel();
+}
+
+void RunController::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
+  stopJob(StepState::Fresh);
+  environment_ = std::move(environment);
+  centre_ = centre;
+  finished_.reset();
+  finishedKey_.clear();
+  statuses_.clear();
+  cache_ = std::make_shared<ResultCache>();  // a run that is still ending keeps the old ones
+  previews_ = std::make_shared<PreviewCache>();
+  refreshStatuses();
+  emit statusChanged();
+  if (environment_) pause_.start(0);
+}
+
+std::string RunController::runKey() const {
+  std::string key;
+  for (const FilterEntry& entry : filters_) {
+    if (entry.step.enabled) key = extendPrefix(key, entry.step);
+  }
+  return key;
+}
+
+bool RunController::upToDate() const { return finished_ && !busy() && finishedKey_ == runKey(); }
+
+void RunController::setFilters(const std::vector<FilterEntry>& filters) {
+  filters_ = filters;
+  const std::string key = runKey();
+  const bool sameAsRunning = job_ && job_->key == key;
+  if (!sameAsRunning) stopJob(StepState::Stale);
+  refreshStatuses();
+  emit statusChanged();
+  if (!environment_ || sameAsRunning) return;
+  if (finished_ && finishedKey_ == key) {
+    pause_.stop();
+    emit finished();  // the list is back where the result is
+    return;
+  }
+  pause_.start(kPauseMs);
+}
+
+void RunController::runNow() {
+  if (!environment_) return;
+  stopJob(StepState::Stale);
+  finishedKey_.clear();
+  start();
+}
+
+void RunController::cancel() {
+  const bool waiting = pause_.isActive();
+  pause_.stop();
+  if (!job_ && !waiting) return;
+  stopJob(StepState::Cancelled);
+  emit statusChanged();
+  emit cancelled();
+}
+
+StepStatus RunController::status(int id) const {
+  const auto found = statuses_.find(id);
+  return found == statuses_.end() ? StepStatus{} : found->second;
+}
+
+void RunController::stopJob(StepState unfinished) {
+  if (!job_) return;
+  job_->context->cancel();  // it ends by itself, soon; nobody waits
+  for (const int id : job_->ids) {
+    StepStatus& status = statuses_[id];
+    if (status.state == StepState::Running || status.state == StepState::Fresh || status.state == StepState::Stale) {
+      status.state = unfinished;
+    }
+  }
+  job_.reset();
+}
+
+// An edit makes out of date only what comes after it.
+void RunController::refreshStatuses() {
+  std::map<int, StepStatus> kept;
+  std::string prefix;
+  for (const FilterEntry& entry : filters_) {
+    StepStatus status = this->status(entry.id);
+    if (!entry.step.enabled) {
+      if (status.state != StepState::Off) status = {};
+      status.state = StepState::Off;
+    } else {
+      prefix = extendPrefix(prefix, entry.step);
+      const bool running = job_ && status.state == StepState::Running;
+      if (status.prefix != prefix && !running) {
+        const bool known = status.wallMs.has_value() || status.state == StepState::Stale;
+        status.state = known ? StepState::Stale : StepState::Fresh;
+        status.error.clear();
+        status.note.clear();
+      }
+    }
+    kept[entry.id] = status;
+  }
+  statuses_ = std::move(kept);
+}
+
+// What the runner would refuse before it begins belongs on the row where it stands.
+bool RunController::reportInvalidStep() {
+  Pipeline pipeline;
+  for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
+  const auto report = [&](std::size_t step, const QString& message) {
+    StepStatus& status = statuses_[filters_[step].id];
+    status.state = StepState::Failed;
+    status.error = message;
+    emit statusChanged();
+    emit failed(QString::fromStdString(placeOfStep(pipeline, step)) + QStringLiteral(": ") + message);
+    return true;
+  };
+  if (const auto error = findStructureError(pipeline))
+    return report(error->step, QString::fromStdString(error->message));
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
+    const PipelineStep& step = pipeline.steps[i];
+    if (step.enabled && !step.filter->runs) {
+      return report(i, tr("does not run yet; switch the strategy and its Collapse off, the result is the same"));
+    }
+  }
+  return false;
+}
+
+void RunController::start() {
+  pause_.stop();
+  if (!environment_) return;
+  stopJob(StepState::Stale);
+  for (auto& [id, status] : statuses_) {
+    if (status.state == StepState::Failed) status.state = StepState::Stale;
+    status.error.clear();
+  }
+  if (reportInvalidStep()) return;
+
+  auto job = std::make_shared<Job>();
+  job->environment = environment_;
+  job->centre = centre_;
+  job->previews = previews_;
+  for (const FilterEntry& entry : filters_) job->pipeline.steps.push_back(entry.step);
+  job->prefixes.emplace_back();
+  for (std::size_t i = 0; i < filters_.size(); ++i) {
+    const PipelineStep& step = job->pipeline.steps[i];
+    if (!step.enabled) continue;
+    job->ids.push_back(filters_[i].id);
+    job->steps.push_back(&step);
+    job->prefixes.push_back(extendPrefix(job->prefixes.back(), step));
+    StepStatus& status = statuses_[filters_[i].id];
+    if (status.state == StepState::Cancelled) status.state = StepState::Stale;
+  }
+  job->key = job->prefixes.back();
+  job->events = std::make_unique<RunEventBuffer>(
+      [this] { QMetaObject::invokeMethod(this, &RunController::scheduleDrain, Qt::QueuedConnection); });
+  // The events are told to the job that they belong to; it outlives the context that it owns.
+  Job* const raw = job.get();
+  job->context = std::make_unique<RunContext>(
+      [raw](const RunEvent& event) {
+        if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < raw->prefixes.size()) {
+          raw->previews->store(raw->prefixes[event.step + 1], event.part);
+        }
+        raw->events->add(event);
+      },
+      true);
+  job_ = job;
+  emit statusChanged();
+  emit started();
+  queue_.post([this, job, cache = cache_] {
+    const auto outcome = std::make_shared<Outcome>(compute(*job, *cache));
+    QMetaObject::invokeMethod(
+        this, [this, job, outcome] { complete(job, *outcome); }, Qt::QueuedConnection);
+  });
+}
+
+RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
+  Outcome outcome;
+  try {
+    job.context->checkCancelled();
+    auto finished = std::make_shared<FinishedRun>();
+    finished->environment = job.environment;
+    finished->pipeline = job.pipeline;
+    finished->result = runPipeline(job.environment, job.pipeline, *job.context, &cache);
+    outcome.content = makeContent(job, finished->result.mesh);
+    outcome.finished = std::move(finished);
+  } catch (const Cancelled&) {
+    outcome = {};
+  } catch (const std::bad_alloc&) {
+    outcome.error = tr("memory ran out; close other programs or use a smaller environment");
+  } catch (const std::exception& error) {
+    outcome.error = QString::fromUtf8(error.what());
+  }
+  return outcome;
+}
+
+ViewContent RunController::makeContent(const Job& job, const MeshPtr& mesh) {
+  ViewContent content;
+  for (std::size_t i = 0; i < job.steps.size(); ++i) {
+    const RemovalStyle* style = removalStyle(job.steps[i]->filter->name);
+    if (!style) continue;
+    if (!content.firstRemoval) {
+      content.firstRemoval = style;
+      continue;  // the environment's own floors stand for what was there before
+    }
+    if (const MeshPtr before = job.previews->find(job.prefixes[i])) {
+      content.removed.push_back({style, makeMeshGeometry(*before, job.centre, style->paint)});
+    }
+  }
+  if (mesh) content.walkable.push_back(makeMeshGeometry(*mesh, job.centre));
+  return content;
+}
+
+void RunController::scheduleDrain() {
+  if (job_ && !drainTimer_.isActive()) drainTimer_.start();
+}
+
+void RunController::drain() {
+  if (!job_) return;
+  const std::vector<RunEventBuffer::Step> steps = job_->events->fetch();
+  double done = 0;
+  QString text = tr("Finishing");
+  for (std::size_t i = 0; i < steps.size() && i < job_->ids.size(); ++i) {
+    const RunEventBuffer::Step& step = steps[i];
+    StepStatus& status = statuses_[job_->ids[i]];
+    if (!step.finished) {
+      status.state = StepState::Running;
+      status.fraction = step.fraction;
+      text = QString::fromStdString(std::string(job_->steps[i]->filter->label));
+      done += step.fraction;
+      continue;
+    }
+    done += 1;
+    const bool current = status.state == StepState::Done || status.state == StepState::Cached;
+    if (current && status.prefix == job_->prefixes[i + 1]) continue;
+    status.state = StepState::Done;
+    status.prefix = job_->prefixes[i + 1];
+    if (step.whole) {
+      status.wallMs = milliseconds(step.ended - step.started);
+      status.trianglesOut = step.whole->triangles.size();
+    }
+  }
+  emit progressed(done / static_cast<double>(job_->ids.size() + 1), text);
+  emit statusChanged();
+  if (RunEventBuffer::Clock::now() - job_->begun > kPartsAfter) showParts(steps);
+}
+
+// The last step that has something to show: its pieces, or else the whole result of the one before.
+void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    const bool pieces = !steps[i].parts.empty();
+    if (!pieces && !steps[i].whole) continue;
+    const std::size_t shown = pieces ? steps[i].parts.size() + 1 : 0;
+    if (job_->shownStep == i && job_->shownParts == shown) return;
+    ViewContent content;
+    // Pieces that have been converted stay as they are.
+    if (job_->shownStep != i || shown == 0) job_->pieces.clear();
+    if (!pieces) job_->pieces.push_back(makeMeshGeometry(*steps[i].whole, job_->centre));
+    for (std::size_t p = job_->pieces.size(); pieces && p < steps[i].parts.size(); ++p) {
+      job_->pieces.push_back(makeMeshGeometry(*steps[i].parts[p], job_->centre));
+    }
+    job_->shownStep = i;
+    job_->shownParts = shown;
+    content.walkable = job_->pieces;
+    emit contentReady(content);
+    return;
+  }
+}
+
+void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& outcome) {
+  if (job != job_) return;  // cancelled or overtaken
+  drain();                  // the last events, which may have come after the timer
+  job_.reset();
+  if (outcome.finished) {
+    finished_ = outcome.finished;
+    finishedKey_ = job->key;
+    const std::vector<StepStatistics>& steps = finished_->result.steps;
+    for (std::size_t i = 0; i < steps.size() && i < job->ids.size(); ++i) {
+      StepStatus& status = statuses_[job->ids[i]];
+      status.state = steps[i].fromCache ? StepState::Cached : StepState::Done;
+      status.wallMs = steps[i].wallMs;
+      status.trianglesIn = steps[i].in.triangles;
+      status.trianglesOut = steps[i].out.triangles;
+      status.note = QString::fromStdString(steps[i].note);
+      status.prefix = job->prefixes[i + 1];
+    }
+    emit statusChanged();
+    emit contentReady(outcome.content);
+    emit finished();
+    return;
+  }
+  const auto running =
+      std::find_if(job->ids.begin(), job->ids.end(), [&](int id) { return statuses_[id].state == StepState::Running; });
+  if (running != job->ids.end()) {
+    statuses_[*running].state = outcome.error.isEmpty() ? StepState::Cancelled : StepState::Failed;
+    statuses_[*running].error = outcome.error;
+  }
+  emit statusChanged();
+  if (outcome.error.isEmpty()) {
+    emit cancelled();
+  } else {
+    emit failed(outcome.error);
+  }
+}
+
+}  // namespace footfall

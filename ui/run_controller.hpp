@@ -1,0 +1,97 @@
+// Keeps the result up to date with the filter list: runs pipelines in the background and tells how far they are.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/runner.hpp"
+#include "ui/background_queue.hpp"
+#include "ui/document.hpp"
+#include "ui/render_geometry.hpp"
+#include "ui/run_event_buffer.hpp"
+#include "ui/step_status.hpp"
+
+namespace footfall {
+
+/// A finished run, complete: what may be exported.
+struct FinishedRun {
+  std::shared_ptr<const Environment> environment;
+  Pipeline pipeline;
+  RunResult result;
+};
+
+/// Lives on the window's thread and never waits there. Every change cancels the run under way and, after a short pause
+/// without further changes, starts another; a change that leaves the same enabled steps starts none. Signals come on
+/// the window's thread, at most about 30 times a second.
+class RunController : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RunController(QObject* parent = nullptr);
+  ~RunController() override;
+
+  /// Drops all results. Null: nothing to run on.
+  void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
+  void setFilters(const std::vector<FilterEntry>& filters);
+  /// Starts at once, even when nothing has changed (results of steps are still taken from the cache).
+  void runNow();
+  void cancel();
+
+  [[nodiscard]] StepStatus status(int id) const;
+  /// A run is under way or about to start.
+  [[nodiscard]] bool busy() const { return job_ != nullptr || pause_.isActive(); }
+  /// The last finished run; null when there is none. It may be older than the filter list.
+  [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
+  /// Whether finishedRun() belongs to the filter list as it is.
+  [[nodiscard]] bool upToDate() const;
+
+ signals:
+  void statusChanged();
+  void started();
+  /// `fraction` of the whole run; `text` names the step.
+  void progressed(double fraction, const QString& text);
+  void contentReady(const footfall::ViewContent& content);
+  void finished();
+  void failed(const QString& message);
+  void cancelled();
+
+ private:
+  struct Job;
+  struct Outcome;
+  using MeshPtr = std::shared_ptr<const NavigationMesh>;
+
+  static Outcome compute(Job& job, ResultCache& cache);
+  static ViewContent makeContent(const Job& job, const MeshPtr& mesh);
+  void start();
+  void scheduleDrain();
+  void drain();
+  void showParts(const std::vector<RunEventBuffer::Step>& steps);
+  void complete(const std::shared_ptr<Job>& job, const Outcome& outcome);
+  void stopJob(StepState unfinished);
+  void refreshStatuses();
+  bool reportInvalidStep();
+  [[nodiscard]] std::string runKey() const;
+
+  std::shared_ptr<const Environment> environment_;
+  Vec3 centre_;
+  std::vector<FilterEntry> filters_;
+  std::map<int, StepStatus> statuses_;
+  std::shared_ptr<Job> job_;
+  std::shared_ptr<const FinishedRun> finished_;
+  std::string finishedKey_;
+  QTimer pause_, drainTimer_;
+  /// Results of single steps for display, beside the states in the cache, by steps so far.
+  class PreviewCache;
+  std::shared_ptr<PreviewCache> previews_;
+  std::shared_ptr<ResultCache> cache_;
+  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+};
+
+}  // namespace footfall

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run_event_buffer.hpp"
+
+#include <algorithm>
+
+namespace footfall {
+
+void RunEventBuffer::add(const RunEvent& event) {
+  bool notify = false;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (event.step >= steps_.size()) {
+      if (event.kind != RunEvent::Kind::StepStarted) return;
+      steps_.resize(event.step + 1);
+    }
+    Step& step = steps_[event.step];
+    switch (event.kind) {
+      case RunEvent::Kind::StepStarted:
+        step.started = Clock::now();
+        break;
+      case RunEvent::Kind::Progress:
+        step.fraction = std::max(step.fraction, event.fraction);
+        break;
+      case RunEvent::Kind::PartReady:
+        if (event.part) step.parts.push_back(event.part);
+        break;
+      case RunEvent::Kind::StepFinished:
+        step.finished = true;
+        step.ended = Clock::now();
+        step.whole = event.part;
+        step.parts.clear();
+        break;
+    }
+    notify = !notified_;
+    notified_ = true;
+  }
+  if (notify) notify_();
+}
+
+std::vector<RunEventBuffer::Step> RunEventBuffer::fetch() {
+  const std::scoped_lock lock(mutex_);
+  notified_ = false;
+  return steps_;
+}
+
+}  // namespace footfall

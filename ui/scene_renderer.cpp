@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/scene_renderer.hpp"
+
+#include <cstddef>
+
+#include "ui/appearance.hpp"
+
+namespace footfall {
+namespace {
+
+QString buildProgram(QOpenGLShaderProgram& program, const QString& name) {
+  const QString path = QStringLiteral(":/shaders/") + name;
+  if (program.addShaderFromSourceFile(QOpenGLShader::Vertex, path + QStringLiteral(".vert")) &&
+      program.addShaderFromSourceFile(QOpenGLShader::Fragment, path + QStringLiteral(".frag")) && program.link()) {
+    return {};
+  }
+  return QStringLiteral("shader %1: %2; update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1")
+      .arg(name, program.log().simplified());
+}
+
+QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
+
+}  // namespace
+
+QString SceneRenderer::initialize() {
+  initializeOpenGLFunctions();
+  for (const auto& [program, name] : {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
+                                      std::pair{&backgroundProgram_, "background"}}) {
+    const QString problem = buildProgram(*program, QString::fromLatin1(name));
+    if (!problem.isEmpty()) return problem;
+  }
+  emptyArray_.create();
+  environmentPending_ = environment_ != nullptr;
+  contentPending_ = true;
+  return {};
+}
+
+void SceneRenderer::release() {
+  environmentSurface_.reset();
+  environmentCreases_.reset();
+  removed_.clear();
+  walkable_.clear();
+  emptyArray_.destroy();
+  for (QOpenGLShaderProgram* program : {&surfaceProgram_, &lineProgram_, &backgroundProgram_}) {
+    program->removeAllShaders();
+  }
+}
+
+void SceneRenderer::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
+  environment_ = std::move(geometry);
+  environmentPending_ = true;
+}
+
+void SceneRenderer::setContent(ViewContent content) {
+  content_ = std::move(content);
+  contentPending_ = true;
+}
+
+SceneRenderer::BatchPtr SceneRenderer::makeSurface(const std::vector<SurfaceVertex>& vertices) {
+  auto batch = std::make_unique<Batch>();
+  batch->count = static_cast<int>(vertices.size());
+  if (vertices.empty()) return batch;
+  batch->array.create();
+  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
+  batch->buffer.create();
+  batch->buffer.bind();
+  batch->buffer.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(SurfaceVertex)));
+  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+  constexpr int kStride = sizeof(SurfaceVertex);
+  for (GLuint location = 0; location < 3; ++location) glEnableVertexAttribArray(location);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(SurfaceVertex, position)));
+  glVertexAttribPointer(1, 4, GL_BYTE, GL_TRUE, kStride, offset(offsetof(SurfaceVertex, normal)));
+  glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, offset(offsetof(SurfaceVertex, colour)));
+  batch->buffer.release();
+  return batch;
+}
+
+SceneRenderer::BatchPtr SceneRenderer::makeLines(const std::vector<LineSegment>& segments) {
+  auto batch = std::make_unique<Batch>();
+  batch->count = static_cast<int>(segments.size());
+  if (segments.empty()) return batch;
+  batch->array.create();
+  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
+  batch->buffer.create();
+  batch->buffer.bind();
+  batch->buffer.allocate(segments.data(), static_cast<int>(segments.size() * sizeof(LineSegment)));
+  for (GLuint location = 0; location < 2; ++location) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(LineSegment),
+                          reinterpret_cast<const void*>(location * sizeof(LineSegment::from)));
+    glVertexAttribDivisor(location, 1);
+  }
+  batch->buffer.release();
+  return batch;
+}
+
+void SceneRenderer::uploadPending() {
+  if (environmentPending_) {
+    environmentPending_ = false;
+    environmentSurface_ = environment_ ? makeSurface(environment_->surface) : nullptr;
+    environmentCreases_ = environment_ ? makeLines(environment_->creases) : nullptr;
+  }
+  if (contentPending_) {
+    contentPending_ = false;
+    removed_.clear();
+    walkable_.clear();
+    for (const ViewContent::Removed& removed : content_.removed)
+      removed_.push_back(makeSurface(removed.before->surface));
+    for (const auto& mesh : content_.walkable) {
+      walkable_.push_back({makeSurface(mesh->surface), makeLines(mesh->outline), makeLines(mesh->obstacleEdges),
+                           makeLines(mesh->connections)});
+    }
+  }
+}
+
+void SceneRenderer::drawBackground() {
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  backgroundProgram_.bind();
+  backgroundProgram_.setUniformValue("lower", toVector(backgroundLower()));
+  backgroundProgram_.setUniformValue("upper", toVector(backgroundUpper()));
+  const QOpenGLVertexArrayObject::Binder bound(&emptyArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::drawSurface(const BatchPtr& batch, float offset) {
+  if (!batch || batch->count == 0) return;
+  glPolygonOffset(offset, 4 * offset);
+  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
+  glDrawArrays(GL_TRIANGLES, 0, batch->count);
+}
+
+void SceneRenderer::drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift) {
+  if (!batch || batch->count == 0) return;
+  lineProgram_.setUniformValue("colour", QVector4D(toVector(colour), 1));
+  lineProgram_.setUniformValue("width", width);
+  lineProgram_.setUniformValue("lift", lift);
+  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch->count);
+}
+
+void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
+  uploadPending();
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  drawBackground();
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+
+  surfaceProgram_.bind();
+  surfaceProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
+  surfaceProgram_.setUniformValue("eye", camera.eye);
+  surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
+  surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
+  surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
+  const Paint floor = content_.firstRemoval && parts.removed ? content_.firstRemoval->paint : undecidedPaint();
+  surfaceProgram_.setUniformValue("floorPaint",
+                                  QVector4D(toVector(floor.colour), static_cast<float>(floor.pattern) / 127.0F));
+  // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each.
+  float offset = static_cast<float>(removed_.size()) + 1;
+  if (parts.environment) drawSurface(environmentSurface_, offset);
+  for (const BatchPtr& batch : removed_) {
+    offset -= 1;
+    if (parts.removed && parts.environment) drawSurface(batch, offset);
+  }
+  if (parts.walkable) {
+    for (const MeshBatches& mesh : walkable_) drawSurface(mesh.surface, 0);
+  }
+  glDisable(GL_POLYGON_OFFSET_FILL);
+
+  lineProgram_.bind();
+  lineProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
+  lineProgram_.setUniformValue(
+      "viewport", QVector2D(static_cast<float>(camera.viewport.width()), static_cast<float>(camera.viewport.height())));
+  const float pixel = camera.devicePixelRatio;
+  if (parts.environment && parts.outlines) drawLines(environmentCreases_, creaseColour(), 1.0F * pixel, 1e-5F);
+  for (const MeshBatches& mesh : walkable_) {
+    if (parts.walkable && parts.outlines) drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 4e-5F);
+    if (parts.connections) {
+      drawLines(mesh.connections, outlineColour(), 4.5F * pixel, 6e-5F);
+      drawLines(mesh.connections, connectionColour(), 2.5F * pixel, 7e-5F);
+    }
+    if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.6F * pixel, 9e-5F);
+  }
+  lineProgram_.release();
+}
+
+}  // namespace footfall

@@ -1,0 +1,80 @@
+// Draws an environment and what is walkable on it with vertex buffers and the programs of shaders/.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMatrix4x4>
+#include <QOpenGLBuffer>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "ui/render_geometry.hpp"
+
+namespace footfall {
+
+/// What to draw of the scene; the legend and the View menu switch these.
+struct SceneParts {
+  bool environment = true;
+  bool walkable = true;
+  bool removed = true;
+  bool obstacleEdges = true;
+  bool connections = true;
+  bool outlines = true;  ///< creases of the environment and outlines of the walkable area
+};
+
+struct SceneCamera {
+  QMatrix4x4 modelViewProjection;
+  QVector3D eye, viewDirection;
+  bool orthographic = false;
+  QSize viewport;  ///< device pixels
+  float devicePixelRatio = 1;
+};
+
+/// Every member but setEnvironment() and setContent() needs the OpenGL context of initialize() to be current.
+class SceneRenderer : protected QOpenGLExtraFunctions {
+ public:
+  /// Returns an empty text, or why the programs cannot be built, in one line.
+  QString initialize();
+  void release();
+
+  /// Uploaded with the next draw(). Null: nothing.
+  void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
+  void setContent(ViewContent content);
+
+  void draw(const SceneCamera& camera, const SceneParts& parts);
+
+ private:
+  /// A vertex array with its buffer.
+  struct Batch {
+    QOpenGLVertexArrayObject array;
+    QOpenGLBuffer buffer{QOpenGLBuffer::VertexBuffer};
+    int count = 0;  ///< vertices of a surface, instances of lines
+  };
+  using BatchPtr = std::unique_ptr<Batch>;
+  struct MeshBatches {
+    BatchPtr surface, outline, obstacleEdges, connections;
+  };
+
+  void uploadPending();
+  BatchPtr makeSurface(const std::vector<SurfaceVertex>& vertices);
+  BatchPtr makeLines(const std::vector<LineSegment>& segments);
+  void drawBackground();
+  void drawSurface(const BatchPtr& batch, float offset);
+  void drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift);
+
+  QOpenGLShaderProgram surfaceProgram_, lineProgram_, backgroundProgram_;
+  QOpenGLVertexArrayObject emptyArray_;
+
+  std::shared_ptr<const EnvironmentGeometry> environment_;
+  ViewContent content_;
+  bool environmentPending_ = false, contentPending_ = false;
+
+  BatchPtr environmentSurface_, environmentCreases_;
+  std::vector<BatchPtr> removed_;
+  std::vector<MeshBatches> walkable_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/errors.hpp"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr const char* kMark = "footfall_session";
+constexpr int kVersion = 1;
+constexpr std::size_t kMarkWithin = 256;  // bytes from the start of the file
+
+Json toJson(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+Vec3 vectorFrom(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+Json toJson(const PipelineStep& step) {
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < step.values.size(); ++i) {
+    const ParameterDescriptor& parameter = step.filter->parameters[i];
+    Json& value = parameters[std::string(parameter.name)];
+    if (parameter.type == ParameterType::Boolean) {
+      value = step.values[i] != 0;
+    } else {
+      value = step.values[i];
+    }
+  }
+  return {{"filter", step.filter->name}, {"enabled", step.enabled}, {"parameters", parameters}};
+}
+
+PipelineStep stepFrom(const Json& json) {
+  const auto name = json.at("filter").get<std::string>();
+  const FilterDescriptor* filter = findFilter(name);
+  if (!filter) throw InputError("unknown filter '" + name + "'; see 'footfall filters'");
+  PipelineStep step = defaultStep(*filter, 1);
+  step.enabled = json.value("enabled", true);
+  const Json parameters = json.value("parameters", Json::object());
+  for (const auto& [key, value] : parameters.items()) {
+    std::size_t index = 0;
+    while (index < filter->parameters.size() && filter->parameters[index].name != key) ++index;
+    if (index == filter->parameters.size()) {
+      throw InputError(name + " has no parameter '" + key + "'; see 'footfall filters " + name + "'");
+    }
+    step.values[index] = value.is_boolean() ? (value.get<bool>() ? 1 : 0) : value.get<double>();
+    const std::string wrong = checkValue(filter->parameters[index], step.values[index]);
+    if (!wrong.empty()) throw InputError(name + ": " + wrong);
+  }
+  return step;
+}
+
+CameraPose cameraFrom(const Json& json) {
+  CameraPose pose;
+  pose.position = vectorFrom(json.at("position"));
+  pose.pivot = vectorFrom(json.at("pivot"));
+  double norm = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    pose.orientation[i] = json.at("orientation").at(i).get<double>();
+    norm += pose.orientation[i] * pose.orientation[i];
+  }
+  if (!(norm > 0.9 && norm < 1.1)) throw InputError("view: the orientation is no unit quaternion; remove 'view'");
+  pose.orthographic = json.value("orthographic", false);
+  return pose;
+}
+
+std::string relativeTo(const std::string& environment, const std::string& sessionPath) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(sessionPath), error).parent_path();
+  const fs::path target = fs::weakly_canonical(fs::absolute(environment), error);
+  const fs::path relative = target.lexically_relative(folder);
+  const auto ups = std::count(relative.begin(), relative.end(), fs::path(".."));
+  return relative.empty() || ups > 1 ? target.string() : relative.generic_string();
+}
+
+Session sessionFrom(const Json& json, const std::string& path) {
+  if (!json.is_object() || !json.contains(kMark)) throw InputError("is not a session; open a file that Footfall saved");
+  if (json.at(kMark).get<int>() > kVersion) throw InputError("comes from a newer Footfall; update this one");
+  Session session;
+  session.environment = json.value("environment", std::string());
+  if (!session.environment.empty()) {
+    session.environment = (fs::path(path).parent_path() / session.environment).lexically_normal().string();
+  }
+  const Json import = json.value("import", Json::object());
+  if (import.contains("up")) {
+    const auto up = import.at("up").get<std::string>();
+    if (up != "y" && up != "z") throw InputError("import: up is '" + up + "'; give y or z");
+    session.import.up = up == "y" ? UpAxis::Y : UpAxis::Z;
+  }
+  if (import.contains("metres_per_unit")) {
+    const auto scale = import.at("metres_per_unit").get<double>();
+    if (!(std::isfinite(scale) && scale > 0)) throw InputError("import: metres_per_unit must be a number above 0");
+    session.import.metresPerUnit = scale;
+  }
+  session.import.bothSides = import.value("both_sides", false);
+  for (const Json& step : json.at("pipeline")) session.pipeline.steps.push_back(stepFrom(step));
+  if (json.contains("view")) session.camera = cameraFrom(json.at("view"));
+  return session;
+}
+
+}  // namespace
+
+std::string formatSession(const Session& session, const std::string& path) {
+  Json json;
+  json[kMark] = kVersion;
+  if (!session.environment.empty()) json["environment"] = relativeTo(session.environment, path);
+  Json import = Json::object();
+  if (session.import.up) import["up"] = *session.import.up == UpAxis::Y ? "y" : "z";
+  if (session.import.metresPerUnit) import["metres_per_unit"] = *session.import.metresPerUnit;
+  import["both_sides"] = session.import.bothSides;
+  json["import"] = import;
+  json["pipeline"] = Json::array();
+  for (const PipelineStep& step : session.pipeline.steps) json["pipeline"].push_back(toJson(step));
+  if (session.camera) {
+    json["view"] = {{"position", toJson(session.camera->position)},
+                    {"pivot", toJson(session.camera->pivot)},
+                    {"orientation", session.camera->orientation},
+                    {"orthographic", session.camera->orthographic}};
+  }
+  // Paths need not be UTF-8; a replaced letter is better than a session that cannot be saved.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Session readSession(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file || text.empty()) {
+    throw InputError(path + ": cannot be read or is empty; choose a session that Footfall saved");
+  }
+  try {
+    return sessionFrom(Json::parse(text), path);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  } catch (const nlohmann::json::parse_error& error) {
+    throw InputError(path + ": broken at byte " + std::to_string(error.byte) +
+                     "; choose a session that Footfall saved");
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(path + ": something is missing or of the wrong type; choose a session that Footfall saved");
+  }
+}
+
+bool isSessionFile(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string start(kMarkWithin, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  return start.find(kMark) != std::string::npos || fs::path(path).extension() == std::string(".") + kSessionExtension;
+}
+
+}  // namespace footfall

@@ -1,0 +1,34 @@
+// Sessions: an environment, how it is read, its pipeline and where one looks from, as JSON.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/environment/environment.hpp"
+#include "core/pipeline/pipeline.hpp"
+#include "ui/level_view.hpp"
+
+namespace footfall {
+
+struct Session {
+  std::string environment;  ///< path; empty when nothing is loaded
+  ImportOptions import;
+  Pipeline pipeline;
+  std::optional<CameraPose> camera;
+};
+
+/// Extension of session files, without the dot.
+inline constexpr const char* kSessionExtension = "footfall";
+
+/// The environment is named relative to the folder of `path`, the file to be, when it lies in or below that folder's
+/// parent: the two can be moved together.
+std::string formatSession(const Session& session, const std::string& path);
+
+/// Throws InputError "FILE: what; what to do"; no part of a session that is wrong somewhere is given back.
+Session readSession(const std::string& path);
+
+/// Whether the file says that it is a session, whatever its name; false when it cannot be read.
+bool isSessionFile(const std::string& path);
+
+}  // namespace footfall
