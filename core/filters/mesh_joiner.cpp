@@ -125,15 +125,26 @@ bool MeshJoiner::liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Inde
   return (isCorner(p.a) && isCorner(p.b)) || (p.c == vertex.face && p.d == 0);
 }
 
-int MeshJoiner::compareAlong(const Outline& outline, Index a, Index b, ExactFallbacks& count) const {
-  const MeshVertex &p = vertices_[a], &q = vertices_[b], &from = vertices_[outline.from], &to = vertices_[outline.to];
-  const int axis = std::fabs(to.x - from.x) > std::fabs(to.y - from.y) ? 0 : 1;
+int MeshJoiner::compareCoordinate(Index a, Index b, int axis, bool exactly, ExactFallbacks& count) const {
+  const MeshVertex &p = vertices_[a], &q = vertices_[b];
   const double u = axis == 0 ? p.x : p.y, v = axis == 0 ? q.x : q.y;
-  const int forward = (axis == 0 ? to.x > from.x : to.y > from.y) ? 1 : -1;
   const double bound = (p.error + q.error + (std::fabs(u) + std::fabs(v)) * kRounding) * kInflate;
-  if (u - v > bound) return forward;
-  if (u - v < -bound) return -forward;
-  return forward * kernel_.compare(p.point, q.point, axis, mesh_.triangles[outline.face][0], count);
+  if (u - v > bound) return 1;
+  if (u - v < -bound) return -1;
+  return exactly ? kernel_.compare(p.point, q.point, axis, mesh_.triangles[p.face][0], count) : 0;
+}
+
+int MeshJoiner::compareAlong(const Outline& outline, Index a, Index b, ExactFallbacks& count) const {
+  // An axis along which the ends differ for certain, the longer one if doubles can tell.
+  const MeshVertex &from = vertices_[outline.from], &to = vertices_[outline.to];
+  const int longer = std::fabs(to.x - from.x) > std::fabs(to.y - from.y) ? 0 : 1;
+  int axis = longer;
+  int forward = compareCoordinate(outline.to, outline.from, axis, false, count);
+  for (int k = 0; k < 2 && forward == 0; ++k) {
+    axis = k;
+    forward = compareCoordinate(outline.to, outline.from, axis, true, count);
+  }
+  return forward * compareCoordinate(a, b, axis, true, count);
 }
 
 MeshJoiner::Relation MeshJoiner::relate(Index vertex, const Outline& outline, ExactFallbacks& count) const {

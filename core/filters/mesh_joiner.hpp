@@ -51,6 +51,8 @@ class MeshJoiner {
                       std::vector<std::pair<Index, Index>>& equal);
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
   [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;
+  /// Compares x (axis 0) or y (axis 1); 0 may also mean "too close for doubles" unless `exactly`.
+  int compareCoordinate(Index a, Index b, int axis, bool exactly, ExactFallbacks& count) const;
   /// Order of two vertices along an outline's direction.
   int compareAlong(const Outline& outline, Index a, Index b, ExactFallbacks& count) const;
   void splitTriangles(const std::vector<std::vector<Index>>& splits,
