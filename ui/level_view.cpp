@@ -98,6 +98,11 @@ void LevelView::setParts(const SceneParts& parts) {
   update();
 }
 
+void LevelView::setCut(double fraction) {
+  cut_ = fraction;
+  update();
+}
+
 void LevelView::resizeGL(int width, int height) {
   QGLViewer::resizeGL(width, height);
   if (fitWhenSized_) fit();
@@ -127,6 +132,12 @@ void LevelView::draw() {
       QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
   scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
   scene.devicePixelRatio = static_cast<float>(devicePixelRatioF());
+  if (cut_ < 1 && environment_) {
+    const Vec3& lower = environment_->lower;
+    const double height = environment_->upper.z - lower.z;
+    // A little more, so that a floor at exactly this height is still there.
+    scene.cut = static_cast<float>(lower.z + (cut_ + 1e-4) * height);
+  }
   scene.viewport = size() * devicePixelRatioF();
   SceneParts parts = parts_;
   const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;

@@ -5,6 +5,10 @@
 
 #include "ui/appearance.hpp"
 
+#ifndef GL_CLIP_DISTANCE0
+#define GL_CLIP_DISTANCE0 0x3000  // the headers of OpenGL ES do not know it
+#endif
+
 namespace footfall {
 namespace {
 
@@ -148,9 +152,11 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
   drawBackground();
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_POLYGON_OFFSET_FILL);
+  glEnable(GL_CLIP_DISTANCE0);
 
   surfaceProgram_.bind();
   surfaceProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
+  surfaceProgram_.setUniformValue("cut", camera.cut);
   surfaceProgram_.setUniformValue("eye", camera.eye);
   surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
@@ -190,6 +196,7 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
   lineProgram_.release();
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
+  glDisable(GL_CLIP_DISTANCE0);
 }
 
 }  // namespace footfall

@@ -72,6 +72,20 @@ class TestLevelView : public QObject {
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
   }
 
+  void theCutLooksUnderRoofs() {
+    const QTemporaryDir folder;
+    EditorWindow window;
+    window.resize(1000, 800);
+    QVERIFY(showWindow(window));
+    // A walkable floor under a roof that faces down only: grey from above.
+    const QByteArray roof = "v -4 -4 5\nv -4 4 5\nv 4 4 5\nv 4 -4 5\nf 5 6 7 8\n";
+    QVERIFY(openZUp(window, writeFile(folder, "roof.obj", floorObj() + roof), "SlopeFilter 45\n"));
+    window.view().viewFromTop();
+    QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
+    window.cutSlider()->setValue(window.cutSlider()->maximum() / 2);
+    QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);
+  }
+
   void placesUnderTheTableShowWhy() {
     const QTemporaryDir folder;
     EditorWindow window;
