@@ -19,7 +19,7 @@ using qglviewer::Vec;
 
 constexpr double kSlowFrameMs = 30;
 constexpr int kRestMs = 200;      // without movement
-constexpr double kMargin = 1.06;  // around the scene when everything is to be in sight
+constexpr double kMargin = 1.08;  // around the scene when everything is to be in sight
 
 Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
 
@@ -199,6 +199,7 @@ void LevelView::fit() {
   camera()->setPivotPoint(sideways + ahead * middle);
   camera()->setPosition(sideways + ahead * eyeDepth);
   emit cameraMoved();
+  rest_.stop();  // one jump is no movement
   update();
 }
 
