@@ -135,7 +135,7 @@ class EditorWindow : public QMainWindow {
   // Last: their threads end before the rest goes.
   RunController controller_;
   EnvironmentLoader loader_;
-  BackgroundQueue writing_;
+  BackgroundQueue writing_{BackgroundQueue::AtEnd::FinishJobs};
 };
 
 }  // namespace footfall
