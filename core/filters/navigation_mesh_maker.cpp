@@ -82,7 +82,9 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   const SourceMesh& source = state->kernel->mesh();
   std::vector<char> sturdy;
   RoundedMesh rounded = roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh), sturdy, context);
+  context.checkCancelled();
   repairRounding(rounded, sturdy, context);
+  context.checkCancelled();
   markClosedSlivers(rounded);
   context.checkCancelled();
 
