@@ -85,7 +85,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   context.checkCancelled();
   repairRounding(rounded, sturdy, context);
   context.checkCancelled();
-  markClosedSlivers(rounded);
+  markClosedSlivers(rounded, context);
   context.checkCancelled();
 
   // Triangles by layer, then in the order of the mesh; vertices in the order of their first use.
