@@ -74,10 +74,17 @@ class TestRunController : public QObject {
   void whatWasRemovedComesFromTheCacheToo() {
     ViewContent last;
     connect(controller_.get(), &RunController::contentReady, this, [&](const ViewContent& content) { last = content; });
-    document_->setValue(document_->filters()[3].id, 0, 1, 1);
+    document_->replacePipeline(parsePipeline("SlopeFilter 45\nSlopeFilter 10\nVerticalClearanceFilter 2\n", "test"),
+                               "");
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
-    QCOMPARE(last.removed.size(), std::size_t{2});  // before the clearance, which was cached, and before the area
     QVERIFY(last.firstRemoval == removalStyle("SlopeFilter"));
+    // The waves slope by 19 or 47 degrees, and nothing is above them: the clearance removes nothing.
+    QCOMPARE(last.removed.size(), std::size_t{1});
+    document_->addFilter(*findFilter("DegeneracyFilter"), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QVERIFY(controller_->status(document_->filters()[1].id).state == StepState::Cached);
+    QCOMPARE(last.removed.size(), std::size_t{1});
+    QVERIFY(last.removed[0].style == removalStyle("SlopeFilter") && !last.removed[0].before->surface.empty());
     QCOMPARE(last.walkable.size(), std::size_t{1});
   }
 
