@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #version 330
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 in float height;
 

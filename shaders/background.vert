@@ -1,6 +1,6 @@
+#version 330
 // One triangle that covers the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#version 330
 
 out float height;
 

@@ -1,6 +1,6 @@
+#version 330
 // Each instance is one segment, drawn as a screen-aligned strip of constant width: drivers need not offer wide lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#version 330
 
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
@@ -9,6 +9,8 @@ uniform mat4 modelViewProjection;
 uniform vec2 viewport;  // device pixels
 uniform float width;    // device pixels
 uniform float lift;     // towards the eye, in normalized depth
+
+noperspective out float distance;  // device pixels from the middle of the line
 
 // Moves the end `a` along the segment to just in front of the near plane.
 vec4 clipNear(vec4 a, vec4 b) {
@@ -32,8 +34,10 @@ void main() {
   bool atEnd = (gl_VertexID & 2) != 0;
   float side = (gl_VertexID & 1) != 0 ? 1.0 : -1.0;
   vec4 p = atEnd ? end : start;
-  // Half a width beyond each end, so that segments that meet leave no notch.
-  vec2 offset = (across * side + along * (atEnd ? 1.0 : -1.0) * 0.5) * width / viewport;
+  // One pixel more on each side for the soft edge; half a width beyond each end, so that segments that meet leave no
+  // notch. The plane is two units wide.
+  distance = side * (0.5 * width + 1.0);
+  vec2 offset = (across * distance + along * (atEnd ? 0.5 : -0.5) * width) * 2.0 / viewport;
   p.xy += offset * p.w;
   p.z -= lift * p.w;
   gl_Position = p;

@@ -1,6 +1,6 @@
+#version 330
 // Patterns lie on the screen, not on the surface: they stay readable at every distance.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#version 330
 
 flat in vec3 shade;
 flat in int pattern;  // ui/appearance.hpp: 0 plain, 1 rising stripes, 2 falling stripes, 3 dots

@@ -1,6 +1,6 @@
+#version 330
 // Surfaces with one normal and one paint a triangle. The light is computed once a triangle, not once a pixel.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#version 330
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;  // w: pattern, 0 to 127 / 127

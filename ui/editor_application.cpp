@@ -94,7 +94,6 @@ void requestOpenGl() {
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CompatibilityProfile);  // libQGLViewer needs it
   format.setDepthBufferSize(24);
-  format.setSamples(4);
   QSurfaceFormat::setDefaultFormat(format);
 }
 
@@ -144,7 +143,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
     // After the loop has begun, so that a problem can end it.
     QMetaObject::invokeMethod(
         &window,
-        [&] {
+        [&window, &options, path, shooting] {
           if (options.pipeline || options.import.up || options.import.metresPerUnit) {
             window.openWith(path, options.pipeline, options.import);
           } else {

@@ -343,8 +343,9 @@ void EditorWindow::showResult() {
   const auto run = controller_.finishedRun();
   const StateSummary& summary = run->result.summary;
   const NavigationMesh& mesh = *run->result.mesh;
-  QStringList parts{counted(mesh.triangles.size(), tr("walkable triangle"), tr("walkable triangles")),
-                    tr("area %1 units²").arg(QString::number(summary.area, 'g', 6))};
+  QStringList parts{
+      counted(mesh.triangles.size(), tr("walkable triangle"), tr("walkable triangles")),
+      tr("area %1 units²").arg(QLocale(QLocale::English).toString(summary.area, 'f', summary.area < 1000 ? 2 : 0))};
   if (mesh.layerCount > 0) {
     parts << counted(mesh.layerCount, tr("layer"), tr("layers"))
           << counted(mesh.connections.size(), tr("connection"), tr("connections"));

@@ -2,7 +2,7 @@
 #include "ui/legend.hpp"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-constexpr QSize kSwatch(30, 14);
+constexpr QSize kSwatch(30, 15);
 constexpr std::uint32_t kSwatchesOfLayers = 12;
 
 // Adjoining pieces, one a layer.
@@ -28,6 +28,11 @@ QPixmap layersSwatch(std::uint32_t layers, qreal ratio) {
   return pixmap;
 }
 
+void setSwatch(QCheckBox* box, const QPixmap& pixmap) {
+  box->setIconSize((QSizeF(pixmap.size()) / pixmap.devicePixelRatio()).toSize());
+  box->setIcon(QIcon(pixmap));
+}
+
 }  // namespace
 
 Legend::Legend(QWidget* parent) : QFrame(parent) {
@@ -38,23 +43,19 @@ Legend::Legend(QWidget* parent) : QFrame(parent) {
   layout->setSpacing(4);
 
   walkable_ = addEntry(tr("Walkable"), &SceneParts::walkable, tr("Where an agent can stand and walk"));
-  layers_ = addSwatch();
-  obstacleEdges_ = addEntry(tr("Obstacle edges"), &SceneParts::obstacleEdges,
-                            tr("Edges that an agent cannot cross: a thin wall stands on them"));
-  obstacleSwatch_ = addSwatch();
-  connections_ =
-      addEntry(tr("Connections"), &SceneParts::connections, tr("Edges on which two layers meet: agents can cross"));
-  connectionSwatch_ = addSwatch();
-  removed_ = addEntry(tr("Not walkable because"), &SceneParts::removed, tr("Floors that a filter removed"));
+  obstacleEdges_ = addEntry(tr("Obstacle edge: not to be crossed"), &SceneParts::obstacleEdges,
+                            tr("Walkable on both sides, but an agent cannot cross: a wall stands on it"));
+  connections_ = addEntry(tr("Connection of two layers"), &SceneParts::connections,
+                          tr("An edge on which two layers meet: agents can cross"));
+  removed_ = addEntry(tr("Not walkable because:"), &SceneParts::removed, tr("Floors that a filter removed"));
   reasons_ = new QWidget(this);
   layout->addWidget(reasons_);
-  environment_ = addEntry(tr("Environment: walls, ceilings"), &SceneParts::environment, tr("The loaded triangles"));
-  environmentSwatch_ = addSwatch();
+  environment_ = addEntry(tr("Walls, ceilings and the rest"), &SceneParts::environment, tr("The loaded triangles"));
 
   const qreal ratio = devicePixelRatioF();
-  obstacleSwatch_->setPixmap(lineSwatch(obstacleEdgeColour(), 3, kSwatch, ratio));
-  connectionSwatch_->setPixmap(lineSwatch(connectionColour(), 3, kSwatch, ratio));
-  environmentSwatch_->setPixmap(paintSwatch(wallPaint(), kSwatch, ratio));
+  setSwatch(obstacleEdges_, lineSwatch(obstacleEdgeColour(), 3, kSwatch, ratio));
+  setSwatch(connections_, lineSwatch(connectionColour(), 3, kSwatch, ratio));
+  setSwatch(environment_, paintSwatch(wallPaint(), kSwatch, ratio));
   describe({});
 }
 
@@ -71,13 +72,6 @@ QCheckBox* Legend::addEntry(const QString& label, bool SceneParts::*part, const 
   return box;
 }
 
-QLabel* Legend::addSwatch() {
-  auto* label = new QLabel(this);
-  label->setContentsMargins(22, 0, 0, 2);
-  layout()->addWidget(label);
-  return label;
-}
-
 void Legend::describe(const ViewContent& content) {
   std::uint32_t layers = 0;
   bool edges = false;
@@ -91,14 +85,10 @@ void Legend::describe(const ViewContent& content) {
   walkable_->setText(layers == 0   ? tr("Walkable")
                      : layers == 1 ? tr("Walkable, 1 layer")
                                    : tr("Walkable, %1 layers").arg(layers));
-  layers_->setPixmap(layers == 0 ? paintSwatch(walkablePaint(), kSwatch, ratio) : layersSwatch(layers, ratio));
-  for (auto [box, swatch, shown] :
-       {std::tuple{obstacleEdges_, obstacleSwatch_, edges}, std::tuple{connections_, connectionSwatch_, connections}}) {
-    box->setVisible(shown);
-    swatch->setVisible(shown);
-  }
+  setSwatch(walkable_, layers == 0 ? paintSwatch(walkablePaint(), kSwatch, ratio) : layersSwatch(layers, ratio));
   walkable_->setVisible(!content.walkable.empty());
-  layers_->setVisible(!content.walkable.empty());
+  obstacleEdges_->setVisible(edges);
+  connections_->setVisible(connections);
 
   std::vector<const RemovalStyle*> reasons;
   if (content.firstRemoval) reasons.push_back(content.firstRemoval);
@@ -113,14 +103,18 @@ void Legend::describe(const ViewContent& content) {
     qDeleteAll(reasons_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
     auto* grid = new QGridLayout(reasons_);
     grid->setContentsMargins(22, 0, 0, 2);
-    grid->setVerticalSpacing(3);
+    grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
     for (std::size_t i = 0; i < reasons.size(); ++i) {
       auto* swatch = new QLabel(reasons_);
       swatch->setPixmap(paintSwatch(reasons[i]->paint, kSwatch, ratio));
+      auto* reason = new QLabel(reasons[i]->reason, reasons_);
       grid->addWidget(swatch, static_cast<int>(i), 0);
-      grid->addWidget(new QLabel(reasons[i]->reason, reasons_), static_cast<int>(i), 1);
+      grid->addWidget(reason, static_cast<int>(i), 1);
+      swatch->show();  // at once: the size of the legend is wanted before the next event
+      reason->show();
     }
+    grid->activate();
   }
   layout()->activate();
   adjustSize();

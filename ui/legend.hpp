@@ -4,7 +4,6 @@
 
 #include <QCheckBox>
 #include <QFrame>
-#include <QLabel>
 #include <vector>
 
 #include "ui/render_geometry.hpp"
@@ -28,11 +27,9 @@ class Legend : public QFrame {
 
  private:
   QCheckBox* addEntry(const QString& label, bool SceneParts::*part, const QString& help);
-  QLabel* addSwatch();
 
   SceneParts parts_;
   QCheckBox *walkable_, *obstacleEdges_, *connections_, *removed_, *environment_;
-  QLabel *layers_, *obstacleSwatch_, *connectionSwatch_, *environmentSwatch_;
   QWidget* reasons_;
   std::vector<const RemovalStyle*> shownReasons_;
 };

@@ -7,6 +7,8 @@
 #include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace footfall {
 namespace {
@@ -15,6 +17,8 @@ using qglviewer::Camera;
 using qglviewer::Quaternion;
 using qglviewer::Vec;
 
+constexpr double kSlowFrameMs = 30;
+constexpr int kRestMs = 200;      // without movement
 constexpr double kMargin = 1.06;  // around the scene when everything is to be in sight
 
 Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
@@ -26,6 +30,10 @@ LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
   setStateFileName(QString());  // the session keeps the camera
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::StrongFocus);
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&rest_, &QTimer::timeout, this, [this] { update(); });
+  connect(this, &LevelView::cameraMoved, this, [this] { rest_.start(); });
 }
 
 LevelView::~LevelView() {
@@ -120,11 +128,13 @@ void LevelView::draw() {
   scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
   scene.devicePixelRatio = static_cast<float>(devicePixelRatioF());
   scene.viewport = size() * devicePixelRatioF();
-  renderer_.draw(scene, parts_);
-  if (measuring_) {
-    context()->functions()->glFinish();
-    lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  }
+  SceneParts parts = parts_;
+  const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;
+  if (hurried) parts.outlines = false;
+  renderer_.draw(scene, parts);
+  context()->functions()->glFinish();  // software OpenGL works on after the call
+  lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  if (!hurried) wholeFrameMs_ = lastFrameMs_;
 }
 
 void LevelView::lookAlong(const Vec& direction, const Vec& up, bool orthographic) {
@@ -147,22 +157,36 @@ void LevelView::fit() {
   const Vec right = camera()->rightVector();
   const Vec up = camera()->upVector();
   const Vec ahead = camera()->viewDirection();
-  const double tanVertical = std::tan(camera()->fieldOfView() / 2);
-  const double tanHorizontal = tanVertical * std::max(0.1, width() / std::max(1.0, static_cast<double>(height())));
   const bool parallel = camera()->type() == Camera::ORTHOGRAPHIC;
-  double distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto pick = [&](int bit, double lower, double upper) { return (corner >> bit & 1) != 0 ? upper : lower; };
-    const Vec3& lower = environment_->lower;
-    const Vec3& upper = environment_->upper;
-    const Vec p(pick(0, lower.x, upper.x), pick(1, lower.y, upper.y), pick(2, lower.z, upper.z));
-    const double wanted = std::max(std::abs(p * right) / tanHorizontal, std::abs(p * up) / tanVertical) * kMargin -
-                          (parallel ? 0 : p * ahead);
-    distance = std::max(distance, wanted);
+  const double tanVertical = std::tan(camera()->fieldOfView() / 2) / kMargin;
+  const double tanHorizontal = tanVertical * std::max(0.1, width() / std::max(1.0, static_cast<double>(height())));
+
+  // Each side of the view's pyramid (or prism) touches the scene's outermost point: along each of the two axes, p is in
+  // sight of the eye e when |p - e| <= tan * (depth of p - depth of e).
+  constexpr double kLowest = std::numeric_limits<double>::lowest();
+  std::array<double, 2> above{kLowest, kLowest};
+  std::array<double, 2> below{kLowest, kLowest};
+  double nearest = -kLowest;
+  double farthest = kLowest;
+  for (const Vec3& point : environment_->extremes) {
+    const Vec p = toVec(point);
+    const double depth = p * ahead;
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+    for (const auto& [axis, offset, tan] :
+         {std::tuple{0, p * right, tanHorizontal}, std::tuple{1, p * up, tanVertical}}) {
+      const double narrowing = parallel ? 0 : tan * depth;
+      above[axis] = std::max(above[axis], offset - narrowing);
+      below[axis] = std::max(below[axis], -offset - narrowing);
+    }
   }
-  camera()->setPivotPoint(Vec(0, 0, 0));
-  // In a parallel projection the distance only sets the scale; it must still be outside the scene.
-  camera()->setPosition(ahead * -std::max(distance, sceneRadius() * 1e-3));
+  const Vec sideways = right * ((above[0] - below[0]) / 2) + up * ((above[1] - below[1]) / 2);
+  const double reach = std::max((above[0] + below[0]) / (2 * tanHorizontal), (above[1] + below[1]) / (2 * tanVertical));
+  const double middle = (nearest + farthest) / 2;
+  // In a parallel projection the distance from the pivot only sets the scale.
+  const double eyeDepth = parallel ? middle - std::max(reach, sceneRadius() * 1e-3) : std::min(-reach, nearest);
+  camera()->setPivotPoint(sideways + ahead * middle);
+  camera()->setPosition(sideways + ahead * eyeDepth);
   emit cameraMoved();
   update();
 }

@@ -4,6 +4,7 @@
 
 #include <QGLViewer/qglviewer.h>
 
+#include <QTimer>
 #include <array>
 #include <memory>
 
@@ -46,10 +47,9 @@ class LevelView : public QGLViewer {
   [[nodiscard]] CameraPose cameraPose() const;
   void setCameraPose(const CameraPose& pose);
 
-  /// Of the last frame, measured until OpenGL had finished it; 0 before the first. Measured only when switched on,
-  /// because waiting for OpenGL takes time itself.
+  /// Of the last frame, until OpenGL had finished it; 0 before the first. While the camera moves and whole frames take
+  /// long, frames leave out outlines and creases; the whole picture follows when it rests.
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
-  void setMeasuring(bool on) { measuring_ = on; }
 
  signals:
   /// OpenGL cannot show the scene; once.
@@ -72,8 +72,9 @@ class LevelView : public QGLViewer {
   SceneParts parts_;
   bool ready_ = false;
   bool fitWhenSized_ = false;
-  bool measuring_ = false;
+  QTimer rest_;  ///< runs while the camera moves
   double lastFrameMs_ = 0;
+  double wholeFrameMs_ = 0;
 };
 
 }  // namespace footfall

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QLineEdit>
+#include <optional>
 
 #include "core/filters/descriptor.hpp"
 
@@ -30,6 +31,8 @@ class NumberField : public QLineEdit {
   void problemChanged();
 
  protected:
+  /// Undo and redo are the document's, which knows what was typed: one stack for all.
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
 

@@ -91,6 +91,23 @@ std::vector<std::uint32_t> weldedIds(const std::vector<Vec3>& vertices) {
   return ids;
 }
 
+// The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface.
+std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
+  std::vector<Vec3> points;
+  for (int direction = 0; direction < 125 && !surface.empty(); ++direction) {
+    const std::array<int, 3> d{direction % 5 - 2, direction / 5 % 5 - 2, direction / 25 - 2};
+    if (std::none_of(d.begin(), d.end(), [](int c) { return std::abs(c) == 2; })) continue;
+    const auto reach = [&](const SurfaceVertex& v) {
+      return d[0] * v.position[0] + d[1] * v.position[1] + d[2] * v.position[2];
+    };
+    const auto& far = std::max_element(surface.begin(), surface.end(), [&](const auto& a, const auto& b) {
+                        return reach(a) < reach(b);
+                      })->position;
+    points.push_back({far[0], far[1], far[2]});
+  }
+  return points;
+}
+
 std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 2>>& pairs,
                                     const std::vector<Vec3>& vertices, const Vec3& centre) {
   std::vector<LineSegment> segments;
@@ -128,6 +145,8 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
     const double up = environment.bothSides ? std::abs(normal.z) : normal.z;
     addTriangle(geometry->surface, corners, centre, normal, wallPaint(), up > kWallNormalZ);
   }
+
+  geometry->extremes = extremePoints(geometry->surface);
 
   forEachEdge(environment.triangles, weldedIds(vertices), [&](auto first, auto last) {
     bool crease = last - first != 2;

@@ -170,6 +170,9 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
 
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
+  glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later
   lineProgram_.bind();
   lineProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
   lineProgram_.setUniformValue(
@@ -185,6 +188,8 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
     if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.6F * pixel, 9e-5F);
   }
   lineProgram_.release();
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
 }
 
 }  // namespace footfall

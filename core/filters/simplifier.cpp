@@ -287,7 +287,7 @@ void Simplifier::improve() {
     queue.pop_back();
     if (neighbors_[s] < 0 || !flipIfBetter(s)) continue;
     --left;
-    const Index t = s / 3, other = neighbors_[3 * t + 1] / 3;
+    const Index t = s / 3, other = neighbors_[3 * t + 2] / 3;  // the flipped edge is side 2 of t
     for (const Index m : {t, other})
       for (int k = 0; k < 3; ++k)
         if (neighbors_[3 * m + k] >= 0) queue.push_back(3 * m + k);

@@ -1,0 +1,114 @@
+// Small environments, and waiting, for the suites that drive the editor.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QApplication>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "ui/editor_application.hpp"
+#include "ui/editor_window.hpp"
+
+namespace footfall::test {
+
+/// A square floor of 8 x 8 at the height 0, counter-clockwise seen from above; Z up.
+inline QByteArray floorObj() { return "v -4 -4 0\nv 4 -4 0\nv 4 4 0\nv -4 4 0\nf 1 2 3\nf 1 3 4\n"; }
+
+/// The floor with a table of 2 x 2 at the height 1 over its middle, and a ramp of 60 degrees beside it.
+inline QByteArray tableObj() {
+  return floorObj() +
+         "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf 5 6 7 8\n"
+         "v 5 -2 0\nv 6 -2 1.7320508\nv 6 2 1.7320508\nv 5 2 0\nf 9 10 11 12\n";
+}
+
+/// `cells` x `cells` squares of two triangles, in waves: work that takes a while to compute and to draw.
+inline QByteArray wavesObj(int cells) {
+  QByteArray text;
+  for (int y = 0; y <= cells; ++y) {
+    for (int x = 0; x <= cells; ++x) {
+      text += "v " + QByteArray::number(x) + ' ' + QByteArray::number(y) + ' ' +
+              QByteArray::number((x * 7 + y * 5) % 4 * 0.25) + '\n';
+    }
+  }
+  for (int y = 0; y < cells; ++y) {
+    for (int x = 1; x <= cells; ++x) {
+      const int a = y * (cells + 1) + x;
+      for (const auto& corners : {std::array{a, a + 1, a + cells + 2}, std::array{a, a + cells + 2, a + cells + 1}}) {
+        text += 'f';
+        for (const int corner : corners) text += ' ' + QByteArray::number(corner);
+        text += '\n';
+      }
+    }
+  }
+  return text;
+}
+
+inline QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& content) {
+  const QString path = folder.filePath(name);
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+    qFatal("cannot write %s", qPrintable(path));
+  return path;
+}
+
+inline QByteArray readFile(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Shown, with the focus: there may be no window manager to give it.
+inline bool showWindow(EditorWindow& window) {
+  window.show();
+  if (!QTest::qWaitForWindowExposed(&window)) return false;
+  window.activateWindow();
+  return QTest::qWaitForWindowActive(&window);
+}
+
+inline bool waitUntilIdle(EditorWindow& window) {
+  return QTest::qWaitFor([&] { return window.idle(); }, 20000);
+}
+
+/// Reads a Z-up OBJ, as the ones above are, and waits for the result.
+inline bool openZUp(EditorWindow& window, const QString& path, const char* pipeline) {
+  ImportOptions import;
+  import.up = UpAxis::Z;
+  window.openWith(path, parsePipeline(pipeline, "test"), import);
+  return waitUntilIdle(window) && window.controller().finishedRun() != nullptr;
+}
+
+inline QStringList filterNames(EditorWindow& window) {
+  QStringList names;
+  for (const FilterEntry& entry : window.document().filters()) {
+    names << QString::fromStdString(std::string(entry.step.filter->name));
+  }
+  return names;
+}
+
+/// Types into whatever dialog for files is open and confirms it.
+inline void typeIntoFileDialog(const QString& path) {
+  QWidget* dialog = nullptr;
+  QVERIFY(QTest::qWaitFor([&] { return (dialog = QApplication::activeModalWidget()) != nullptr; }));
+  auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  QVERIFY(name);
+  name->clear();
+  QTest::keyClicks(name, path);
+  QTest::keyClick(name, Qt::Key_Return);
+}
+
+/// Fresh settings, OpenGL and the program's looks; then all tests of one suite.
+template <typename Suite>
+int runSuite(int argc, char** argv) {
+  const QTemporaryDir settings;
+  qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+  requestOpenGl();
+  QApplication application(argc, argv);
+  prepareApplication();
+  Suite suite;
+  return QTest::qExec(&suite, argc, argv);
+}
+
+}  // namespace footfall::test
+
+#define FOOTFALL_EDITOR_SUITE(Suite) \
+  int main(int argc, char** argv) { return footfall::test::runSuite<Suite>(argc, argv); }
