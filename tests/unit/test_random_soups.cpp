@@ -31,21 +31,21 @@ class TestRandomSoups : public QObject {
  private slots:
   void tinyGrid() {
     QVERIFY(check("tiny grid", 120, [] {
-      const auto soup = soupOf(*gridTriangles(9, 3, 3));
+      const auto soup = soupOf(*gridTriangles(14, 3, 3));
       expectSame(*soup.environment(*below(4) == 3), slopeOf(*below(5)), clearanceOf(*below(5)), Rounding::Harmless);
     }));
   }
 
   void flatGrid() {  // coplanar overlap everywhere
     QVERIFY(check("flat grid", 60, [] {
-      const auto soup = soupOf(*gridTriangles(7, 4, 1));
+      const auto soup = soupOf(*gridTriangles(12, 4, 1));
       expectSame(*soup.environment(*below(2) == 1), 45, 1, Rounding::Harmless);
     }));
   }
 
   void twoLevels() {
     QVERIFY(check("two levels", 80, [] {
-      const auto soup = soupOf(*gridTriangles(9, 4, 2));
+      const auto soup = soupOf(*gridTriangles(14, 4, 2));
       expectSame(*soup.environment(), slopeOf(*below(5)), clearanceOf(*below(5)), Rounding::Harmless);
     }));
   }
@@ -53,7 +53,7 @@ class TestRandomSoups : public QObject {
   void wallsOverFloors() {
     QVERIFY(check("walls over floors", 60, [] {
       Soup soup = Soup().floor(0, 0, 4, 4, 0).floor(4, 0, 6, 4, 0);
-      for (const auto& n : *upTo(6, numbersBelow<6>(7)))
+      for (const auto& n : *upTo(10, numbersBelow<6>(7)))
         soup.triangle({double(n[0]), double(n[1]), n[4] % 4 - 1.0}, {double(n[2]), double(n[3]), n[4] % 3 - 1.0},
                       {double(n[0]), double(n[1]), double(n[5] % 4)});
       expectSame(*soup.environment(), 45, clearanceOf(*below(5)), Rounding::Harmless);
@@ -62,21 +62,21 @@ class TestRandomSoups : public QObject {
 
   void buildings() {
     QVERIFY(check("buildings", 40, [] {
-      const auto soup = buildingOf(*buildingParts(5));
+      const auto soup = buildingOf(*buildingParts(8));
       expectSame(*soup.environment(), slopeOf(*below(5)), clearanceOf(*below(5)), Rounding::Harmless);
     }));
   }
 
   void largeGrid() {
     QVERIFY(check("large grid", 60, [] {
-      const auto soup = soupOf(*gridTriangles(9, 1000, 5));
+      const auto soup = soupOf(*gridTriangles(14, 1000, 5));
       expectSame(*soup.environment(), 80, clearanceOf(*below(5)), Rounding::MayClose);
     }));
   }
 
   void nearlyDegenerate() {  // a grid whose numbers are off by a few 2^-40
     QVERIFY(check("nearly degenerate", 80, [] {
-      const auto triangles = *gridTriangles(8, 3, 3);
+      const auto triangles = *gridTriangles(13, 3, 3);
       const auto shifts = *rc::gen::container<std::vector<int>>(triangles.size() * 9, below(5));
       std::size_t i = 0;
       const auto soup = soupOf(triangles).mapped([&](const Vec3& v) {
@@ -90,7 +90,7 @@ class TestRandomSoups : public QObject {
 
   void hugeAndTiny() {  // powers of two far apart in one soup
     QVERIFY(check("huge and tiny", 80, [] {
-      const auto triangles = *gridTriangles(8, 3, 3);
+      const auto triangles = *gridTriangles(13, 3, 3);
       const auto exponents = *rc::gen::container<std::vector<int>>(triangles.size() * 9, below(6));
       std::size_t i = 0;
       const auto soup = soupOf(triangles).mapped([&](const Vec3& v) {
@@ -106,7 +106,7 @@ class TestRandomSoups : public QObject {
 
   void farFromTheOrigin() {  // map coordinates, all digits of a double in use
     QVERIFY(check("far from the origin", 60, [] {
-      const auto soup = soupOf(*gridTriangles(9, 4, 3)).mapped([](const Vec3& v) {
+      const auto soup = soupOf(*gridTriangles(14, 4, 3)).mapped([](const Vec3& v) {
         return Vec3{122000.123 + v.x / 3, 487000.456 + v.y / 7, v.z * 0.7};
       });
       expectSame(*soup.environment(), 80, 1.4, Rounding::MayClose);
@@ -118,7 +118,7 @@ class TestRandomSoups : public QObject {
       Soup soup;
       const auto element = rc::gen::container<std::array<std::uint32_t, 18>>(
           rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()));
-      for (const auto& n : *upTo(9, element)) {
+      for (const auto& n : *upTo(12, element)) {
         const auto number = [&](std::size_t i) {
           return std::ldexp(static_cast<double>((std::uint64_t{n[2 * i]} << 21) ^ n[2 * i + 1]), -51);
         };
