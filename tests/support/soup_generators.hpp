@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ bool check(const std::string& name, int cases, Property property) {
   const char* seed = std::getenv("FOOTFALL_TEST_SEED");
   params.seed = seed != nullptr ? std::strtoull(seed, nullptr, 10) : 20240229;
   const auto result = rc::detail::checkTestable(property, rc::detail::TestMetadata{name, name}, params);
-  if (!result.template is<rc::detail::SuccessResult>()) rc::detail::printResultMessage(result, std::cerr);
+  std::cerr << name << ": ";
+  rc::detail::printResultMessage(result, std::cerr);
   std::cerr << std::endl;
   return result.template is<rc::detail::SuccessResult>();
 }
@@ -107,5 +109,27 @@ inline Soup buildingOf(const std::vector<PartNumbers>& parts) {
 }
 
 inline rc::Gen<std::vector<PartNumbers>> buildingParts(int parts) { return upTo(parts, numbersBelow<7>(64)); }
+
+/// A walk that climbs over itself: level squares and ramps in turn, each number one step (direction, and up, down or
+/// level).
+inline Soup walkOf(const std::vector<int>& steps) {
+  Soup soup = Soup().floor(0, 0, 1, 1, 0);
+  int x = 0, y = 0, z = 0;
+  for (const int step : steps) {
+    const int dx = std::array{1, 0, -1, 0}[static_cast<std::size_t>(step % 4)];
+    const int dy = std::array{0, 1, 0, -1}[static_cast<std::size_t>(step % 4)];
+    const int to = z + std::array{1, 1, 0, -1}[static_cast<std::size_t>(step / 4 % 4)];
+    x += dx, y += dy;
+    const auto height = [&](int cx, int cy) {  // of a corner, 0 or 1 along either axis
+      const bool far = dx + dy > 0 ? (dx != 0 ? cx : cy) == 1 : (dx != 0 ? cx : cy) == 0;
+      return Vec3{double(x + cx), double(y + cy), double(far ? to : z)};
+    };
+    soup.quad(height(0, 0), height(1, 0), height(1, 1), height(0, 1));
+    z = to;
+    x += dx, y += dy;
+    soup.floor(x, y, x + 1, y + 1, z);
+  }
+  return soup;
+}
 
 }  // namespace footfall::test
