@@ -6,6 +6,7 @@ layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 
 uniform mat4 modelViewProjection;
+uniform float cut;  // what is higher is left out
 uniform vec2 viewport;  // device pixels
 uniform float width;    // device pixels
 uniform float lift;     // towards the eye, in normalized depth
@@ -32,6 +33,7 @@ void main() {
   vec2 across = vec2(-along.y, along.x);
 
   bool atEnd = (gl_VertexID & 2) != 0;
+  gl_ClipDistance[0] = cut - (atEnd ? to.z : from.z);
   float side = (gl_VertexID & 1) != 0 ? 1.0 : -1.0;
   vec4 p = atEnd ? end : start;
   // One pixel more on each side for the soft edge; half a width beyond each end, so that segments that meet leave no

@@ -7,6 +7,7 @@ layout(location = 1) in vec4 normal;  // w: pattern, 0 to 127 / 127
 layout(location = 2) in vec4 colour;  // alpha 0: takes the uniform paint
 
 uniform mat4 modelViewProjection;
+uniform float cut;  // what is higher is left out
 uniform vec3 eye;          // in the scene's coordinates
 uniform vec3 viewDirection;
 uniform bool orthographic;
@@ -17,6 +18,7 @@ flat out int pattern;
 
 void main() {
   gl_Position = modelViewProjection * vec4(position, 1.0);
+  gl_ClipDistance[0] = cut - position.z;
   vec3 n = normal.xyz;
   vec3 toEye = orthographic ? -viewDirection : normalize(eye - position);
   float facing = dot(n, toEye);

@@ -5,12 +5,13 @@
 
 namespace footfall {
 
-BackgroundQueue::BackgroundQueue() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
+BackgroundQueue::BackgroundQueue(AtEnd atEnd)
+    : atEnd_(atEnd), thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 BackgroundQueue::~BackgroundQueue() {
   {
     const std::scoped_lock lock(mutex_);
-    jobs_.clear();
+    if (atEnd_ == AtEnd::DropJobs) jobs_.clear();
   }
   thread_.request_stop();
 }
@@ -28,7 +29,7 @@ void BackgroundQueue::work(const std::stop_token& stop) {
     std::function<void()> job;
     {
       std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [this] { return !jobs_.empty(); }) || stop.stop_requested()) return;
+      if (!wake_.wait(lock, stop, [this] { return !jobs_.empty(); })) return;  // stopped, and nothing is left
       job = std::move(jobs_.front());
       jobs_.pop_front();
     }

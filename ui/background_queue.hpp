@@ -10,11 +10,13 @@
 
 namespace footfall {
 
-/// post() never waits. The destructor drops jobs that have not begun and waits for the one that has: cancel it first.
-/// Jobs must not throw.
+/// post() never waits. The destructor waits for the job under way (cancel it first) and then drops the jobs that have
+/// not begun, or does them too. Jobs must not throw.
 class BackgroundQueue {
  public:
-  BackgroundQueue();
+  enum class AtEnd { DropJobs, FinishJobs };
+
+  explicit BackgroundQueue(AtEnd atEnd = AtEnd::DropJobs);
   ~BackgroundQueue();
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
@@ -24,6 +26,7 @@ class BackgroundQueue {
  private:
   void work(const std::stop_token& stop);
 
+  AtEnd atEnd_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::deque<std::function<void()>> jobs_;

@@ -90,7 +90,7 @@ void EditorWindow::connectParts() {
   connect(&controller_, &RunController::contentReady, this, [this](const ViewContent& content) {
     view_->setContent(content);
     legend_->describe(content);
-    placeLegend();
+    placeOverlays();
   });
   connect(&controller_, &RunController::finished, this, &EditorWindow::showResult);
   connect(&controller_, &RunController::cancelled, this, [this] {
@@ -178,7 +178,9 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
   }
   controller_.setEnvironment(loaded.environment, loaded.geometry->centre);
   legend_->show();
-  placeLegend();
+  cut_->show();
+  if (!opening.reload) cutSlider()->setValue(cutSlider()->maximum());
+  placeOverlays();
   updateTitle();
   keepTimer_.start();
   emit environmentLoaded();
@@ -383,14 +385,15 @@ void EditorWindow::updateTitle() {
   setWindowModified(!document_.undoStack()->isClean());
 }
 
-void EditorWindow::placeLegend() {
+void EditorWindow::placeOverlays() {
   legend_->adjustSize();
   legend_->move(12, view_->height() - legend_->height() - 12);
+  cut_->setGeometry(view_->width() - 66, 12, 54, std::min(260, view_->height() - 24));
   welcome_->setGeometry(view_->rect());
 }
 
 bool EditorWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == view_ && event->type() == QEvent::Resize) placeLegend();
+  if (watched == view_ && event->type() == QEvent::Resize) placeOverlays();
   return QMainWindow::eventFilter(watched, event);
 }
 

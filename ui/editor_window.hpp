@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSlider>
 #include <memory>
 #include <optional>
 
@@ -54,6 +55,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] FilterList& filterList() { return *filters_; }
   [[nodiscard]] ImportPanel& importPanel() { return *import_; }
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
+  [[nodiscard]] QSlider* cutSlider() const { return cut_->findChild<QSlider*>(); }
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
   /// Neither loading, running nor exporting.
@@ -100,7 +102,7 @@ class EditorWindow : public QMainWindow {
   void showProgress(const QString& text, double fraction);
   void hideProgress();
   void cancelWork();
-  void placeLegend();
+  void placeOverlays();
   void updateTitle();
   [[nodiscard]] Session currentSession() const;
   void keepSession();
@@ -119,6 +121,7 @@ class EditorWindow : public QMainWindow {
 
   LevelView* view_ = nullptr;
   Legend* legend_ = nullptr;
+  QFrame* cut_ = nullptr;
   FilterList* filters_ = nullptr;
   ImportPanel* import_ = nullptr;
   MessageBar* messages_ = nullptr;
@@ -132,7 +135,7 @@ class EditorWindow : public QMainWindow {
   // Last: their threads end before the rest goes.
   RunController controller_;
   EnvironmentLoader loader_;
-  BackgroundQueue writing_;
+  BackgroundQueue writing_{BackgroundQueue::AtEnd::FinishJobs};
 };
 
 }  // namespace footfall

@@ -19,7 +19,7 @@ using qglviewer::Vec;
 
 constexpr double kSlowFrameMs = 30;
 constexpr int kRestMs = 200;      // without movement
-constexpr double kMargin = 1.06;  // around the scene when everything is to be in sight
+constexpr double kMargin = 1.08;  // around the scene when everything is to be in sight
 
 Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
 
@@ -98,6 +98,11 @@ void LevelView::setParts(const SceneParts& parts) {
   update();
 }
 
+void LevelView::setCut(double fraction) {
+  cut_ = fraction;
+  update();
+}
+
 void LevelView::resizeGL(int width, int height) {
   QGLViewer::resizeGL(width, height);
   if (fitWhenSized_) fit();
@@ -127,6 +132,12 @@ void LevelView::draw() {
       QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
   scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
   scene.devicePixelRatio = static_cast<float>(devicePixelRatioF());
+  if (cut_ < 1 && environment_) {
+    const Vec3& lower = environment_->lower;
+    const double height = environment_->upper.z - lower.z;
+    // A little more, so that a floor at exactly this height is still there.
+    scene.cut = static_cast<float>(lower.z + (cut_ + 1e-4) * height);
+  }
   scene.viewport = size() * devicePixelRatioF();
   SceneParts parts = parts_;
   const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;
@@ -188,6 +199,7 @@ void LevelView::fit() {
   camera()->setPivotPoint(sideways + ahead * middle);
   camera()->setPosition(sideways + ahead * eyeDepth);
   emit cameraMoved();
+  rest_.stop();  // one jump is no movement
   update();
 }
 

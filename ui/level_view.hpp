@@ -36,6 +36,9 @@ class LevelView : public QGLViewer {
   void setParts(const SceneParts& parts);
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
 
+  /// Leaves out what is above a height, from 0 (the bottom) to 1 (nothing is left out): a look under roofs.
+  void setCut(double fraction);
+
   /// Straight down, parallel projection, everything in sight.
   void viewFromTop();
   /// From above at an angle, perspective, everything in sight.
@@ -70,6 +73,7 @@ class LevelView : public QGLViewer {
   std::shared_ptr<const EnvironmentGeometry> environment_;
   ViewContent content_;
   SceneParts parts_;
+  double cut_ = 1;
   bool ready_ = false;
   bool fitWhenSized_ = false;
   QTimer rest_;  ///< runs while the camera moves

@@ -5,6 +5,10 @@
 
 #include "ui/appearance.hpp"
 
+#ifndef GL_CLIP_DISTANCE0
+#define GL_CLIP_DISTANCE0 0x3000  // the headers of OpenGL ES do not know it
+#endif
+
 namespace footfall {
 namespace {
 
@@ -148,9 +152,11 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
   drawBackground();
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_POLYGON_OFFSET_FILL);
+  glEnable(GL_CLIP_DISTANCE0);
 
   surfaceProgram_.bind();
   surfaceProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
+  surfaceProgram_.setUniformValue("cut", camera.cut);
   surfaceProgram_.setUniformValue("eye", camera.eye);
   surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
@@ -175,21 +181,23 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
   glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later
   lineProgram_.bind();
   lineProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
+  lineProgram_.setUniformValue("cut", camera.cut);
   lineProgram_.setUniformValue(
       "viewport", QVector2D(static_cast<float>(camera.viewport.width()), static_cast<float>(camera.viewport.height())));
   const float pixel = camera.devicePixelRatio;
-  if (parts.environment && parts.outlines) drawLines(environmentCreases_, creaseColour(), 1.0F * pixel, 1e-5F);
+  if (parts.environment && parts.outlines) drawLines(environmentCreases_, creaseColour(), 1.0F * pixel, 3e-5F);
   for (const MeshBatches& mesh : walkable_) {
-    if (parts.walkable && parts.outlines) drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 4e-5F);
+    if (parts.walkable && parts.outlines) drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 8e-5F);
     if (parts.connections) {
-      drawLines(mesh.connections, outlineColour(), 4.5F * pixel, 6e-5F);
-      drawLines(mesh.connections, connectionColour(), 2.5F * pixel, 7e-5F);
+      drawLines(mesh.connections, outlineColour(), 4.5F * pixel, 1.1e-4F);
+      drawLines(mesh.connections, connectionColour(), 2.5F * pixel, 1.2e-4F);
     }
-    if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.6F * pixel, 9e-5F);
+    if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.8F * pixel, 1.6e-4F);
   }
   lineProgram_.release();
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
+  glDisable(GL_CLIP_DISTANCE0);
 }
 
 }  // namespace footfall

@@ -8,6 +8,7 @@
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 #include <QString>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct SceneCamera {
   bool orthographic = false;
   QSize viewport;  ///< device pixels
   float devicePixelRatio = 1;
+  float cut = std::numeric_limits<float>::max();  ///< what is higher is left out
 };
 
 /// Every member but setEnvironment() and setContent() needs the OpenGL context of initialize() to be current.

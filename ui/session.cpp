@@ -98,7 +98,8 @@ Session sessionFrom(const Json& json, const std::string& path) {
   }
   if (import.contains("metres_per_unit")) {
     const auto scale = import.at("metres_per_unit").get<double>();
-    if (!(std::isfinite(scale) && scale > 0)) throw InputError("import: metres_per_unit must be a number above 0");
+    if (!(std::isfinite(scale) && scale > 0))
+      throw InputError("import: metres_per_unit is not above 0; give for example 0.01");
     session.import.metresPerUnit = scale;
   }
   session.import.bothSides = import.value("both_sides", false);

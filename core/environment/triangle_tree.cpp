@@ -9,10 +9,11 @@ namespace footfall {
 namespace {
 
 constexpr std::int32_t kLeafSize = 6;
+constexpr std::int32_t kPolledSize = 4096;
 
 }  // namespace
 
-void TriangleTree::build(std::vector<Box> boxes, std::vector<std::int32_t> ids) {
+void TriangleTree::build(std::vector<Box> boxes, std::vector<std::int32_t> ids, const std::function<void()>& poll) {
   nodes_.clear();
   boxes_.clear();
   ids_.clear();
@@ -21,7 +22,7 @@ void TriangleTree::build(std::vector<Box> boxes, std::vector<std::int32_t> ids) 
   std::vector<std::int32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);
   nodes_.reserve(boxes.size() / 2 + 1);
-  buildNode(0, count, order, boxes);
+  buildNode(0, count, order, boxes, poll);
   boxes_.reserve(boxes.size());
   ids_.reserve(boxes.size());
   for (const std::int32_t i : order) {
@@ -31,7 +32,8 @@ void TriangleTree::build(std::vector<Box> boxes, std::vector<std::int32_t> ids) 
 }
 
 void TriangleTree::buildNode(std::int32_t first, std::int32_t last, std::vector<std::int32_t>& order,
-                             const std::vector<Box>& boxes) {
+                             const std::vector<Box>& boxes, const std::function<void()>& poll) {
+  if (last - first > kPolledSize) poll();
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
   Node node;
@@ -57,9 +59,9 @@ void TriangleTree::buildNode(std::int32_t first, std::int32_t last, std::vector<
                        const double cb = boxes[b].lower[axis] * 0.5 + boxes[b].upper[axis] * 0.5;
                        return ca != cb ? ca < cb : a < b;
                      });
-    buildNode(first, middle, order, boxes);
+    buildNode(first, middle, order, boxes, poll);
     node.right = static_cast<std::int32_t>(nodes_.size());
-    buildNode(middle, last, order, boxes);
+    buildNode(middle, last, order, boxes, poll);
   }
   nodes_[self] = node;
 }

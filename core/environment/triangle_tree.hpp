@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace footfall {
@@ -22,8 +23,9 @@ inline bool overlaps(const Box& a, const Box& b) {
 class TriangleTree {
  public:
   TriangleTree() = default;
-  /// `ids[i]` is reported for `boxes[i]`. O(n log n), deterministic.
-  void build(std::vector<Box> boxes, std::vector<std::int32_t> ids);
+  /// `ids[i]` is reported for `boxes[i]`. O(n log n), deterministic. `poll` is called now and then and may throw.
+  void build(
+      std::vector<Box> boxes, std::vector<std::int32_t> ids, const std::function<void()>& poll = [] {});
 
   /// Calls visit(id) for every box that overlaps `query`. visit returns false to stop.
   template <class Visit>
@@ -53,8 +55,8 @@ class TriangleTree {
     std::int32_t first = 0;
     std::int32_t count = 0;
   };
-  void buildNode(std::int32_t first, std::int32_t last, std::vector<std::int32_t>& order,
-                 const std::vector<Box>& boxes);
+  void buildNode(std::int32_t first, std::int32_t last, std::vector<std::int32_t>& order, const std::vector<Box>& boxes,
+                 const std::function<void()>& poll);
 
   std::vector<Node> nodes_;
   std::vector<Box> boxes_;         ///< in leaf order

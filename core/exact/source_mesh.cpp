@@ -86,10 +86,13 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
          std::binary_search(obstacleEdges.begin(), obstacleEdges.end(), std::make_pair(std::min(a, b), std::max(a, b)));
 }
 
-SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order) {
+SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order,
+                          const std::function<void()>& poll) {
   SourceMesh mesh;
   const std::vector<Index> welded = weldVertices(soup.vertices, mesh);
+  poll();
   chooseGrid(mesh);
+  poll();
 
   struct Entry {
     std::array<Index, 3> corners;
@@ -103,6 +106,7 @@ SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<st
     std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
     entries[i] = {f, static_cast<std::uint32_t>(i)};
   });
+  poll();
   tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return a.corners != b.corners ? a.corners < b.corners : a.number < b.number;
   });
@@ -119,7 +123,9 @@ SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<st
       mesh.obstacleEdges.emplace_back(std::min(welded[u], welded[v]), std::max(welded[u], welded[v]));
   std::sort(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end());
   mesh.obstacleEdges.erase(std::unique(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end()), mesh.obstacleEdges.end());
+  poll();
   classify(mesh);
+  poll();
 
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;
@@ -133,7 +139,7 @@ SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<st
                      {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}});
     ids.push_back(static_cast<std::int32_t>(t));
   }
-  mesh.tree.build(std::move(boxes), std::move(ids));
+  mesh.tree.build(std::move(boxes), std::move(ids), poll);
   return mesh;
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -50,7 +51,9 @@ struct SourceSoup {
 };
 
 /// Welds, sorts and classifies. `bothSides` turns triangles that face down. `order` (may be null) receives for each
-/// triangle of the mesh its number in the soup.
-SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr);
+/// triangle of the mesh its number in the soup. `poll` is called between the stages and may throw to cancel.
+SourceMesh makeSourceMesh(
+    const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
+    const std::function<void()>& poll = [] {});
 
 }  // namespace footfall

@@ -9,8 +9,9 @@ namespace footfall {
 
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context) {
   context.checkCancelled();
-  auto mesh = std::make_shared<SourceMesh>(
-      makeSourceMesh({environment->vertices, environment->triangles, {}, {}}, environment->bothSides));
+  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles, {}, {}},
+                                                          environment->bothSides, nullptr,
+                                                          [&context] { context.checkCancelled(); }));
   context.checkCancelled();
   auto state = std::make_shared<WalkableState>();
   state->environment = std::move(environment);

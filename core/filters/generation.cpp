@@ -36,7 +36,7 @@ class SoupBuilder {
     rounded.vertices = roundVertices(*state_.kernel, state_.mesh->vertices, exact, context);
     rounded.triangles = state_.mesh->triangles;
     result_.cases = repairRounding(rounded, exact, context);
-    markClosedSlivers(rounded);
+    markClosedSlivers(rounded, context);
     for (const Vec3& v : rounded.vertices) addVertex(v);
     for (const MeshTriangle& t : rounded.triangles) {
       Triangle corners{};

@@ -30,6 +30,7 @@ class LayerSubdivision {
 
   std::vector<std::uint32_t> run() {
     findNeighbors();
+    context_.checkCancelled();
     findOverlaps();
     growPieces();
     for (bool changed = true; changed;) changed = mergePieces() || moveTriangles();
@@ -79,7 +80,7 @@ class LayerSubdivision {
     }
     TriangleTree tree;
     const std::vector<Box> queries = boxes;
-    tree.build(std::move(boxes), std::move(ids));
+    tree.build(std::move(boxes), std::move(ids), [this] { context_.checkCancelled(); });
     overlaps_.resize(count_);
     struct Local {
       explicit Local(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices) : geometry(kernel, vertices) {}

@@ -204,7 +204,7 @@ void MeshJoiner::findIncidences(RunContext& context, std::vector<Incidence>& bet
     boxes.push_back(box);
   }
   TriangleTree tree;
-  tree.build(std::move(boxes), std::move(ids));
+  tree.build(std::move(boxes), std::move(ids), [&context] { context.checkCancelled(); });
 
   struct Local {
     std::vector<Incidence> between;
@@ -277,12 +277,14 @@ WalkableMesh MeshJoiner::join(RunContext& context) {
     splits.push_back(std::move(on));
     i = j;
   }
+  context.checkCancelled();
   for (MeshTriangle& t : triangles_)
     for (Index& v : t.corners) v = sets.find(v);
 
   WalkableMesh mesh;
   mesh.triangles.reserve(triangles_.size() + 2 * between.size());
   splitTriangles(splits, splitOf, mesh.triangles);
+  context.checkCancelled();
   std::vector<Index> renumbered(vertices_.size(), -1);
   for (MeshTriangle& t : mesh.triangles) {
     for (Index& v : t.corners) {

@@ -82,8 +82,10 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   const SourceMesh& source = state->kernel->mesh();
   std::vector<char> sturdy;
   RoundedMesh rounded = roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh), sturdy, context);
+  context.checkCancelled();
   repairRounding(rounded, sturdy, context);
-  markClosedSlivers(rounded);
+  context.checkCancelled();
+  markClosedSlivers(rounded, context);
   context.checkCancelled();
 
   // Triangles by layer, then in the order of the mesh; vertices in the order of their first use.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "core/exact/source_predicates.hpp"
 
@@ -203,16 +202,6 @@ class RoundingRepair {
   std::vector<Index> changed_;
 };
 
-using Place = std::tuple<double, double, double>;
-Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-struct DirectedEdge {
-  std::array<Place, 2> places;  ///< of the ends, smaller first
-  bool forward = true;          ///< runs from the smaller to the larger
-  Index triangle = -1;
-  std::int8_t k = 0;
-};
-
 }  // namespace
 
 std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices,
@@ -236,42 +225,6 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
 
 RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context) {
   return RoundingRepair(mesh, sturdy).run(context);
-}
-
-void markClosedSlivers(RoundedMesh& mesh) {
-  std::vector<std::array<Index, 3>> uses;  // vertices (smaller first) and 3 * triangle + k
-  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const Index a = mesh.triangles[t].corners[k], b = mesh.triangles[t].corners[next(k)];
-      uses.push_back({std::min(a, b), std::max(a, b), 3 * t + k});
-    }
-  std::sort(uses.begin(), uses.end());
-  std::vector<DirectedEdge> borders;
-  for (std::size_t i = 0; i < uses.size();) {
-    std::size_t j = i;
-    while (j < uses.size() && uses[j][0] == uses[i][0] && uses[j][1] == uses[i][1]) ++j;
-    if (j - i == 1) {
-      const Index t = uses[i][2] / 3;
-      const int k = uses[i][2] % 3;
-      const Place a = placeOf(mesh.vertices[mesh.triangles[t].corners[k]]);
-      const Place b = placeOf(mesh.vertices[mesh.triangles[t].corners[next(k)]]);
-      borders.push_back({{std::min(a, b), std::max(a, b)}, a < b, t, static_cast<std::int8_t>(k)});
-    }
-    i = j;
-  }
-  std::sort(borders.begin(), borders.end(), [](const DirectedEdge& x, const DirectedEdge& y) {
-    return x.places != y.places ? x.places < y.places : x.triangle < y.triangle;
-  });
-  for (std::size_t i = 0; i < borders.size();) {
-    std::size_t j = i;
-    bool forward = false, backward = false;
-    for (; j < borders.size() && borders[j].places == borders[i].places; ++j)
-      (borders[j].forward ? forward : backward) = true;
-    if (forward && backward)
-      for (std::size_t m = i; m < j; ++m)
-        mesh.triangles[borders[m].triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << borders[m].k);
-    i = j;
-  }
 }
 
 }  // namespace footfall

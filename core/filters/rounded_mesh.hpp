@@ -37,7 +37,8 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
 RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
 
 /// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
-/// joined: each such pair becomes an obstacle edge, so that a reader who welds by position knows it.
-void markClosedSlivers(RoundedMesh& mesh);
+/// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
+/// only are split where the common part ends.
+void markClosedSlivers(RoundedMesh& mesh, RunContext& context);
 
 }  // namespace footfall

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QApplication>
+#include <QClipboard>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -85,14 +86,17 @@ inline QStringList filterNames(EditorWindow& window) {
   return names;
 }
 
-/// Types into whatever dialog for files is open and confirms it.
-inline void typeIntoFileDialog(const QString& path) {
+/// Pastes into whatever dialog for files is open and confirms it.
+inline void answerFileDialog(const QString& path) {
   QWidget* dialog = nullptr;
   QVERIFY(QTest::qWaitFor([&] { return (dialog = QApplication::activeModalWidget()) != nullptr; }));
   auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
   QVERIFY(name);
-  name->clear();
-  QTest::keyClicks(name, path);
+  // Pasted, as the completion of half a path may turn it into something else.
+  QApplication::clipboard()->setText(path);
+  QTest::keyClick(name, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(name, Qt::Key_V, Qt::ControlModifier);
+  if (QWidget* suggestions = QApplication::activePopupWidget()) suggestions->close();
   QTest::keyClick(name, Qt::Key_Return);
 }
 

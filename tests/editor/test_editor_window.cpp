@@ -35,7 +35,7 @@ class TestEditorWindow : public QObject {
 
   void opensThroughTheDialog() {
     QTest::keyClick(window_.get(), Qt::Key_O, Qt::ControlModifier);
-    typeIntoFileDialog(table_);
+    answerFileDialog(table_);
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->environment()->triangles.size(), std::size_t{6});
@@ -226,7 +226,7 @@ class TestEditorWindow : public QObject {
     const QString target = folder_->filePath("result.obj");
     QSignalSpy written(window_.get(), &EditorWindow::written);
     QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
-    typeIntoFileDialog(target);
+    answerFileDialog(target);
     QVERIFY(written.count() > 0 || written.wait());
     const auto run = window_->controller().finishedRun();
     const std::string expected = formatObj(*run->result.mesh, *window_->environment(), makeExportHeader(run->pipeline));

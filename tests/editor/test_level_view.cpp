@@ -72,6 +72,49 @@ class TestLevelView : public QObject {
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
   }
 
+  void obstacleEdgesAreSeenAtEveryHeight() {
+    const QTemporaryDir folder;
+    EditorWindow window;
+    window.resize(1000, 800);
+    QVERIFY(showWindow(window));
+    // Two floors, at the heights -3 and 3, each with a wall across its middle.
+    QByteArray text;
+    for (const int z : {-3, 3}) {
+      for (const char* corner : {"-4 -4 ", "4 -4 ", "4 4 ", "-4 4 "})
+        text += "v " + QByteArray(corner) + QByteArray::number(z) + '\n';
+      for (const int x : {-3, 3}) {
+        for (const int up : {0, 1}) {
+          text += "v " + QByteArray::number(x) + (z < 0 ? " -2 " : " 2 ") + QByteArray::number(z + up) + '\n';
+        }
+      }
+    }
+    text += "f 1 2 3 4\nf 5 7 8 6\nf 9 10 11 12\nf 13 15 16 14\n";
+    QVERIFY(openZUp(window, writeFile(folder, "walls.obj", text), "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
+    SceneParts parts;
+    parts.environment = parts.walkable = parts.removed = false;
+    window.view().setParts(parts);
+    window.view().viewFromTop();
+    const QImage picture = window.view().grabFramebuffer();
+    const QImage lower = picture.copy(0, picture.height() / 2, picture.width(), picture.height() / 2);
+    const QImage upper = picture.copy(0, 0, picture.width(), picture.height() / 2);
+    QVERIFY(shareOf(lower, obstacleEdgeColour()) > 0.001);
+    QVERIFY(shareOf(upper, obstacleEdgeColour()) > 0.001);
+  }
+
+  void theCutLooksUnderRoofs() {
+    const QTemporaryDir folder;
+    EditorWindow window;
+    window.resize(1000, 800);
+    QVERIFY(showWindow(window));
+    // A walkable floor under a roof that faces down only: grey from above.
+    const QByteArray roof = "v -4 -4 5\nv -4 4 5\nv 4 4 5\nv 4 -4 5\nf 5 6 7 8\n";
+    QVERIFY(openZUp(window, writeFile(folder, "roof.obj", floorObj() + roof), "SlopeFilter 45\n"));
+    window.view().viewFromTop();
+    QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
+    window.cutSlider()->setValue(window.cutSlider()->maximum() / 2);
+    QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);
+  }
+
   void placesUnderTheTableShowWhy() {
     const QTemporaryDir folder;
     EditorWindow window;
