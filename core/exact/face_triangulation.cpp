@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <climits>
-#include <cmath>
 #include <stdexcept>
+
+#include "core/exact/shape.hpp"
 
 namespace footfall {
 namespace {
@@ -164,15 +165,12 @@ bool FaceTriangulation::flipIfBetter(Index cell, int k) {
   if (other < 0 || x.lines[k] >= 0) return false;
   const Index c = x.corners[k], a = x.corners[next(k)], b = x.corners[previous(k)];
   const Index d = cells_[other].corners[neighborSlot(cells_[other], cell)];
-  const ApproximatePoint &pa = geometry_.approximate(a), &pb = geometry_.approximate(b), &pc = geometry_.approximate(c),
-                         &pd = geometry_.approximate(d);
-  const double ax = pa.x - pd.x, ay = pa.y - pd.y, bx = pb.x - pd.x, by = pb.y - pd.y, cx = pc.x - pd.x,
-               cy = pc.y - pd.y;
-  const double a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  const double inside = a2 * (bx * cy - by * cx) + b2 * (cx * ay - cy * ax) + c2 * (ax * by - ay * bx);
-  const double size = a2 * (std::fabs(bx * cy) + std::fabs(by * cx)) + b2 * (std::fabs(cx * ay) + std::fabs(cy * ax)) +
-                      c2 * (std::fabs(ax * by) + std::fabs(ay * bx));
-  if (!(inside > size * 0x1p-32)) return false;  // a margin, so that flips cannot go round in circles
+  const ApproximatePoint& pd = geometry_.approximate(d);
+  const auto relative = [&](Index v) {
+    const ApproximatePoint& p = geometry_.approximate(v);
+    return std::array<double, 2>{p.x - pd.x, p.y - pd.y};
+  };
+  if (!isWellInsideCircle(relative(a), relative(b), relative(c))) return false;
   if (geometry_.orientation(c, a, d) <= 0 || geometry_.orientation(c, d, b) <= 0) return false;
   flip(cell, k);
   return true;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/exact/shape.hpp"
 #include "core/filters/disjoint_sets.hpp"
 #include "core/filters/mesh_topology.hpp"
 
@@ -303,14 +304,7 @@ bool Simplifier::flipIfBetter(Index s) {
   const auto relative = [&](Index v) {
     return std::array<double, 2>{mesh_.vertices[v].x - mesh_.vertices[d].x, mesh_.vertices[v].y - mesh_.vertices[d].y};
   };
-  const auto [ax, ay] = relative(a);
-  const auto [bx, by] = relative(b);
-  const auto [cx, cy] = relative(c);
-  const double a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  const double inside = a2 * (bx * cy - by * cx) + b2 * (cx * ay - cy * ax) + c2 * (ax * by - ay * bx);
-  const double size = a2 * (std::fabs(bx * cy) + std::fabs(by * cx)) + b2 * (std::fabs(cx * ay) + std::fabs(cy * ax)) +
-                      c2 * (std::fabs(ax * by) + std::fabs(ay * bx));
-  if (!(inside > size * 0x1p-32)) return false;  // a margin, so that flips cannot go round in circles
+  if (!isWellInsideCircle(relative(a), relative(b), relative(c))) return false;
   if (geometry_.orientation(c, a, d) <= 0 || geometry_.orientation(c, d, b) <= 0) return false;
   const auto flag = [](const MeshTriangle& m, int edge) { return m.obstacleEdges >> edge & 1; };
   const Index ca = neighbors_[3 * t + previous(k)], bc = neighbors_[3 * t + next(k)];
