@@ -113,6 +113,10 @@ class RoundingRepair {
         return;
       }
       if (flip(t, longest, other, k)) return;
+      if (!isUpright(other)) {  // a needle beside a needle: the neighbour goes first
+        changed_.insert(changed_.end(), {t, other});
+        return;
+      }
     }
     collapse(c[shortest], c[next(shortest)]);
   }
