@@ -38,9 +38,11 @@ class TestRandomSoups : public QObject {
     QTest::newRow("crossing nearly at a corner")
         << Soup().triangle({0, 0, 0}, {2, 0, 0}, {0, huge, huge}).triangle({2, tiny, 0}, {0, huge, 0}, {1, tiny, 2})
         << 2.0;
-    QTest::newRow("a sliver of a huge floor")
-        << Soup().triangle({0, 1, 0}, {0, 0, 0}, {huge, huge, 0}).triangle({0, 256, 0}, {0, 0, 256}, {huge, 0, 0})
-        << 2.0;
+    QTest::newRow("a sliver of a huge floor") << Soup()
+                                                     .triangle({0, 0, 0}, {0, 1, 0}, {0, huge, tiny})
+                                                     .triangle({0, 1, 0}, {0, 0, 0}, {huge, huge, 0})
+                                                     .triangle({0, 256, 0}, {0, 0, 256}, {huge, 0, 0})
+                                              << 2.0;
     QTest::newRow("one point by two constructions")
         << Soup()
                .triangle({122000.123, 487000.74171428574, 0.7}, {122000.123, 487000.456, 0},
@@ -56,6 +58,7 @@ class TestRandomSoups : public QObject {
     QFETCH(Soup, soup);
     QFETCH(double, clearance);
     const std::string error = checkProduct(*soup.environment(), 80, clearance, Rounding::MayClose);
+    QEXPECT_FAIL("a sliver of a huge floor", "repairing what rounding broke drops a long triangle", Continue);
     QVERIFY2(error.empty(), error.c_str());
   }
 
