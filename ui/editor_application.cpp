@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QLibrary>
+#include <QOpenGLContext>
 #include <QSaveFile>
 #include <QSettings>
 #include <QStyleFactory>
@@ -128,6 +129,12 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   requestOpenGl();
   QApplication application(argc, argv);
   prepareApplication();
+  if (QOpenGLContext context; !context.create()) {
+    return fail(2,
+                QStringLiteral("no OpenGL on this display (%1); install a graphics driver or Mesa's software OpenGL, "
+                               "or use the command line footfall")
+                    .arg(QGuiApplication::platformName()));
+  }
   EditorWindow window;
   const bool shooting = !options.screenshot.empty();
   window.setRemembering(!shooting);
@@ -144,11 +151,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
     QMetaObject::invokeMethod(
         &window,
         [&window, &options, path, shooting] {
-          if (options.pipeline || options.import.up || options.import.metresPerUnit) {
-            window.openWith(path, options.pipeline, options.import);
-          } else {
-            window.open(path);
-          }
+          window.openWith(path, options.pipeline, options.import);
           if (options.top && !shooting) window.view().viewFromTop();
         },
         Qt::QueuedConnection);

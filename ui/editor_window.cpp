@@ -110,17 +110,24 @@ void EditorWindow::connectParts() {
 // --- Opening
 // ----------------------------------------------------------------------------------------------------------
 
-void EditorWindow::open(const QString& path) {
-  Opening opening;
-  opening.path = path;
+void EditorWindow::open(const QString& path) { openWith(path, std::nullopt, {}); }
+
+void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import) {
+  Opening opening{path, pipeline, import, std::nullopt, false, {}};
   try {
     if (isSessionFile(toPath(path))) {
       const Session session = readSession(toPath(path));
       if (session.environment.empty()) {
+        if (!loaded_.environment) {
+          throw InputError(toPath(path) + ": names no environment; open one first, this session brings only filters");
+        }
         document_.replacePipeline(session.pipeline, tr("open %1").arg(QFileInfo(path).fileName()));
         return;
       }
       opening = {fromPath(session.environment), session.pipeline, session.import, session.camera, false, path};
+      if (pipeline) opening.pipeline = pipeline;
+      if (import.up) opening.import.up = import.up;
+      if (import.metresPerUnit) opening.import.metresPerUnit = import.metresPerUnit;
     }
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
@@ -128,14 +135,6 @@ void EditorWindow::open(const QString& path) {
     emit loadFailed(message);
     return;
   }
-  startLoading(std::move(opening));
-}
-
-void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import) {
-  Opening opening;
-  opening.path = path;
-  opening.pipeline = pipeline;
-  opening.import = import;
   startLoading(std::move(opening));
 }
 

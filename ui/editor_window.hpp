@@ -33,7 +33,7 @@ class EditorWindow : public QMainWindow {
 
   /// Opens an environment or a session, by its content; in the background.
   void open(const QString& path);
-  /// Opens an environment with a pipeline in place of the default one, and with import options.
+  /// The same, with a pipeline in place of the default one (or the session's), and with import options.
   void openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import);
   /// Reads a pipeline file into the list, one edit.
   void openPipeline(const QString& path);

@@ -105,7 +105,7 @@ void LevelView::setCut(double fraction) {
 
 void LevelView::resizeGL(int width, int height) {
   QGLViewer::resizeGL(width, height);
-  if (fitWhenSized_) fit();
+  if (fitWhenSized_ && environment_) fitTo(environment_->detailExtremes);
   fitWhenSized_ = false;
 }
 
@@ -156,7 +156,7 @@ void LevelView::lookAlong(const Vec& direction, const Vec& up, bool orthographic
   Quaternion orientation;
   orientation.setFromRotatedBasis(right, upright, -d);
   camera()->setOrientation(orientation);
-  fit();
+  if (environment_) fitTo(environment_->detailExtremes);
 }
 
 void LevelView::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), true); }
@@ -164,7 +164,11 @@ void LevelView::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), true); }
 void LevelView::viewOblique() { lookAlong(Vec(0.5, 0.8, -0.9), Vec(0, 0, 1), false); }
 
 void LevelView::fit() {
-  if (!environment_) return;
+  if (environment_) fitTo(environment_->extremes);
+}
+
+void LevelView::fitTo(const std::vector<Vec3>& points) {
+  if (points.empty()) return;
   const Vec right = camera()->rightVector();
   const Vec up = camera()->upVector();
   const Vec ahead = camera()->viewDirection();
@@ -179,7 +183,7 @@ void LevelView::fit() {
   std::array<double, 2> below{kLowest, kLowest};
   double nearest = -kLowest;
   double farthest = kLowest;
-  for (const Vec3& point : environment_->extremes) {
+  for (const Vec3& point : points) {
     const Vec p = toVec(point);
     const double depth = p * ahead;
     nearest = std::min(nearest, depth);

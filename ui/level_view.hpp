@@ -39,9 +39,9 @@ class LevelView : public QGLViewer {
   /// Leaves out what is above a height, from 0 (the bottom) to 1 (nothing is left out): a look under roofs.
   void setCut(double fraction);
 
-  /// Straight down, parallel projection, everything in sight.
+  /// Straight down, parallel projection, all detail in sight.
   void viewFromTop();
-  /// From above at an angle, perspective, everything in sight.
+  /// From above at an angle, perspective, all detail in sight.
   void viewOblique();
   /// Everything in sight from where one looks now.
   void fit();
@@ -67,6 +67,7 @@ class LevelView : public QGLViewer {
 
  private:
   void bindMouse();
+  void fitTo(const std::vector<Vec3>& points);
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
 
   SceneRenderer renderer_;

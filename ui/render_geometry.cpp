@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 
 namespace footfall {
@@ -108,6 +109,36 @@ std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
   return points;
 }
 
+// The corners of all triangles within a margin around the middle ones along x and y; all of them unless that leaves a
+// small part of the extent.
+std::vector<SurfaceVertex> detailOf(const std::vector<SurfaceVertex>& surface) {
+  constexpr std::size_t kOutside = 50;  // one corner in so many on either side
+  constexpr float kSmallPart = 0.3F;
+  if (surface.size() < 4 * kOutside) return surface;
+  std::array<float, 2> lower{};
+  std::array<float, 2> upper{};
+  bool small = true;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    std::vector<float> values;
+    values.reserve(surface.size());
+    for (const SurfaceVertex& vertex : surface) values.push_back(vertex.position[axis]);
+    std::sort(values.begin(), values.end());
+    lower[axis] = values[values.size() / kOutside];
+    upper[axis] = values[values.size() - 1 - values.size() / kOutside];
+    const float extent = upper[axis] - lower[axis];
+    small = small && extent < kSmallPart * (values.back() - values.front());
+    lower[axis] -= 0.1F * extent;
+    upper[axis] += 0.1F * extent;
+  }
+  if (!small) return surface;
+  std::vector<SurfaceVertex> detail;
+  std::copy_if(surface.begin(), surface.end(), std::back_inserter(detail), [&](const SurfaceVertex& v) {
+    return v.position[0] >= lower[0] && v.position[0] <= upper[0] && v.position[1] >= lower[1] &&
+           v.position[1] <= upper[1];
+  });
+  return detail;
+}
+
 std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 2>>& pairs,
                                     const std::vector<Vec3>& vertices, const Vec3& centre) {
   std::vector<LineSegment> segments;
@@ -147,6 +178,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   }
 
   geometry->extremes = extremePoints(geometry->surface);
+  geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
 
   forEachEdge(environment.triangles, weldedIds(vertices), [&](auto first, auto last) {
     bool crease = last - first != 2;

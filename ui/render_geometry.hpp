@@ -31,8 +31,11 @@ struct EnvironmentGeometry {
   Vec3 centre;        ///< of the bounds, in the environment's coordinates: the origin of everything here
   Vec3 lower, upper;  ///< bounds relative to the centre
   std::vector<SurfaceVertex> surface;  ///< three a triangle; upward facing ones have alpha 0
-  std::vector<Vec3> extremes;          ///< its outermost points in many directions, for fitting the camera
-  std::vector<LineSegment> creases;    ///< open, non-manifold and sharp edges
+  /// Its outermost points in many directions, for fitting the camera.
+  std::vector<Vec3> extremes;
+  /// The same for where its detail is, when that is a small part of it: a town in the middle of an endless plain.
+  std::vector<Vec3> detailExtremes;
+  std::vector<LineSegment> creases;  ///< open, non-manifold and sharp edges
 };
 
 struct MeshGeometry {

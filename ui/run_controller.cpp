@@ -14,7 +14,8 @@ constexpr int kPauseMs = 200;  // between the last edit and the run
 constexpr int kDrainMs = 40;   // between two updates of the window
 // The old result stays this long: most runs are over by then, and the view does not flicker through their steps.
 constexpr auto kPartsAfter = std::chrono::milliseconds(150);
-constexpr std::size_t kPreviews = 32;  // as many as ResultCache keeps states
+constexpr double kSameArea = 1 - 1e-9;  // areas in summaries are rounded
+constexpr std::size_t kPreviews = 32;   // as many as ResultCache keeps states
 
 std::string extendPrefix(const std::string& prefix, const PipelineStep& step) {
   return prefix + formatStep(step) + '\n';
@@ -264,7 +265,7 @@ RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
     finished->environment = job.environment;
     finished->pipeline = job.pipeline;
     finished->result = runPipeline(job.environment, job.pipeline, *job.context, &cache);
-    outcome.content = makeContent(job, finished->result.mesh);
+    outcome.content = makeContent(job, finished->result);
     outcome.finished = std::move(finished);
   } catch (const Cancelled&) {
     outcome = {};
@@ -276,11 +277,11 @@ RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
   return outcome;
 }
 
-ViewContent RunController::makeContent(const Job& job, const MeshPtr& mesh) {
+ViewContent RunController::makeContent(const Job& job, const RunResult& result) {
   ViewContent content;
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
     const RemovalStyle* style = removalStyle(job.steps[i]->filter->name);
-    if (!style) continue;
+    if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;  // it removed nothing
     if (!content.firstRemoval) {
       content.firstRemoval = style;
       continue;  // the environment's own floors stand for what was there before
@@ -289,7 +290,7 @@ ViewContent RunController::makeContent(const Job& job, const MeshPtr& mesh) {
       content.removed.push_back({style, makeMeshGeometry(*before, job.centre, style->paint)});
     }
   }
-  if (mesh) content.walkable.push_back(makeMeshGeometry(*mesh, job.centre));
+  if (result.mesh) content.walkable.push_back(makeMeshGeometry(*result.mesh, job.centre));
   return content;
 }
 

@@ -68,7 +68,7 @@ class RunController : public QObject {
   using MeshPtr = std::shared_ptr<const NavigationMesh>;
 
   static Outcome compute(Job& job, ResultCache& cache);
-  static ViewContent makeContent(const Job& job, const MeshPtr& mesh);
+  static ViewContent makeContent(const Job& job, const RunResult& result);
   void start();
   void scheduleDrain();
   void drain();

@@ -220,6 +220,22 @@ class TestLevelView : public QObject {
     QVERIFY(shareOf(image, walkablePaint().colour) > 0.15);
   }
 
+  void screenshotsTakeSessions() {
+    const QTemporaryDir folder;
+    writeFile(folder, "floor.obj", floorObj());
+    const QString session =
+        writeFile(folder, "work.footfall",
+                  "{\"footfall_session\": 1, \"environment\": \"floor.obj\", \"import\": {\"up\": \"z\"},"
+                  "\"pipeline\": [{\"filter\": \"SlopeFilter\"}]}");
+    const QString picture = folder.filePath("picture.png");
+    const Ended ended = runProgram({session, "--screenshot", picture, "--size", "800x600"}, quietEnvironment(folder));
+    QCOMPARE(ended.error, QByteArray());
+    QCOMPARE(ended.code, 0);
+    QVERIFY(shareOf(QImage(picture), walkablePaint().colour) > 0.1);
+    const QString empty = writeFile(folder, "empty.footfall", "{\"footfall_session\": 1, \"pipeline\": []}");
+    QCOMPARE(runProgram({empty, "--screenshot", picture}, quietEnvironment(folder)).code, 2);
+  }
+
   void problemsAreOneLineAndCodeTwo_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<bool>("display");

@@ -1,0 +1,127 @@
+// Runs in the background: pauses, overtaking, events and states.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environment/import.hpp"
+#include "tests/editor/editor_driver.hpp"
+
+using namespace footfall;
+using namespace footfall::test;
+
+namespace {
+
+constexpr const char* kPipeline = "DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 0\n";
+
+}  // namespace
+
+class TestRunController : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    ImportOptions options;
+    options.up = UpAxis::Z;
+    environment_ = importEnvironment(writeFile(folder_, "waves.obj", wavesObj(60)).toStdString(), options);
+    document_ = std::make_unique<Document>();
+    controller_ = std::make_unique<RunController>();
+    connect(document_.get(), &Document::filtersChanged, controller_.get(),
+            [this] { controller_->setFilters(document_->filters()); });
+    document_->reset(parsePipeline(kPipeline, "test"), {});
+    controller_->setEnvironment(environment_, {});
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+  }
+  void cleanup() {
+    controller_.reset();
+    document_.reset();
+  }
+
+  void quickEditsAreOneRun() {
+    const QSignalSpy started(controller_.get(), &RunController::started);
+    for (const double angle : {3.0, 30.0, 30.5}) {
+      document_->setValue(document_->filters()[1].id, 0, angle, 1);
+      QTest::qWait(20);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QCOMPARE(started.count(), 1);
+    QCOMPARE(controller_->finishedRun()->pipeline.steps[1].values[0], 30.5);
+  }
+
+  void anEditOvertakesTheRunUnderWay() {
+    const QSignalSpy finished(controller_.get(), &RunController::finished);
+    const QSignalSpy failed(controller_.get(), &RunController::failed);
+    QSignalSpy started(controller_.get(), &RunController::started);
+    document_->setValue(document_->filters()[1].id, 0, 20, 1);
+    // In the middle of the first run.
+    const auto overtake = connect(controller_.get(), &RunController::started, this, [this, &started] {
+      if (started.count() == 1) document_->setValue(document_->filters()[1].id, 0, 25, 2);
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    disconnect(overtake);
+    QCOMPARE(started.count(), 2);
+    QCOMPARE(finished.count(), 1);
+    QCOMPARE(failed.count(), 0);
+    QCOMPARE(controller_->finishedRun()->pipeline.steps[1].values[0], 25.0);
+  }
+
+  void anEditMakesOnlyWhatFollowsStale() {
+    const auto state = [this](std::size_t row) { return controller_->status(document_->filters()[row].id).state; };
+    document_->setValue(document_->filters()[2].id, 0, 1, 1);
+    QVERIFY(state(0) == StepState::Done && state(1) == StepState::Done);
+    QVERIFY(state(2) == StepState::Stale && state(3) == StepState::Stale);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QVERIFY(state(1) == StepState::Cached);
+    QVERIFY(state(2) == StepState::Done && state(3) == StepState::Done);
+  }
+
+  void whatWasRemovedComesFromTheCacheToo() {
+    ViewContent last;
+    connect(controller_.get(), &RunController::contentReady, this, [&](const ViewContent& content) { last = content; });
+    document_->replacePipeline(parsePipeline("SlopeFilter 45\nSlopeFilter 10\nVerticalClearanceFilter 2\n", "test"),
+                               "");
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QVERIFY(last.firstRemoval == removalStyle("SlopeFilter"));
+    // The waves slope by 19 or 47 degrees, and nothing is above them: the clearance removes nothing.
+    QCOMPARE(last.removed.size(), std::size_t{1});
+    document_->addFilter(*findFilter("DegeneracyFilter"), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QVERIFY(controller_->status(document_->filters()[1].id).state == StepState::Cached);
+    QCOMPARE(last.removed.size(), std::size_t{1});
+    QVERIFY(last.removed[0].style == removalStyle("SlopeFilter") && !last.removed[0].before->surface.empty());
+    QCOMPARE(last.walkable.size(), std::size_t{1});
+  }
+
+  void goingAwayInTheMiddleIsSafe() {
+    document_->setValue(document_->filters()[1].id, 0, 33, 1);
+    connect(controller_.get(), &RunController::started, this, [this] { sawStart_ = true; });
+    QTRY_VERIFY(sawStart_);
+    controller_.reset();
+    QVERIFY(!controller_);
+  }
+
+  void eventsAreFetchedNotPushed() {
+    int calls = 0;
+    RunEventBuffer buffer([&] { ++calls; });
+    buffer.add({RunEvent::Kind::Progress, 0, 0.5, {}, nullptr});  // of a step that has not begun
+    QCOMPARE(buffer.fetch().size(), std::size_t{0});
+    buffer.add({RunEvent::Kind::StepStarted, 0, 0, "SlopeFilter", nullptr});
+    for (int i = 0; i < 1000; ++i) buffer.add({RunEvent::Kind::Progress, 0, i / 1000.0, {}, nullptr});
+    buffer.add({RunEvent::Kind::PartReady, 0, 0, {}, std::make_shared<NavigationMesh>()});
+    QCOMPARE(calls, 1);
+    const auto steps = buffer.fetch();
+    QCOMPARE(steps.size(), std::size_t{1});
+    QCOMPARE(steps[0].fraction, 0.999);
+    QCOMPARE(steps[0].parts.size(), std::size_t{1});
+    buffer.add({RunEvent::Kind::StepFinished, 0, 1, {}, nullptr});
+    QCOMPARE(calls, 2);
+    QVERIFY(buffer.fetch()[0].finished);
+    QVERIFY(buffer.fetch()[0].parts.empty());
+  }
+
+ private:
+  QTemporaryDir folder_;
+  std::shared_ptr<const Environment> environment_;
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<RunController> controller_;
+  bool sawStart_ = false;
+};
+
+QTEST_MAIN(TestRunController)
+#include "test_run_controller.moc"
