@@ -26,9 +26,42 @@ double slopeOf(int n) { return std::array{45.0, 60.0, 30.0, 80.0, 54.7}[static_c
 
 }  // namespace
 
+Q_DECLARE_METATYPE(footfall::test::Soup)
+
 class TestRandomSoups : public QObject {
   Q_OBJECT
  private slots:
+  void foundBefore_data() {
+    QTest::addColumn<Soup>("soup");
+    QTest::addColumn<double>("clearance");
+    const double tiny = 0x1p-30, huge = 0x1p30;
+    QTest::newRow("crossing nearly at a corner")
+        << Soup().triangle({0, 0, 0}, {2, 0, 0}, {0, huge, huge}).triangle({2, tiny, 0}, {0, huge, 0}, {1, tiny, 2})
+        << 2.0;
+    QTest::newRow("a sliver of a huge floor") << Soup()
+                                                     .triangle({0, 0, 0}, {0, 1, 0}, {0, huge, tiny})
+                                                     .triangle({0, 1, 0}, {0, 0, 0}, {huge, huge, 0})
+                                                     .triangle({0, 256, 0}, {0, 0, 256}, {huge, 0, 0})
+                                              << 2.0;
+    QTest::newRow("one point by two constructions")
+        << Soup()
+               .triangle({122000.123, 487000.74171428574, 0.7}, {122000.123, 487000.456, 0},
+                         {122000.45633333334, 487000.456, 1.4})
+               .triangle({122000.123, 487000.74171428574, 0}, {122000.123, 487000.59885714285, 1.4},
+                         {122000.78966666668, 487000.59885714285, 0})
+               .triangle({122000.123, 487000.456, 1.4}, {122000.78966666668, 487000.456, 0},
+                         {122000.45633333334, 487000.74171428574, 0.7})
+        << 1.4;
+  }
+
+  void foundBefore() {  // what the suites below once found, shrunk
+    QFETCH(Soup, soup);
+    QFETCH(double, clearance);
+    const std::string error = checkProduct(*soup.environment(), 80, clearance, Rounding::MayClose);
+    QEXPECT_FAIL("a sliver of a huge floor", "repairing what rounding broke drops a long triangle", Continue);
+    QVERIFY2(error.empty(), error.c_str());
+  }
+
   void tinyGrid() {
     QVERIFY(check("tiny grid", 120, [] {
       const auto soup = soupOf(*gridTriangles(14, 3, 3));
