@@ -112,11 +112,12 @@ class RoundingRepair {
         drop(t, longest);
         return;
       }
-      if (flip(t, longest, other, k)) return;
       if (!isUpright(other)) {  // a needle beside a needle: the neighbour goes first
-        changed_.insert(changed_.end(), {t, other});
+        if (!flip(t, longest, other, k, false)) changed_.insert(changed_.end(), {t, other});
         return;
       }
+      // Where the neighbour is a needle too, one of the two new triangles may be turned over, and goes on from there.
+      if (flip(t, longest, other, k, true)) return;
     }
     collapse(c[shortest], c[next(shortest)]);
   }
@@ -135,11 +136,14 @@ class RoundingRepair {
       mesh_.triangles[other].obstacleEdges |= static_cast<std::uint8_t>(1 << k);
   }
 
-  // Hands the corner opposite t's edge k to the neighbour there: the edge is turned, if both new triangles face up.
-  bool flip(Index t, int k, Index other, int j) {
+  // Hands the corner opposite t's edge k to the neighbour there: the edge is turned. Unless forced, only if both new
+  // triangles face up.
+  bool flip(Index t, int k, Index other, int j, bool forced) {
     const MeshTriangle x = mesh_.triangles[t], y = mesh_.triangles[other];
     const Index a = x.corners[k], b = x.corners[next(k)], c = x.corners[previous(k)], d = y.corners[previous(j)];
-    if (facing(place(c), place(a), place(d)) <= 0 || facing(place(c), place(d), place(b)) <= 0) return false;
+    if (c == d) return false;  // the same triangle seen from both sides
+    if (!forced && (facing(place(c), place(a), place(d)) <= 0 || facing(place(c), place(d), place(b)) <= 0))
+      return false;
     const auto flag = [](const MeshTriangle& m, int edge) { return m.obstacleEdges >> edge & 1; };
     MeshTriangle p{{c, a, d}, y.face, 0}, q{{c, d, b}, y.face, 0};
     p.obstacleEdges = static_cast<std::uint8_t>(flag(x, previous(k)) | flag(y, next(j)) << 1);
