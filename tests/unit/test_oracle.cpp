@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -51,6 +52,20 @@ void writeEnvironment(const std::string& path, const Environment& environment) {
   writeFileSafely(path, text);
 }
 
+/// As far as doubles tell: only used to choose which joins are cut open.
+bool isCoplanar(const Environment& environment, std::uint32_t a, std::uint32_t b) {
+  const auto corner = [&](std::uint32_t t, std::size_t k) { return environment.vertices[environment.triangles[t][k]]; };
+  const auto minus = [](const Vec3& p, const Vec3& q) { return Vec3{p.x - q.x, p.y - q.y, p.z - q.z}; };
+  const auto dot = [](const Vec3& p, const Vec3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; };
+  const Vec3 u = minus(corner(a, 1), corner(a, 0)), v = minus(corner(a, 2), corner(a, 0));
+  const Vec3 normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 w = minus(corner(b, k), corner(a, 0));
+    if (std::abs(dot(normal, w)) > 1e-12 * std::sqrt(dot(normal, normal) * dot(w, w))) return false;
+  }
+  return true;
+}
+
 /// The product cut along contacts: where triangles of two input triangles meet that share no two corners.
 NavigationMesh withoutContacts(const NavigationMesh& mesh, const Environment& environment) {
   using Corner = std::size_t;  // 3 * triangle + k
@@ -65,7 +80,7 @@ NavigationMesh withoutContacts(const NavigationMesh& mesh, const Environment& en
     for (const std::uint32_t v : environment.triangles[mesh.sourceTriangles[a]])
       for (const std::uint32_t w : environment.triangles[mesh.sourceTriangles[b]])
         common += environment.vertices[v] == environment.vertices[w];
-    return common < 2;
+    return common < 2 && !isCoplanar(environment, mesh.sourceTriangles[a], mesh.sourceTriangles[b]);
   };
   std::map<std::array<std::uint32_t, 2>, Corner> first;  // by directed edge
   for (Corner c = 0; c < parents.size(); ++c) {
