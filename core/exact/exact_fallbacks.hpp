@@ -8,15 +8,14 @@ namespace footfall {
 
 /// Where doubles could not decide and exact arithmetic had to, by kind of decision.
 struct ExactFallbacks {
-  std::uint64_t slope = 0, height = 0, orientation = 0, side = 0, order = 0, equality = 0, area = 0;
-  [[nodiscard]] std::uint64_t total() const { return slope + height + orientation + side + order + equality + area; }
+  std::uint64_t slope = 0, height = 0, orientation = 0, side = 0, order = 0, area = 0;
+  [[nodiscard]] std::uint64_t total() const { return slope + height + orientation + side + order + area; }
   ExactFallbacks& operator+=(const ExactFallbacks& o) {
     slope += o.slope;
     height += o.height;
     orientation += o.orientation;
     side += o.side;
     order += o.order;
-    equality += o.equality;
     area += o.area;
     return *this;
   }

@@ -94,7 +94,7 @@ int facing(const Vec3& a, const Vec3& b, const Vec3& c) {
   return sgn(normal<mpq_class>(a, b, c)[2]);
 }
 
-bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees) {
+bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, bool* beyondDoubles) {
   if (facing(a, b, c) <= 0) return false;
   const int quarters = quartersOfSquaredCosine(degrees);
   if (areModerate(a, b, c)) {
@@ -113,6 +113,7 @@ bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees) 
     const int s = SignRule{}(difference);
     if (s != kUnknownSign && (quarters != 0 || s != 0)) return s >= 0;
   }
+  if (beyondDoubles != nullptr) *beyondDoubles = true;
   const auto n = normal<mpq_class>(a, b, c);
   if (quarters != 0) return n[2] * n[2] * (4 - quarters) >= (n[0] * n[0] + n[1] * n[1]) * quarters;
   return compareWithIrrationalSlope(n, degrees) > 0;

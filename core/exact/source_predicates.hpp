@@ -13,7 +13,8 @@ bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 int facing(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// True when a, b, c (counter-clockwise) faces up and the angle between its normal and +Z is at most `degrees`
-/// (0 < degrees < 90), exactly. Degenerate triangles are never within.
-bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees);
+/// (0 < degrees < 90), exactly. Degenerate triangles are never within. `beyondDoubles` (may be null) is set to true
+/// when doubles could not decide.
+bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, bool* beyondDoubles = nullptr);
 
 }  // namespace footfall

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/mesh_topology.hpp"
 
 namespace footfall {
 
@@ -74,7 +75,7 @@ StateSummary summarize(const WalkableState& state) {
   }
   summary.area = std::ldexp(summary.area, -2 * source.grid.scaleExponent());
   summary.layers = mesh.layerCount;
-  summary.connections = mesh.connectionCount;
+  summary.connections = countConnections(mesh);
   summary.obstacleEdges = marks / 2;
   return summary;
 }

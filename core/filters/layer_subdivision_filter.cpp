@@ -254,16 +254,8 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, RunContext& context) 
   for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);
   outcome.fallbacks += subdivision.fallbacks();
 
-  std::size_t connections = 0;
-  const MeshTopology topology = findEdges(*mesh);
-  for (const MeshEdge& e : topology.edges) {
-    bool differ = false;
-    for (Index u = 1; u < e.useCount && !e.obstacle; ++u)
-      differ = differ || mesh->layers[topology.uses[e.firstUse] / 3] != mesh->layers[topology.uses[e.firstUse + u] / 3];
-    connections += differ;
-  }
-  mesh->connectionCount = connections;
-  outcome.note = std::to_string(mesh->layerCount) + " layers, " + std::to_string(connections) + " connections";
+  outcome.note =
+      std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh)) + " connections";
   auto result = std::make_shared<WalkableState>(*state);
   result->mesh = std::move(mesh);
   outcome.state = std::move(result);

@@ -46,4 +46,15 @@ std::vector<Index> findRegions(const WalkableMesh& mesh, const MeshTopology& top
   return region;
 }
 
+std::uint64_t countConnections(const WalkableMesh& mesh) {
+  if (mesh.layers.empty()) return 0;
+  const MeshTopology topology = findEdges(mesh);
+  return static_cast<std::uint64_t>(std::count_if(topology.edges.begin(), topology.edges.end(), [&](const MeshEdge& e) {
+    bool differ = false;
+    for (Index u = 1; u < e.useCount && !e.obstacle; ++u)
+      differ = differ || mesh.layers[topology.uses[e.firstUse] / 3] != mesh.layers[topology.uses[e.firstUse + u] / 3];
+    return differ;
+  }));
+}
+
 }  // namespace footfall

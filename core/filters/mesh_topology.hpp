@@ -28,4 +28,7 @@ MeshTopology findEdges(const WalkableMesh& mesh);
 /// AreaFilter). Regions are numbered from 0 in the order of their first triangles.
 std::vector<Index> findRegions(const WalkableMesh& mesh, const MeshTopology& topology, Index& regionCount);
 
+/// Edges on which two layers meet; 0 when there are no layers.
+std::uint64_t countConnections(const WalkableMesh& mesh);
+
 }  // namespace footfall

@@ -36,7 +36,6 @@ struct WalkableMesh {
   std::vector<MeshTriangle> triangles;
   std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
   std::uint32_t layerCount = 0;
-  std::uint64_t connectionCount = 0;  ///< edges on which two layers meet
 };
 
 struct WalkableState {

@@ -41,13 +41,7 @@ Json parametersJson(const StepStatistics& step) {
 ExactFallbacks sumFallbacks(const RunResult& result) {
   ExactFallbacks sum;
   for (const StepStatistics& step : result.steps) {
-    sum.slope += step.fallbacks.slope;
-    sum.height += step.fallbacks.height;
-    sum.orientation += step.fallbacks.orientation;
-    sum.side += step.fallbacks.side;
-    sum.order += step.fallbacks.order;
-    sum.equality += step.fallbacks.equality;
-    sum.area += step.fallbacks.area;
+    sum += step.fallbacks;
   }
   return sum;
 }
@@ -123,8 +117,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["exact_fallbacks"] = fallbacks.total();
   json["exact_fallbacks_by_kind"] = {
       {"slope", fallbacks.slope}, {"height", fallbacks.height}, {"orientation", fallbacks.orientation},
-      {"side", fallbacks.side},   {"order", fallbacks.order},   {"equality", fallbacks.equality},
-      {"area", fallbacks.area}};
+      {"side", fallbacks.side},   {"order", fallbacks.order},   {"area", fallbacks.area}};
   // File names are bytes; what is no UTF-8 must not lose the statistics.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
