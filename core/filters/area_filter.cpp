@@ -147,10 +147,19 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   }
   kept->layerCount = mesh.layerCount;
   auto result = std::make_shared<WalkableState>(*state);
-  if (!state->cuts && !state->simplified) {
-    // Faces without cuts are in one region each: those that went are no floors for a later clearance filter.
-    result->walkable.assign(state->walkable.size(), 0);
-    for (const MeshTriangle& t : kept->triangles) result->walkable[t.face] = 1;
+  if (!state->cuts) {
+    // Floors without cuts are in one region each: those that went are no floors for a later clearance filter.
+    if (state->simplified) {
+      // Triangles may span several floors here; the regions of the floors themselves have the same areas.
+      auto plain = std::make_shared<WalkableState>(*state);
+      plain->mesh = nullptr;
+      plain->simplified = false;
+      result->walkable = applyArea(plain, minimum, context).state->walkable;
+    } else {
+      result->walkable.assign(state->walkable.size(), 0);
+      for (const MeshTriangle& t : kept->triangles) result->walkable[t.face] = 1;
+    }
+    dropped = nullptr;  // rejected source triangles are obstacles as they are
   }
   result->mesh = std::move(kept);
   result->dropped = std::move(dropped);

@@ -12,13 +12,15 @@ int next(int k) { return k == 2 ? 0 : k + 1; }
 
 }  // namespace
 
-ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level)
+ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
+                                   std::function<void()> poll)
     : kernel_(kernel),
       mesh_(kernel.mesh()),
       walkable_(walkable),
       level_(level),
       height_(kernel.heights()[level - 1]),
       scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
+      poll_(std::move(poll)),
       geometry_(kernel) {}
 
 FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
@@ -36,6 +38,7 @@ FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
 
   bool removed = false;
   mesh_.tree.visitOverlapping(query, stack_, [&](Index obstacle) {
+    if ((++polls_ & 255) == 0) poll_();
     if (obstacle == face) return true;
     const Heights heights = heightsOf(obstacle);
     if (heights.coplanar ? !(walkable_[obstacle] && obstacle < face) : !heights.reaches) return true;

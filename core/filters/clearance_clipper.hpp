@@ -3,7 +3,8 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/exact/face_geometry.hpp"
@@ -15,8 +16,9 @@ namespace footfall {
 class ClearanceClipper {
  public:
   /// `walkable[t]`: triangle t takes part as a floor (coplanar walkable triangles are kept once). `level` is the
-  /// clearance's level in the kernel.
-  ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level);
+  /// clearance's level in the kernel. `poll` is called now and then and may throw to cancel.
+  ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
+                   std::function<void()> poll);
 
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null).
   FaceCuts clip(Index face, const FaceCuts* earlier);
@@ -62,6 +64,8 @@ class ClearanceClipper {
   Index level_;
   double height_;
   double scaledHeight_;
+  std::function<void()> poll_;
+  std::uint32_t polls_ = 0;
 
   FaceGeometry geometry_;
   Index face_ = -1;

@@ -105,7 +105,7 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   outcome.note = std::to_string(moved) + " vertices merged";
   if (moved == 0) return outcome;
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = places[first[placeOf[i]]];
-  outcome.state = startGeneration(*state, soup);
+  outcome.state = startGeneration(*state, soup, context);
   if (state->mesh) {
     outcome.state = withMesh(outcome.state, context, outcome.fallbacks);
     if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, context).state;

@@ -35,7 +35,9 @@ class SoupBuilder {
     std::vector<char> exact;
     rounded.vertices = roundVertices(*state_.kernel, state_.mesh->vertices, exact, context);
     rounded.triangles = state_.mesh->triangles;
+    markBorders(rounded);
     result_.cases = repairRounding(rounded, exact, context);
+    settleBorders(rounded);
     markClosedSlivers(rounded, context);
     for (const Vec3& v : rounded.vertices) addVertex(v);
     for (const MeshTriangle& t : rounded.triangles) {
@@ -94,9 +96,10 @@ GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& contex
   return SoupBuilder(state).build(context, fallbacks);
 }
 
-StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup) {
+StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context) {
   std::vector<std::uint32_t> order;
-  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup.soup, false, &order));
+  auto mesh = std::make_shared<SourceMesh>(
+      makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, [&context] { context.checkCancelled(); }));
   auto state = std::make_shared<WalkableState>();
   state->environment = earlier.environment;
   state->removed.assign(order.size(), 0);

@@ -24,7 +24,7 @@ struct GenerationSoup {
 GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& context, ExactFallbacks& fallbacks);
 
 /// The state that starts from a soup. Floors that are degenerate or do not face up any more are rejected.
-StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup);
+StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context);
 
 /// True when the state has vertices that are not the environment's own.
 bool hasConstructedVertices(const WalkableState& state);

@@ -53,6 +53,8 @@ void addConnections(NavigationMesh& mesh) {
   }
 }
 
+Vec3 middleOf(const Vec3& a, const Vec3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
+
 RoundedMesh roundSplitMesh(const WalkableState& state, SplitMesh&& split, std::vector<char>& sturdy,
                            RunContext& context) {
   const WalkableMesh& mesh = *state.mesh;
@@ -66,12 +68,26 @@ RoundedMesh roundSplitMesh(const WalkableState& state, SplitMesh&& split, std::v
       rounded.vertices.push_back(places[split.origins[v]]);
       sturdy.push_back(exact[split.origins[v]]);
     } else {
-      const Vec3 &a = places[split.middles[v][0]], &b = places[split.middles[v][1]];
-      rounded.vertices.push_back({a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2});
+      rounded.vertices.push_back(middleOf(places[split.middles[v][0]], places[split.middles[v][1]]));
       sturdy.push_back(0);
     }
   }
   return rounded;
+}
+
+// Repairs can bring the two sides of an obstacle together: give each its own vertices once more.
+void splitAgain(RoundedMesh& mesh) {
+  WalkableMesh joined;
+  joined.vertices.resize(mesh.vertices.size());
+  joined.triangles = std::move(mesh.triangles);
+  joined.layers = std::move(mesh.layers);
+  SplitMesh split = splitAtObstacleEdges(joined);
+  std::vector<Vec3> vertices;
+  for (std::size_t v = 0; v < split.origins.size(); ++v)
+    vertices.push_back(split.origins[v] >= 0
+                           ? mesh.vertices[split.origins[v]]
+                           : middleOf(mesh.vertices[split.middles[v][0]], mesh.vertices[split.middles[v][1]]));
+  mesh = {std::move(vertices), std::move(split.triangles), std::move(split.layers)};
 }
 
 }  // namespace
@@ -83,7 +99,9 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   std::vector<char> sturdy;
   RoundedMesh rounded = roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh), sturdy, context);
   context.checkCancelled();
+  markBorders(rounded);
   repairRounding(rounded, sturdy, context);
+  if (settleBorders(rounded)) splitAgain(rounded);
   context.checkCancelled();
   markClosedSlivers(rounded, context);
   context.checkCancelled();

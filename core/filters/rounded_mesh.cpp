@@ -106,8 +106,9 @@ class RoundingRepair {
     }
     if (gentle && !isFolded(c[shortest], c[next(shortest)])) {
       int k = 0;
-      const bool obstacle = (triangle.obstacleEdges >> longest & 1) != 0;
-      const Index other = obstacle ? -1 : across(c[next(longest)], c[longest], k);
+      Index other = across(c[next(longest)], c[longest], k);
+      if ((triangle.obstacleEdges >> longest & 1) != 0) other = -1;
+      if (other >= 0 && (mesh_.triangles[other].obstacleEdges >> k & 1) != 0) other = -1;
       if (other < 0) {
         drop(t, longest);
         return;

@@ -36,6 +36,13 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
 /// prefer to keep this vertex's place.
 RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
 
+/// Sets the obstacle flag of every edge with a triangle on one side only, so that repairs carry along what is a border.
+void markBorders(RoundedMesh& mesh);
+
+/// After the repairs: borders lose that flag again; where repairs brought a border together with another edge by index,
+/// it is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.
+bool settleBorders(RoundedMesh& mesh);
+
 /// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
 /// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
 /// only are split where the common part ends.

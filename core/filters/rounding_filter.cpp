@@ -17,7 +17,7 @@ FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
     return outcome;
   }
   const GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
-  outcome.state = withMesh(startGeneration(*state, soup), context, outcome.fallbacks);
+  outcome.state = withMesh(startGeneration(*state, soup, context), context, outcome.fallbacks);
   if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, context).state;
   const RoundingCases& c = soup.cases;
   outcome.note = "case 1: " + std::to_string(c.exact) + ", case 2: " + std::to_string(c.edge) +

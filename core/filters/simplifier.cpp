@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <unordered_map>
 
 #include "core/exact/shape.hpp"
@@ -162,6 +161,7 @@ void Simplifier::removeIfPossible(Index v) {
     }
     if (!isStraight(u, v, w)) return;
   }
+  if (!std::all_of(fans_.begin(), fans_.end(), [&](const Fan& fan) { return turnsOnce(v, fan); })) return;
   std::vector<std::vector<Corners>> filled(fans_.size());
   for (std::size_t i = 0; i < fans_.size(); ++i)
     if (!(approximate_.enabled ? cutAnyEars(fans_[i], filled[i]) : cutEars(v, fans_[i], filled[i]))) return;
@@ -172,6 +172,23 @@ void Simplifier::removeIfPossible(Index v) {
     if (approximate_.enabled)
       for (std::size_t k = 0; k < filled[i].size(); ++k) standsFor_[fans_[i].triangles[k]] = stoodFor;
   }
+}
+
+// Where floors overlap (before a clearance filter), a fan can wind around its vertex more than once. The half-plane of
+// the directions to its ring then changes more often than twice, or once for a straight open fan.
+bool Simplifier::turnsOnce(Index v, const Fan& fan) {
+  const auto isUpper = [&](Index p) {
+    const int y = geometry_.compare(p, v, 1);
+    return y != 0 ? y > 0 : geometry_.compare(p, v, 0) > 0;
+  };
+  int changes = 0;
+  bool last = isUpper(fan.closed ? fan.ring.back() : fan.ring.front());
+  for (const Index p : fan.ring) {
+    const bool upper = isUpper(p);
+    changes += upper != last;
+    last = upper;
+  }
+  return approximate_.enabled ? changes <= 2 : changes == (fan.closed ? 2 : 1);
 }
 
 // An ear of the star-shaped ring does not hold another corner of it when the vertex is not strictly inside.
@@ -188,7 +205,7 @@ bool Simplifier::cutEars(Index v, const Fan& fan, std::vector<Corners>& result) 
       misses = 0;
     } else {
       i = after;
-      if (++misses > ring.size()) throw std::logic_error("simplification found a hole without an ear");
+      if (++misses > ring.size()) return false;
     }
   }
   result.push_back({ring[0], ring[1], ring[2]});

@@ -51,7 +51,8 @@ class Simplifier {
   void collectFans(Index vertex);
   void removeIfPossible(Index vertex);
   [[nodiscard]] bool isStraight(Index u, Index v, Index w);
-  /// Triangles of a fan's ring without its vertex; false when none was found (approximate mode only).
+  bool turnsOnce(Index vertex, const Fan& fan);
+  /// Triangles of a fan's ring without its vertex; false when none was found.
   bool cutEars(Index vertex, const Fan& fan, std::vector<Corners>& result);
   bool cutAnyEars(const Fan& fan, std::vector<Corners>& result);
   /// Nothing that the fans stood for is farther than the bound from the new triangles; collects it.

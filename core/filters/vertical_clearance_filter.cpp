@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -22,6 +23,19 @@ std::shared_ptr<const PlanKernel> kernelWithHeight(const std::shared_ptr<const P
   std::vector<double> heights = kernel->heights();
   heights.push_back(height);
   return std::make_shared<PlanKernel>(kernel->sharedMesh(), std::move(heights));
+}
+
+// A height above the whole extent in z lets no obstacle escape, and neither does any other: the smallest power of two
+// above it stands for all of them, and does not stretch the grid on which doubles can decide.
+double sufficientHeight(const SourceMesh& mesh, double height) {
+  if (mesh.vertices.empty()) return height;
+  const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                               [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+  const double extent = high->z - low->z;
+  if (!(extent > 0) || !std::isfinite(extent)) return height;
+  int exponent = 0;
+  std::frexp(extent, &exponent);  // the extent, rounding of the difference included, is at most 2^exponent
+  return std::min(height, std::ldexp(1.0, exponent + 1));
 }
 
 // What AreaFilter took away does not come back when floors are cut anew. The outlines of earlier parts stay among the
@@ -49,7 +63,7 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
     ids.push_back(static_cast<std::int32_t>(i));
   }
   TriangleTree tree;
-  tree.build(std::move(boxes), std::move(ids));
+  tree.build(std::move(boxes), std::move(ids), [&context] { context.checkCancelled(); });
 
   using Place = std::array<mpq_class, 3>;
   const auto placeOf = [&](const MeshVertex& v) { return kernel.exactPosition(v.point, v.face); };
@@ -90,7 +104,8 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
 
 }  // namespace
 
-FilterOutcome applyVerticalClearance(const StatePtr& state, double height, RunContext& context) {
+FilterOutcome applyVerticalClearance(const StatePtr& state, double given, RunContext& context) {
+  const double height = sufficientHeight(state->kernel->mesh(), given);
   FilterOutcome outcome;
   auto result = std::make_shared<WalkableState>(*state);
   result->kernel = kernelWithHeight(state->kernel, height);
@@ -103,7 +118,9 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, RunCo
   std::atomic<Index> done{0};
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kFacesPerTask), [&](const auto& range) {
     auto& clipper = clippers.local();
-    if (!clipper) clipper = std::make_unique<ClearanceClipper>(kernel, state->walkable, level);
+    if (!clipper)
+      clipper =
+          std::make_unique<ClearanceClipper>(kernel, state->walkable, level, [&context] { context.checkCancelled(); });
     for (Index t = range.begin(); t != range.end(); ++t) {
       context.checkCancelled();
       if (state->walkable[t] != 0) (*cuts)[t] = clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr);

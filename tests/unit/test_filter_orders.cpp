@@ -105,6 +105,44 @@ class TestFilterOrders : public QObject {
       QCOMPARE(measure(runFilters(soup.environment(), filters)).planArea.get_d(), 2.0 * 60);
   }
 
+  void droppedCoplanarFloorsRemoveNothing() {
+    // a small floor in the plane of a large one, dropped before anything is cut: it is coplanar and rejected then
+    Soup soup;
+    soup.triangle({0, 0, 0}, {30, 0, 0}, {0, 30, 0}).triangle({9, 9, 0}, {12, 9, 0}, {9, 12, 0});
+    for (const char* filters :
+         {"AreaFilter 50\nVerticalClearanceFilter 2", "SimplificationFilter\nAreaFilter 50\nVerticalClearanceFilter 2"})
+      QCOMPARE(measure(runFilters(soup.environment(), filters)).planArea.get_d(), 2.0 * 450);
+  }
+
+  void overlappingFansAreLeftAlone() {
+    // before a clearance filter, floors may wind twice around a vertex
+    const std::array<Vec3, 5> ring{Vec3{100, 0, 0}, Vec3{-81, 59, 0}, Vec3{31, -95, 0}, Vec3{31, 95, 0},
+                                   Vec3{-81, -59, 0}};
+    Soup soup;
+    for (std::size_t i = 0; i < 5; ++i) soup.triangle({0, 0, 0}, ring[i], ring[(i + 1) % 5]);
+    const Measure before = measure(runFilters(soup.environment(), "SlopeFilter 45\nAreaFilter 0"));
+    const Measure after = measure(runFilters(soup.environment(), "SlopeFilter 45\nAreaFilter 0\nSimplificationFilter"));
+    QCOMPARE(after.planArea.get_d(), before.planArea.get_d());
+  }
+
+  void anyHeightAboveTheExtentIsTheSame() {
+    const auto environment = room().environment();
+    const Measure enough = measure(runFilters(environment, "SlopeFilter 80\nVerticalClearanceFilter 4.5"));
+    for (const char* height : {"5", "9", "1000", "1e30", "1e300"}) {
+      const Measure other =
+          measure(runFilters(environment, "SlopeFilter 80\nVerticalClearanceFilter " + std::string(height)));
+      QCOMPARE(other.planArea.get_d(), enough.planArea.get_d());
+      QCOMPARE(other.parts, enough.parts);
+    }
+  }
+
+  void bothSidesSurviveANewGeneration() {
+    Soup soup;
+    soup.ceiling(0, 0, 4, 4, 0).triangle({8, 0, 0}, {8.01, 0, 0}, {8, 1, 3});
+    const StatePtr state = runFilters(soup.environment(true), "DuplicationFilter 0.1");
+    QCOMPARE(measure(state).planArea.get_d(), 2.0 * 16);
+  }
+
   void generationsKeepObstacleEdges() {
     // a wall in the floor's inside with both ends free, kept through rounding, merging and approximate simplification;
     // the leaning roof makes sure that there is something to round

@@ -169,6 +169,24 @@ class TestRounding : public QObject {
     }
   }
 
+  void closedSliversInsideAFloorStayApart() {
+    // the same inside one floor triangle, where simplification leaves only the four corners of the sliver: rounding
+    // brings both its ends together, so the sides need points of their own in the middle
+    const double lean = std::nextafter(2.0, 3.0);
+    const auto environment =
+        environmentOf({{-20, -20, 0}, {20, -20, 0}, {0, 40, 0}, {2, 1, 0}, {2, 3, 0}, {lean, 3, 5}, {lean, 1, 5}},
+                      {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}});
+    RunContext context;
+    StatePtr state = apply("VerticalClearanceFilter", {2}, makeInitialState(environment, context), context);
+    for (const char* filter : {"", "SimplificationFilter", "RoundingFilter"}) {
+      if (*filter != 0) state = apply(filter, {}, state, context);
+      const auto mesh = makeNavigationMesh(state, context);
+      double length = 0;
+      for (const auto& [a, b] : mesh->obstacleEdges) length += std::fabs(mesh->vertices[a].y - mesh->vertices[b].y);
+      QCOMPARE(length, 2.0);
+    }
+  }
+
   void roundingStartsANewGeneration() {
     // a box over a floor: after rounding, clearance finds the same again
     const auto environment = environmentOf({{0, 0, 0}, {9, 0, 0}, {0, 9, 0.3}, {1, 1, 1}, {3, 1.1, 1.7}, {1.3, 3, 1.2}},

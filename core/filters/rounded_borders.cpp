@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -23,26 +25,35 @@ struct Border {
   int k = 0;
 };
 
-std::vector<Border> findBorders(const RoundedMesh& mesh) {
-  std::vector<std::array<Index, 3>> uses;  // vertices (smaller first) and 3 * triangle + k
+/// Calls visit(sides) for every edge, with the numbers 3 * triangle + k of all its sides.
+template <class Visit>
+void visitEdges(const RoundedMesh& mesh, Visit visit) {
+  std::vector<std::array<Index, 3>> uses;  // vertices (smaller first) and side
   uses.reserve(mesh.triangles.size() * 3);
   for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
     for (int k = 0; k < 3; ++k) {
       const Index a = mesh.triangles[t].corners[k], b = mesh.triangles[t].corners[next(k)];
       uses.push_back({std::min(a, b), std::max(a, b), 3 * t + k});
     }
-  std::sort(uses.begin(), uses.end());
-  std::vector<Border> borders;
+  tbb::parallel_sort(uses.begin(), uses.end());
+  std::vector<Index> sides;
   for (std::size_t i = 0; i < uses.size();) {
+    sides.clear();
     std::size_t j = i;
-    while (j < uses.size() && uses[j][0] == uses[i][0] && uses[j][1] == uses[i][1]) ++j;
-    if (j - i == 1) {
-      const Index t = uses[i][2] / 3;
-      const int k = uses[i][2] % 3;
-      borders.push_back({mesh.triangles[t].corners[k], mesh.triangles[t].corners[next(k)], t, k});
-    }
+    for (; j < uses.size() && uses[j][0] == uses[i][0] && uses[j][1] == uses[i][1]; ++j) sides.push_back(uses[j][2]);
+    visit(sides);
     i = j;
   }
+}
+
+std::vector<Border> findBorders(const RoundedMesh& mesh) {
+  std::vector<Border> borders;
+  visitEdges(mesh, [&](const std::vector<Index>& sides) {
+    if (sides.size() > 1) return;
+    const Index t = sides[0] / 3;
+    const int k = sides[0] % 3;
+    borders.push_back({mesh.triangles[t].corners[k], mesh.triangles[t].corners[next(k)], t, k});
+  });
   return borders;
 }
 
@@ -115,6 +126,27 @@ void splitBorders(RoundedMesh& mesh, const std::vector<Border>& borders,
 }
 
 }  // namespace
+
+void markBorders(RoundedMesh& mesh) {
+  for (const Border& e : findBorders(mesh))
+    mesh.triangles[e.triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << e.k);
+}
+
+bool settleBorders(RoundedMesh& mesh) {
+  bool shared = false;
+  visitEdges(mesh, [&](const std::vector<Index>& sides) {
+    bool flagged = false;
+    for (const Index s : sides) flagged = flagged || (mesh.triangles[s / 3].obstacleEdges >> (s % 3) & 1) != 0;
+    const bool obstacle = flagged && sides.size() > 1;
+    shared = shared || obstacle;
+    for (const Index s : sides) {
+      std::uint8_t& flags = mesh.triangles[s / 3].obstacleEdges;
+      const auto bit = static_cast<std::uint8_t>(1 << (s % 3));
+      flags = static_cast<std::uint8_t>(obstacle ? flags | bit : flags & ~bit);
+    }
+  });
+  return shared;
+}
 
 void markClosedSlivers(RoundedMesh& mesh, RunContext& context) {
   std::vector<Border> borders = findBorders(mesh);
