@@ -35,7 +35,20 @@ bool sameFile(const std::string& a, const std::string& b) {
   return a == b || std::filesystem::equivalent(a, b, failed);
 }
 
+/// Refuses names of files that hold or belong to an environment of another format, so that a slip of the hand cannot
+/// replace one.
+void checkEnding(const std::string& target, const std::string& option, const std::string& allowed) {
+  std::string ending = std::filesystem::path(target).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending.empty() || ending == allowed) return;
+  const std::vector<std::string> formats = importableExtensions();
+  if (ending == ".bin" || std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end())
+    throw InputError(target + ": " + option + " writes " + allowed + " files; give a name that ends so");
+}
+
 void checkTargets(const RunArguments& arguments) {
+  checkEnding(arguments.output, "-o", ".obj");
+  checkEnding(arguments.statistics, "--stats", ".json");
   for (const std::string& target : {arguments.output, arguments.statistics}) {
     for (const std::string& input : {arguments.environment, arguments.pipelineFile}) {
       if (sameFile(target, input)) throw InputError(target + ": would be overwritten; give another file to write to");

@@ -46,6 +46,10 @@ int fail(int code, const QString& message) {
 }
 
 int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
+  // Only pictures: a slip of the hand must not replace a level.
+  const QString target = QFile::decodeName(options.screenshot.c_str());
+  if (!target.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
+    return fail(2, QStringLiteral("%1: --screenshot writes .png files; give a name that ends so").arg(target));
   int code = 0;
   const auto finish = [&](int result) {
     code = result;
@@ -62,12 +66,11 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
       // A session has a view of its own.
       if (options.top) window.view().viewFromTop();
       if (!options.top && !window.openedSession()) window.view().viewOblique();
-      const QString path = QFile::decodeName(options.screenshot.c_str());
-      QSaveFile file(path);
+      QSaveFile file(target);
       const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
       finish(written ? 0
                      : fail(1, QStringLiteral("%1: cannot be written (%2); choose another folder or name")
-                                   .arg(path, file.errorString())));
+                                   .arg(target, file.errorString())));
     });
   });
   QApplication::exec();
