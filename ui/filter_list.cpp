@@ -124,6 +124,20 @@ void FilterList::showFilters() {
 
 void FilterList::showStatuses() {
   for (FilterRow* row : rows_) row->setStatus(controller_.status(row->entryId()));
+  giveRowsTheirHeight();
+}
+
+void FilterList::giveRowsTheirHeight() {
+  for (FilterRow* row : rows_) row->layout()->activate();
+  layout_->invalidate();
+  const int width = scroll_->viewport()->width();
+  content_->setMinimumHeight(layout_->hasHeightForWidth() ? layout_->heightForWidth(width)
+                                                          : layout_->sizeHint().height());
+}
+
+void FilterList::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  giveRowsTheirHeight();
 }
 
 bool FilterList::eventFilter(QObject* watched, QEvent* event) {

@@ -26,11 +26,14 @@ class FilterList : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void fillAddMenu();
   void showFilters();
   void showStatuses();
+  /// Wrapped notes need more height than their smallest: the scroll area must not squeeze rows.
+  void giveRowsTheirHeight();
   FilterRow* makeRow(const FilterEntry& entry);
   void beginDrag(FilterRow* row);
   void moveDrag(const QPoint& globalPosition);
