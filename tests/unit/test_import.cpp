@@ -255,7 +255,7 @@ class TestImport : public QObject {
 
   void realEnvironments_data() {
     QTest::addColumn<QString>("file");
-    QTest::addColumn<int>("triangles");  // as counted by hand from the files, less faces that repeat a vertex
+    QTest::addColumn<int>("triangles");  // ours; with the skipped faces, those of the README
     QTest::addColumn<int>("skipped");
     QTest::newRow("nav_test") << "nav_test.obj" << 1612 << 0;
     QTest::newRow("level") << "level.obj" << 1612 << 0;
