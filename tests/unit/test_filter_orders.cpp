@@ -137,10 +137,21 @@ class TestFilterOrders : public QObject {
   }
 
   void bothSidesSurviveANewGeneration() {
+    // merging turns the only floor over: with both sides counting as up, it stays a floor
     Soup soup;
-    soup.ceiling(0, 0, 4, 4, 0).triangle({8, 0, 0}, {8.01, 0, 0}, {8, 1, 3});
-    const StatePtr state = runFilters(soup.environment(true), "DuplicationFilter 0.1");
-    QCOMPARE(measure(state).planArea.get_d(), 2.0 * 16);
+    soup.triangle({0, 0, 0}, {4, 0, 0}, {2, 0.05, 0}).triangle({1.99, -0.04, 0}, {1.99, -4, 5}, {1.99, -5, 5});
+    QVERIFY(measure(runFilters(soup.environment(true), "DuplicationFilter 0.1")).planArea > 0);
+    QVERIFY(measure(runFilters(soup.environment(false), "DuplicationFilter 0.1")).planArea == 0);
+  }
+
+  void slopeKeepsLayers() {
+    Soup soup;
+    soup.floor(0, 0, 8, 8, 0).floor(0, 0, 8, 8, 4);
+    const std::string layered = "VerticalClearanceFilter 2\nLayerSubdivisionFilter\n";
+    QCOMPARE(navigationMesh(runFilters(soup.environment(), layered)).layerCount, 2U);
+    const NavigationMesh mesh = navigationMesh(runFilters(soup.environment(), layered + "SlopeFilter 45"));
+    QCOMPARE(mesh.layerCount, 2U);
+    QCOMPARE(mesh.layers.size(), mesh.triangles.size());
   }
 
   void generationsKeepObstacleEdges() {
