@@ -74,6 +74,7 @@ class FaceGeometry {
   [[nodiscard]] const PlanPoint& operator[](Index point) const { return points_[point]; }
   [[nodiscard]] const PlanLine& lineAt(Index line) const { return lines_[line]; }
   [[nodiscard]] std::size_t pointCount() const { return points_.size(); }
+  [[nodiscard]] std::size_t lineCount() const { return lines_.size(); }
 
   /// Bit k: the point is known to lie on the face's edge k.
   [[nodiscard]] std::uint8_t border(Index point) const { return border_[point]; }

@@ -10,6 +10,14 @@ namespace {
 
 int next(int k) { return k == 2 ? 0 : k + 1; }
 
+// A difference of numbers of `bits` bits has bits + 1, and so on: while the largest sum of a predicate keeps within the
+// 53 bits of a double, every step of it is exact, whatever the order, and so is its sign.
+constexpr int kDoubleBits = 53;
+bool areOrientationsExact(int bits) { return 2 * (bits + 1) + 1 <= kDoubleBits; }
+// A component of a normal has 2 (bits + 1) + 1 bits; three products with a difference and one with the height are
+// added.
+bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
+
 }  // namespace
 
 ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
@@ -21,7 +29,12 @@ ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<c
       height_(kernel.heights()[level - 1]),
       scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
       poll_(std::move(poll)),
-      geometry_(kernel) {}
+      geometry_(kernel) {
+  Grid grid = mesh_.grid;
+  exactOrientations_ = !grid.empty() && areOrientationsExact(grid.top - grid.low) && kernel.sign().zeroValid;
+  grid.include(height_);
+  exactHeights_ = areHeightsExact(grid.top - grid.low) && kernel.sign().zeroValid;
+}
 
 FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
   prepareFloor(face);
@@ -29,42 +42,34 @@ FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
     if (earlier->removed) return *earlier;
     addEarlier(*earlier);
   }
-  const auto& f = mesh_.triangles[face];
-  Box query;
-  const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
-  query.lower = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-  query.upper = {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height_};
-  query.upper[2] = std::nextafter(query.upper[2], std::numeric_limits<double>::infinity());
-
+  findCandidates();
   bool removed = false;
-  mesh_.tree.visitOverlapping(query, stack_, [&](Index obstacle) {
+  for (const Candidate& candidate : candidates_) {
     if ((++polls_ & 255) == 0) poll_();
-    if (obstacle == face) return true;
-    const Heights heights = heightsOf(obstacle);
-    if (heights.coplanar ? !(walkable_[obstacle] && obstacle < face) : !heights.reaches) return true;
-    if (!mayOverlap(obstacle)) return true;
     if (!started_) {
       geometry_.start(face);
       started_ = true;
     }
-    if (mesh_.facing[obstacle] == 0)
-      addWall(obstacle, heights);
+    if (mesh_.facing[candidate.obstacle] == 0)
+      addWall(candidate);
     else
-      removed = addArea(obstacle, heights);
-    return !removed;
-  });
-  if (removed) {
-    FaceCuts cuts;
-    cuts.removed = true;
-    return cuts;
+      removed = addArea(candidate);
+    if (removed) break;
   }
-  cancelSegments();
-  return collect();
+  FaceCuts cuts;
+  if (!removed) {
+    cancelSegments();
+    cuts = collect();
+  }
+  cuts.removed = removed;
+  cuts.dependsOnFloors = dependsOnFloors_;
+  return cuts;
 }
 
 void ClearanceClipper::prepareFloor(Index face) {
   face_ = face;
   started_ = false;
+  dependsOnFloors_ = false;
   segments_.clear();
   edgeWalls_ = 0;
   const auto& f = mesh_.triangles[face];
@@ -73,77 +78,149 @@ void ClearanceClipper::prepareFloor(Index face) {
   const auto& n = mesh_.normals[face];
   nx_ = n[0].value, ny_ = n[1].value, nz_ = n[2].value;
   ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
+  floorZ_ = mesh_.vertices[f[0]].z;
+  isLevel_ = mesh_.vertices[f[1]].z == floorZ_ && mesh_.vertices[f[2]].z == floorZ_;
 }
 
-ClearanceClipper::Heights ClearanceClipper::heightsOf(Index obstacle) {
-  Heights heights;
+void ClearanceClipper::findCandidates() {
+  candidates_.clear();
   const auto& f = mesh_.triangles[face_];
-  const auto& o = mesh_.triangles[obstacle];
+  Box query;
+  const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
+  query.lower = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
+  query.upper = {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height_};
+  query.upper[2] = std::nextafter(query.upper[2], std::numeric_limits<double>::infinity());
+  mesh_.tree.visitOverlapping(query, stack_, [&](Index obstacle) {
+    if ((++polls_ & 255) == 0) poll_();
+    if (obstacle == face_) return true;
+    Candidate candidate;
+    candidate.obstacle = obstacle;
+    if (!findHeights(candidate)) return true;
+    if (candidate.coplanar) {
+      if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || !findOverlap(candidate)) return true;
+      dependsOnFloors_ = true;
+      if (walkable_[obstacle] == 0) return true;
+    } else if (!findOverlap(candidate)) {
+      return true;
+    }
+    candidates_.push_back(candidate);
+    return true;
+  });
+  // Points and lines are numbered as they come, so the order of the tree must not show.
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& x, const Candidate& y) { return x.obstacle < y.obstacle; });
+}
+
+// Exact: a rounded difference on one side of the clearance is on that side before rounding, as the clearance is a
+// double; when they are equal, the residual tells.
+int ClearanceClipper::compareToCeiling(double z) const {
+  const double difference = z - floorZ_;
+  if (difference != height_) return difference > height_ ? 1 : -1;
+  const double part = difference - z;
+  const double residual = (z - (difference - part)) - (floorZ_ + part);
+  return residual > 0 ? 1 : residual < 0 ? -1 : 0;
+}
+
+bool ClearanceClipper::findHeights(Candidate& candidate) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  bool above = false, below = false, on = true;
+  const auto note = [&](int j, int floor, int ceiling) {
+    candidate.floor[j] = static_cast<std::int8_t>(floor);
+    candidate.ceiling[j] = static_cast<std::int8_t>(ceiling);
+    above = above || floor > 0;
+    below = below || ceiling < 0;
+    on = on && floor == 0;
+  };
+  if (isLevel_) {
+    for (int j = 0; j < 3; ++j) {
+      const double z = mesh_.vertices[o[j]].z;
+      const int floor = z > floorZ_ ? 1 : z < floorZ_ ? -1 : 0;
+      note(j, floor, floor > 0 ? compareToCeiling(z) : -1);
+    }
+    candidate.coplanar = on;
+    return on || (above && below);
+  }
   const Vec3& base = mesh_.scaled[f[0]];
   const double slack = kernel_.sign().slack;
-  bool above = false, below = false, on = true;
   for (int j = 0; j < 3; ++j) {
     const Index v = o[j];
     if (v == f[0] || v == f[1] || v == f[2]) {
-      heights.floor[j] = 0;
-      heights.ceiling[j] = -1;
-    } else {
-      const Vec3& p = mesh_.scaled[v];
-      const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
-      const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
-      const double value = tx + ty + tz;
-      // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
-      const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
-                            ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
-                               kInflate +
-                           slack;
-      heights.floor[j] = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, geometry_.fallbacks);
-      if (heights.floor[j] <= 0)
-        heights.ceiling[j] = -1;
-      else
-        heights.ceiling[j] = value - th > bound    ? 1
-                             : value - th < -bound ? -1
-                                                   : kernel_.heightSign(face_, v, level_, geometry_.fallbacks);
+      note(j, 0, -1);
+      continue;
     }
-    above = above || heights.floor[j] > 0;
-    below = below || heights.ceiling[j] < 0;
-    on = on && heights.floor[j] == 0;
+    const Vec3& p = mesh_.scaled[v];
+    const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
+    const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
+    const double value = tx + ty + tz;
+    if (exactHeights_) {
+      const double over = value - th;
+      note(j, value > 0 ? 1 : value < 0 ? -1 : 0, over > 0 ? 1 : over < 0 ? -1 : 0);
+      continue;
+    }
+    // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
+    const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
+                          ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
+                             kInflate +
+                         slack;
+    const int floor = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, geometry_.fallbacks);
+    int ceiling = -1;
+    if (floor > 0)
+      ceiling = value - th > bound    ? 1
+                : value - th < -bound ? -1
+                                      : kernel_.heightSign(face_, v, level_, geometry_.fallbacks);
+    note(j, floor, ceiling);
   }
-  heights.coplanar = on;
-  heights.reaches = above && below;
-  return heights;
+  candidate.coplanar = on;
+  return on || (above && below);
 }
 
-bool ClearanceClipper::mayOverlap(Index obstacle) {
+int ClearanceClipper::orientation(Index a, Index b, Index c) {
+  if (!exactOrientations_) return kernel_.orientation(a, b, c, geometry_.fallbacks);
+  const Vec3 &p = mesh_.scaled[a], &q = mesh_.scaled[b], &r = mesh_.scaled[c];
+  const double left = (p.x - r.x) * (q.y - r.y), right = (p.y - r.y) * (q.x - r.x);
+  return left > right ? 1 : left < right ? -1 : 0;
+}
+
+bool ClearanceClipper::findOverlap(Candidate& candidate) {
+  const Index obstacle = candidate.obstacle;
   const auto& f = mesh_.triangles[face_];
   const auto& o = mesh_.triangles[obstacle];
   const auto& plan = mesh_.planIds;
   const int facing = mesh_.facing[obstacle];
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
   for (int k = 0; k < 3; ++k) {
+    auto& sides = candidate.sides[k];
+    const Index from = plan[f[k]], to = plan[f[next(k)]];
     bool inside = false;
     int zeros = 0;
     for (int j = 0; j < 3; ++j) {
       const Index v = plan[o[j]];
-      sides_[k][j] = v == plan[f[k]] || v == plan[f[next(k)]]
-                         ? 0
-                         : kernel_.orientation(f[k], f[next(k)], o[j], geometry_.fallbacks);
-      inside = inside || sides_[k][j] > 0;
-      zeros += sides_[k][j] == 0;
+      sides[j] = static_cast<std::int8_t>(v == from || v == to ? 0 : orientation(f[k], f[next(k)], o[j]));
+      inside = inside || sides[j] > 0;
+      zeros += sides[j] == 0;
     }
     if (!inside && !(facing == 0 && zeros >= 2)) return false;
   }
+  return !isSeparated(obstacle);
+}
+
+// Whether an edge of the obstacle, or the line of a wall, has the whole face on its outer side.
+bool ClearanceClipper::isSeparated(Index obstacle) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[obstacle];
+  const auto& plan = mesh_.planIds;
+  const auto sideOf = [&](Index a, Index b, Index v) {
+    return plan[v] == plan[a] || plan[v] == plan[b] ? 0 : orientation(a, b, v);
+  };
+  const int facing = mesh_.facing[obstacle];
   if (facing != 0) {
     for (int k = 0; k < 3; ++k) {
       const Index a = facing > 0 ? o[k] : o[next(k)];
       const Index b = facing > 0 ? o[next(k)] : o[k];
-      bool inside = false;
-      for (int j = 0; j < 3 && !inside; ++j)
-        inside =
-            plan[f[j]] != plan[a] && plan[f[j]] != plan[b] && kernel_.orientation(a, b, f[j], geometry_.fallbacks) > 0;
-      if (!inside) return false;
+      if (sideOf(a, b, f[0]) <= 0 && sideOf(a, b, f[1]) <= 0 && sideOf(a, b, f[2]) <= 0) return true;
     }
-    return true;
+    return false;
   }
   // A wall must not have the whole face strictly on one side, nor touch it in a corner only.
   Index a = -1, b = -1;
@@ -151,15 +228,15 @@ bool ClearanceClipper::mayOverlap(Index obstacle) {
     if (plan[o[k]] != plan[o[next(k)]]) a = o[k], b = o[next(k)];
   int left = 0, right = 0;
   for (int j = 0; j < 3; ++j) {
-    const int s =
-        plan[f[j]] == plan[a] || plan[f[j]] == plan[b] ? 0 : kernel_.orientation(a, b, f[j], geometry_.fallbacks);
+    const int s = sideOf(a, b, f[j]);
     left += s > 0;
     right += s < 0;
   }
-  return !(left == 3 || right == 3 || (left == 2 && right == 0) || (right == 2 && left == 0));
+  return left == 3 || right == 3 || (left == 2 && right == 0) || (right == 2 && left == 0);
 }
 
-bool ClearanceClipper::addArea(Index obstacle, const Heights& heights) {
+bool ClearanceClipper::addArea(const Candidate& candidate) {
+  const Index obstacle = candidate.obstacle;
   const auto& o = mesh_.triangles[obstacle];
   const auto& plan = mesh_.planIds;
   const bool up = mesh_.facing[obstacle] > 0;
@@ -168,15 +245,15 @@ bool ClearanceClipper::addArea(Index obstacle, const Heights& heights) {
     const int i = up ? j : 2 - j;
     const int i2 = up ? next(j) : (4 - j) % 3;
     const Index a = plan[o[i]], b = plan[o[i2]];
-    polygon.push({geometry_.point({PlanPoint::Source, a}), geometry_.edgeLine(a, b), a < b ? 1 : -1, heights.floor[i],
-                  heights.ceiling[i]});
+    polygon.push({geometry_.point({PlanPoint::Source, a}), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
+                  candidate.ceiling[i]});
   }
-  if (!heights.coplanar) {
+  if (!candidate.coplanar) {
     clipToLevel(polygon, obstacle, false);
     if (polygon.size > 0) clipToLevel(polygon, obstacle, true);
   }
   for (int k = 0; k < 3 && polygon.size > 0; ++k) {
-    const auto& s = sides_[k];
+    const auto& s = candidate.sides[k];
     if (s[0] >= 0 && s[1] >= 0 && s[2] >= 0) {
       // inside already; only remember what lies on the edge
       const int zeros = (s[0] == 0) + (s[1] == 0) + (s[2] == 0);
@@ -287,8 +364,8 @@ void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
   polygon = result;
 }
 
-void ClearanceClipper::addWall(Index obstacle, const Heights& heights) {
-  const auto& o = mesh_.triangles[obstacle];
+void ClearanceClipper::addWall(const Candidate& candidate) {
+  const auto& o = mesh_.triangles[candidate.obstacle];
   const auto& plan = mesh_.planIds;
   // Where the wall reaches into the clearance: its corners there, and where its edges pass floor and ceiling.
   std::array<Index, 12> points{};
@@ -298,14 +375,14 @@ void ClearanceClipper::addWall(Index obstacle, const Heights& heights) {
     const Index u = o[k], v = o[next(k)];
     const bool upright = plan[u] == plan[v];
     if (!upright && line < 0) line = geometry_.edgeLine(plan[u], plan[v]);
-    if (heights.floor[k] >= 0 && heights.ceiling[k] <= 0)
+    if (candidate.floor[k] >= 0 && candidate.ceiling[k] <= 0)
       points[count++] = geometry_.point({PlanPoint::Source, plan[u]});
     const auto addCrossing = [&](Index level) {
       points[count++] = upright ? geometry_.point({PlanPoint::Source, plan[u]})
                                 : geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
     };
-    if (heights.floor[k] * heights.floor[next(k)] < 0) addCrossing(0);
-    if (heights.ceiling[k] * heights.ceiling[next(k)] < 0) addCrossing(level_);
+    if (candidate.floor[k] * candidate.floor[next(k)] < 0) addCrossing(0);
+    if (candidate.ceiling[k] * candidate.ceiling[next(k)] < 0) addCrossing(level_);
   }
   const PlanLine l = geometry_.lineAt(line);
   const Vec3 &start = mesh_.vertices[l.a], &end = mesh_.vertices[l.b];
@@ -385,23 +462,24 @@ FaceCuts ClearanceClipper::collect() {
   FaceCuts cuts;
   cuts.edgeWalls = edgeWalls_;
   if (segments_.empty()) return cuts;
-  std::vector<Index> points(geometry_.pointCount(), -1);
-  std::unordered_map<Index, Index> lines;
-  const auto pointOf = [&](Index p) {
-    if (points[p] < 0) {
-      points[p] = static_cast<Index>(cuts.points.size());
-      cuts.points.push_back(geometry_[p]);
-      cuts.borders.push_back(geometry_.border(p));
-    }
-    return points[p];
+  const auto number = [&](std::size_t slot, std::size_t count) {
+    const bool isNew = numbers_[slot] < 0;
+    if (isNew) numbers_[slot] = static_cast<Index>(count);
+    return isNew;
   };
-  for (CutSegment s : segments_) {
-    s.from = pointOf(s.from);
-    s.to = pointOf(s.to);
-    const auto [it, isNew] = lines.try_emplace(s.line, static_cast<Index>(cuts.lines.size()));
-    if (isNew) cuts.lines.push_back(geometry_.lineAt(s.line));
-    s.line = it->second;
-    cuts.segments.push_back(s);
+  const std::size_t lineSlots = geometry_.pointCount();
+  numbers_.assign(lineSlots + geometry_.lineCount(), -1);
+  cuts.segments = segments_;
+  for (CutSegment& s : cuts.segments) {
+    for (Index* p : {&s.from, &s.to}) {
+      if (number(*p, cuts.points.size())) {
+        cuts.points.push_back(geometry_[*p]);
+        cuts.borders.push_back(geometry_.border(*p));
+      }
+      *p = numbers_[*p];
+    }
+    if (number(lineSlots + s.line, cuts.lines.size())) cuts.lines.push_back(geometry_.lineAt(s.line));
+    s.line = numbers_[lineSlots + s.line];
   }
   return cuts;
 }

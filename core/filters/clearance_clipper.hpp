@@ -39,18 +39,28 @@ class ClearanceClipper {
     int size = 0;
     void push(const Corner& c) { corners[size++] = c; }
   };
-  struct Heights {
-    std::array<int, 3> floor{}, ceiling{};
+  /// A triangle that stands in the clearance, and what was found out about it.
+  struct Candidate {
+    using Signs = std::array<std::int8_t, 3>;
+    Index obstacle = -1;
+    Signs floor{}, ceiling{};      ///< for each corner of the obstacle: its height against the floor and the clearance
+    std::array<Signs, 3> sides{};  ///< [edge of the face][corner of the obstacle]: +1 inside
     bool coplanar = false;
-    bool reaches = false;  ///< some of the obstacle is strictly within the clearance
   };
 
   void prepareFloor(Index face);
-  [[nodiscard]] Heights heightsOf(Index obstacle);
-  /// False when obstacle and face cannot overlap in the plan; fills sides_.
-  bool mayOverlap(Index obstacle);
-  bool addArea(Index obstacle, const Heights& heights);
-  void addWall(Index obstacle, const Heights& heights);
+  /// Everything that stands in the clearance and may overlap the face in the plan, in the order of the triangles.
+  void findCandidates();
+  /// False when nothing of the obstacle is strictly within the clearance, nor coplanar.
+  bool findHeights(Candidate& candidate);
+  [[nodiscard]] int compareToCeiling(double z) const;
+  /// The kernel's orientation of source vertices, which doubles decide at once on a grid of few bits.
+  [[nodiscard]] int orientation(Index a, Index b, Index c);
+  /// False when obstacle and face do not overlap in the plan; finds the sides.
+  bool findOverlap(Candidate& candidate);
+  bool isSeparated(Index obstacle);
+  bool addArea(const Candidate& candidate);
+  void addWall(const Candidate& candidate);
   void clipToLevel(Polygon& polygon, Index obstacle, bool ceiling);
   void clipToEdge(Polygon& polygon, int k);
   void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall);
@@ -70,12 +80,17 @@ class ClearanceClipper {
   FaceGeometry geometry_;
   Index face_ = -1;
   bool started_ = false;
-  std::array<std::array<int, 3>, 3> sides_{};  ///< [edge of the face][corner of the obstacle]
   std::uint8_t edgeWalls_ = 0;
   std::vector<CutSegment> segments_;
   std::vector<std::int32_t> stack_;
+  std::vector<Candidate> candidates_;
+  std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
   // the floor's plane in doubles
   double nx_ = 0, ny_ = 0, nz_ = 0, ex_ = 0, ey_ = 0, ez_ = 0;
+  bool isLevel_ = false;  ///< all corners of the floor have the same z
+  double floorZ_ = 0;     ///< ... which is this one
+  bool dependsOnFloors_ = false;
+  bool exactOrientations_ = false, exactHeights_ = false;
 };
 
 }  // namespace footfall

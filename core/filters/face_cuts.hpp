@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/exact/plan_kernel.hpp"
@@ -27,7 +28,29 @@ struct FaceCuts {
   std::vector<PlanLine> lines;
   std::vector<CutSegment> segments;
 
-  [[nodiscard]] bool empty() const { return !removed && edgeWalls == 0 && segments.empty(); }
+  /// Whether another face is a floor decided something here: coplanar floors overlap, and one of them stays.
+  bool dependsOnFloors = false;
+
+  [[nodiscard]] bool empty() const { return !removed && edgeWalls == 0 && segments.empty() && !dependsOnFloors; }
+};
+
+/// The cuts of all source triangles. Most have none, and later runs share those that they can reuse.
+class CutTable {
+ public:
+  explicit CutTable(std::size_t faces) : cuts_(faces) {}
+
+  const FaceCuts& operator[](std::size_t face) const {
+    static const FaceCuts kNone;
+    return cuts_[face] ? *cuts_[face] : kNone;
+  }
+  [[nodiscard]] const std::shared_ptr<const FaceCuts>& shared(std::size_t face) const { return cuts_[face]; }
+  void set(std::size_t face, std::shared_ptr<const FaceCuts> cuts) { cuts_[face] = std::move(cuts); }
+  void set(std::size_t face, FaceCuts&& cuts) {
+    if (!cuts.empty()) cuts_[face] = std::make_shared<const FaceCuts>(std::move(cuts));
+  }
+
+ private:
+  std::vector<std::shared_ptr<const FaceCuts>> cuts_;
 };
 
 }  // namespace footfall

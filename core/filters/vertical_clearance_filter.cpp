@@ -113,7 +113,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, RunCon
   const Index level = *kernel.levelOf(height);
   const auto count = static_cast<Index>(kernel.mesh().triangles.size());
 
-  auto cuts = std::make_shared<std::vector<FaceCuts>>(count);
+  auto cuts = std::make_shared<CutTable>(count);
   tbb::enumerable_thread_specific<std::unique_ptr<ClearanceClipper>> clippers;
   std::atomic<Index> done{0};
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kFacesPerTask), [&](const auto& range) {
@@ -123,7 +123,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, RunCon
           std::make_unique<ClearanceClipper>(kernel, state->walkable, level, [&context] { context.checkCancelled(); });
     for (Index t = range.begin(); t != range.end(); ++t) {
       context.checkCancelled();
-      if (state->walkable[t] != 0) (*cuts)[t] = clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr);
+      if (state->walkable[t] != 0) cuts->set(t, clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr));
     }
     const Index finished = done.fetch_add(range.end() - range.begin(), std::memory_order_relaxed);
     context.progress(0.5 * finished / count);

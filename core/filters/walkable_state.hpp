@@ -46,7 +46,7 @@ struct WalkableState {
   /// For each source triangle: taken out of the environment altogether (DegeneracyFilter).
   std::vector<char> removed;
   /// For each source triangle, or empty before the first clearance filter.
-  std::shared_ptr<const std::vector<FaceCuts>> cuts;
+  std::shared_ptr<const CutTable> cuts;
   /// The mesh of walkable parts; null until a filter needed it.
   std::shared_ptr<const WalkableMesh> mesh;
   /// The mesh's triangles may span several coplanar source triangles (SimplificationFilter).
