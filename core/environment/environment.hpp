@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct SkippedElements {
   std::uint64_t polygons = 0;  ///< faces with fewer than three distinct corners, or that cannot be triangulated
 };
 
+struct EnvironmentEdit;  // core/environment/environment_edit.hpp
+
 /// A triangle soup. Coordinates are the file's own doubles; a Y-up file is turned by (x, y, z) -> (x, -z, y), which is
 /// exact and is undone on export.
 struct Environment {
@@ -48,6 +51,8 @@ struct Environment {
   bool scaleGuessed = true;
   bool bothSides = false;
   SkippedElements skipped;
+  /// What it was made of, when it is another environment with something changed; else null.
+  std::shared_ptr<const EnvironmentEdit> edit;
 };
 
 }  // namespace footfall

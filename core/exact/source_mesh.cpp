@@ -11,7 +11,6 @@
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall {
-namespace {
 
 void chooseGrid(SourceMesh& mesh) {
   for (const Vec3& v : mesh.vertices) {
@@ -27,22 +26,41 @@ void chooseGrid(SourceMesh& mesh) {
   }
 }
 
-bool before(const Vec3& a, const Vec3& b) {
-  if (a.x != b.x) return a.x < b.x;
-  if (a.y != b.y) return a.y < b.y;
-  return a.z < b.z;
+void classifyTriangle(SourceMesh& mesh, Index t, const SignRule& sign) {
+  const auto& [ia, ib, ic] = mesh.triangles[t];
+  const Vec3 &a = mesh.scaled[ia], &b = mesh.scaled[ib], &c = mesh.scaled[ic];
+  using E = ErrorDouble;
+  const std::array<E, 3> u{E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)};
+  const std::array<E, 3> v{E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)};
+  auto& n = mesh.normals[t];
+  n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const Vec3 &ra = mesh.vertices[ia], &rb = mesh.vertices[ib], &rc = mesh.vertices[ic];
+  const int facingSign = sign(n[2]);
+  mesh.facing[t] = static_cast<std::int8_t>(facingSign != kUnknownSign ? facingSign : facing(ra, rb, rc));
+  if (mesh.facing[t] == 0) n[2] = 0;
+  mesh.degenerate[t] = static_cast<char>(mesh.facing[t] == 0 && isDegenerate(ra, rb, rc));
+  if (mesh.degenerate[t]) n = {};
 }
+
+SortedTriangle sortedTriangle(const SourceMesh& mesh, const Triangle& t, std::uint32_t number, bool bothSides) {
+  std::array<Index, 3> f{mesh.welded[t[0]], mesh.welded[t[1]], mesh.welded[t[2]]};
+  if (bothSides && facing(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]) < 0) std::swap(f[1], f[2]);
+  std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+  return {f, number};
+}
+
+namespace {
 
 // Sorts and welds the used vertices; returns for each input vertex its new index.
 std::vector<Index> weldVertices(const std::vector<Vec3>& vertices, SourceMesh& mesh) {
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
   tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return before(vertices[a], vertices[b]) || (vertices[a] == vertices[b] && a < b);
+    return isBefore(vertices[a], vertices[b]) || (vertices[a] == vertices[b] && a < b);
   });
   std::vector<Index> welded(vertices.size());
   for (const std::uint32_t i : order) {
-    const Vec3 v{vertices[i].x + 0.0, vertices[i].y + 0.0, vertices[i].z + 0.0};  // no negative zeros
+    const Vec3 v = withoutNegativeZeros(vertices[i]);
     if (mesh.vertices.empty() || !(mesh.vertices.back() == v)) {
       const auto index = static_cast<Index>(mesh.vertices.size());
       const bool samePlan = index > 0 && mesh.vertices.back().x == v.x && mesh.vertices.back().y == v.y;
@@ -61,21 +79,7 @@ void classify(SourceMesh& mesh) {
   mesh.degenerate.resize(count);
   const SignRule sign = mesh.grid.signRule(mesh.grid.scaleExponent());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-    for (std::size_t t = range.begin(); t != range.end(); ++t) {
-      const auto& [ia, ib, ic] = mesh.triangles[t];
-      const Vec3 &a = mesh.scaled[ia], &b = mesh.scaled[ib], &c = mesh.scaled[ic];
-      using E = ErrorDouble;
-      const std::array<E, 3> u{E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)};
-      const std::array<E, 3> v{E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)};
-      auto& n = mesh.normals[t];
-      n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-      const Vec3 &ra = mesh.vertices[ia], &rb = mesh.vertices[ib], &rc = mesh.vertices[ic];
-      const int facingSign = sign(n[2]);
-      mesh.facing[t] = static_cast<std::int8_t>(facingSign != kUnknownSign ? facingSign : facing(ra, rb, rc));
-      if (mesh.facing[t] == 0) n[2] = 0;
-      mesh.degenerate[t] = static_cast<char>(mesh.facing[t] == 0 && isDegenerate(ra, rb, rc));
-      if (mesh.degenerate[t]) n = {};
-    }
+    for (std::size_t t = range.begin(); t != range.end(); ++t) classifyTriangle(mesh, static_cast<Index>(t), sign);
   });
 }
 
@@ -89,31 +93,22 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
 SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order,
                           const std::function<void()>& poll) {
   SourceMesh mesh;
-  const std::vector<Index> welded = weldVertices(soup.vertices, mesh);
+  mesh.welded = weldVertices(soup.vertices, mesh);
+  const std::vector<Index>& welded = mesh.welded;
   poll();
   chooseGrid(mesh);
   poll();
 
-  struct Entry {
-    std::array<Index, 3> corners;
-    std::uint32_t number;
-  };
-  std::vector<Entry> entries(soup.triangles.size());
+  std::vector<SortedTriangle> entries(soup.triangles.size());
   tbb::parallel_for(std::size_t{0}, soup.triangles.size(), [&](std::size_t i) {
-    const Triangle& t = soup.triangles[i];
-    std::array<Index, 3> f{welded[t[0]], welded[t[1]], welded[t[2]]};
-    if (bothSides && facing(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]) < 0) std::swap(f[1], f[2]);
-    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-    entries[i] = {f, static_cast<std::uint32_t>(i)};
+    entries[i] = sortedTriangle(mesh, soup.triangles[i], static_cast<std::uint32_t>(i), bothSides);
   });
   poll();
-  tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.corners != b.corners ? a.corners < b.corners : a.number < b.number;
-  });
+  tbb::parallel_sort(entries.begin(), entries.end());
   mesh.triangles.reserve(entries.size());
   mesh.inputTriangles.reserve(entries.size());
   if (order != nullptr) order->clear();
-  for (const Entry& entry : entries) {
+  for (const SortedTriangle& entry : entries) {
     mesh.triangles.push_back(entry.corners);
     mesh.inputTriangles.push_back(soup.inputTriangles.empty() ? entry.number : soup.inputTriangles[entry.number]);
     if (order != nullptr) order->push_back(entry.number);

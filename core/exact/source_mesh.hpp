@@ -13,13 +13,15 @@
 #include <vector>
 
 #include "core/environment/environment.hpp"
-#include "core/environment/triangle_tree.hpp"
 #include "core/exact/error_double.hpp"
 #include "core/exact/grid.hpp"
+#include "core/exact/source_tree.hpp"
 
 namespace footfall {
 
 using Index = std::int32_t;
+
+struct SourceEdit;  // core/exact/source_edit.hpp
 
 struct SourceMesh {
   std::vector<Vec3> vertices;
@@ -37,7 +39,11 @@ struct SourceMesh {
 
   Grid grid;  ///< of the vertices
 
-  TriangleTree tree;  ///< over all triangles that are not degenerate
+  SourceTree tree;  ///< over all triangles that are not degenerate
+
+  std::vector<Index> welded;               ///< for each vertex of the soup its vertex
+  std::shared_ptr<const SourceEdit> edit;  ///< how it follows from an earlier mesh; null when it was made from nothing
+  std::vector<char> addedLater;            ///< for each triangle: the edits since the tree was built added it; or empty
 
   [[nodiscard]] bool hasObstacleEdge(Index a, Index b) const;
 };
@@ -49,6 +55,27 @@ struct SourceSoup {
   std::vector<std::uint32_t> inputTriangles;                ///< for each triangle; empty: 0, 1, 2, ...
   std::vector<std::array<std::uint32_t, 2>> obstacleEdges;  ///< vertex pairs
 };
+
+// The steps of makeSourceMesh() that an edit repeats for what is new.
+
+[[nodiscard]] inline Vec3 withoutNegativeZeros(const Vec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
+/// Order of vertices: x, y, z.
+[[nodiscard]] inline bool isBefore(const Vec3& a, const Vec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  if (a.y != b.y) return a.y < b.y;
+  return a.z < b.z;
+}
+/// A triangle that starts at its smallest vertex, and its number in the soup.
+struct SortedTriangle {
+  std::array<Index, 3> corners;
+  std::uint32_t number;
+  auto operator<=>(const SortedTriangle&) const = default;
+};
+SortedTriangle sortedTriangle(const SourceMesh& mesh, const Triangle& triangle, std::uint32_t number, bool bothSides);
+/// Finds the grid and the scaled coordinates of the vertices.
+void chooseGrid(SourceMesh& mesh);
+/// Finds normal, facing and degeneracy of a triangle.
+void classifyTriangle(SourceMesh& mesh, Index triangle, const SignRule& sign);
 
 /// Welds, sorts and classifies. `bothSides` turns triangles that face down. `order` (may be null) receives for each
 /// triangle of the mesh its number in the soup. `poll` is called between the stages and may throw to cancel.

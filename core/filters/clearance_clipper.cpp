@@ -43,11 +43,28 @@ FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
     addEarlier(*earlier);
   }
   findCandidates();
+  return cut();
+}
+
+FaceCuts ClearanceClipper::clip(Index face, const std::vector<Index>& known, double knownHeight) {
+  prepareFloor(face);
+  findCandidates(known, knownHeight);
+  return cut();
+}
+
+std::vector<Index> ClearanceClipper::candidates() const {
+  std::vector<Index> result;
+  result.reserve(candidates_.size());
+  for (const Candidate& c : candidates_) result.push_back(c.obstacle);
+  return result;
+}
+
+FaceCuts ClearanceClipper::cut() {
   bool removed = false;
   for (const Candidate& candidate : candidates_) {
     if ((++polls_ & 255) == 0) poll_();
     if (!started_) {
-      geometry_.start(face);
+      geometry_.start(face_);
       started_ = true;
     }
     if (mesh_.facing[candidate.obstacle] == 0)
@@ -84,31 +101,60 @@ void ClearanceClipper::prepareFloor(Index face) {
 
 void ClearanceClipper::findCandidates() {
   candidates_.clear();
+  findBox();
+  search(box_);
+}
+
+void ClearanceClipper::findBox() {
   const auto& f = mesh_.triangles[face_];
-  Box query;
   const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
-  query.lower = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-  query.upper = {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height_};
-  query.upper[2] = std::nextafter(query.upper[2], std::numeric_limits<double>::infinity());
-  mesh_.tree.visitOverlapping(query, stack_, [&](Index obstacle) {
-    if ((++polls_ & 255) == 0) poll_();
-    if (obstacle == face_) return true;
-    Candidate candidate;
-    candidate.obstacle = obstacle;
-    if (!findHeights(candidate)) return true;
-    if (candidate.coplanar) {
-      if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || !findOverlap(candidate)) return true;
-      dependsOnFloors_ = true;
-      if (walkable_[obstacle] == 0) return true;
-    } else if (!findOverlap(candidate)) {
-      return true;
-    }
-    candidates_.push_back(candidate);
+  box_.lower = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
+  box_.upper = {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height_};
+  box_.upper[2] = std::nextafter(box_.upper[2], std::numeric_limits<double>::infinity());
+}
+
+// What is not known and overlaps a level floor in the plan begins above the known clearance. Above other floors its
+// corners can be anywhere.
+void ClearanceClipper::findCandidates(const std::vector<Index>& known, double knownHeight) {
+  if (knownHeight < height_ && !isLevel_) {
+    findCandidates();
+    return;
+  }
+  candidates_.clear();
+  findBox();
+  for (const Index obstacle : known) consider(obstacle);
+  if (knownHeight >= height_) return;
+  Box box = box_;
+  box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
+  search(box);
+  const auto isSame = [](const Candidate& x, const Candidate& y) { return x.obstacle == y.obstacle; };
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end(), isSame), candidates_.end());
+}
+
+void ClearanceClipper::search(const Box& box) {
+  mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
+    consider(obstacle);
     return true;
   });
   // Points and lines are numbered as they come, so the order of the tree must not show.
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& x, const Candidate& y) { return x.obstacle < y.obstacle; });
+}
+
+void ClearanceClipper::consider(Index obstacle) {
+  if ((++polls_ & 255) == 0) poll_();
+  if (obstacle == face_) return;
+  Candidate candidate;
+  candidate.obstacle = obstacle;
+  if (!findHeights(candidate)) return;
+  if (candidate.coplanar) {
+    if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || !findOverlap(candidate)) return;
+    dependsOnFloors_ = true;
+    if (walkable_[obstacle] == 0) return;
+  } else if (!findOverlap(candidate)) {
+    return;
+  }
+  candidates_.push_back(candidate);
 }
 
 // Exact: a rounded difference on one side of the clearance is on that side before rounding, as the clearance is a
@@ -188,6 +234,7 @@ bool ClearanceClipper::findOverlap(Candidate& candidate) {
   const auto& o = mesh_.triangles[obstacle];
   const auto& plan = mesh_.planIds;
   const int facing = mesh_.facing[obstacle];
+  if (facing != 0 && onlyTouchesBox(obstacle)) return false;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
   for (int k = 0; k < 3; ++k) {
     auto& sides = candidate.sides[k];
@@ -203,6 +250,14 @@ bool ClearanceClipper::findOverlap(Candidate& candidate) {
     if (!inside && !(facing == 0 && zeros >= 2)) return false;
   }
   return !isSeparated(obstacle);
+}
+
+// Most neighbours of a floor meet it along an edge at most.
+bool ClearanceClipper::onlyTouchesBox(Index obstacle) const {
+  const auto& o = mesh_.triangles[obstacle];
+  const Vec3 &a = mesh_.vertices[o[0]], &b = mesh_.vertices[o[1]], &c = mesh_.vertices[o[2]];
+  return std::max({a.x, b.x, c.x}) <= box_.lower[0] || std::min({a.x, b.x, c.x}) >= box_.upper[0] ||
+         std::max({a.y, b.y, c.y}) <= box_.lower[1] || std::min({a.y, b.y, c.y}) >= box_.upper[1];
 }
 
 // Whether an edge of the obstacle, or the line of a wall, has the whole face on its outer side.

@@ -23,6 +23,12 @@ class ClearanceClipper {
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null).
   FaceCuts clip(Index face, const FaceCuts* earlier);
 
+  /// The same, when it is known what stands above the face in the plan within `knownHeight`.
+  FaceCuts clip(Index face, const std::vector<Index>& known, double knownHeight);
+
+  /// What the last clip() found in the clearance, ascending.
+  [[nodiscard]] std::vector<Index> candidates() const;
+
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
 
  private:
@@ -51,6 +57,11 @@ class ClearanceClipper {
   void prepareFloor(Index face);
   /// Everything that stands in the clearance and may overlap the face in the plan, in the order of the triangles.
   void findCandidates();
+  void findCandidates(const std::vector<Index>& known, double knownHeight);
+  void findBox();
+  void consider(Index obstacle);
+  void search(const Box& box);
+  FaceCuts cut();
   /// False when nothing of the obstacle is strictly within the clearance, nor coplanar.
   bool findHeights(Candidate& candidate);
   [[nodiscard]] int compareToCeiling(double z) const;
@@ -58,6 +69,7 @@ class ClearanceClipper {
   [[nodiscard]] int orientation(Index a, Index b, Index c);
   /// False when obstacle and face do not overlap in the plan; finds the sides.
   bool findOverlap(Candidate& candidate);
+  [[nodiscard]] bool onlyTouchesBox(Index obstacle) const;
   bool isSeparated(Index obstacle);
   bool addArea(const Candidate& candidate);
   void addWall(const Candidate& candidate);
@@ -80,6 +92,7 @@ class ClearanceClipper {
   FaceGeometry geometry_;
   Index face_ = -1;
   bool started_ = false;
+  Box box_;  ///< of the face and the clearance above it
   std::uint8_t edgeWalls_ = 0;
   std::vector<CutSegment> segments_;
   std::vector<std::int32_t> stack_;

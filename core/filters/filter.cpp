@@ -3,16 +3,22 @@
 
 #include <cmath>
 
+#include "core/environment/environment_edit.hpp"
+#include "core/exact/source_edit.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/mesh_topology.hpp"
 
 namespace footfall {
 
-StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context) {
+StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context, const Recall& recall) {
   context.checkCancelled();
-  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles, {}, {}},
-                                                          environment->bothSides, nullptr,
-                                                          [&context] { context.checkCancelled(); }));
+  std::shared_ptr<const SourceMesh> mesh;
+  if (recall.before && environment->edit && recall.before->environment == environment->edit->base.lock())
+    mesh = editSourceMesh(recall.before->kernel->sharedMesh(), *environment);
+  if (!mesh)
+    mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles, {}, {}},
+                                                       environment->bothSides, nullptr,
+                                                       [&context] { context.checkCancelled(); }));
   context.checkCancelled();
   auto state = std::make_shared<WalkableState>();
   state->environment = std::move(environment);
@@ -24,13 +30,13 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
 }
 
 FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,
-                          RunContext& context) {
+                          RunContext& context, const Recall& recall) {
   context.checkCancelled();
   const std::string_view name = filter.name;
   if (name == "DuplicationFilter") return applyDuplication(state, values[0], context);
   if (name == "DegeneracyFilter") return applyDegeneracy(state, context);
   if (name == "SlopeFilter") return applySlope(state, values[0], context);
-  if (name == "VerticalClearanceFilter") return applyVerticalClearance(state, values[0], context);
+  if (name == "VerticalClearanceFilter") return applyVerticalClearance(state, values[0], recall, context);
   if (name == "AreaFilter") return applyArea(state, values[0], context);
   if (name == "SimplificationFilter") return applySimplification(state, values[0] != 0, values[1], context);
   if (name == "LayerSubdivisionFilter") return applyLayerSubdivision(state, context);

@@ -34,14 +34,24 @@ struct FilterOutcome {
   ExactFallbacks fallbacks;
 };
 
+/// What a filter may take from earlier runs, and whether it should leave something for later ones. Never changes the
+/// result.
+struct Recall {
+  /// What the same filter of the same pipeline gave, with other parameters or for the environment that this one is an
+  /// edit of; or null.
+  StatePtr before;
+  bool keep = false;  ///< later runs may ask: remember what they can take over
+};
+
 /// The state before the first filter: all non-degenerate triangles that face up are walkable.
-StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context);
+StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context,
+                          const Recall& recall = {});
 
 /// Runs one filter. `values` has one number for each parameter of the descriptor (booleans 0 or 1), already
 /// validated against it. Throws Cancelled, InputError (a filter that does not run yet) or std::bad_alloc; the given
 /// state is never changed. The result does not depend on the number of threads.
 FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,
-                          RunContext& context);
+                          RunContext& context, const Recall& recall = {});
 
 StateSummary summarize(const WalkableState& state);
 

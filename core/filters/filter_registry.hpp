@@ -12,7 +12,7 @@ namespace footfall {
 FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContext& context);
 FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context);
-FilterOutcome applyVerticalClearance(const StatePtr& state, double height, RunContext& context);
+FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);
 FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, RunContext& context);
 FilterOutcome applyLayerSubdivision(const StatePtr& state, RunContext& context);

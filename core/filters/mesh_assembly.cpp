@@ -16,22 +16,22 @@ namespace {
 // Faces that one task triangulates, and that one part for display shows.
 constexpr std::size_t kFacesPerTask = 32;
 
-std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel, const std::vector<Index>& faces,
-                                          const std::vector<FaceMesh>& meshes, const std::vector<std::size_t>& which) {
+std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel,
+                                          const std::vector<std::shared_ptr<const FaceMesh>>& meshes,
+                                          const std::vector<Index>& faces) {
   const SourceMesh& source = kernel.mesh();
   const int scale = -source.grid.scaleExponent();
   auto part = std::make_shared<NavigationMesh>();
-  for (const std::size_t i : which) {
-    const Index face = faces[i];
+  for (const Index face : faces) {
     const auto base = static_cast<std::uint32_t>(part->vertices.size());
     const Vec3& origin = source.vertices[source.triangles[face][0]];
     const auto& n = source.normals[face];
-    for (const ApproximatePoint& p : meshes[i].approximate) {
+    for (const ApproximatePoint& p : meshes[face]->approximate) {
       const double z = -(n[0].value * p.x + n[1].value * p.y) / n[2].value;
       part->vertices.push_back(
           {origin.x + std::ldexp(p.x, scale), origin.y + std::ldexp(p.y, scale), origin.z + std::ldexp(z, scale)});
     }
-    for (const FaceMesh::Cell& c : meshes[i].cells) {
+    for (const FaceMesh::Cell& c : meshes[face]->cells) {
       part->triangles.push_back({base + static_cast<std::uint32_t>(c.corners[0]),
                                  base + static_cast<std::uint32_t>(c.corners[1]),
                                  base + static_cast<std::uint32_t>(c.corners[2])});
@@ -45,22 +45,29 @@ std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel, const std::v
 
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
                                                  ExactFallbacks& fallbacks) {
+  return assembleMesh(state, nullptr, {}, nullptr, context, fallbacks);
+}
+
+std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, const EarlierResult* earlier,
+                                                 const std::vector<Index>& changed, AssemblyMemory* memory,
+                                                 RunContext& context, ExactFallbacks& fallbacks) {
   const PlanKernel& kernel = *state.kernel;
   const auto count = static_cast<Index>(kernel.mesh().triangles.size());
+  std::vector<std::shared_ptr<const FaceMesh>> meshes(state.cuts ? count : 0);
   // Only faces with segments need a triangulation; largest first, so that no thread is left with a giant at the end.
-  std::vector<Index> cutFaces;
-  for (Index t = 0; t < count; ++t)
-    if (state.walkable[t] != 0 && state.cuts && !(*state.cuts)[t].removed && !(*state.cuts)[t].segments.empty())
-      cutFaces.push_back(t);
-  std::vector<std::size_t> order(cutFaces.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return (*state.cuts)[cutFaces[a]].segments.size() > (*state.cuts)[cutFaces[b]].segments.size();
+  std::vector<Index> faces;
+  for (Index t = 0; t < count && state.cuts; ++t) {
+    const FaceCuts& cuts = (*state.cuts)[t];
+    if (state.walkable[t] == 0 || cuts.removed || cuts.segments.empty()) continue;
+    if (earlier != nullptr && !std::binary_search(changed.begin(), changed.end(), t))
+      meshes[t] = earlier->mesh(earlier->faceBefore(t));
+    else
+      faces.push_back(t);
+  }
+  std::stable_sort(faces.begin(), faces.end(), [&](Index a, Index b) {
+    return (*state.cuts)[a].segments.size() > (*state.cuts)[b].segments.size();
   });
-  std::vector<Index> faces(cutFaces.size());
-  for (std::size_t i = 0; i < order.size(); ++i) faces[i] = cutFaces[order[i]];
 
-  std::vector<FaceMesh> meshes(faces.size());
   tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
   std::atomic<std::size_t> done{0};
   // Threads take the next face that is left, so a giant at the front keeps one thread while the others go on.
@@ -69,30 +76,28 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, Run
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t) {
     auto& mesher = meshers.local();
     if (!mesher) mesher = std::make_unique<FaceMesher>(kernel, [&context] { context.checkCancelled(); });
-    std::vector<std::size_t> mine;
+    std::vector<Index> mine;
     for (std::size_t k = 0; k < kFacesPerTask; ++k) {
       const std::size_t i = nextFace.fetch_add(1, std::memory_order_relaxed);
       if (i >= faces.size()) break;
       context.checkCancelled();
-      meshes[i] = mesher->mesh(faces[i], &(*state.cuts)[faces[i]]);
+      meshes[faces[i]] = std::make_shared<const FaceMesh>(mesher->mesh(faces[i], &(*state.cuts)[faces[i]]));
       const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
       if (finished % 256 == 0) context.progress(0.5 + 0.4 * static_cast<double>(finished) / faces.size());
-      mine.push_back(i);
+      mine.push_back(faces[i]);
     }
-    if (context.wantsParts()) context.part(previewOf(kernel, faces, meshes, mine));
+    if (context.wantsParts()) context.part(previewOf(kernel, meshes, mine));
   });
   for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
 
   MeshJoiner joiner(kernel);
-  std::vector<Index> meshOf(count, -1);
-  for (std::size_t i = 0; i < faces.size(); ++i) meshOf[faces[i]] = static_cast<Index>(i);
   for (Index t = 0; t < count; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
     if (state.walkable[t] == 0) continue;
     if (state.cuts && (*state.cuts)[t].removed) continue;
-    if (meshOf[t] >= 0) {
-      joiner.addParts(t, meshes[meshOf[t]]);
-      meshes[meshOf[t]] = {};
+    if (state.cuts && meshes[t]) {
+      joiner.addParts(t, *meshes[t]);
+      if (memory == nullptr) meshes[t] = nullptr;
       continue;
     }
     std::uint8_t walls = state.cuts ? (*state.cuts)[t].edgeWalls : std::uint8_t{0};
@@ -101,8 +106,13 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, Run
       if (kernel.mesh().hasObstacleEdge(f[k], f[(k + 1) % 3])) walls |= static_cast<std::uint8_t>(1 << k);
     joiner.addWholeFace(t, walls);
   }
+  if (earlier != nullptr) joiner.reuse(*earlier, changed);
   auto mesh = std::make_shared<WalkableMesh>(joiner.join(context));
   fallbacks += joiner.fallbacks();
+  if (memory != nullptr) {
+    memory->meshes = std::move(meshes);
+    memory->join = joiner.takeMemory();
+  }
   return mesh;
 }
 

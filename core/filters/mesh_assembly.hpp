@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "core/filters/assembly_memory.hpp"
+#include "core/filters/earlier_result.hpp"
 #include "core/filters/walkable_state.hpp"
 #include "core/pipeline/run_context.hpp"
 
@@ -14,6 +16,12 @@ namespace footfall {
 /// contact. Faces are triangulated on all threads; the result does not depend on their number.
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
                                                  ExactFallbacks& fallbacks);
+
+/// The same, taking from `earlier` (may be null) what concerns no face in `changed` (ascending; all walkable faces that
+/// differ), and leaving in `memory` (may be null) what the next run can take.
+std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, const EarlierResult* earlier,
+                                                 const std::vector<Index>& changed, AssemblyMemory* memory,
+                                                 RunContext& context, ExactFallbacks& fallbacks);
 
 /// The state with its mesh assembled (the same state when it is already).
 std::shared_ptr<const WalkableState> withMesh(const std::shared_ptr<const WalkableState>& state, RunContext& context,

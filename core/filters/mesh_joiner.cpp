@@ -19,14 +19,16 @@ int next(int k) { return k == 2 ? 0 : k + 1; }
 // Rounding of a scaled sum or product of coordinates, generously.
 constexpr double kRounding = 8 * 0x1p-53;
 
-std::uint64_t pairKey(Index a, Index b) {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
-}
-
 }  // namespace
 
 MeshJoiner::MeshJoiner(const PlanKernel& kernel)
-    : kernel_(kernel), mesh_(kernel.mesh()), ofSource_(kernel.mesh().vertices.size(), -1) {}
+    : kernel_(kernel), mesh_(kernel.mesh()), ofSource_(kernel.mesh().vertices.size(), -1) {
+  onSourceEdges_.clear();
+}
+
+void MeshJoiner::beginFace(Index face) {
+  memory_.entries.push_back({face, static_cast<Index>(memory_.vertexOf.size()), static_cast<Index>(outlines_.size())});
+}
 
 Index MeshJoiner::sourceVertex(Index source, Index face) {
   if (ofSource_[source] < 0) {
@@ -44,15 +46,14 @@ Index MeshJoiner::constructedVertex(Index face, const PlanPoint& point, const Ap
     for (Index v = point.a; v < static_cast<Index>(mesh_.planIds.size()) && mesh_.planIds[v] == point.a; ++v)
       if (kernel_.heightSign(face, v, 0, fallbacks_) == 0) return sourceVertex(v, face);
   }
-  std::vector<Index>* same = nullptr;
   const auto& f = mesh_.triangles[face];
   const auto isCorner = [&](Index v) { return f[0] == v || f[1] == v || f[2] == v; };
   if (point.kind == PlanPoint::EdgePlane &&
       ((isCorner(point.a) && isCorner(point.b)) || (point.c == face && point.d == 0))) {
     // In space it lies on the source edge itself, so all faces that know it by this name mean the same vertex.
-    same = &onSourceEdges_[pairKey(point.a, point.b)];
-    for (const Index v : *same)
-      if (vertices_[v].point == point) return v;
+    const auto [number, isNew] = onSourceEdges_.insert(point);
+    if (!isNew) return ofSourceEdgePoint_[number];
+    ofSourceEdgePoint_.push_back(static_cast<Index>(vertices_.size()));
   }
   const Vec3& origin = mesh_.scaled[f[0]];
   const auto& n = mesh_.normals[face];
@@ -61,18 +62,20 @@ Index MeshJoiner::constructedVertex(Index face, const PlanPoint& point, const Ap
   const ErrorDouble gz = ErrorDouble(origin.z) - (n[0] * x + n[1] * y) / n[2];
   MeshVertex vertex{point, face, -1, gx.value, gy.value, gz.value, 0};
   vertex.error = std::max({gx.error, gy.error, gz.error}) + kernel_.sign().slack;
-  const auto index = static_cast<Index>(vertices_.size());
   vertices_.push_back(vertex);
-  if (same != nullptr) same->push_back(index);
-  return index;
+  return static_cast<Index>(vertices_.size()) - 1;
 }
 
 void MeshJoiner::addWholeFace(Index face, std::uint8_t obstacleEdges) {
+  beginFace(face);
   const auto& f = mesh_.triangles[face];
   MeshTriangle t;
   t.face = face;
   t.obstacleEdges = obstacleEdges;
-  for (int k = 0; k < 3; ++k) t.corners[k] = sourceVertex(f[k], face);
+  for (int k = 0; k < 3; ++k) {
+    t.corners[k] = sourceVertex(f[k], face);
+    memory_.vertexOf.push_back(t.corners[k]);
+  }
   const auto index = static_cast<Index>(triangles_.size());
   triangles_.push_back(t);
   for (int k = 0; k < 3; ++k) {
@@ -90,16 +93,19 @@ void MeshJoiner::addWholeFace(Index face, std::uint8_t obstacleEdges) {
 
 void MeshJoiner::addParts(Index face, const FaceMesh& parts) {
   const auto& f = mesh_.triangles[face];
-  std::vector<Index> vertexOf(parts.points.size(), -1);
+  beginFace(face);
+  const std::size_t firstPoint = memory_.vertexOf.size();
+  memory_.vertexOf.resize(firstPoint + parts.points.size(), -1);
   for (const FaceMesh::Cell& cell : parts.cells) {
     MeshTriangle t;
     t.face = face;
     t.obstacleEdges = cell.obstacleEdges;
     for (int k = 0; k < 3; ++k) {
       const Index p = cell.corners[k];
-      if (vertexOf[p] < 0)
-        vertexOf[p] = p < 3 ? sourceVertex(f[p], face) : constructedVertex(face, parts.points[p], parts.approximate[p]);
-      t.corners[k] = vertexOf[p];
+      Index& vertex = memory_.vertexOf[firstPoint + p];
+      if (vertex < 0)
+        vertex = p < 3 ? sourceVertex(f[p], face) : constructedVertex(face, parts.points[p], parts.approximate[p]);
+      t.corners[k] = vertex;
     }
     const auto index = static_cast<Index>(triangles_.size());
     triangles_.push_back(t);
@@ -180,28 +186,97 @@ MeshJoiner::Relation MeshJoiner::relate(Index vertex, const Outline& outline, Ex
   return end == 0 ? Relation::AtEnd : Relation::Between;
 }
 
-void MeshJoiner::findIncidences(RunContext& context, std::vector<Incidence>& between,
-                                std::vector<std::pair<Index, Index>>& equal) {
-  std::vector<Box> boxes;
-  std::vector<std::int32_t> ids(outlines_.size());
-  std::iota(ids.begin(), ids.end(), 0);
-  boxes.reserve(outlines_.size());
-  std::vector<char> onOutline(vertices_.size(), 0);
+void MeshJoiner::reuse(const EarlierResult& earlier, std::vector<Index> changed) {
+  earlier_ = &earlier;
+  changed_ = std::move(changed);
+}
+
+// Points and outlines of a face that did not change have the same places among the face's own as before.
+void MeshJoiner::takeOver() {
+  const JoinMemory& before = earlier_->state().memory->join;
+  std::vector<Index> entryBefore(earlier_->state().walkable.size(), -1);
+  for (std::size_t i = 0; i + 1 < before.entries.size(); ++i)
+    entryBefore[before.entries[i].face] = static_cast<Index>(i);
+  std::vector<Index> vertexNow(before.vertexCount, -1);
+  std::vector<Index> outlineNow(before.entries.back().firstOutline, -1);
+  knownVertices_.assign(vertices_.size(), 0);
+  knownOutlines_.assign(outlines_.size(), 0);
+  for (std::size_t i = 0; i + 1 < memory_.entries.size(); ++i) {
+    const JoinMemory::Entry &now = memory_.entries[i], &end = memory_.entries[i + 1];
+    if (std::binary_search(changed_.begin(), changed_.end(), now.face)) continue;
+    const JoinMemory::Entry& then = before.entries[entryBefore[earlier_->faceBefore(now.face)]];
+    for (Index p = now.firstPoint; p < end.firstPoint; ++p) {
+      const Index vertex = memory_.vertexOf[p];
+      if (vertex < 0) continue;
+      vertexNow[before.vertexOf[then.firstPoint + p - now.firstPoint]] = vertex;
+    }
+    for (Index o = now.firstOutline; o < end.firstOutline; ++o) {
+      outlineNow[then.firstOutline + o - now.firstOutline] = o;
+      knownOutlines_[o] = 1;
+      knownVertices_[outlines_[o].from] = knownVertices_[outlines_[o].to] = 1;
+    }
+  }
+  // A vertex that was on the outline of a face that is still there was compared with all outlines. One that was only
+  // inside such a face was not, and is searched for if it is on another outline now.
+  const auto known = [&](Index vertex) { return vertexNow[vertex] >= 0 && knownVertices_[vertexNow[vertex]] != 0; };
+  for (const Incidence& i : before.between)
+    if (outlineNow[i.outline] >= 0 && known(i.vertex))
+      memory_.between.push_back({outlineNow[i.outline], vertexNow[i.vertex]});
+  for (const auto& [a, b] : before.equal)
+    if (known(a) && known(b)) memory_.equal.emplace_back(vertexNow[a], vertexNow[b]);
+}
+
+std::vector<Index> MeshJoiner::entriesToSearch() const {
+  const std::size_t count = memory_.entries.size() - 1;
+  std::vector<char> wanted(count, earlier_ == nullptr ? 1 : 0);
+  if (earlier_ != nullptr) {
+    std::vector<Index> entryOf(mesh_.triangles.size(), -1);
+    for (std::size_t i = 0; i < count; ++i) entryOf[memory_.entries[i].face] = static_cast<Index>(i);
+    std::vector<std::int32_t> stack;
+    for (const Index face : changed_) {
+      if (entryOf[face] < 0) continue;
+      const auto& f = mesh_.triangles[face];
+      const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
+      const Box box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                    {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+      mesh_.tree.visitOverlapping(box, stack, [&](Index other) {
+        if (entryOf[other] >= 0) wanted[entryOf[other]] = 1;
+        return true;
+      });
+    }
+  }
+  std::vector<Index> entries;
+  for (std::size_t i = 0; i < count; ++i)
+    if (wanted[i] != 0) entries.push_back(static_cast<Index>(i));
+  return entries;
+}
+
+void MeshJoiner::findIncidences(RunContext& context) {
+  if (earlier_ != nullptr) takeOver();
   const auto boxOf = [&](const MeshVertex& v) {
     const double r = v.error;
     const auto low = [&](double c) { return c - r - std::fabs(c) * kRounding; };
     const auto high = [&](double c) { return c + r + std::fabs(c) * kRounding; };
     return Box{{low(v.x), low(v.y), low(v.z)}, {high(v.x), high(v.y), high(v.z)}};
   };
-  for (const Outline& o : outlines_) {
-    onOutline[o.from] = onOutline[o.to] = 1;
-    Box box = boxOf(vertices_[o.from]);
-    const Box other = boxOf(vertices_[o.to]);
-    for (int k = 0; k < 3; ++k) {
-      box.lower[k] = std::min(box.lower[k], other.lower[k]);
-      box.upper[k] = std::max(box.upper[k], other.upper[k]);
+  std::vector<Box> boxes;
+  std::vector<std::int32_t> ids;
+  std::vector<Index> searched;  // vertices on outlines
+  std::vector<char> seen(vertices_.size(), 0);
+  for (const Index entry : entriesToSearch()) {
+    for (Index i = memory_.entries[entry].firstOutline; i < memory_.entries[entry + 1].firstOutline; ++i) {
+      const Outline& o = outlines_[i];
+      Box box = boxOf(vertices_[o.from]);
+      const Box other = boxOf(vertices_[o.to]);
+      for (int k = 0; k < 3; ++k) {
+        box.lower[k] = std::min(box.lower[k], other.lower[k]);
+        box.upper[k] = std::max(box.upper[k], other.upper[k]);
+      }
+      boxes.push_back(box);
+      ids.push_back(i);
+      for (const Index v : {o.from, o.to})
+        if (std::exchange(seen[v], 1) == 0) searched.push_back(v);
     }
-    boxes.push_back(box);
   }
   TriangleTree tree;
   tree.build(std::move(boxes), std::move(ids), [&context] { context.checkCancelled(); });
@@ -213,14 +288,15 @@ void MeshJoiner::findIncidences(RunContext& context, std::vector<Incidence>& bet
     ExactFallbacks fallbacks;
   };
   tbb::enumerable_thread_specific<Local> locals;
-  tbb::parallel_for(tbb::blocked_range<Index>(0, static_cast<Index>(vertices_.size()), 512), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, searched.size(), 512), [&](const auto& range) {
     context.checkCancelled();
     Local& local = locals.local();
-    for (Index v = range.begin(); v != range.end(); ++v) {
-      if (onOutline[v] == 0) continue;
+    for (std::size_t n = range.begin(); n != range.end(); ++n) {
+      const Index v = searched[n];
+      const bool known = !knownVertices_.empty() && knownVertices_[v] != 0;
       tree.visitOverlapping(boxOf(vertices_[v]), local.stack, [&](std::int32_t i) {
         const Outline& o = outlines_[i];
-        if (o.from == v || o.to == v) return true;
+        if (o.from == v || o.to == v || (known && knownOutlines_[i] != 0)) return true;
         const Relation relation = relate(v, o, local.fallbacks);
         if (relation == Relation::Between) local.between.push_back({i, v});
         if (relation == Relation::AtStart) local.equal.emplace_back(v, o.from);
@@ -230,31 +306,21 @@ void MeshJoiner::findIncidences(RunContext& context, std::vector<Incidence>& bet
     }
   });
   for (Local& local : locals) {
-    between.insert(between.end(), local.between.begin(), local.between.end());
-    equal.insert(equal.end(), local.equal.begin(), local.equal.end());
+    memory_.between.insert(memory_.between.end(), local.between.begin(), local.between.end());
+    memory_.equal.insert(memory_.equal.end(), local.equal.begin(), local.equal.end());
     fallbacks_ += local.fallbacks;
   }
 }
 
-void MeshJoiner::splitTriangles(const std::vector<std::vector<Index>>& splits,
-                                const std::unordered_map<std::uint64_t, Index>& splitOf,
-                                std::vector<MeshTriangle>& result) const {
-  for (Index t = 0; t < static_cast<Index>(triangles_.size()); ++t) {
-    EdgeVertices on{};
-    for (int k = 0; k < 3; ++k)
-      if (const auto it = splitOf.find(pairKey(t, k)); it != splitOf.end()) on[k] = &splits[it->second];
-    splitTriangle(triangles_[t], on, result);
-  }
-}
-
 WalkableMesh MeshJoiner::join(RunContext& context) {
-  std::vector<Incidence> between;
-  std::vector<std::pair<Index, Index>> equal;
-  findIncidences(context, between, equal);
+  beginFace(-1);
+  memory_.vertexCount = static_cast<Index>(vertices_.size());
+  findIncidences(context);
   context.checkCancelled();
 
   DisjointSets sets(vertices_.size());
-  for (const auto& [a, b] : equal) sets.unite(a, b);
+  for (const auto& [a, b] : memory_.equal) sets.unite(a, b);
+  std::vector<Incidence> between = memory_.between;
   for (Incidence& i : between) i.vertex = sets.find(i.vertex);
   std::sort(between.begin(), between.end(), [](const Incidence& a, const Incidence& b) {
     return a.outline != b.outline ? a.outline < b.outline : a.vertex < b.vertex;
@@ -266,24 +332,29 @@ WalkableMesh MeshJoiner::join(RunContext& context) {
                 between.end());
 
   std::vector<std::vector<Index>> splits;
-  std::unordered_map<std::uint64_t, Index> splitOf;
+  std::vector<std::array<Index, 3>> splitsOf;  // for each triangle and edge, or empty
+  if (!between.empty()) splitsOf.assign(triangles_.size(), {-1, -1, -1});
   for (std::size_t i = 0; i < between.size();) {
     const Outline& o = outlines_[between[i].outline];
     std::vector<Index> on;
     std::size_t j = i;
     for (; j < between.size() && between[j].outline == between[i].outline; ++j) on.push_back(between[j].vertex);
     std::sort(on.begin(), on.end(), [&](Index a, Index b) { return compareAlong(o, a, b, fallbacks_) < 0; });
-    splitOf[pairKey(o.triangle, o.k)] = static_cast<Index>(splits.size());
+    splitsOf[o.triangle][o.k] = static_cast<Index>(splits.size());
     splits.push_back(std::move(on));
     i = j;
   }
   context.checkCancelled();
-  for (MeshTriangle& t : triangles_)
-    for (Index& v : t.corners) v = sets.find(v);
 
   WalkableMesh mesh;
   mesh.triangles.reserve(triangles_.size() + 2 * between.size());
-  splitTriangles(splits, splitOf, mesh.triangles);
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    for (Index& v : triangles_[t].corners) v = sets.find(v);
+    EdgeVertices on{};
+    for (int k = 0; k < 3 && !splitsOf.empty(); ++k)
+      if (splitsOf[t][k] >= 0) on[k] = &splits[splitsOf[t][k]];
+    splitTriangle(triangles_[t], on, mesh.triangles);
+  }
   context.checkCancelled();
   std::vector<Index> renumbered(vertices_.size(), -1);
   for (MeshTriangle& t : mesh.triangles) {
@@ -297,5 +368,7 @@ WalkableMesh MeshJoiner::join(RunContext& context) {
   }
   return mesh;
 }
+
+JoinMemory MeshJoiner::takeMemory() { return std::move(memory_); }
 
 }  // namespace footfall

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "core/filters/assembly_memory.hpp"
+#include "core/filters/earlier_result.hpp"
 #include "core/filters/face_mesh.hpp"
 #include "core/filters/walkable_state.hpp"
 #include "core/pipeline/run_context.hpp"
@@ -24,8 +26,14 @@ class MeshJoiner {
   /// The walkable parts of a face.
   void addParts(Index face, const FaceMesh& parts);
 
+  /// What lies on what need not be found again between faces that are not in `changed` (ascending).
+  void reuse(const EarlierResult& earlier, std::vector<Index> changed);
+
   /// Joins everything that was added. To be called once.
   WalkableMesh join(RunContext& context);
+
+  /// How it was joined, for reuse().
+  JoinMemory takeMemory();
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
@@ -39,24 +47,22 @@ class MeshJoiner {
     PlanLine line;                               ///< taken on `face`
     std::pair<Index, Index> sourceEdge{-1, -1};  ///< the source vertices of the face's edge that it lies on
   };
-  struct Incidence {
-    Index outline = -1;
-    Index vertex = -1;
-  };
+  using Incidence = JoinMemory::Incidence;
   enum class Relation { Apart, AtStart, Between, AtEnd };
 
+  void beginFace(Index face);
   Index sourceVertex(Index source, Index face);
   Index constructedVertex(Index face, const PlanPoint& point, const ApproximatePoint& approximate);
-  void findIncidences(RunContext& context, std::vector<Incidence>& between,
-                      std::vector<std::pair<Index, Index>>& equal);
+  void takeOver();
+  /// The entries of faces that may meet a changed one; all of them when nothing is reused.
+  [[nodiscard]] std::vector<Index> entriesToSearch() const;
+  void findIncidences(RunContext& context);
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
   [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;
   /// Compares x (axis 0) or y (axis 1); 0 may also mean "too close for doubles" unless `exactly`.
   int compareCoordinate(Index a, Index b, int axis, bool exactly, ExactFallbacks& count) const;
   /// Order of two vertices along an outline's direction.
   int compareAlong(const Outline& outline, Index a, Index b, ExactFallbacks& count) const;
-  void splitTriangles(const std::vector<std::vector<Index>>& splits,
-                      const std::unordered_map<std::uint64_t, Index>& splitOf, std::vector<MeshTriangle>& result) const;
 
   const PlanKernel& kernel_;
   const SourceMesh& mesh_;
@@ -65,7 +71,12 @@ class MeshJoiner {
   std::vector<Outline> outlines_;
   std::vector<Index> ofSource_;  ///< vertex of a source vertex, or -1
   /// Constructed vertices on a source edge, by what they are in space.
-  std::unordered_map<std::uint64_t, std::vector<Index>> onSourceEdges_;
+  NumberedTable<PlanPoint> onSourceEdges_;
+  std::vector<Index> ofSourceEdgePoint_;
+  JoinMemory memory_;
+  const EarlierResult* earlier_ = nullptr;
+  std::vector<Index> changed_;
+  std::vector<char> knownVertices_, knownOutlines_;  ///< their relations were taken over; empty: none
   ExactFallbacks fallbacks_;
 };
 

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
+#include "core/filters/assembly_memory.hpp"
 #include "core/filters/clearance_clipper.hpp"
+#include "core/filters/earlier_result.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/mesh_assembly.hpp"
 
@@ -102,9 +105,51 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
   return result;
 }
 
+Box boxOf(const SourceMesh& mesh, Index face, double height) {
+  const auto& f = mesh.triangles[face];
+  const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+  Box box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height}};
+  box.upper[2] = std::nextafter(box.upper[2], std::numeric_limits<double>::infinity());
+  return box;
+}
+
+/// What an earlier run of the filter knows of each face.
+class KnownCuts {
+ public:
+  KnownCuts(const std::optional<EarlierResult>& earlier, const WalkableState& state, double height)
+      : earlier_(earlier), state_(state), height_(height) {
+    if (!earlier_) return;
+    const WalkableState& before = earlier_->state();
+    sameClearance_ = before.memory->clearance == height && before.kernel->heights() == state.kernel->heights();
+    for (std::size_t t = 0; t < state.walkable.size() && !floorsDiffer_; ++t) {
+      const Index then = earlier_->faceBefore(static_cast<Index>(t));
+      floorsDiffer_ = then >= 0 && before.walkable[then] != state.walkable[t];
+    }
+  }
+
+  /// The face's number then, when what stood above it stands there still and nothing else does; else -1.
+  [[nodiscard]] Index unchanged(Index face) const {
+    if (!earlier_) return -1;
+    const Index then = earlier_->faceBefore(face);
+    if (then < 0 || earlier_->state().walkable[then] == 0) return -1;
+    if (floorsDiffer_ && (*earlier_->state().cuts)[then].dependsOnFloors) return -1;
+    return earlier_->isTouched(boxOf(state_.kernel->mesh(), face, std::max(height_, clearance()))) ? -1 : then;
+  }
+  [[nodiscard]] bool sameClearance() const { return sameClearance_; }
+  [[nodiscard]] double clearance() const { return earlier_->state().memory->clearance; }
+
+ private:
+  const std::optional<EarlierResult>& earlier_;
+  const WalkableState& state_;
+  double height_;
+  bool sameClearance_ = false;
+  bool floorsDiffer_ = false;
+};
+
 }  // namespace
 
-FilterOutcome applyVerticalClearance(const StatePtr& state, double given, RunContext& context) {
+FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const Recall& recall, RunContext& context) {
   const double height = sufficientHeight(state->kernel->mesh(), given);
   FilterOutcome outcome;
   auto result = std::make_shared<WalkableState>(*state);
@@ -113,7 +158,19 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, RunCon
   const Index level = *kernel.levelOf(height);
   const auto count = static_cast<Index>(kernel.mesh().triangles.size());
 
+  // Only a first clearance filter can be taken over or remembered: later ones add to the cuts of others.
+  std::shared_ptr<AssemblyMemory> memory;
+  std::optional<EarlierResult> earlier;
+  if (!state->cuts && recall.keep) {
+    memory = std::make_shared<AssemblyMemory>();
+    memory->candidates.resize(count);
+    memory->clearance = height;
+    earlier = EarlierResult::relate(recall.before, kernel);
+  }
+  const KnownCuts known(earlier, *result, height);
+
   auto cuts = std::make_shared<CutTable>(count);
+  std::vector<char> isChanged(count, 0);
   tbb::enumerable_thread_specific<std::unique_ptr<ClearanceClipper>> clippers;
   std::atomic<Index> done{0};
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kFacesPerTask), [&](const auto& range) {
@@ -123,15 +180,33 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, RunCon
           std::make_unique<ClearanceClipper>(kernel, state->walkable, level, [&context] { context.checkCancelled(); });
     for (Index t = range.begin(); t != range.end(); ++t) {
       context.checkCancelled();
-      if (state->walkable[t] != 0) cuts->set(t, clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr));
+      if (state->walkable[t] == 0) continue;
+      const Index then = known.unchanged(t);
+      if (then >= 0 && known.sameClearance()) {
+        cuts->set(t, earlier->cuts(then));
+        memory->candidates[t] = earlier->candidates(then);
+        continue;
+      }
+      isChanged[t] = 1;
+      const auto standing = then >= 0 ? earlier->candidates(then) : nullptr;
+      static const std::vector<Index> kNothing;
+      cuts->set(t, then >= 0 ? clipper->clip(t, standing ? *standing : kNothing, known.clearance())
+                             : clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr));
+      if (memory && !clipper->candidates().empty())
+        memory->candidates[t] = std::make_shared<const std::vector<Index>>(clipper->candidates());
     }
     const Index finished = done.fetch_add(range.end() - range.begin(), std::memory_order_relaxed);
     context.progress(0.5 * finished / count);
   });
   for (const auto& clipper : clippers) outcome.fallbacks += clipper->fallbacks();
   result->cuts = std::move(cuts);
-  result->mesh = assembleMesh(*result, context, outcome.fallbacks);
+  const bool partly = earlier && known.sameClearance();
+  std::vector<Index> changed;
+  for (Index t = 0; t < count && partly; ++t)
+    if (isChanged[t] != 0) changed.push_back(t);
+  result->mesh = assembleMesh(*result, partly ? &*earlier : nullptr, changed, memory.get(), context, outcome.fallbacks);
   result->simplified = false;
+  result->memory = memory;
   if (result->dropped)
     result->mesh = withoutDropped(kernel, *result->mesh, *result->dropped, context, outcome.fallbacks);
   outcome.state = std::move(result);

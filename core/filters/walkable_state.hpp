@@ -38,6 +38,8 @@ struct WalkableMesh {
   std::uint32_t layerCount = 0;
 };
 
+struct AssemblyMemory;  // core/filters/assembly_memory.hpp
+
 struct WalkableState {
   std::shared_ptr<const Environment> environment;
   std::shared_ptr<const PlanKernel> kernel;
@@ -53,6 +55,8 @@ struct WalkableState {
   bool simplified = false;
   /// Pieces that AreaFilter took away since the cuts were made: obstacles still, but no floor any more.
   std::shared_ptr<const WalkableMesh> dropped;
+  /// How the mesh of the last clearance filter came about, for later runs to take over; null when nobody asked for it.
+  std::shared_ptr<const AssemblyMemory> memory;
 };
 
 }  // namespace footfall

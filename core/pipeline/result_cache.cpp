@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/environment/environment_edit.hpp"
+
 namespace footfall {
 
 ResultCache::ResultCache(std::size_t capacity) : impl_(std::make_unique<Impl>(capacity)) {}
@@ -26,6 +28,19 @@ std::optional<CachedPrefix> PrefixCache::find(const EnvironmentPtr& environment,
   if (found == entries_.end()) return std::nullopt;
   entries_.splice(entries_.begin(), entries_, found);
   return found->prefix;
+}
+
+StatePtr PrefixCache::findEarlier(const EnvironmentPtr& environment, const std::vector<const PipelineStep*>& steps,
+                                  std::size_t count) {
+  const EnvironmentPtr base = environment->edit ? environment->edit->base.lock() : nullptr;
+  const std::lock_guard lock(mutex_);
+  const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
+    const EnvironmentPtr of = entry.environment.lock();
+    return of && (of == environment || of == base) && entry.prefix.steps.size() == count &&
+           std::equal(entry.prefix.steps.begin(), entry.prefix.steps.end(), steps.begin(),
+                      [](const StepStatistics& s, const PipelineStep* step) { return s.name == step->filter->name; });
+  });
+  return found == entries_.end() ? nullptr : found->prefix.state;
 }
 
 void PrefixCache::store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix) {

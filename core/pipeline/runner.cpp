@@ -108,7 +108,7 @@ class Run {
   double makeStart() {
     const Stopwatch watch;
     guarded("environment", [&] {
-      current_.state = makeInitialState(environment_, context_);
+      current_.state = makeInitialState(environment_, context_, recall(0));
       current_.summary = summarize(*current_.state);
     });
     remember();
@@ -126,7 +126,7 @@ class Run {
     guarded(placeOfStep(pipeline_, position) + ", " + statistics.name, [&] {
       context_.beginStep(index, statistics.name);
       const Stopwatch watch;
-      FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_);
+      FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1));
       statistics.wallMs = watch.wallMs();
       statistics.cpuMs = watch.cpuMs();
       statistics.note = std::move(outcome.note);
@@ -139,6 +139,12 @@ class Run {
       remember();
       context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
     });
+  }
+
+  // What earlier runs had after the first `count` steps.
+  Recall recall(std::size_t count) {
+    if (cache_ == nullptr) return {};
+    return {cache_->findEarlier(environment_, steps_, count), true};
   }
 
   void remember() {

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exact/source_edit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/exact/source_predicates.hpp"
+
+namespace footfall {
+namespace {
+
+// Everything that a visit to a rebuilt tree costs less than.
+constexpr std::size_t kMostAddedShare = 8;
+
+Box boxOf(const SourceMesh& mesh, Index t) {
+  const auto& f = mesh.triangles[t];
+  const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+}
+
+class Editor {
+ public:
+  Editor(const SourceMesh& base, const Environment& environment)
+      : base_(base), environment_(environment), edit_(*environment.edit), changes_(std::make_shared<SourceEdit>()) {}
+
+  std::shared_ptr<SourceMesh> run() {
+    mergeVertices();
+    chooseGrid(mesh_);
+    if (mesh_.grid.scaleExponent() != base_.grid.scaleExponent()) return nullptr;
+    mergeTriangles();
+    makeTree();
+    mesh_.edit = changes_;
+    return std::make_shared<SourceMesh>(std::move(mesh_));
+  }
+  [[nodiscard]] const std::shared_ptr<SourceEdit>& changes() const { return changes_; }
+
+ private:
+  void mergeVertices() {
+    std::vector<char> used(base_.vertices.size(), 0);
+    for (const std::uint32_t v : edit_.keptVertices) used[base_.welded[v]] = 1;
+    const auto firstAdded = static_cast<std::uint32_t>(edit_.keptVertices.size());
+    std::vector<std::uint32_t> added(environment_.vertices.size() - firstAdded);
+    std::iota(added.begin(), added.end(), firstAdded);
+    const auto place = [&](std::uint32_t v) { return withoutNegativeZeros(environment_.vertices[v]); };
+    std::sort(added.begin(), added.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return isBefore(place(a), place(b)); });
+
+    mesh_.vertices.reserve(base_.vertices.size() + added.size());
+    mesh_.planIds.reserve(base_.vertices.size() + added.size());
+    mesh_.welded.resize(environment_.vertices.size());
+    changes_->vertexOf.assign(base_.vertices.size(), -1);
+    changes_->planOf.assign(base_.vertices.size(), -1);
+    const auto append = [&](const Vec3& v) {
+      const auto index = static_cast<Index>(mesh_.vertices.size());
+      if (index > 0 && mesh_.vertices.back() == v) return index - 1;
+      const bool samePlan = index > 0 && mesh_.vertices.back().x == v.x && mesh_.vertices.back().y == v.y;
+      mesh_.planIds.push_back(samePlan ? mesh_.planIds.back() : index);
+      mesh_.vertices.push_back(v);
+      return index;
+    };
+    std::size_t next = 0;
+    const auto appendAdded = [&] {
+      mesh_.welded[added[next]] = append(place(added[next]));
+      ++next;
+    };
+    for (std::size_t v = 0; v < base_.vertices.size(); ++v) {
+      if (used[v] == 0) continue;
+      while (next < added.size() && isBefore(place(added[next]), base_.vertices[v])) appendAdded();
+      const Index index = append(base_.vertices[v]);
+      changes_->vertexOf[v] = index;
+      changes_->planOf[base_.planIds[v]] = mesh_.planIds[index];
+    }
+    while (next < added.size()) appendAdded();
+    for (std::size_t i = 0; i < edit_.keptVertices.size(); ++i)
+      mesh_.welded[i] = changes_->vertexOf[base_.welded[edit_.keptVertices[i]]];
+  }
+
+  void mergeTriangles() {
+    const std::size_t kept = edit_.keptTriangles.size(), count = environment_.triangles.size();
+    std::vector<Index> numberOf(base_.triangles.size(), -1);  // of an input triangle of the base, in this environment
+    for (std::size_t i = 0; i < kept; ++i) numberOf[edit_.keptTriangles[i]] = static_cast<Index>(i);
+    std::vector<SortedTriangle> added;
+    for (std::size_t i = kept; i < count; ++i)
+      added.push_back(
+          sortedTriangle(mesh_, environment_.triangles[i], static_cast<std::uint32_t>(i), environment_.bothSides));
+    std::sort(added.begin(), added.end());
+
+    mesh_.triangles.reserve(count);
+    mesh_.inputTriangles.reserve(count);
+    mesh_.normals.reserve(count);
+    mesh_.facing.reserve(count);
+    mesh_.degenerate.reserve(count);
+    changes_->triangleOf.assign(base_.triangles.size(), -1);
+    changes_->baseOf.reserve(count);
+    const SignRule sign = mesh_.grid.signRule(mesh_.grid.scaleExponent());
+    std::size_t next = 0;
+    const auto appendAdded = [&] {
+      const auto t = static_cast<Index>(mesh_.triangles.size());
+      mesh_.triangles.push_back(added[next].corners);
+      mesh_.inputTriangles.push_back(added[next].number);
+      mesh_.normals.emplace_back();
+      mesh_.facing.push_back(0);
+      mesh_.degenerate.push_back(0);
+      classifyTriangle(mesh_, t, sign);
+      changes_->baseOf.push_back(-1);
+      changes_->added.push_back(boxOf(mesh_, t));
+      ++next;
+    };
+    for (std::size_t t = 0; t < base_.triangles.size(); ++t) {
+      const Index number = numberOf[base_.inputTriangles[t]];
+      if (number < 0) {
+        changes_->removed.push_back(boxOf(base_, static_cast<Index>(t)));
+        continue;
+      }
+      SortedTriangle triangle{base_.triangles[t], static_cast<std::uint32_t>(number)};
+      for (Index& v : triangle.corners) v = changes_->vertexOf[v];
+      while (next < added.size() && added[next] < triangle) appendAdded();
+      changes_->triangleOf[t] = static_cast<Index>(mesh_.triangles.size());
+      changes_->baseOf.push_back(static_cast<Index>(t));
+      mesh_.triangles.push_back(triangle.corners);
+      mesh_.inputTriangles.push_back(triangle.number);
+      mesh_.normals.push_back(base_.normals[t]);
+      mesh_.facing.push_back(base_.facing[t]);
+      mesh_.degenerate.push_back(base_.degenerate[t]);
+    }
+    while (next < added.size()) appendAdded();
+  }
+
+  void makeTree() {
+    // What the shared tree does not hold: added now, or by earlier edits.
+    std::vector<Box> boxes;
+    std::vector<std::int32_t> ids;
+    const auto add = [&](Index t) {
+      if (mesh_.degenerate[t] != 0) return;
+      boxes.push_back(boxOf(mesh_, t));
+      ids.push_back(t);
+    };
+    for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t) {
+      const Index earlier = changes_->baseOf[t];
+      if (earlier < 0 || (!base_.addedLater.empty() && base_.addedLater[earlier] != 0)) add(t);
+    }
+    if (ids.size() * kMostAddedShare < mesh_.triangles.size()) {
+      mesh_.addedLater.assign(mesh_.triangles.size(), 0);
+      for (const std::int32_t t : ids) mesh_.addedLater[t] = 1;
+      mesh_.tree = SourceTree::edited(base_.tree, changes_->triangleOf, std::move(boxes), std::move(ids));
+      return;
+    }
+    boxes.clear();
+    ids.clear();
+    for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t) add(t);
+    mesh_.tree.build(std::move(boxes), std::move(ids), [] {});
+  }
+
+  const SourceMesh& base_;
+  const Environment& environment_;
+  const EnvironmentEdit& edit_;
+  std::shared_ptr<SourceEdit> changes_;
+  SourceMesh mesh_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base,
+                                                 const Environment& environment) {
+  if (!environment.edit || base->welded.empty() || !base->obstacleEdges.empty()) return nullptr;
+  Editor editor(*base, environment);
+  auto mesh = editor.run();
+  if (mesh) editor.changes()->base = base;
+  return mesh;
+}
+
+}  // namespace footfall

@@ -1,0 +1,29 @@
+// From the source mesh of an environment to that of an edited one, without sorting it anew.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/environment/environment_edit.hpp"
+#include "core/exact/source_mesh.hpp"
+
+namespace footfall {
+
+/// How the numbers of an edited mesh follow from those of its base. All maps rise: what was kept keeps its order, so
+/// that every choice by the smaller number stays what it was.
+struct SourceEdit {
+  std::weak_ptr<const SourceMesh> base;
+  std::vector<Index> vertexOf;    ///< for each vertex of the base its number now, or -1
+  std::vector<Index> planOf;      ///< for each plan id of the base its number now, or -1 (also for what is no plan id)
+  std::vector<Index> triangleOf;  ///< for each triangle of the base its number now, or -1
+  std::vector<Index> baseOf;      ///< for each triangle its number in the base, or -1
+  std::vector<Box> removed, added;  ///< of the triangles that went and came
+};
+
+/// The mesh that makeSourceMesh() makes of `environment`, which is an edit of the environment that `base` was made of.
+/// Null when they do not fit together, or when the edit changes the scale of the grid.
+std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base,
+                                                 const Environment& environment);
+
+}  // namespace footfall

@@ -1,0 +1,68 @@
+// The spatial index of one generation, which an edited environment takes over from the one it was made of.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/environment/triangle_tree.hpp"
+
+namespace footfall {
+
+/// A tree over the triangles of an environment, with those that were added later beside it and those that went left
+/// out. The order of the visits says nothing.
+class SourceTree {
+ public:
+  void build(std::vector<Box> boxes, std::vector<std::int32_t> ids, const std::function<void()>& poll) {
+    auto tree = std::make_shared<TriangleTree>();
+    tree->build(std::move(boxes), std::move(ids), poll);
+    tree_ = std::move(tree);
+    numbers_ = nullptr;
+    added_ = nullptr;
+  }
+
+  /// The tree of an edited environment: `renumbered` gives for each triangle of `earlier` its number now, or -1;
+  /// `addedBoxes` and `addedIds` are all triangles that `earlier`'s own tree does not hold.
+  static SourceTree edited(const SourceTree& earlier, const std::vector<std::int32_t>& renumbered,
+                           std::vector<Box> addedBoxes, std::vector<std::int32_t> addedIds) {
+    SourceTree result;
+    result.tree_ = earlier.tree_;
+    auto numbers = std::make_shared<std::vector<std::int32_t>>();
+    if (earlier.numbers_) {
+      numbers->reserve(earlier.numbers_->size());
+      for (const std::int32_t id : *earlier.numbers_) numbers->push_back(id < 0 ? -1 : renumbered[id]);
+    } else {
+      *numbers = renumbered;
+    }
+    result.numbers_ = std::move(numbers);
+    auto added = std::make_shared<TriangleTree>();
+    added->build(std::move(addedBoxes), std::move(addedIds));
+    result.added_ = std::move(added);
+    return result;
+  }
+
+  template <class Visit>
+  void visitOverlapping(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
+    if (!tree_) return;
+    if (!numbers_) {
+      tree_->visitOverlapping(query, stack, visit);
+      return;
+    }
+    bool stopped = false;
+    tree_->visitOverlapping(query, stack, [&](std::int32_t id) {
+      stopped = (*numbers_)[id] >= 0 && !visit((*numbers_)[id]);
+      return !stopped;
+    });
+    if (!stopped) added_->visitOverlapping(query, stack, visit);
+  }
+
+ private:
+  std::shared_ptr<const TriangleTree> tree_;
+  std::shared_ptr<const std::vector<std::int32_t>> numbers_;  ///< for each id in tree_; null: itself
+  std::shared_ptr<const TriangleTree> added_;                 ///< null together with numbers_
+};
+
+}  // namespace footfall

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/earlier_result.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/filters/assembly_memory.hpp"
+
+namespace footfall {
+namespace {
+
+Box boxAround(const std::vector<Box>& boxes) {
+  Box all;
+  all.lower.fill(std::numeric_limits<double>::infinity());
+  all.upper.fill(-std::numeric_limits<double>::infinity());
+  for (const Box& b : boxes)
+    for (int k = 0; k < 3; ++k) {
+      all.lower[k] = std::min(all.lower[k], b.lower[k]);
+      all.upper[k] = std::max(all.upper[k], b.upper[k]);
+    }
+  return all;
+}
+
+}  // namespace
+
+std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const PlanKernel& now) {
+  if (!before || !before->memory) return std::nullopt;
+  const auto& mesh = now.sharedMesh();
+  if (before->kernel->sharedMesh() == mesh) return EarlierResult(before, nullptr);
+  if (mesh->edit && mesh->edit->base.lock() == before->kernel->sharedMesh()) return EarlierResult(before, mesh->edit);
+  return std::nullopt;
+}
+
+EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit)
+    : before_(std::move(before)), edit_(std::move(edit)) {
+  if (!edit_) return;
+  removed_ = boxAround(edit_->removed);
+  added_ = boxAround(edit_->added);
+}
+
+bool EarlierResult::isTouched(const Box& box) const {
+  if (!edit_) return false;
+  const auto any = [&](const Box& all, const std::vector<Box>& boxes) {
+    return overlaps(all, box) &&
+           std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return overlaps(b, box); });
+  };
+  return any(removed_, edit_->removed) || any(added_, edit_->added);
+}
+
+PlanLine EarlierResult::renumbered(PlanLine line) const {
+  if (line.kind == PlanLine::Edge) {
+    line.a = edit_->planOf[line.a];
+    line.b = edit_->planOf[line.b];
+  } else {
+    line.a = edit_->triangleOf[line.a];
+  }
+  return line;
+}
+
+PlanPoint EarlierResult::renumbered(PlanPoint point) const {
+  switch (point.kind) {
+    case PlanPoint::Source:
+      point.a = edit_->planOf[point.a];
+      break;
+    case PlanPoint::EdgePlane:
+      point.a = edit_->vertexOf[point.a];
+      point.b = edit_->vertexOf[point.b];
+      point.c = edit_->triangleOf[point.c];
+      break;
+    default: {
+      const PlanLine first = renumbered(point.firstLine()), second = renumbered(point.secondLine());
+      point.b = first.a;
+      point.c = first.b;
+      point.e = second.a;
+      point.f = second.b;
+      if (point.face >= 0) point.face = edit_->triangleOf[point.face];
+    }
+  }
+  return point;
+}
+
+std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore) const {
+  const auto& shared = before_->cuts->shared(faceBefore);
+  if (!edit_ || !shared) return shared;
+  auto result = std::make_shared<FaceCuts>(*shared);
+  for (PlanPoint& p : result->points) p = renumbered(p);
+  for (PlanLine& l : result->lines) l = renumbered(l);
+  return result;
+}
+
+std::shared_ptr<const FaceMesh> EarlierResult::mesh(Index faceBefore) const {
+  const auto& shared = before_->memory->meshes[faceBefore];
+  if (!edit_ || !shared) return shared;
+  auto result = std::make_shared<FaceMesh>(*shared);
+  for (PlanPoint& p : result->points) p = renumbered(p);
+  for (PlanLine& l : result->lines) l = renumbered(l);
+  return result;
+}
+
+std::shared_ptr<const std::vector<Index>> EarlierResult::candidates(Index faceBefore) const {
+  const auto& shared = before_->memory->candidates[faceBefore];
+  if (!edit_ || !shared) return shared;
+  auto result = std::make_shared<std::vector<Index>>(*shared);
+  for (Index& t : *result) t = edit_->triangleOf[t];
+  return result;
+}
+
+}  // namespace footfall

@@ -1,0 +1,45 @@
+// What an earlier run found at the same place of a pipeline, and what of it still holds.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/exact/source_edit.hpp"
+#include "core/filters/face_mesh.hpp"
+#include "core/filters/filter.hpp"
+#include "core/filters/walkable_state.hpp"
+
+namespace footfall {
+
+/// An earlier state whose source mesh is the present one or the one that it was edited from. Faces keep their parts
+/// while nothing came or went in the clearance above them; numbers are those of the present mesh.
+class EarlierResult {
+ public:
+  /// Empty when the two do not relate, or the earlier state kept nothing. Their heights may differ.
+  static std::optional<EarlierResult> relate(const StatePtr& before, const PlanKernel& now);
+
+  [[nodiscard]] const WalkableState& state() const { return *before_; }
+  /// The number that a triangle had, or -1.
+  [[nodiscard]] Index faceBefore(Index face) const { return edit_ ? edit_->baseOf[face] : face; }
+  /// The number that a triangle of the earlier mesh has now, or -1.
+  [[nodiscard]] Index faceNow(Index before) const { return edit_ ? edit_->triangleOf[before] : before; }
+  /// Whether a triangle that came or went may reach into the box.
+  [[nodiscard]] bool isTouched(const Box& box) const;
+
+  [[nodiscard]] std::shared_ptr<const FaceCuts> cuts(Index faceBefore) const;
+  [[nodiscard]] std::shared_ptr<const FaceMesh> mesh(Index faceBefore) const;
+  [[nodiscard]] std::shared_ptr<const std::vector<Index>> candidates(Index faceBefore) const;
+
+ private:
+  EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit);
+  [[nodiscard]] PlanPoint renumbered(PlanPoint point) const;
+  [[nodiscard]] PlanLine renumbered(PlanLine line) const;
+
+  StatePtr before_;
+  std::shared_ptr<const SourceEdit> edit_;  ///< null: the same mesh
+  Box removed_, added_;                     ///< around all that went and came
+};
+
+}  // namespace footfall
