@@ -1,0 +1,196 @@
+// Edits compute only what they can affect, and give what a run from nothing gives, to the last byte.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <rapidcheck.h>
+
+#include <QtTest>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/environment/environment_edit.hpp"
+#include "core/environment/export.hpp"
+#include "core/environment/import.hpp"
+#include "core/errors.hpp"
+#include "core/pipeline/runner.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/soup_generators.hpp"
+
+using namespace footfall;
+using namespace footfall::test;
+
+namespace {
+
+TriangleSoup soupFor(const Soup& soup) {
+  TriangleSoup result;
+  for (const auto& t : soup.triangles()) {
+    const auto first = static_cast<std::uint32_t>(result.vertices.size());
+    result.vertices.insert(result.vertices.end(), t.begin(), t.end());
+    result.triangles.push_back({first, first + 1, first + 2});
+  }
+  return result;
+}
+
+std::string exported(const RunResult& result, const Environment& environment) {
+  return formatObj(*result.mesh, environment, {});
+}
+
+RunResult run(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache* cache,
+              int threads = 2) {
+  RunContext context;
+  return runPipeline(environment, parsePipeline(pipeline, "test"), context, cache, threads);
+}
+
+/// With the results of earlier runs at hand, and from nothing.
+bool agrees(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache& cache) {
+  const RunResult live = run(environment, pipeline, &cache);
+  const RunResult fresh = run(environment, pipeline, nullptr);
+  return exported(live, *environment) == exported(fresh, *environment) &&
+         live.mesh->sourceTriangles == fresh.mesh->sourceTriangles;
+}
+
+std::string defaultFilters(double slope, double clearance) {
+  return "DuplicationFilter 0\nDegeneracyFilter\nSlopeFilter " + std::to_string(slope) + "\nVerticalClearanceFilter " +
+         std::to_string(clearance) + "\nAreaFilter 0.5\nSimplificationFilter\nLayerSubdivisionFilter\n";
+}
+
+std::string sample(const std::string& name) {
+  return std::string(FOOTFALL_SOURCE_DIR) + "/samples/" + name + "/" + name + ".obj";
+}
+
+}  // namespace
+
+class TestLiveEdits : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Random buildings in which random parts come, move and go, under random pipelines.
+  void obstaclesInRandomBuildings() {
+    QVERIFY(check("obstacles in random buildings", 300, [] {
+      const auto level = buildingOf(*buildingParts(12)).environment(*below(4) == 0);
+      const std::array<std::string, 4> pipelines{
+          "SlopeFilter 45\nVerticalClearanceFilter 2\n", defaultFilters(45, 1),
+          "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\nSlopeFilter 30\n",
+          "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n"};
+      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(4))];
+      EditableEnvironment editable(level);
+      ResultCache cache;
+      RC_ASSERT(agrees(level, pipeline, cache));
+      std::vector<ObstacleId> obstacles;
+      for (int i = 0; i < 5; ++i) {
+        const TriangleSoup soup = soupFor(buildingOf(*buildingParts(2)));
+        const int choice = *below(4);
+        if (obstacles.empty() || choice < 2)
+          obstacles.push_back(editable.add(soup));
+        else if (choice == 2)
+          editable.replace(obstacles.back(), soup);
+        else {
+          editable.remove(obstacles.back());
+          obstacles.pop_back();
+        }
+        RC_ASSERT(agrees(editable.environment(), pipeline, cache));
+      }
+    }));
+  }
+
+  // The same among triangles that are mostly degenerate.
+  void obstaclesInRandomSoups() {
+    QVERIFY(check("obstacles in random soups", 200, [] {
+      const auto level = soupOf(*gridTriangles(20, 4, 3)).environment();
+      EditableEnvironment editable(level);
+      ResultCache cache;
+      RC_ASSERT(agrees(level, defaultFilters(60, 1), cache));
+      const ObstacleId obstacle = editable.add(soupFor(soupOf(*gridTriangles(4, 4, 3))));
+      RC_ASSERT(agrees(editable.environment(), defaultFilters(60, 1), cache));
+      editable.replace(obstacle, soupFor(soupOf(*gridTriangles(4, 5, 4))));
+      RC_ASSERT(agrees(editable.environment(), defaultFilters(60, 1), cache));
+      editable.remove(obstacle);
+      RC_ASSERT(agrees(editable.environment(), defaultFilters(60, 1), cache));
+    }));
+  }
+
+  // Sliders: only what a parameter affects is computed again.
+  void parametersInRandomBuildings() {
+    QVERIFY(check("parameters in random buildings", 300, [] {
+      const auto level = buildingOf(*buildingParts(14)).environment();
+      ResultCache cache;
+      double slope = 45, clearance = 1;
+      for (int i = 0; i < 6; ++i) {
+        RC_ASSERT(agrees(level, defaultFilters(slope, clearance), cache));
+        if (*below(2) == 0)
+          slope = std::array<double, 4>{10, 30, 45, 70}[static_cast<std::size_t>(*below(4))];
+        else
+          clearance = 0.5 + 0.5 * *below(6);
+      }
+    }));
+  }
+
+  void parametersAndObstaclesInSamples_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"house", "tower", "arena"}) QTest::newRow(name) << name;
+  }
+  void parametersAndObstaclesInSamples() {
+    QFETCH(QString, name);
+    const auto level = importEnvironment(sample(name.toStdString()));
+    ResultCache cache;
+    QVERIFY(agrees(level, defaultFilters(45, 2), cache));
+    QVERIFY(agrees(level, defaultFilters(45, 2.1), cache));
+    QVERIFY(agrees(level, defaultFilters(40, 2.1), cache));
+    EditableEnvironment editable(level);
+    const Vec3 corner = level->vertices[level->vertices.size() / 2];
+    const auto crate = [&](double x, double z) {
+      return soupFor(Soup().box({corner.x + x, corner.y - 0.25, corner.z + z},
+                                {corner.x + x + 1.5, corner.y + 1, corner.z + z + 1}));
+    };
+    const ObstacleId id = editable.add(crate(0, 0));
+    QVERIFY(agrees(editable.environment(), defaultFilters(40, 2.1), cache));
+    for (int i = 1; i <= 4; ++i) {
+      editable.replace(id, crate(i * 0.375, i * -0.125));
+      QVERIFY(agrees(editable.environment(), defaultFilters(40, 2.1), cache));
+    }
+    editable.remove(id);
+    QVERIFY(agrees(editable.environment(), defaultFilters(40, 2.1), cache));
+    QCOMPARE(editable.environment()->vertices.size(), level->vertices.size());
+  }
+
+  // An obstacle that reaches farther than the level changes the scale of the grid: everything is computed again.
+  void obstacleBeyondTheLevel() {
+    const auto level = Soup().floor(0, 0, 4, 4, 0).environment();
+    EditableEnvironment editable(level);
+    ResultCache cache;
+    QVERIFY(agrees(level, defaultFilters(45, 2), cache));
+    const ObstacleId id = editable.add(soupFor(Soup().box({1, 1, 0.5}, {1000, 2, 1e6})));
+    QVERIFY(agrees(editable.environment(), defaultFilters(45, 2), cache));
+    editable.replace(id, soupFor(Soup().box({1, 1, 1e-12}, {2, 2, 1})));
+    QVERIFY(agrees(editable.environment(), defaultFilters(45, 2), cache));
+  }
+
+  // The environment that an edit was made of may be gone by the time of the run.
+  void baseIsGone() {
+    ResultCache cache;
+    auto level = Soup().floor(0, 0, 4, 4, 0).environment();
+    auto edited = editEnvironment(level, {}, soupFor(Soup().box({1, 1, 0}, {2, 2, 1})));
+    level.reset();
+    QVERIFY(agrees(edited, defaultFilters(45, 2), cache));
+  }
+
+  void wrongObstaclesChangeNothing() {
+    EditableEnvironment editable(Soup().floor(0, 0, 4, 4, 0).environment());
+    const ObstacleId id = editable.add(soupFor(Soup().box({1, 1, 0}, {2, 2, 1})));
+    const auto before = editable.environment();
+    TriangleSoup outOfRange = soupFor(Soup().floor(0, 0, 1, 1, 1));
+    outOfRange.triangles[0][1] = 99;
+    QVERIFY_EXCEPTION_THROWN(editable.add(outOfRange), InputError);
+    TriangleSoup infinite = soupFor(Soup().floor(0, 0, 1, 1, 1));
+    infinite.vertices[0].z = std::numeric_limits<double>::infinity();
+    QVERIFY_EXCEPTION_THROWN(editable.replace(id, infinite), InputError);
+    QVERIFY_EXCEPTION_THROWN(editable.remove(id + 1), InputError);
+    QVERIFY_EXCEPTION_THROWN(editEnvironment(before, {9999}, {}), InputError);
+    QCOMPARE(editable.environment(), before);
+    editable.remove(id);
+    QCOMPARE(editable.environment()->triangles.size(), std::size_t{2});
+  }
+};
+
+QTEST_GUILESS_MAIN(TestLiveEdits)
+#include "test_live_edits.moc"
