@@ -125,6 +125,14 @@ class TestLiveEdits : public QObject {
     }));
   }
 
+  // Of two floors in one plane the first one stays, while it is a floor: what is cut out of the other depends on it.
+  void floorsInOnePlane() {
+    const auto level = Soup().floor(1, 1, 2, 2, 0).floor(0, 0, 4, 4, 0).floor(0, 0, 4, 1.5, 0).environment();
+    ResultCache cache;
+    for (const char* smallest : {"0.5", "2", "7", "0.5", "7"})
+      QVERIFY(agrees(level, std::string("AreaFilter ") + smallest + "\nVerticalClearanceFilter 1\n", cache));
+  }
+
   void parametersAndObstaclesInSamples_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"house", "tower", "arena"}) QTest::newRow(name) << name;
