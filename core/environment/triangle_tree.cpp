@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environment/triangle_tree.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -32,69 +34,79 @@ struct Bounds {
   }
 };
 
-}  // namespace
+Float4 lowerOf(const TreeItem& item) {
+  Float4 lower;
+  std::memcpy(&lower, &item, sizeof lower);
+  return lower;
+}
 
-/// Splits by the surface-area heuristic over bins of the centres (Wald 2007, "On fast construction of SAH-based
-/// bounding volume hierarchies"), two or three times for the four children of a node.
-class TriangleTreeBuilder {
+Float4 upperOf(const TreeItem& item) {
+  Float4 upper;
+  std::memcpy(&upper, reinterpret_cast<const char*>(&item) + sizeof upper, sizeof upper);
+  return upper;
+}
+
+/// Times 2.
+float centreOf(const TreeItem& item, int axis) { return item.lower[axis] + item.upper[axis]; }
+
+int widestAxis(const Bounds& b) {
+  const Float4 size = b.upper - b.lower;
+  if (size[0] >= size[1]) return size[0] >= size[2] ? 0 : 2;
+  return size[1] >= size[2] ? 1 : 2;
+}
+
+/// Items that will be a child of a node.
+struct Part {
+  std::span<TreeItem> items;
+  Bounds box;
+  Bounds centres;  ///< times 2
+
+  Part() = default;
+  explicit Part(std::span<TreeItem> given) : items(given) {
+    for (const TreeItem& item : items) {
+      const Float4 lower = lowerOf(item), upper = upperOf(item), centre = lower + upper;
+      box.include(lower, upper);
+      centres.include(centre, centre);
+    }
+  }
+};
+
+/// Divides the items of a node among its children by the surface-area heuristic over bins of the centres (Wald 2007,
+/// "On fast construction of SAH-based bounding volume hierarchies"). One for each thread: it holds working memory.
+class ItemDivider {
  public:
-  using Item = TriangleTree::Item;
-  using Node = TriangleTree::Node;
+  explicit ItemDivider(const std::function<void()>& poll) : poll_(poll) {}
 
-  TriangleTreeBuilder(const std::function<void()>& poll, std::vector<Node>& nodes) : poll_(poll), nodes_(nodes) {}
-
-  void build(std::span<Item> items) {
-    if (items.empty()) return;
-    Subtree root;
-    grow(root, partOf(items), 0);
-    nodes_.resize(root.size);
-    place(root, 0);
+  /// Makes up to four parts, of which none is empty.
+  std::size_t divide(const Part& whole, int depth, std::array<Part, kWidth>& parts) {
+    const std::size_t total = whole.items.size();
+    if (total <= kWidth) {
+      for (std::size_t i = 0; i < total; ++i) parts[i] = Part(whole.items.subspan(i, 1));
+      return total;
+    }
+    parts[0] = whole;
+    std::size_t count = 1;
+    while (count < kWidth) {
+      std::size_t next = kWidth;
+      for (std::size_t i = 0; i < count; ++i)
+        if (parts[i].items.size() > kWidth && (next == kWidth || parts[i].box.halfArea() > parts[next].box.halfArea()))
+          next = i;
+      if (next == kWidth) break;
+      const std::span<TreeItem> items = parts[next].items;
+      const std::size_t middle = split(parts[next], depth);
+      if (items.size() > kPolledSize) poll_();
+      parts[next] = Part(items.first(middle));
+      parts[count++] = Part(items.subspan(middle));
+    }
+    return count;
   }
 
  private:
-  struct Part {
-    std::span<Item> items;
-    Bounds box;
-    Bounds centres;  ///< times 2
-  };
-
-  /// Part of the tree that one thread made, or a node and the parts below it that others made.
-  struct Subtree {
-    std::vector<Node> nodes;  ///< children count from the first
-    std::unique_ptr<std::array<Subtree, kWidth>> below;
-    std::size_t size = 0;  ///< nodes, those below included
-  };
-
-  static Float4 lowerOf(const Item& item) {
-    Float4 lower;
-    std::memcpy(&lower, &item, sizeof lower);
-    return lower;
-  }
-  static Float4 upperOf(const Item& item) {
-    Float4 upper;
-    std::memcpy(&upper, reinterpret_cast<const char*>(&item) + sizeof upper, sizeof upper);
-    return upper;
-  }
-  static float centreOf(const Item& item, int axis) { return item.lower[axis] + item.upper[axis]; }
-
-  static Part partOf(std::span<Item> items) {
-    Part part{items, {}, {}};
-    for (const Item& item : items) {
-      const Float4 lower = lowerOf(item), upper = upperOf(item), centre = lower + upper;
-      part.box.include(lower, upper);
-      part.centres.include(centre, centre);
-    }
-    return part;
-  }
-
-  static int widestAxis(const Bounds& b) {
-    const Float4 size = b.upper - b.lower;
-    if (size[0] >= size[1]) return size[0] >= size[2] ? 0 : 2;
-    return size[1] >= size[2] ? 1 : 2;
-  }
+  static constexpr std::size_t kPolledSize = 16384;
+  static constexpr std::size_t kScratchSize = 8192;
 
   /// How many of the items come first; they are moved there.
-  std::size_t split(const Part& part, int depth) const {
+  std::size_t split(const Part& part, int depth) {
     const int axis = widestAxis(part.centres);
     const std::size_t count = part.items.size();
     if (count > kSmallSize && depth < kAreaDepth) {
@@ -104,28 +116,40 @@ class TriangleTreeBuilder {
     }
     const std::size_t middle = count > kSmallSize ? count / 2 : (count / 2 + kWidth - 1) / kWidth * kWidth;
     std::nth_element(part.items.begin(), part.items.begin() + static_cast<std::ptrdiff_t>(middle), part.items.end(),
-                     [axis](const Item& a, const Item& b) { return centreOf(a, axis) < centreOf(b, axis); });
+                     [axis](const TreeItem& a, const TreeItem& b) { return centreOf(a, axis) < centreOf(b, axis); });
     return middle;
   }
 
-  std::size_t splitByArea(std::span<Item> items, int axis, float least, float perBin) const {
-    const auto binOf = [=](const Item& item) {
+  std::size_t splitByArea(std::span<TreeItem> items, int axis, float least, float perBin) {
+    const auto binOf = [=](const TreeItem& item) {
       return std::min(static_cast<int>((centreOf(item, axis) - least) * perBin), kBins - 1);
     };
-    std::array<Bounds, kBins> boxes;
-    std::array<std::size_t, kBins> counts{};
-    for (const Item& item : items) {
-      const int bin = binOf(item);
-      boxes[bin].include(lowerOf(item), upperOf(item));
-      ++counts[bin];
+    // Neighbours tend to fall into one bin: with two sets of them they need not wait for each other.
+    std::array<std::array<Bounds, kBins>, 2> boxes;
+    std::array<std::array<std::size_t, kBins>, 2> counts{};
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const int bin = binOf(items[i]);
+      boxes[i & 1][bin].include(lowerOf(items[i]), upperOf(items[i]));
+      ++counts[i & 1][bin];
     }
+    if (items.size() > kPolledSize) poll_();
+    for (int bin = 0; bin < kBins; ++bin) {
+      boxes[0][bin].include(boxes[1][bin]);
+      counts[0][bin] += counts[1][bin];
+    }
+    const int second = cheapestSplit(boxes[0], counts[0]);
+    return moveForward(items, [=](const TreeItem& item) { return binOf(item) < second; });
+  }
+
+  /// The bin with which the second part begins.
+  static int cheapestSplit(const std::array<Bounds, kBins>& boxes, const std::array<std::size_t, kBins>& counts) {
     std::array<float, kBins> costs{};  // of what lies at and after the bin
     Bounds after;
     std::size_t count = 0;
     for (int bin = kBins - 1; bin > 0; --bin) {
       after.include(boxes[bin]);
       count += counts[bin];
-      costs[bin] = count == 0 ? 0 : after.halfArea() * static_cast<float>(count);
+      costs[bin] = after.halfArea() * static_cast<float>(count);
     }
     // The first and the last bin are never empty, so neither side is.
     Bounds before;
@@ -141,33 +165,60 @@ class TriangleTreeBuilder {
         best = bin;
       }
     }
-    if (items.size() > TriangleTree::kParallelSize) poll_();
-    const auto middle = std::partition(items.begin(), items.end(), [&](const Item& i) { return binOf(i) < best; });
-    return static_cast<std::size_t>(middle - items.begin());
+    return best;
   }
 
-  /// Makes up to four parts of one, of which none is empty.
-  std::size_t divide(const Part& whole, int depth, std::array<Part, kWidth>& parts) const {
-    const std::size_t total = whole.items.size();
-    if (total <= kWidth) {
-      for (std::size_t i = 0; i < total; ++i) parts[i] = partOf(whole.items.subspan(i, 1));
-      return total;
+  /// Moves the items that are `first` before the others; how many they are.
+  template <class IsFirst>
+  std::size_t moveForward(std::span<TreeItem> items, const IsFirst& isFirst) {
+    if (items.size() > kScratchSize)
+      return static_cast<std::size_t>(std::partition(items.begin(), items.end(), isFirst) - items.begin());
+    // Without branches, which could not be predicted: each item is written to both sides, and one of them keeps it.
+    if (!scratch_) scratch_ = std::make_unique_for_overwrite<TreeItem[]>(kScratchSize);
+    std::size_t first = 0, second = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const TreeItem item = items[i];
+      const bool forward = isFirst(item);
+      items[first] = item;
+      scratch_[second] = item;
+      first += static_cast<std::size_t>(forward);
+      second += static_cast<std::size_t>(!forward);
     }
-    parts[0] = whole;
-    std::size_t count = 1;
-    while (count < kWidth) {
-      std::size_t next = kWidth;
-      for (std::size_t i = 0; i < count; ++i)
-        if (parts[i].items.size() > kWidth && (next == kWidth || parts[i].box.halfArea() > parts[next].box.halfArea()))
-          next = i;
-      if (next == kWidth) break;
-      const std::span<Item> items = parts[next].items;
-      const std::size_t middle = split(parts[next], depth);
-      parts[next] = partOf(items.first(middle));
-      parts[count++] = partOf(items.subspan(middle));
-    }
-    return count;
+    std::copy_n(scratch_.get(), second, items.begin() + static_cast<std::ptrdiff_t>(first));
+    return first;
   }
+
+  const std::function<void()>& poll_;
+  std::unique_ptr<TreeItem[]> scratch_;
+};
+
+}  // namespace
+
+class TriangleTreeBuilder {
+ public:
+  using Node = TriangleTree::Node;
+
+  TriangleTreeBuilder(const std::function<void()>& poll, std::vector<Node>& nodes) : poll_(poll), nodes_(nodes) {}
+
+  void build(std::span<TreeItem> items) {
+    if (items.empty()) return;
+    Subtree root;
+    grow(root, Part(items), 0);
+    if (!root.below) {
+      nodes_ = std::move(root.nodes);
+      return;
+    }
+    nodes_.resize(root.size);
+    place(root, 0);
+  }
+
+ private:
+  /// Part of the tree that one thread made, or a node and the parts below it that others made.
+  struct Subtree {
+    std::vector<Node> nodes;  ///< children count from the first
+    std::unique_ptr<std::array<Subtree, kWidth>> below;
+    std::size_t size = 0;  ///< nodes, those below included
+  };
 
   static Node nodeOf(std::span<const Part> parts) {
     Node node;
@@ -185,14 +236,14 @@ class TriangleTreeBuilder {
     return node;
   }
 
-  std::int32_t growAlone(std::vector<Node>& nodes, const Part& whole, int depth) const {
+  static std::int32_t growAlone(std::vector<Node>& nodes, const Part& whole, int depth, ItemDivider& divider) {
     std::array<Part, kWidth> parts;
-    const std::size_t count = divide(whole, depth, parts);
+    const std::size_t count = divider.divide(whole, depth, parts);
     const std::size_t self = nodes.size();
     nodes.push_back(nodeOf({parts.data(), count}));
     for (std::size_t i = 0; i < count; ++i)
       if (parts[i].items.size() > 1) {
-        const std::int32_t child = growAlone(nodes, parts[i], depth + 1);
+        const std::int32_t child = growAlone(nodes, parts[i], depth + 1, divider);
         nodes[self].children[i] = child;
       }
     return static_cast<std::int32_t>(self);
@@ -200,14 +251,15 @@ class TriangleTreeBuilder {
 
   void grow(Subtree& tree, const Part& whole, int depth) const {
     poll_();
+    ItemDivider divider(poll_);
     if (whole.items.size() <= TriangleTree::kParallelSize) {
       tree.nodes.reserve(whole.items.size() / 2 + 1);
-      growAlone(tree.nodes, whole, depth);
+      growAlone(tree.nodes, whole, depth, divider);
       tree.size = tree.nodes.size();
       return;
     }
     std::array<Part, kWidth> parts;
-    const std::size_t count = divide(whole, depth, parts);
+    const std::size_t count = divider.divide(whole, depth, parts);
     tree.nodes.push_back(nodeOf({parts.data(), count}));
     tree.below = std::make_unique<std::array<Subtree, kWidth>>();
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
@@ -275,7 +327,7 @@ void TriangleTree::setFrame(const Box& bounds) {
   scale_ = std::ldexp(1.0, -std::max(exponent, -1000));
 }
 
-void TriangleTree::grow(std::span<Item> items, const std::function<void()>& poll) {
+void TriangleTree::grow(std::span<TreeItem> items, const std::function<void()>& poll) {
   nodes_.clear();
   TriangleTreeBuilder(poll, nodes_).build(items);
 }

@@ -8,8 +8,6 @@
 // than about 2^-23 of the whole may be reported besides.
 #pragma once
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -22,6 +20,8 @@
 #include <emmintrin.h>
 #endif
 
+#include "core/environment/parallel_ranges.hpp"
+
 namespace footfall {
 
 struct Box {
@@ -31,6 +31,14 @@ struct Box {
 
 /// Four floats that are computed with at once (an extension of GCC and Clang on all processors).
 using Float4 = float __attribute__((vector_size(16)));
+
+/// A box in the frame of a tree, on its way into a node: two halves of 16 bytes.
+struct alignas(16) TreeItem {
+  std::array<float, 3> lower;
+  std::int32_t id;
+  std::array<float, 3> upper;
+  std::int32_t unused;
+};
 
 /// Closed boxes: touching counts as overlapping.
 class TriangleTree {
@@ -46,8 +54,8 @@ class TriangleTree {
       const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf,
       const std::function<void()>& poll = [] {}) {
     setFrame(bounds);
-    const auto items = std::make_unique_for_overwrite<Item[]>(ids.size());
-    const auto fill = [&](std::size_t first, std::size_t last) {
+    const auto items = std::make_unique_for_overwrite<TreeItem[]>(ids.size());
+    forRanges(ids.size(), kParallelSize, [&](std::size_t first, std::size_t last) {
       poll();
       for (std::size_t i = first; i < last; ++i) {
         const Box box = boxOf(i);
@@ -58,9 +66,7 @@ class TriangleTree {
         items[i].id = ids[i];
         items[i].unused = 0;
       }
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), kParallelSize),
-                      [&](const auto& range) { fill(range.begin(), range.end()); });
+    });
     grow({items.get(), ids.size()}, poll);
   }
 
@@ -99,14 +105,6 @@ class TriangleTree {
   friend class TriangleTreeBuilder;
   using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-  /// A box in the frame of the tree, on its way into a node.
-  struct Item {
-    std::array<float, 3> lower;
-    std::int32_t id;
-    std::array<float, 3> upper;
-    std::int32_t unused;  ///< halves of 16 bytes
-  };
-
   struct Node {
     std::array<Float4, 3> lower;  ///< by axis, then child; above every upper bound where there is no child
     std::array<Float4, 3> upper;
@@ -130,7 +128,7 @@ class TriangleTree {
   }
 
   void setFrame(const Box& bounds);
-  void grow(std::span<Item> items, const std::function<void()>& poll);
+  void grow(std::span<TreeItem> items, const std::function<void()>& poll);
 
   std::array<double, 3> origin_{};
   double scale_ = 1;

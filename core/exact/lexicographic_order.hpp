@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,8 @@
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "core/environment/parallel_ranges.hpp"
 
 namespace footfall {
 
@@ -78,9 +78,9 @@ class LexicographicOrder {
       else
         sort(begin, end, axis, false);
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, later.size(), kRunsPerTask), [&](const auto& range) {
+    forRanges(later.size(), kRunsPerTask, [&](std::size_t begin, std::size_t end) {
       poll_();
-      for (std::size_t i = range.begin(); i != range.end(); ++i) sort(later[i].first, later[i].second, axis, false);
+      for (std::size_t i = begin; i < end; ++i) sort(later[i].first, later[i].second, axis, false);
     });
   }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exact/source_mesh.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/environment/parallel_ranges.hpp"
 #include "core/exact/lexicographic_order.hpp"
 #include "core/exact/source_predicates.hpp"
 
@@ -18,9 +17,9 @@ constexpr std::size_t kPerTask = 4096;
 // Calls body(i) for 0 <= i < count, in parallel where there are many.
 template <class Body>
 void forEach(std::size_t count, const std::function<void()>& poll, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kPerTask), [&](const auto& range) {
+  forRanges(count, kPerTask, [&](std::size_t first, std::size_t last) {
     poll();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+    for (std::size_t i = first; i < last; ++i) body(i);
   });
 }
 
