@@ -35,8 +35,7 @@ void forEachInOrder(std::size_t count, const std::function<void()>& poll, const 
 double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 // Sorts and welds the used vertices; returns for each input vertex its new index.
-std::vector<Index> weldVertices(const std::vector<Vec3>& vertices, SourceMesh& mesh,
-                                const std::function<void()>& poll) {
+std::vector<Index> weldVertices(std::span<const Vec3> vertices, SourceMesh& mesh, const std::function<void()>& poll) {
   const std::vector<std::uint32_t> order = lexicographicOrder(
       vertices.size(), [&](std::size_t i, int axis) { return coordinate(vertices[i], axis); }, poll);
   std::vector<Index> welded(vertices.size());
@@ -76,7 +75,7 @@ void chooseGrid(SourceMesh& mesh, const std::function<void()>& poll) {
 }
 
 // Turns the triangles of the soup to start at their smallest vertex, and sorts them; returns the order.
-std::vector<std::uint32_t> sortTriangles(const SourceSoup& soup, bool bothSides, const std::vector<Index>& welded,
+std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSides, const std::vector<Index>& welded,
                                          SourceMesh& mesh, const std::function<void()>& poll) {
   const std::size_t count = soup.triangles.size();
   std::vector<std::array<Index, 3>> turned(count);
@@ -158,7 +157,7 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
          std::binary_search(obstacleEdges.begin(), obstacleEdges.end(), std::make_pair(std::min(a, b), std::max(a, b)));
 }
 
-SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order,
+SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order,
                           const std::function<void()>& poll) {
   SourceMesh mesh;
   {

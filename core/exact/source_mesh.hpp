@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -50,10 +51,27 @@ struct SourceSoup {
   std::vector<std::array<std::uint32_t, 2>> obstacleEdges;  ///< vertex pairs
 };
 
-/// Welds, sorts and classifies. `bothSides` turns triangles that face down. `order` (may be null) receives for each
-/// triangle of the mesh its number in the soup. `poll` is called between the stages and may throw to cancel.
+/// The same, where it lies already.
+struct SourceSoupView {
+  std::span<const Vec3> vertices;
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> inputTriangles;
+  std::span<const std::array<std::uint32_t, 2>> obstacleEdges;
+
+  SourceSoupView(std::span<const Vec3> givenVertices, std::span<const Triangle> givenTriangles)
+      : vertices(givenVertices), triangles(givenTriangles) {}
+  SourceSoupView(const SourceSoup& soup)  // NOLINT(google-explicit-constructor)
+      : vertices(soup.vertices),
+        triangles(soup.triangles),
+        inputTriangles(soup.inputTriangles),
+        obstacleEdges(soup.obstacleEdges) {}
+};
+
+/// Welds, sorts and classifies, in parallel where there is much to do. `bothSides` turns triangles that face down.
+/// `order` (may be null) receives for each triangle of the mesh its number in the soup. `poll` is called every few
+/// milliseconds, by any thread, and may throw to cancel.
 SourceMesh makeSourceMesh(
-    const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
+    const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
     const std::function<void()>& poll = [] {});
 
 }  // namespace footfall

@@ -10,7 +10,7 @@ namespace footfall {
 
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context) {
   context.checkCancelled();
-  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles, {}, {}},
+  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles},
                                                           environment->bothSides, nullptr,
                                                           [&context] { context.checkCancelled(); }));
   context.checkCancelled();
