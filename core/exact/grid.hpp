@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -17,11 +18,18 @@ struct Grid {
   int top = -5000;  ///< and smaller than 2^top in size
 
   void include(double x) {
-    if (x == 0) return;
-    int exponent = 0;
-    const double mantissa = std::frexp(x, &exponent);
-    const auto digits = static_cast<std::uint64_t>(std::ldexp(std::fabs(mantissa), 53));
-    if (const int last = exponent - 53 + std::countr_zero(digits); last < low) low = last;
+    // Of a double, 52 bits after a leading 1 are digits, and 11 more the exponent; the smallest have no leading 1.
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
+    int exponent = static_cast<int>(bits >> 52 & 2047) - 1022;
+    if (exponent > -1022) {
+      digits |= std::uint64_t{1} << 52;
+    } else {
+      if (digits == 0) return;
+      exponent = -1021 - (std::countl_zero(digits) - 11);
+    }
+    const int unit = std::max(exponent - 53, -1074);
+    if (const int last = unit + std::countr_zero(digits); last < low) low = last;
     if (exponent > top) top = exponent;
   }
 

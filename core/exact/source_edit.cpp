@@ -13,12 +13,12 @@ namespace {
 // Everything that a visit to a rebuilt tree costs less than.
 constexpr std::size_t kMostAddedShare = 8;
 
-Box boxOf(const SourceMesh& mesh, Index t) {
-  const auto& f = mesh.triangles[t];
-  const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
-  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
-}
+/// A triangle and its number in the environment: the order of a source mesh.
+struct SortedTriangle {
+  std::array<Index, 3> corners;
+  std::uint32_t number;
+  auto operator<=>(const SortedTriangle&) const = default;
+};
 
 class Editor {
  public:
@@ -27,7 +27,7 @@ class Editor {
 
   std::shared_ptr<SourceMesh> run() {
     mergeVertices();
-    chooseGrid(mesh_);
+    chooseGrid(mesh_, [] {});
     if (mesh_.grid.scaleExponent() != base_.grid.scaleExponent()) return nullptr;
     mergeTriangles();
     makeTree();
@@ -84,7 +84,7 @@ class Editor {
     std::vector<SortedTriangle> added;
     for (std::size_t i = kept; i < count; ++i)
       added.push_back(
-          sortedTriangle(mesh_, environment_.triangles[i], static_cast<std::uint32_t>(i), environment_.bothSides));
+          {turnedTriangle(mesh_, environment_.triangles[i], environment_.bothSides), static_cast<std::uint32_t>(i)});
     std::sort(added.begin(), added.end());
 
     mesh_.triangles.reserve(count);
@@ -144,13 +144,10 @@ class Editor {
     if (ids.size() * kMostAddedShare < mesh_.triangles.size()) {
       mesh_.addedLater.assign(mesh_.triangles.size(), 0);
       for (const std::int32_t t : ids) mesh_.addedLater[t] = 1;
-      mesh_.tree = SourceTree::edited(base_.tree, changes_->triangleOf, std::move(boxes), std::move(ids));
+      mesh_.tree = SourceTree::edited(base_.tree, changes_->triangleOf, boxes, ids);
       return;
     }
-    boxes.clear();
-    ids.clear();
-    for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t) add(t);
-    mesh_.tree.build(std::move(boxes), std::move(ids), [] {});
+    buildTree(mesh_, [] {});
   }
 
   const SourceMesh& base_;

@@ -1,30 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exact/source_mesh.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/environment/parallel_ranges.hpp"
+#include "core/exact/lexicographic_order.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall {
+namespace {
 
-void chooseGrid(SourceMesh& mesh) {
-  for (const Vec3& v : mesh.vertices) {
-    mesh.grid.include(v.x);
-    mesh.grid.include(v.y);
-    mesh.grid.include(v.z);
-  }
-  const int scale = mesh.grid.scaleExponent();
-  mesh.scaled.resize(mesh.vertices.size());
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Vec3& v = mesh.vertices[i];
-    mesh.scaled[i] = {std::ldexp(v.x, scale), std::ldexp(v.y, scale), std::ldexp(v.z, scale)};
+// As many vertices or triangles are worth a task of their own, and a look whether to cancel.
+constexpr std::size_t kPerTask = 4096;
+
+// Calls body(i) for 0 <= i < count, in parallel where there are many.
+template <class Body>
+void forEach(std::size_t count, const std::function<void()>& poll, const Body& body) {
+  forRanges(count, kPerTask, [&](std::size_t first, std::size_t last) {
+    poll();
+    for (std::size_t i = first; i < last; ++i) body(i);
+  });
+}
+
+// The same in the order of i, on this thread.
+template <class Body>
+void forEachInOrder(std::size_t count, const std::function<void()>& poll, const Body& body) {
+  for (std::size_t begin = 0; begin < count; begin += kPerTask) {
+    poll();
+    for (std::size_t i = begin; i < std::min(count, begin + kPerTask); ++i) body(i);
   }
 }
+
+double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+}  // namespace
 
 void classifyTriangle(SourceMesh& mesh, Index t, const SignRule& sign) {
   const auto& [ia, ib, ic] = mesh.triangles[t];
@@ -37,104 +47,142 @@ void classifyTriangle(SourceMesh& mesh, Index t, const SignRule& sign) {
   const Vec3 &ra = mesh.vertices[ia], &rb = mesh.vertices[ib], &rc = mesh.vertices[ic];
   const int facingSign = sign(n[2]);
   mesh.facing[t] = static_cast<std::int8_t>(facingSign != kUnknownSign ? facingSign : facing(ra, rb, rc));
-  if (mesh.facing[t] == 0) n[2] = 0;
-  mesh.degenerate[t] = static_cast<char>(mesh.facing[t] == 0 && isDegenerate(ra, rb, rc));
-  if (mesh.degenerate[t]) n = {};
+  if (mesh.facing[t] != 0) return;
+  n[2] = 0;
+  const int x = sign(n[0]), y = sign(n[1]);
+  if (x == 1 || x == -1 || y == 1 || y == -1) return;
+  mesh.degenerate[t] = static_cast<char>((x == 0 && y == 0) || isDegenerate(ra, rb, rc));
+  if (mesh.degenerate[t] != 0) n = {};
 }
 
-SortedTriangle sortedTriangle(const SourceMesh& mesh, const Triangle& t, std::uint32_t number, bool bothSides) {
+std::array<Index, 3> turnedTriangle(const SourceMesh& mesh, const Triangle& t, bool bothSides) {
   std::array<Index, 3> f{mesh.welded[t[0]], mesh.welded[t[1]], mesh.welded[t[2]]};
   if (bothSides && facing(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]) < 0) std::swap(f[1], f[2]);
   std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-  return {f, number};
+  return f;
 }
 
 namespace {
 
 // Sorts and welds the used vertices; returns for each input vertex its new index.
-std::vector<Index> weldVertices(const std::vector<Vec3>& vertices, SourceMesh& mesh) {
-  std::vector<std::uint32_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0U);
-  tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return isBefore(vertices[a], vertices[b]) || (vertices[a] == vertices[b] && a < b);
-  });
+std::vector<Index> weldVertices(std::span<const Vec3> vertices, SourceMesh& mesh, const std::function<void()>& poll) {
+  const std::vector<std::uint32_t> order = lexicographicOrder(
+      vertices.size(), [&](std::size_t i, int axis) { return coordinate(vertices[i], axis); }, poll);
   std::vector<Index> welded(vertices.size());
-  for (const std::uint32_t i : order) {
-    const Vec3 v = withoutNegativeZeros(vertices[i]);
+  mesh.vertices.reserve(vertices.size());
+  mesh.planIds.reserve(vertices.size());
+  forEachInOrder(order.size(), poll, [&](std::size_t i) {
+    const Vec3 v = withoutNegativeZeros(vertices[order[i]]);
     if (mesh.vertices.empty() || !(mesh.vertices.back() == v)) {
       const auto index = static_cast<Index>(mesh.vertices.size());
       const bool samePlan = index > 0 && mesh.vertices.back().x == v.x && mesh.vertices.back().y == v.y;
       mesh.planIds.push_back(samePlan ? mesh.planIds.back() : index);
       mesh.vertices.push_back(v);
     }
-    welded[i] = static_cast<Index>(mesh.vertices.size()) - 1;
-  }
+    welded[order[i]] = static_cast<Index>(mesh.vertices.size()) - 1;
+  });
   return welded;
 }
 
-void classify(SourceMesh& mesh) {
+}  // namespace
+
+void chooseGrid(SourceMesh& mesh, const std::function<void()>& poll) {
+  forEachInOrder(mesh.vertices.size(), poll, [&](std::size_t i) {
+    const Vec3& v = mesh.vertices[i];
+    mesh.grid.include(v.x);
+    mesh.grid.include(v.y);
+    mesh.grid.include(v.z);
+  });
+  const int scale = mesh.grid.scaleExponent();
+  mesh.scaled.resize(mesh.vertices.size());
+  // A product with a power of two is rounded like ldexp, if at all; but not all powers are normal doubles.
+  const double factor = std::ldexp(1.0, scale);
+  const bool isNormal = std::isnormal(factor);
+  forEach(mesh.vertices.size(), poll, [&](std::size_t i) {
+    const Vec3& v = mesh.vertices[i];
+    mesh.scaled[i] = isNormal ? Vec3{v.x * factor, v.y * factor, v.z * factor}
+                              : Vec3{std::ldexp(v.x, scale), std::ldexp(v.y, scale), std::ldexp(v.z, scale)};
+  });
+}
+
+namespace {
+
+// Turns the triangles of the soup to start at their smallest vertex, and sorts them; returns the order.
+std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSides, SourceMesh& mesh,
+                                         const std::function<void()>& poll) {
+  const std::size_t count = soup.triangles.size();
+  std::vector<std::array<Index, 3>> turned(count);
+  forEach(count, poll, [&](std::size_t i) { turned[i] = turnedTriangle(mesh, soup.triangles[i], bothSides); });
+  std::vector<std::uint32_t> order = lexicographicOrder(
+      count, [&](std::size_t i, int axis) { return static_cast<double>(turned[i][axis]); }, poll);
+  mesh.triangles.resize(count);
+  mesh.inputTriangles.resize(count);
+  forEach(count, poll, [&](std::size_t i) {
+    mesh.triangles[i] = turned[order[i]];
+    mesh.inputTriangles[i] = soup.inputTriangles.empty() ? order[i] : soup.inputTriangles[order[i]];
+  });
+  return order;
+}
+
+void classify(SourceMesh& mesh, const std::function<void()>& poll) {
   const std::size_t count = mesh.triangles.size();
   mesh.normals.resize(count);
   mesh.facing.resize(count);
   mesh.degenerate.resize(count);
   const SignRule sign = mesh.grid.signRule(mesh.grid.scaleExponent());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-    for (std::size_t t = range.begin(); t != range.end(); ++t) classifyTriangle(mesh, static_cast<Index>(t), sign);
-  });
+  forEach(count, poll, [&](std::size_t t) { classifyTriangle(mesh, static_cast<Index>(t), sign); });
 }
 
 }  // namespace
+
+Box boxOf(const SourceMesh& mesh, Index t) {
+  const auto& f = mesh.triangles[t];
+  const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+}
+
+void buildTree(SourceMesh& mesh, const std::function<void()>& poll) {
+  if (mesh.vertices.empty()) return;
+  const Vec3& corner = mesh.vertices.front();
+  Box bounds{{corner.x, corner.y, corner.z}, {mesh.vertices.back().x, corner.y, corner.z}};
+  forEachInOrder(mesh.vertices.size(), poll, [&](std::size_t i) {
+    const Vec3& v = mesh.vertices[i];
+    bounds.lower[1] = std::min(bounds.lower[1], v.y);
+    bounds.upper[1] = std::max(bounds.upper[1], v.y);
+    bounds.lower[2] = std::min(bounds.lower[2], v.z);
+    bounds.upper[2] = std::max(bounds.upper[2], v.z);
+  });
+  std::vector<std::int32_t> ids;
+  ids.reserve(mesh.triangles.size());
+  forEachInOrder(mesh.triangles.size(), poll, [&](std::size_t t) {
+    if (mesh.degenerate[t] == 0) ids.push_back(static_cast<std::int32_t>(t));
+  });
+  mesh.tree.build(
+      bounds, ids, [&](std::size_t i) { return boxOf(mesh, ids[i]); }, poll);
+}
 
 bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
   return !obstacleEdges.empty() &&
          std::binary_search(obstacleEdges.begin(), obstacleEdges.end(), std::make_pair(std::min(a, b), std::max(a, b)));
 }
 
-SourceMesh makeSourceMesh(const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order,
+SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order,
                           const std::function<void()>& poll) {
   SourceMesh mesh;
-  mesh.welded = weldVertices(soup.vertices, mesh);
-  const std::vector<Index>& welded = mesh.welded;
-  poll();
-  chooseGrid(mesh);
-  poll();
-
-  std::vector<SortedTriangle> entries(soup.triangles.size());
-  tbb::parallel_for(std::size_t{0}, soup.triangles.size(), [&](std::size_t i) {
-    entries[i] = sortedTriangle(mesh, soup.triangles[i], static_cast<std::uint32_t>(i), bothSides);
-  });
-  poll();
-  tbb::parallel_sort(entries.begin(), entries.end());
-  mesh.triangles.reserve(entries.size());
-  mesh.inputTriangles.reserve(entries.size());
-  if (order != nullptr) order->clear();
-  for (const SortedTriangle& entry : entries) {
-    mesh.triangles.push_back(entry.corners);
-    mesh.inputTriangles.push_back(soup.inputTriangles.empty() ? entry.number : soup.inputTriangles[entry.number]);
-    if (order != nullptr) order->push_back(entry.number);
+  mesh.welded = weldVertices(soup.vertices, mesh, poll);
+  std::vector<std::uint32_t> sorted = sortTriangles(soup, bothSides, mesh, poll);
+  if (order != nullptr) *order = std::move(sorted);
+  for (const auto& [u, v] : soup.obstacleEdges) {
+    const Index a = mesh.welded[u], b = mesh.welded[v];
+    if (a != b) mesh.obstacleEdges.emplace_back(std::min(a, b), std::max(a, b));
   }
-  for (const auto& [u, v] : soup.obstacleEdges)
-    if (welded[u] != welded[v])
-      mesh.obstacleEdges.emplace_back(std::min(welded[u], welded[v]), std::max(welded[u], welded[v]));
   std::sort(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end());
   mesh.obstacleEdges.erase(std::unique(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end()), mesh.obstacleEdges.end());
+  chooseGrid(mesh, poll);
+  classify(mesh, poll);
+  buildTree(mesh, poll);
   poll();
-  classify(mesh);
-  poll();
-
-  std::vector<Box> boxes;
-  std::vector<std::int32_t> ids;
-  boxes.reserve(entries.size());
-  ids.reserve(entries.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.degenerate[t]) continue;
-    const auto& f = mesh.triangles[t];
-    const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
-    boxes.push_back({{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-                     {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}});
-    ids.push_back(static_cast<std::int32_t>(t));
-  }
-  mesh.tree.build(std::move(boxes), std::move(ids), poll);
   return mesh;
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -65,22 +66,38 @@ struct SourceSoup {
   if (a.y != b.y) return a.y < b.y;
   return a.z < b.z;
 }
-/// A triangle that starts at its smallest vertex, and its number in the soup.
-struct SortedTriangle {
-  std::array<Index, 3> corners;
-  std::uint32_t number;
-  auto operator<=>(const SortedTriangle&) const = default;
-};
-SortedTriangle sortedTriangle(const SourceMesh& mesh, const Triangle& triangle, std::uint32_t number, bool bothSides);
+/// A triangle of the soup that starts at its smallest vertex.
+std::array<Index, 3> turnedTriangle(const SourceMesh& mesh, const Triangle& triangle, bool bothSides);
 /// Finds the grid and the scaled coordinates of the vertices.
-void chooseGrid(SourceMesh& mesh);
+void chooseGrid(SourceMesh& mesh, const std::function<void()>& poll);
+/// The box of a triangle.
+[[nodiscard]] Box boxOf(const SourceMesh& mesh, Index triangle);
+/// Builds the tree over all triangles that are not degenerate.
+void buildTree(SourceMesh& mesh, const std::function<void()>& poll);
 /// Finds normal, facing and degeneracy of a triangle.
 void classifyTriangle(SourceMesh& mesh, Index triangle, const SignRule& sign);
 
-/// Welds, sorts and classifies. `bothSides` turns triangles that face down. `order` (may be null) receives for each
-/// triangle of the mesh its number in the soup. `poll` is called between the stages and may throw to cancel.
+/// The same, where it lies already.
+struct SourceSoupView {
+  std::span<const Vec3> vertices;
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> inputTriangles;
+  std::span<const std::array<std::uint32_t, 2>> obstacleEdges;
+
+  SourceSoupView(std::span<const Vec3> givenVertices, std::span<const Triangle> givenTriangles)
+      : vertices(givenVertices), triangles(givenTriangles) {}
+  SourceSoupView(const SourceSoup& soup)  // NOLINT(google-explicit-constructor)
+      : vertices(soup.vertices),
+        triangles(soup.triangles),
+        inputTriangles(soup.inputTriangles),
+        obstacleEdges(soup.obstacleEdges) {}
+};
+
+/// Welds, sorts and classifies, in parallel where there is much to do. `bothSides` turns triangles that face down.
+/// `order` (may be null) receives for each triangle of the mesh its number in the soup. `poll` is called every few
+/// milliseconds, by any thread, and may throw to cancel.
 SourceMesh makeSourceMesh(
-    const SourceSoup& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
+    const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
     const std::function<void()>& poll = [] {});
 
 }  // namespace footfall

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,9 +17,12 @@ namespace footfall {
 /// out. The order of the visits says nothing.
 class SourceTree {
  public:
-  void build(std::vector<Box> boxes, std::vector<std::int32_t> ids, const std::function<void()>& poll) {
+  /// As TriangleTree::build().
+  template <class BoxOf>
+  void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf,
+             const std::function<void()>& poll) {
     auto tree = std::make_shared<TriangleTree>();
-    tree->build(std::move(boxes), std::move(ids), poll);
+    tree->build(bounds, ids, boxOf, poll);
     tree_ = std::move(tree);
     numbers_ = nullptr;
     added_ = nullptr;
@@ -27,7 +31,7 @@ class SourceTree {
   /// The tree of an edited environment: `renumbered` gives for each triangle of `earlier` its number now, or -1;
   /// `addedBoxes` and `addedIds` are all triangles that `earlier`'s own tree does not hold.
   static SourceTree edited(const SourceTree& earlier, const std::vector<std::int32_t>& renumbered,
-                           std::vector<Box> addedBoxes, std::vector<std::int32_t> addedIds) {
+                           std::span<const Box> addedBoxes, std::span<const std::int32_t> addedIds) {
     SourceTree result;
     result.tree_ = earlier.tree_;
     auto numbers = std::make_shared<std::vector<std::int32_t>>();
@@ -39,7 +43,7 @@ class SourceTree {
     }
     result.numbers_ = std::move(numbers);
     auto added = std::make_shared<TriangleTree>();
-    added->build(std::move(addedBoxes), std::move(addedIds));
+    added->build(addedBoxes, addedIds);
     result.added_ = std::move(added);
     return result;
   }

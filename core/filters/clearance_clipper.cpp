@@ -20,6 +20,12 @@ bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
 
 }  // namespace
 
+Box clearanceBox(const SourceMesh& mesh, Index face, double height) {
+  Box box = boxOf(mesh, face);
+  box.upper[2] = std::nextafter(box.upper[2] + height, std::numeric_limits<double>::infinity());
+  return box;
+}
+
 ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
                                    std::function<void()> poll)
     : kernel_(kernel),
@@ -101,16 +107,8 @@ void ClearanceClipper::prepareFloor(Index face) {
 
 void ClearanceClipper::findCandidates() {
   candidates_.clear();
-  findBox();
+  box_ = clearanceBox(mesh_, face_, height_);
   search(box_);
-}
-
-void ClearanceClipper::findBox() {
-  const auto& f = mesh_.triangles[face_];
-  const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
-  box_.lower = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-  box_.upper = {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height_};
-  box_.upper[2] = std::nextafter(box_.upper[2], std::numeric_limits<double>::infinity());
 }
 
 // What is not known and overlaps a level floor in the plan begins above the known clearance. Above other floors its
@@ -121,7 +119,7 @@ void ClearanceClipper::findCandidates(const std::vector<Index>& known, double kn
     return;
   }
   candidates_.clear();
-  findBox();
+  box_ = clearanceBox(mesh_, face_, height_);
   for (const Index obstacle : known) consider(obstacle);
   if (knownHeight >= height_) return;
   Box box = box_;

@@ -12,6 +12,9 @@
 
 namespace footfall {
 
+/// The box of a face and of the clearance above it.
+[[nodiscard]] Box clearanceBox(const SourceMesh& mesh, Index face, double height);
+
 /// One for each thread; reused from face to face.
 class ClearanceClipper {
  public:
@@ -58,7 +61,6 @@ class ClearanceClipper {
   /// Everything that stands in the clearance and may overlap the face in the plan, in the order of the triangles.
   void findCandidates();
   void findCandidates(const std::vector<Index>& known, double knownHeight);
-  void findBox();
   void consider(Index obstacle);
   void search(const Box& box);
   FaceCuts cut();

@@ -9,6 +9,11 @@
 namespace footfall {
 namespace {
 
+bool overlaps(const Box& a, const Box& b) {
+  return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] && a.upper[1] >= b.lower[1] &&
+         a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
+}
+
 Box boxAround(const std::vector<Box>& boxes) {
   Box all;
   all.lower.fill(std::numeric_limits<double>::infinity());

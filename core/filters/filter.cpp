@@ -16,7 +16,7 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
   if (recall.before && environment->edit && recall.before->environment == environment->edit->base.lock())
     mesh = editSourceMesh(recall.before->kernel->sharedMesh(), *environment);
   if (!mesh)
-    mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles, {}, {}},
+    mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles},
                                                        environment->bothSides, nullptr,
                                                        [&context] { context.checkCancelled(); }));
   context.checkCancelled();

@@ -235,11 +235,7 @@ std::vector<Index> MeshJoiner::entriesToSearch() const {
     std::vector<std::int32_t> stack;
     for (const Index face : changed_) {
       if (entryOf[face] < 0) continue;
-      const auto& f = mesh_.triangles[face];
-      const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
-      const Box box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-                    {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
-      mesh_.tree.visitOverlapping(box, stack, [&](Index other) {
+      mesh_.tree.visitOverlapping(boxOf(mesh_, face), stack, [&](Index other) {
         if (entryOf[other] >= 0) wanted[entryOf[other]] = 1;
         return true;
       });
@@ -279,7 +275,7 @@ void MeshJoiner::findIncidences(RunContext& context) {
     }
   }
   TriangleTree tree;
-  tree.build(std::move(boxes), std::move(ids), [&context] { context.checkCancelled(); });
+  tree.build(boxes, ids, [&context] { context.checkCancelled(); });
 
   struct Local {
     std::vector<Incidence> between;

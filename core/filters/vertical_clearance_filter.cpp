@@ -105,15 +105,6 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
   return result;
 }
 
-Box boxOf(const SourceMesh& mesh, Index face, double height) {
-  const auto& f = mesh.triangles[face];
-  const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
-  Box box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z}) + height}};
-  box.upper[2] = std::nextafter(box.upper[2], std::numeric_limits<double>::infinity());
-  return box;
-}
-
 /// What an earlier run of the filter knows of each face.
 class KnownCuts {
  public:
@@ -134,7 +125,7 @@ class KnownCuts {
     const Index then = earlier_->faceBefore(face);
     if (then < 0 || earlier_->state().walkable[then] == 0) return -1;
     if (floorsDiffer_ && (*earlier_->state().cuts)[then].dependsOnFloors) return -1;
-    return earlier_->isTouched(boxOf(state_.kernel->mesh(), face, std::max(height_, clearance()))) ? -1 : then;
+    return earlier_->isTouched(clearanceBox(state_.kernel->mesh(), face, std::max(height_, clearance()))) ? -1 : then;
   }
   [[nodiscard]] bool sameClearance() const { return sameClearance_; }
   [[nodiscard]] double clearance() const { return earlier_->state().memory->clearance; }
