@@ -15,9 +15,6 @@ namespace {
 // It only decides which of two right ways is taken.
 constexpr double kCoarse = 0x1p-26;
 
-// Coordinates on grids up to this width are subtracted as 128-bit integers.
-constexpr int kNarrowGrid = 125;
-
 bool hasCorners(const SourceMesh& mesh, Index triangle, Index a, Index b) {
   const auto& f = mesh.triangles[triangle];
   return (f[0] == a || f[1] == a || f[2] == a) && (f[0] == b || f[1] == b || f[2] == b);
@@ -72,15 +69,7 @@ int PlanKernel::heightSign(Index face, Index vertex, Index level, ExactFallbacks
   return exactSign(0, [&](const auto& c) { return heightValue(c, face, vertex, level); });
 }
 
-int PlanKernel::orientation(Index a, Index b, Index c, ExactFallbacks& count) const {
-  const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
-  const double left = (pa.x - pc.x) * (pb.y - pc.y);
-  const double right = (pa.y - pc.y) * (pb.x - pc.x);
-  const double value = left - right;
-  // Each factor and product loses at most u, the difference one more: 4 u (|l| + |r|); 6 u covers the bound's own loss.
-  const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + sign_.slack;
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
+int PlanKernel::orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const {
   const int s = sign_(planArea(DoubleContext{*mesh_, scaledHeights_, 0}, a, b, c));
   if (s != kUnknownSign) return s;
   ++count.orientation;

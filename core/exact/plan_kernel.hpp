@@ -74,7 +74,11 @@ class PlanKernel {
   /// Sign of z(vertex) - z_face(vertex) - height(level); the face must face up.
   int heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const;
   /// Orientation in the plan of three source vertices.
-  int orientation(Index a, Index b, Index c, ExactFallbacks& count) const;
+  int orientation(Index a, Index b, Index c, ExactFallbacks& count) const {
+    const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
+    const int filtered = filteredArea(pa.x - pc.x, pa.y - pc.y, pb.x - pc.x, pb.y - pc.y, sign_.slack);
+    return filtered != kUnknownSign ? filtered : orientationBeyondFilter(a, b, c, count);
+  }
   /// True when both triangles lie in one plane (the face must face up).
   bool coplanar(Index face, Index other, ExactFallbacks& count) const;
 
@@ -118,6 +122,7 @@ class PlanKernel {
   [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face, bool* exact = nullptr) const;
 
  private:
+  [[nodiscard]] int orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const;
   template <class Integer>
   [[nodiscard]] GridContext<Integer> gridContext(Index origin) const;
   /// Sign of what `evaluate` computes over a GridContext of the integers that this grid needs.

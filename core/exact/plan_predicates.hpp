@@ -8,61 +8,15 @@
 #include <gmpxx.h>
 
 #include <array>
-#include <bit>
 #include <vector>
 
 #include "core/exact/fixed_integer.hpp"
+#include "core/exact/grid_integer.hpp"
 #include "core/exact/plan_kernel.hpp"
 
 namespace footfall {
 
 inline double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-/// |x| = digits * 2^shift in units of 2^gridExponent, for an x on that grid; shift >= 0.
-struct GridDigits {
-  std::uint64_t digits;
-  int shift;
-
-  GridDigits(double x, int gridExponent) {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    const int exponent = static_cast<int>(bits >> 52 & 0x7FF);
-    digits = bits & 0xFFFFFFFFFFFFFULL;
-    if (exponent != 0) digits |= 1ULL << 52;
-    if (digits == 0) {
-      shift = 0;
-      return;
-    }
-    shift = std::max(exponent, 1) - 1075 - gridExponent;
-    if (shift < 0) digits >>= -shift, shift = 0;  // zeros: x is on the grid
-  }
-};
-
-/// An x on the grid as an integer.
-template <class T>
-T gridInteger(double x, int gridExponent);
-
-template <>
-inline __int128 gridInteger<__int128>(double x, int gridExponent) {
-  const GridDigits g(x, gridExponent);
-  const auto size = static_cast<__int128>(g.digits) << g.shift;
-  return x < 0 ? -size : size;
-}
-
-template <>
-inline FixedInteger gridInteger<FixedInteger>(double x, int gridExponent) {
-  const GridDigits g(x, gridExponent);
-  FixedInteger r = FixedInteger::shifted(g.digits, g.shift);
-  if (x < 0) r.negate();
-  return r;
-}
-
-template <>
-inline mpz_class gridInteger<mpz_class>(double x, int gridExponent) {
-  const GridDigits g(x, gridExponent);
-  mpz_class r(static_cast<unsigned long>(g.digits));
-  r <<= static_cast<mp_bitcnt_t>(g.shift);
-  return x < 0 ? mpz_class(-r) : r;
-}
 
 struct DoubleContext {
   using T = ErrorDouble;
@@ -86,15 +40,12 @@ struct GridContext {
   const SourceMesh& mesh;
   const std::vector<double>& heights;
   int gridExponent;
-  bool narrow;  ///< the difference of two coordinates fits into 127 bits
+  bool narrow;  ///< Grid::width() <= kNarrowGrid
   Index origin;
 
   T difference(Index a, Index b, int axis) const {
-    const double x = coordinate(mesh.vertices[a], axis), y = coordinate(mesh.vertices[b], axis);
-    if (x == y) return T(0);
-    if constexpr (std::is_same_v<T, FixedInteger>)
-      if (narrow) return T(gridInteger<__int128>(x, gridExponent) - gridInteger<__int128>(y, gridExponent));
-    return gridInteger<T>(x, gridExponent) - gridInteger<T>(y, gridExponent);
+    return gridDifference<T>(coordinate(mesh.vertices[a], axis), coordinate(mesh.vertices[b], axis), gridExponent,
+                             narrow);
   }
   T local(Index v, int axis) const { return difference(v, origin, axis); }
   T height(Index level) const {
