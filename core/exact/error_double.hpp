@@ -73,4 +73,15 @@ struct SignRule {
   }
 };
 
+/// Sign of ax by - ay bx for rounded differences of doubles, or kUnknownSign. Each factor and product loses at most u,
+/// the difference one more: 4 u (|l| + |r|); 6 u covers the bound's own loss. `slack` stands for underflow.
+inline int filteredArea(double ax, double ay, double bx, double by, double slack) {
+  const double left = ax * by, right = ay * bx;
+  const double value = left - right;
+  const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + slack;
+  if (value > bound) return 1;
+  if (value < -bound) return -1;
+  return kUnknownSign;
+}
+
 }  // namespace footfall

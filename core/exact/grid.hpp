@@ -35,6 +35,9 @@ struct Grid {
 
   [[nodiscard]] bool empty() const { return top < low; }
 
+  /// Bits of the largest coordinate as an integer of the grid: all are below 2^width.
+  [[nodiscard]] int width() const { return empty() ? 0 : top - low; }
+
   /// Doubles compute with coordinates times this power of two, which brings the largest to just below 2^36.
   [[nodiscard]] int scaleExponent() const { return empty() ? 0 : kScaledTop - top; }
 

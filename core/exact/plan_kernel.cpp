@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exact/plan_kernel.hpp"
 
-#include <mpfr.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/exact/plan_predicates.hpp"
+#include "core/exact/rounded_quotient.hpp"
 
 namespace footfall {
 namespace {
@@ -14,152 +15,22 @@ namespace {
 // It only decides which of two right ways is taken.
 constexpr double kCoarse = 0x1p-26;
 
-double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-mpz_class toInteger(double x, int gridExponent) {
-  if (x == 0) return 0;
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  mpz_class result = std::ldexp(mantissa, 53);
-  const int shift = exponent - 53 - gridExponent;
-  if (shift >= 0)
-    mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(shift));
-  else
-    mpz_tdiv_q_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift));
-  return result;
+bool hasCorners(const SourceMesh& mesh, Index triangle, Index a, Index b) {
+  const auto& f = mesh.triangles[triangle];
+  return (f[0] == a || f[1] == a || f[2] == a) && (f[0] == b || f[1] == b || f[2] == b);
 }
 
-// The arithmetic of a predicate is written once, over a context that supplies differences of coordinates.
-struct DoubleContext {
-  using T = ErrorDouble;
-  const SourceMesh& mesh;
-  const std::vector<double>& scaledHeights;
-  Index origin;
-
-  T difference(Index a, Index b, int axis) const {
-    return T(coordinate(mesh.scaled[a], axis)) - T(coordinate(mesh.scaled[b], axis));
-  }
-  T local(Index v, int axis) const { return difference(v, origin, axis); }
-  T height(Index level) const { return level > 0 ? T(scaledHeights[level - 1]) : T(-scaledHeights[-level - 1]); }
-  T one() const { return 1.0; }
-  std::array<T, 3> normal(Index t) const { return mesh.normals[t]; }
-};
-
-struct ExactContext {
-  using T = mpz_class;
-  const SourceMesh& mesh;
-  const std::vector<double>& heights;
-  int gridExponent;
-  Index origin;
-
-  T difference(Index a, Index b, int axis) const {
-    if (a == b) return 0;
-    return toInteger(coordinate(mesh.vertices[a], axis), gridExponent) -
-           toInteger(coordinate(mesh.vertices[b], axis), gridExponent);
-  }
-  T local(Index v, int axis) const { return difference(v, origin, axis); }
-  T height(Index level) const { return toInteger(level > 0 ? heights[level - 1] : -heights[-level - 1], gridExponent); }
-  T one() const { return 1; }
-  std::array<T, 3> normal(Index t) const {
-    const auto& f = mesh.triangles[t];
-    std::array<T, 3> u, v;
-    for (int k = 0; k < 3; ++k) {
-      u[k] = difference(f[1], f[0], k);
-      v[k] = difference(f[2], f[0], k);
-    }
-    return {T(u[1] * v[2] - u[2] * v[1]), T(u[2] * v[0] - u[0] * v[2]), T(u[0] * v[1] - u[1] * v[0])};
-  }
-};
-
-// numerator / denominator * 2^exponent, rounded to the nearest double.
-double roundedQuotient(const mpz_class& numerator, const mpz_class& denominator, int exponent, bool* exact = nullptr) {
-  mpfr_t value;
-  mpfr_init2(value, 53);
-  mpq_class quotient;
-  quotient.get_num() = numerator;
-  quotient.get_den() = denominator;
-  if (sgn(denominator) < 0) {
-    quotient.get_num() = -numerator;
-    quotient.get_den() = -denominator;
-  }
-  const int lost = mpfr_set_q(value, quotient.get_mpq_t(), MPFR_RNDN);
-  if (exact != nullptr && lost != 0) *exact = false;
-  mpfr_mul_2si(value, value, exponent, MPFR_RNDN);
-  const double result = mpfr_get_d(value, MPFR_RNDN);
-  mpfr_clear(value);
-  return result + 0.0;
+template <class Integer>
+Homogeneous<Integer> homogeneousOn(const GridContext<Integer>& c, const PlanPoint& point) {
+  auto h = rawHomogeneous(c, point);
+  if (sgn(h[2]) < 0)
+    for (Integer& x : h) negate(x);
+  return h;
 }
 
-bool isNegative(const mpz_class& x) { return sgn(x) < 0; }
-
-// n_t . (v - a_t) - level * height * nz_t: for a face that faces up, the sign of v's height above plane + level.
-template <class C>
-typename C::T heightValue(const C& c, Index t, Index v, Index level) {
-  using T = typename C::T;
-  const auto n = c.normal(t);
-  const Index a = c.mesh.triangles[t][0];
-  T r = n[0] * c.difference(v, a, 0) + n[1] * c.difference(v, a, 1) + n[2] * c.difference(v, a, 2);
-  if (level != 0) r = r - n[2] * c.height(level);
-  return r;
-}
-
-template <class C>
-std::array<typename C::T, 3> lineCoefficients(const C& c, const PlanLine& line, Index face) {
-  using T = typename C::T;
-  std::array<T, 3> r;
-  if (line.kind == PlanLine::Edge) {
-    r[0] = c.difference(line.a, line.b, 1);
-    r[1] = c.difference(line.b, line.a, 0);
-    r[2] = -(r[0] * c.local(line.a, 0) + r[1] * c.local(line.a, 1));
-    return r;
-  }
-  const auto n = c.normal(line.a);
-  const auto m = c.normal(face);
-  const Index a = c.mesh.triangles[line.a][0];
-  const Index b = c.mesh.triangles[face][0];
-  const T obstacle = n[0] * c.local(a, 0) + n[1] * c.local(a, 1) + n[2] * c.local(a, 2);
-  const T floor = m[0] * c.local(b, 0) + m[1] * c.local(b, 1) + m[2] * c.local(b, 2);
-  r[0] = n[2] * m[0] - m[2] * n[0];
-  r[1] = n[2] * m[1] - m[2] * n[1];
-  r[2] = m[2] * obstacle - n[2] * floor;
-  if (line.b != 0) r[2] = r[2] - n[2] * m[2] * c.height(line.b);
-  if (c.mesh.facing[line.a] < 0)
-    for (T& x : r) x = -x;
-  return r;
-}
-
-template <class C>
-Homogeneous<typename C::T> rawHomogeneous(const C& c, const PlanPoint& p) {
-  using T = typename C::T;
-  if (p.kind == PlanPoint::Source) return {c.local(p.a, 0), c.local(p.a, 1), c.one()};
-  if (p.kind == PlanPoint::EdgePlane) {
-    const T ha = heightValue(c, p.c, p.a, p.d);
-    const T hb = heightValue(c, p.c, p.b, p.d);
-    return {T(c.local(p.a, 0) * hb - c.local(p.b, 0) * ha), T(c.local(p.a, 1) * hb - c.local(p.b, 1) * ha), T(hb - ha)};
-  }
-  const auto l = lineCoefficients(c, p.firstLine(), p.face);
-  const auto m = lineCoefficients(c, p.secondLine(), p.face);
-  return {T(l[1] * m[2] - m[1] * l[2]), T(l[2] * m[0] - m[2] * l[0]), T(l[0] * m[1] - m[0] * l[1])};
-}
-
-template <class T>
-T determinant(const Homogeneous<T>& a, const Homogeneous<T>& b, const Homogeneous<T>& c) {
-  return a[0] * (b[1] * c[2] - c[1] * b[2]) - a[1] * (b[0] * c[2] - c[0] * b[2]) + a[2] * (b[0] * c[1] - c[0] * b[1]);
-}
-
-// Heights of two planes at a point, as numerator over positive denominators: sign of z_f - z_g.
-template <class C>
-typename C::T heightDifference(const C& c, const Homogeneous<typename C::T>& h, Index f, Index g) {
-  using T = typename C::T;
-  const auto n = c.normal(f);
-  const auto m = c.normal(g);
-  const Index a = c.mesh.triangles[f][0];
-  const Index b = c.mesh.triangles[g][0];
-  const T df = n[0] * c.local(a, 0) + n[1] * c.local(a, 1) + n[2] * c.local(a, 2);
-  const T dg = m[0] * c.local(b, 0) + m[1] * c.local(b, 1) + m[2] * c.local(b, 2);
-  const T zf = df * h[2] - n[0] * h[0] - n[1] * h[1];  // times 1 / (n_z w)
-  const T zg = dg * h[2] - m[0] * h[0] - m[1] * h[1];  // times 1 / (m_z w)
-  return zf * m[2] - zg * n[2];
+IntegerView viewOf(const FixedInteger& x) { return x; }
+IntegerView viewOf(const mpz_class& x) {
+  return {mpz_limbs_read(x.get_mpz_t()), static_cast<int>(mpz_size(x.get_mpz_t())) * sgn(x)};
 }
 
 }  // namespace
@@ -180,31 +51,29 @@ std::optional<Index> PlanKernel::levelOf(double height) const {
   return std::nullopt;
 }
 
+template <class Integer>
+GridContext<Integer> PlanKernel::gridContext(Index origin) const {
+  return {*mesh_, heights_, grid_.low, grid_.width() <= kNarrowGrid, origin};
+}
+
+template <class Evaluate>
+int PlanKernel::exactSign(Index origin, const Evaluate& evaluate) const {
+  if (fitsFixedIntegers()) return sgn(evaluate(gridContext<FixedInteger>(origin)));
+  return sgn(evaluate(gridContext<mpz_class>(origin)));
+}
+
 int PlanKernel::heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const {
   const int s = sign_(heightValue(DoubleContext{*mesh_, scaledHeights_, 0}, face, vertex, level));
   if (s != kUnknownSign) return s;
   ++count.height;
-  return sgn(heightValue(ExactContext{*mesh_, heights_, grid_.low, 0}, face, vertex, level));
+  return exactSign(0, [&](const auto& c) { return heightValue(c, face, vertex, level); });
 }
 
-int PlanKernel::orientation(Index a, Index b, Index c, ExactFallbacks& count) const {
-  const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
-  const double left = (pa.x - pc.x) * (pb.y - pc.y);
-  const double right = (pa.y - pc.y) * (pb.x - pc.x);
-  const double value = left - right;
-  // Each factor and product loses at most u, the difference one more: 4 u (|l| + |r|); 6 u covers the bound's own loss.
-  const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + sign_.slack;
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
-  const auto evaluate = [&](const auto& context) -> typename std::decay_t<decltype(context)>::T {
-    return context.difference(a, c, 0) * context.difference(b, c, 1) -
-           context.difference(a, c, 1) * context.difference(b, c, 0);
-  };
-  const int s = sign_(evaluate(DoubleContext{*mesh_, scaledHeights_, 0}));
+int PlanKernel::orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const {
+  const int s = sign_(planArea(DoubleContext{*mesh_, scaledHeights_, 0}, a, b, c));
   if (s != kUnknownSign) return s;
   ++count.orientation;
-  const mpz_class exact = evaluate(ExactContext{*mesh_, heights_, grid_.low, 0});
-  return sgn(exact);
+  return exactSign(0, [&](const auto& context) { return planArea(context, a, b, c); });
 }
 
 bool PlanKernel::coplanar(Index face, Index other, ExactFallbacks& count) const {
@@ -212,6 +81,74 @@ bool PlanKernel::coplanar(Index face, Index other, ExactFallbacks& count) const 
   for (const Index v : mesh_->triangles[other])
     if (v != f[0] && v != f[1] && v != f[2] && heightSign(face, v, 0, count) != 0) return false;
   return true;
+}
+
+bool PlanKernel::isKnownOn(const PlanLine& line, Index face, const PlanPoint& p) const {
+  if (line.kind == PlanLine::Edge) {
+    if (p.kind == PlanPoint::Source) return p.a == line.a || p.a == line.b;
+    if (p.kind == PlanPoint::EdgePlane) return edgeLineOf(p) == line;
+    return p.firstLine() == line || p.secondLine() == line;
+  }
+  if (p.kind == PlanPoint::EdgePlane) {
+    // an edge of the obstacle at the level, or an edge of the face in the obstacle's lowered plane
+    return (p.c == face && p.d == line.b && hasCorners(*mesh_, line.a, p.a, p.b)) ||
+           (p.c == line.a && p.d == -line.b && hasCorners(*mesh_, face, p.a, p.b));
+  }
+  return p.kind == PlanPoint::Crossing && p.face == face && (p.firstLine() == line || p.secondLine() == line);
+}
+
+PlanLine PlanKernel::edgeLineOf(const PlanPoint& p) const {
+  const Index a = mesh_->planIds[p.a], b = mesh_->planIds[p.b];
+  return {PlanLine::Edge, std::min(a, b), std::max(a, b)};
+}
+
+std::optional<double> PlanKernel::knownCoordinate(const PlanPoint& p, int axis) const {
+  const auto at = [&](Index v) { return coordinate(mesh_->vertices[v], axis); };
+  if (p.kind == PlanPoint::Source) return at(p.a);
+  if (p.kind == PlanPoint::EdgePlane) {
+    if (at(p.a) == at(p.b)) return at(p.a);
+    return std::nullopt;
+  }
+  for (const PlanLine& l : {p.firstLine(), p.secondLine()})
+    if (l.kind == PlanLine::Edge && at(l.a) == at(l.b)) return at(l.a);
+  return std::nullopt;
+}
+
+std::optional<int> PlanKernel::compareKnown(const PlanPoint& a, const PlanPoint& b, int axis) const {
+  const auto x = knownCoordinate(a, axis);
+  if (!x) return std::nullopt;
+  const auto y = knownCoordinate(b, axis);
+  if (!y) return std::nullopt;
+  return (*x > *y) - (*x < *y);
+}
+
+bool PlanKernel::areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) const {
+  for (const int axis : {0, 1}) {
+    const auto x = knownCoordinate(a, axis);
+    if (x && knownCoordinate(b, axis) == x && knownCoordinate(c, axis) == x) return true;
+  }
+  for (const auto& [p, q, r] : {std::array{&a, &b, &c}, std::array{&b, &c, &a}, std::array{&c, &a, &b}}) {
+    const auto holds = [&, q = q, r = r](const PlanLine& l, Index face) {
+      return isKnownOn(l, face, *q) && isKnownOn(l, face, *r);
+    };
+    if (p->kind == PlanPoint::EdgePlane && holds(edgeLineOf(*p), -1)) return true;
+    if (p->kind == PlanPoint::Crossing && (holds(p->firstLine(), p->face) || holds(p->secondLine(), p->face)))
+      return true;
+  }
+  return false;
+}
+
+bool PlanKernel::isKnownLevel(const PlanPoint& point, Index f, Index g) const {
+  if (isKnownOn({PlanLine::Trace, g, 0}, f, point) || isKnownOn({PlanLine::Trace, f, 0}, g, point)) return true;
+  // on an edge that both share
+  const auto& corners = mesh_->triangles[f];
+  for (int k = 0; k < 3; ++k) {
+    const Index u = corners[k], v = corners[k == 2 ? 0 : k + 1];
+    const Index a = mesh_->planIds[u], b = mesh_->planIds[v];
+    if (hasCorners(*mesh_, g, u, v) && isKnownOn({PlanLine::Edge, std::min(a, b), std::max(a, b)}, -1, point))
+      return true;
+  }
+  return false;
 }
 
 Homogeneous<ErrorDouble> PlanKernel::homogeneous(const PlanPoint& point, Index origin) const {
@@ -224,10 +161,11 @@ Homogeneous<ErrorDouble> PlanKernel::homogeneous(const PlanPoint& point, Index o
 }
 
 Homogeneous<mpz_class> PlanKernel::exactHomogeneous(const PlanPoint& point, Index origin) const {
-  auto h = rawHomogeneous(ExactContext{*mesh_, heights_, grid_.low, origin}, point);
-  if (isNegative(h[2]))
-    for (mpz_class& x : h) x = -x;
-  return h;
+  return homogeneousOn(gridContext<mpz_class>(origin), point);
+}
+
+Homogeneous<FixedInteger> PlanKernel::fixedHomogeneous(const PlanPoint& point, Index origin) const {
+  return homogeneousOn(gridContext<FixedInteger>(origin), point);
 }
 
 std::array<ErrorDouble, 3> PlanKernel::coefficients(const PlanLine& line, Index face, Index origin) const {
@@ -235,77 +173,93 @@ std::array<ErrorDouble, 3> PlanKernel::coefficients(const PlanLine& line, Index 
 }
 
 std::array<mpz_class, 3> PlanKernel::exactCoefficients(const PlanLine& line, Index face, Index origin) const {
-  return lineCoefficients(ExactContext{*mesh_, heights_, grid_.low, origin}, line, face);
+  return lineCoefficients(gridContext<mpz_class>(origin), line, face);
+}
+
+std::array<FixedInteger, 3> PlanKernel::fixedCoefficients(const PlanLine& line, Index face, Index origin) const {
+  return lineCoefficients(gridContext<FixedInteger>(origin), line, face);
+}
+
+ApproximatePoint PlanKernel::approximateSource(Index planId, Index origin) const {
+  const DoubleContext context{*mesh_, scaledHeights_, origin};
+  const ErrorDouble x = context.local(planId, 0), y = context.local(planId, 1);
+  return {x.value, y.value, std::max(x.error, y.error) + sign_.slack};
 }
 
 ApproximatePoint PlanKernel::approximate(const Homogeneous<ErrorDouble>& h, const PlanPoint& point,
                                          Index origin) const {
-  if (point.kind == PlanPoint::Source) return {h[0].value, h[1].value, std::max(h[0].error, h[1].error) + sign_.slack};
+  if (point.kind == PlanPoint::Source) return approximateSource(point.a, origin);
   const ErrorDouble x = h[0] / h[2];
   const ErrorDouble y = h[1] / h[2];
   const double error = std::max(x.error, y.error);
   const double size = std::fabs(x.value) + std::fabs(y.value) + 1;
   if (error < kCoarse * size) return {x.value, y.value, error + sign_.slack};
-  const auto exact = exactHomogeneous(point, origin);
-  const int scale = grid_.low + mesh_->grid.scaleExponent();
-  const double ex = std::ldexp(nearestDouble(mpq_class(exact[0], exact[2])), scale);
-  const double ey = std::ldexp(nearestDouble(mpq_class(exact[1], exact[2])), scale);
-  // Half a unit in the last place, doubled for the scaling; an underflow is within the slack.
-  return {ex, ey, std::max(std::fabs(ex), std::fabs(ey)) * 0x1p-52 + sign_.slack};
+  const auto round = [&](const auto& exact) -> ApproximatePoint {
+    const int scale = grid_.low + mesh_->grid.scaleExponent();
+    const double ex = roundedQuotient(viewOf(exact[0]), viewOf(exact[2]), scale);
+    const double ey = roundedQuotient(viewOf(exact[1]), viewOf(exact[2]), scale);
+    // Half a unit in the last place, doubled; an underflow is within the slack.
+    return {ex, ey, std::max(std::fabs(ex), std::fabs(ey)) * 0x1p-52 + sign_.slack};
+  };
+  return fitsFixedIntegers() ? round(fixedHomogeneous(point, origin)) : round(exactHomogeneous(point, origin));
 }
 
 int PlanKernel::orientation(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, Index origin,
                             ExactFallbacks& count) const {
   if (a == b || b == c || a == c) return 0;
-  const int s = sign_(determinant(homogeneous(a, origin), homogeneous(b, origin), homogeneous(c, origin)));
+  if (a.kind == PlanPoint::Source && b.kind == PlanPoint::Source && c.kind == PlanPoint::Source)
+    return orientation(a.a, b.a, c.a, count);
+  if (areKnownCollinear(a, b, c)) return 0;
+  const int s = sign_(determinant<ErrorDouble>(homogeneous(a, origin), homogeneous(b, origin), homogeneous(c, origin)));
   if (s != kUnknownSign) return s;
   ++count.orientation;
-  return sgn(determinant(exactHomogeneous(a, origin), exactHomogeneous(b, origin), exactHomogeneous(c, origin)));
+  return exactSign(origin, [&](const auto& context) {
+    using T = typename std::decay_t<decltype(context)>::T;
+    return determinant<T>(homogeneousOn(context, a), homogeneousOn(context, b), homogeneousOn(context, c));
+  });
 }
 
 int PlanKernel::compare(const PlanPoint& a, const PlanPoint& b, int axis, Index origin, ExactFallbacks& count) const {
   if (a == b) return 0;
-  const auto ha = homogeneous(a, origin);
-  const auto hb = homogeneous(b, origin);
-  const int s = sign_(ha[axis] * hb[2] - hb[axis] * ha[2]);
+  if (const auto known = compareKnown(a, b, axis)) return *known;
+  const int s = sign_(coordinateDifference<ErrorDouble>(homogeneous(a, origin), homogeneous(b, origin), axis));
   if (s != kUnknownSign) return s;
   ++count.order;
-  const auto ea = exactHomogeneous(a, origin);
-  const auto eb = exactHomogeneous(b, origin);
-  const mpz_class difference = ea[axis] * eb[2] - eb[axis] * ea[2];
-  return sgn(difference);
+  return exactSign(origin, [&](const auto& context) {
+    using T = typename std::decay_t<decltype(context)>::T;
+    return coordinateDifference<T>(homogeneousOn(context, a), homogeneousOn(context, b), axis);
+  });
 }
 
 int PlanKernel::compareHeight(const PlanPoint& point, Index f, Index g, ExactFallbacks& count) const {
-  if (f == g) return 0;
+  if (f == g || isKnownLevel(point, f, g)) return 0;
   const Index origin = mesh_->triangles[f][0];
   const int flip = mesh_->facing[f] * mesh_->facing[g];
   const int s =
       sign_(heightDifference(DoubleContext{*mesh_, scaledHeights_, origin}, homogeneous(point, origin), f, g));
   if (s != kUnknownSign) return s * flip;
   ++count.height;
-  return flip * sgn(heightDifference(ExactContext{*mesh_, heights_, grid_.low, origin}, exactHomogeneous(point, origin),
-                                     f, g));
+  return flip * exactSign(origin, [&](const auto& context) {
+           return heightDifference(context, homogeneousOn(context, point), f, g);
+         });
 }
 
 int PlanKernel::side(const PlanLine& line, Index face, const PlanPoint& point, Index origin,
                      ExactFallbacks& count) const {
-  const auto l = coefficients(line, face, origin);
-  const auto h = homogeneous(point, origin);
-  const int s = sign_(l[0] * h[0] + l[1] * h[1] + l[2] * h[2]);
+  if (isKnownOn(line, face, point)) return 0;
+  const int s = sign_(lineAtPoint<ErrorDouble>(coefficients(line, face, origin), homogeneous(point, origin)));
   if (s != kUnknownSign) return s;
   ++count.side;
-  const auto el = exactCoefficients(line, face, origin);
-  const auto eh = exactHomogeneous(point, origin);
-  const mpz_class value = el[0] * eh[0] + el[1] * eh[1] + el[2] * eh[2];
-  return sgn(value);
+  return exactSign(origin, [&](const auto& context) {
+    using T = typename std::decay_t<decltype(context)>::T;
+    return lineAtPoint<T>(lineCoefficients(context, line, face), homogeneousOn(context, point));
+  });
 }
 
 std::array<mpq_class, 3> PlanKernel::exactPosition(const PlanPoint& point, Index face) const {
   const Index origin = mesh_->triangles[face][0];
   const auto h = exactHomogeneous(point, origin);
-  const ExactContext context{*mesh_, heights_, grid_.low, origin};
-  const auto n = context.normal(face);
+  const auto n = gridContext<mpz_class>(origin).normal(face);
   mpq_class x(h[0], h[2]);
   mpq_class y(h[1], h[2]);
   x.canonicalize();
@@ -328,20 +282,27 @@ std::array<mpq_class, 3> PlanKernel::exactPosition(const PlanPoint& point, Index
 Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact) const {
   if (exact != nullptr) *exact = true;
   const Index origin = mesh_->triangles[face][0];
-  const auto h = exactHomogeneous(point, origin);
-  const ExactContext context{*mesh_, heights_, grid_.low, origin};
-  const auto n = context.normal(face);
   const Vec3& o = mesh_->vertices[origin];
-  // (local + base) on the grid over a common denominator, without reducing fractions
-  const auto round = [&](const mpz_class& numerator, const mpz_class& denominator, double base) {
-    const mpz_class whole = numerator + toInteger(base, grid_.low) * denominator;
-    return roundedQuotient(whole, denominator, grid_.low, exact);
+  const auto place = [&](const auto& context) -> Vec3 {
+    using T = typename std::decay_t<decltype(context)>::T;
+    const auto h = homogeneousOn(context, point);
+    const auto n = context.normal(face);
+    // (local + base) on the grid over a common denominator, without reducing fractions
+    const auto round = [&](const T& numerator, const T& denominator, double base) {
+      const T whole = numerator + gridInteger<T>(base, grid_.low) * denominator;
+      return roundedQuotient(viewOf(whole), viewOf(denominator), grid_.low, exact);
+    };
+    const T fall = n[0] * h[0] + n[1] * h[1];
+    const auto known = [&](int axis) { return knownCoordinate(point, axis); };
+    const auto x = known(0), y = known(1);
+    return {x ? *x : round(h[0], h[2], o.x), y ? *y : round(h[1], h[2], o.y),
+            sgn(fall) == 0 ? o.z : round(-fall, n[2] * h[2], o.z)};
   };
-  const mpz_class zNumerator = -(n[0] * h[0] + n[1] * h[1]);
-  const mpz_class zDenominator = n[2] * h[2];
-  return {round(h[0], h[2], o.x), round(h[1], h[2], o.y), round(zNumerator, zDenominator, o.z)};
+  return fitsFixedIntegers() ? place(gridContext<FixedInteger>(origin)) : place(gridContext<mpz_class>(origin));
 }
 
-double nearestDouble(const mpq_class& value) { return roundedQuotient(value.get_num(), value.get_den(), 0); }
+double nearestDouble(const mpq_class& value) {
+  return roundedQuotient(viewOf(value.get_num()), viewOf(value.get_den()), 0);
+}
 
 }  // namespace footfall

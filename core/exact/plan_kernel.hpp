@@ -4,7 +4,8 @@
 // A new vertex is always the crossing, in the plan, of two lines of a closed family, lifted to a floor's plane: edges
 // of source triangles, and traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane.
 // What a point *is* is kept; its value is computed when needed. A decision goes through up to four stages: rounded
-// coordinates with a bound, provenance, doubles with a running error (ErrorDouble), exact integers (GMP).
+// coordinates with a bound, provenance, doubles with a running error (ErrorDouble), exact integers: on the stack
+// (FixedInteger) or, on a grid too wide for the proof of their widths, GMP's.
 #pragma once
 
 #include <gmpxx.h>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "core/exact/exact_fallbacks.hpp"
+#include "core/exact/fixed_integer.hpp"
 #include "core/exact/source_mesh.hpp"
 
 namespace footfall {
@@ -53,6 +55,9 @@ struct ApproximatePoint {
   double error = 0;
 };
 
+template <class Integer>
+struct GridContext;
+
 /// Predicates over one generation of source geometry and a set of levels. Immutable; shared by all threads.
 class PlanKernel {
  public:
@@ -69,15 +74,34 @@ class PlanKernel {
   /// Sign of z(vertex) - z_face(vertex) - height(level); the face must face up.
   int heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const;
   /// Orientation in the plan of three source vertices.
-  int orientation(Index a, Index b, Index c, ExactFallbacks& count) const;
+  int orientation(Index a, Index b, Index c, ExactFallbacks& count) const {
+    const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
+    const int filtered = filteredArea(pa.x - pc.x, pa.y - pc.y, pb.x - pc.x, pb.y - pc.y, sign_.slack);
+    return filtered != kUnknownSign ? filtered : orientationBeyondFilter(a, b, c, count);
+  }
   /// True when both triangles lie in one plane (the face must face up).
   bool coplanar(Index face, Index other, ExactFallbacks& count) const;
+
+  /// Provenance: the point was made on that line (a trace is taken on `face`). False says nothing.
+  [[nodiscard]] bool isKnownOn(const PlanLine& line, Index face, const PlanPoint& point) const;
+  /// Coordinate `axis` (0 or 1) where the point's making says that a double holds it exactly.
+  [[nodiscard]] std::optional<double> knownCoordinate(const PlanPoint& point, int axis) const;
+
+  /// Sign of a's minus b's coordinate where knownCoordinate() tells both.
+  [[nodiscard]] std::optional<int> compareKnown(const PlanPoint& a, const PlanPoint& b, int axis) const;
+  /// True when the points' making says that they lie on one line. False says nothing.
+  [[nodiscard]] bool areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) const;
 
   // Values for FaceGeometry and the joining step.
   [[nodiscard]] Homogeneous<ErrorDouble> homogeneous(const PlanPoint& point, Index origin) const;
   [[nodiscard]] Homogeneous<mpz_class> exactHomogeneous(const PlanPoint& point, Index origin) const;
   [[nodiscard]] std::array<ErrorDouble, 3> coefficients(const PlanLine& line, Index face, Index origin) const;
   [[nodiscard]] std::array<mpz_class, 3> exactCoefficients(const PlanLine& line, Index face, Index origin) const;
+  /// Whether FixedInteger holds all exact values on this grid; only then the two functions below may be called.
+  [[nodiscard]] bool fitsFixedIntegers() const { return grid_.width() <= kWidestFixedGrid; }
+  [[nodiscard]] Homogeneous<FixedInteger> fixedHomogeneous(const PlanPoint& point, Index origin) const;
+  [[nodiscard]] std::array<FixedInteger, 3> fixedCoefficients(const PlanLine& line, Index face, Index origin) const;
+  [[nodiscard]] ApproximatePoint approximateSource(Index planId, Index origin) const;
   /// Rounded coordinates; computed exactly where the running error would be too coarse to decide anything.
   [[nodiscard]] ApproximatePoint approximate(const Homogeneous<ErrorDouble>& h, const PlanPoint& point,
                                              Index origin) const;
@@ -98,6 +122,16 @@ class PlanKernel {
   [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face, bool* exact = nullptr) const;
 
  private:
+  [[nodiscard]] int orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const;
+  template <class Integer>
+  [[nodiscard]] GridContext<Integer> gridContext(Index origin) const;
+  /// Sign of what `evaluate` computes over a GridContext of the integers that this grid needs.
+  template <class Evaluate>
+  [[nodiscard]] int exactSign(Index origin, const Evaluate& evaluate) const;
+  /// The line of the edge of an EdgePlane point.
+  [[nodiscard]] PlanLine edgeLineOf(const PlanPoint& point) const;
+  [[nodiscard]] bool isKnownLevel(const PlanPoint& point, Index f, Index g) const;
+
   std::shared_ptr<const SourceMesh> mesh_;
   std::vector<double> heights_;
   std::vector<double> scaledHeights_;

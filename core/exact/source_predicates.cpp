@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/exact/error_double.hpp"
+#include "core/exact/grid_integer.hpp"
 
 namespace footfall {
 namespace {
@@ -26,11 +27,47 @@ bool areModerate(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 template <class T>
-std::array<T, 3> normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const std::array<T, 3> u{T(b.x) - T(a.x), T(b.y) - T(a.y), T(b.z) - T(a.z)};
-  const std::array<T, 3> v{T(c.x) - T(a.x), T(c.y) - T(a.y), T(c.z) - T(a.z)};
+std::array<T, 3> cross(const std::array<T, 3>& u, const std::array<T, 3>& v) {
   return {T(u[1] * v[2] - u[2] * v[1]), T(u[2] * v[0] - u[0] * v[2]), T(u[0] * v[1] - u[1] * v[0])};
 }
+
+std::array<ErrorDouble, 3> normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  using E = ErrorDouble;
+  return cross<E>({E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)},
+                  {E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)});
+}
+
+// The smallest grid with the three points on it.
+Grid gridOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Grid grid;
+  for (const Vec3* p : {&a, &b, &c})
+    for (const double x : {p->x, p->y, p->z}) grid.include(x);
+  return grid;
+}
+
+// The exact normal, in units of the squared grid.
+template <class T>
+std::array<T, 3> exactNormal(const Vec3& a, const Vec3& b, const Vec3& c, const Grid& grid) {
+  const bool narrow = grid.width() <= kNarrowGrid;
+  const auto minus = [&](double x, double y) { return gridDifference<T>(x, y, grid.low, narrow); };
+  return cross<T>({minus(b.x, a.x), minus(b.y, a.y), minus(b.z, a.z)},
+                  {minus(c.x, a.x), minus(c.y, a.y), minus(c.z, a.z)});
+}
+
+// With D = Grid::width() + 1 the normal has 2 D + 1 bits, squares 4 D + 2, and what is compared below 4 D + 6; two
+// limbs more are always enough (FixedInteger).
+constexpr int kWidestGrid = (64 * (FixedInteger::kCapacity - 2) - 6) / 4 - 1;
+
+// Hands the exact normal to `decide`, as the integers that it needs.
+template <class Decide>
+auto withExactNormal(const Vec3& a, const Vec3& b, const Vec3& c, const Decide& decide) {
+  const Grid grid = gridOf(a, b, c);
+  if (grid.width() <= kWidestGrid) return decide(exactNormal<FixedInteger>(a, b, c, grid));
+  return decide(exactNormal<mpz_class>(a, b, c, grid));
+}
+
+// A product of two differences that underflows loses at most 2^-1075; overflow ends in no decision.
+constexpr double kUnderflow = 0x1p-1000;
 
 // cos^2 of the angle where it is rational, as numerator over 4; 0 elsewhere (Niven's theorem: no other angle with a
 // rational number of degrees between 0 and 90 has a rational squared cosine).
@@ -43,9 +80,10 @@ int quartersOfSquaredCosine(double degrees) {
 
 // Sign of nz^2 - cos^2(degrees) |n|^2 for an angle with irrational squared cosine: refined until it is decided, which
 // ends because the two sides are never equal.
-int compareWithIrrationalSlope(const std::array<mpq_class, 3>& n, double degrees) {
-  const mpq_class squared = n[2] * n[2];
-  const mpq_class ratio = squared / (squared + n[0] * n[0] + n[1] * n[1]);
+int compareWithIrrationalSlope(const std::array<mpz_class, 3>& n, double degrees) {
+  const mpz_class squared = n[2] * n[2];
+  mpq_class ratio(squared, squared + n[0] * n[0] + n[1] * n[1]);
+  ratio.canonicalize();
   for (mpfr_prec_t precision = 128;; precision *= 2) {
     mpfr_t low, high, pi;
     mpfr_inits2(precision, low, high, pi, static_cast<mpfr_ptr>(nullptr));
@@ -72,33 +110,37 @@ int compareWithIrrationalSlope(const std::array<mpq_class, 3>& n, double degrees
 }  // namespace
 
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const std::array<double, 3> u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
+  for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}})
+    if (filteredArea(u[i], u[j], v[i], v[j], kUnderflow) != kUnknownSign) return false;
   if (areModerate(a, b, c)) {
     const SignRule sign;
     bool unknown = false;
-    for (const ErrorDouble& component : normal<ErrorDouble>(a, b, c)) {
+    for (const ErrorDouble& component : normal(a, b, c)) {
       const int s = sign(component);
       if (s == 1 || s == -1) return false;
       unknown = unknown || s == kUnknownSign;
     }
     if (!unknown) return true;
   }
-  const auto n = normal<mpq_class>(a, b, c);
-  return sgn(n[0]) == 0 && sgn(n[1]) == 0 && sgn(n[2]) == 0;
+  return withExactNormal(a, b, c, [](const auto& n) { return sgn(n[0]) == 0 && sgn(n[1]) == 0 && sgn(n[2]) == 0; });
 }
 
 int facing(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const int filtered = filteredArea(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y, kUnderflow);
+  if (filtered != kUnknownSign) return filtered;
   if (areModerate(a, b, c)) {
-    const int s = SignRule{}(normal<ErrorDouble>(a, b, c)[2]);
+    const int s = SignRule{}(normal(a, b, c)[2]);
     if (s != kUnknownSign) return s;
   }
-  return sgn(normal<mpq_class>(a, b, c)[2]);
+  return withExactNormal(a, b, c, [](const auto& n) { return sgn(n[2]); });
 }
 
 bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, bool* beyondDoubles) {
   if (facing(a, b, c) <= 0) return false;
   const int quarters = quartersOfSquaredCosine(degrees);
   if (areModerate(a, b, c)) {
-    const auto n = normal<ErrorDouble>(a, b, c);
+    const auto n = normal(a, b, c);
     const ErrorDouble squared = n[2] * n[2];
     const ErrorDouble flat = n[0] * n[0] + n[1] * n[1];
     ErrorDouble difference;
@@ -114,9 +156,13 @@ bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, 
     if (s != kUnknownSign && (quarters != 0 || s != 0)) return s >= 0;
   }
   if (beyondDoubles != nullptr) *beyondDoubles = true;
-  const auto n = normal<mpq_class>(a, b, c);
-  if (quarters != 0) return n[2] * n[2] * (4 - quarters) >= (n[0] * n[0] + n[1] * n[1]) * quarters;
-  return compareWithIrrationalSlope(n, degrees) > 0;
+  if (quarters != 0)
+    return withExactNormal(a, b, c, [quarters](const auto& n) {
+      using T = std::decay_t<decltype(n[0])>;
+      const T steep = n[2] * n[2] * T(4 - quarters), flat = (n[0] * n[0] + n[1] * n[1]) * T(quarters);
+      return sgn(T(steep - flat)) >= 0;
+    });
+  return compareWithIrrationalSlope(exactNormal<mpz_class>(a, b, c, gridOf(a, b, c)), degrees) > 0;
 }
 
 }  // namespace footfall

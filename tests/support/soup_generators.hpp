@@ -23,14 +23,19 @@ inline int rounds(int usual) {
   return std::max(1, static_cast<int>(usual * (factor > 0 ? factor : 1)));
 }
 
-/// rc::check with a number of cases of its own and a fixed seed, so that every run of the suite is the same; the
-/// environment variable FOOTFALL_TEST_SEED chooses another.
+/// The seed of random cases: fixed, so that every run of a suite is the same, unless the environment variable
+/// FOOTFALL_TEST_SEED chooses another.
+inline std::uint64_t seed() {
+  const char* text = std::getenv("FOOTFALL_TEST_SEED");
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : 20240229;
+}
+
+/// rc::check with a number of cases of its own and the seed above.
 template <class Property>
 bool check(const std::string& name, int cases, Property property) {
   rc::detail::TestParams params;
   params.maxSuccess = rounds(cases);
-  const char* seed = std::getenv("FOOTFALL_TEST_SEED");
-  params.seed = seed != nullptr ? std::strtoull(seed, nullptr, 10) : 20240229;
+  params.seed = seed();
   const auto result = rc::detail::checkTestable(property, rc::detail::TestMetadata{name, name}, params);
   std::cerr << name << ": ";
   rc::detail::printResultMessage(result, std::cerr);

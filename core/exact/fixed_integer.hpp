@@ -1,0 +1,167 @@
+// Whole numbers on the stack, as wide as the exact predicates can need; they never allocate.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Proof of the widths. All coordinates and heights are integers below 2^W in size (Grid::width()), and x < y bits
+// stands for |x| < 2^y. With D = W + 1:
+//   difference of two coordinates      D
+//   normal (two products)              2D + 1
+//   height over a plane                three products of 3D + 1 and one of 2D + 1 + W: 3D + 3
+//   edge line (a, b, c)                D, D, 2D + 1
+//   trace line (a, b, c)               4D + 3, 4D + 3; c: 2 * 3 * 2^(5D + 2) + 2^(5D + 1) < 2^(5D + 5)
+//   point (X and Y, w)
+//     edge x edge                      3D + 2, 2D + 1
+//     edge x plane                     4D + 4, 3D + 4
+//     edge x trace                     6D + 6, 5D + 4
+//     trace x trace                    9D + 9, 8D + 7
+// and from these, where trace x trace and the trace line are the widest operands,
+//   order of two points                X w' - X' w: 17D + 17
+//   side of a line at a point          aX, bY: 13D + 12, cw: 13D + 12; together 13D + 14
+//   heights of two planes at a point   d w - nx X - ny Y: 11D + 12; times a normal, twice: 13D + 14
+//   orientation of three points        X (Y' w'' - Y'' w'): 26D + 26, three of them: 26D + 28
+//   point on the grid, for rounding    x, y: 9D + 10; z: 11D + 12 over 10D + 8
+// The widest is the orientation. A product may be written with one limb more than it needs, and operands round up to
+// whole limbs: two limbs more than the bits ask for are always enough.
+#pragma once
+
+#include <gmp.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <utility>
+
+namespace footfall {
+
+static_assert(GMP_NUMB_BITS == 64);
+
+/// A whole number that is kept elsewhere: limbs, lowest first, no leading zeros; `size` is their number with the sign.
+struct IntegerView {
+  const mp_limb_t* limbs = nullptr;
+  int size = 0;
+  [[nodiscard]] int count() const { return size < 0 ? -size : size; }
+  /// Bits of the absolute value.
+  [[nodiscard]] int width() const { return size == 0 ? 0 : 64 * count() - std::countl_zero(limbs[count() - 1]); }
+};
+
+inline int sgn(IntegerView x) { return (x.size > 0) - (x.size < 0); }
+
+class FixedInteger;
+FixedInteger operator*(IntegerView a, IntegerView b);
+FixedInteger operator+(IntegerView a, IntegerView b);
+FixedInteger operator-(IntegerView a, IntegerView b);
+
+/// Sign and magnitude of up to kCapacity limbs. What must not happen, and does not where PlanKernel uses it (proof
+/// above), is a result that is wider.
+class FixedInteger {
+ public:
+  static constexpr int kCapacity = 64;
+
+  FixedInteger() = default;
+  explicit FixedInteger(__int128 value) {
+    const auto magnitude = value < 0 ? -static_cast<unsigned __int128>(value) : static_cast<unsigned __int128>(value);
+    limbs_[0] = static_cast<mp_limb_t>(magnitude);
+    limbs_[1] = static_cast<mp_limb_t>(magnitude >> 64);
+    const int count = limbs_[1] != 0 ? 2 : static_cast<int>(limbs_[0] != 0);
+    size_ = value < 0 ? -count : count;
+  }
+  explicit FixedInteger(IntegerView x) : size_(x.size) {
+    assert(x.count() <= kCapacity);
+    std::copy_n(x.limbs, x.count(), limbs_);
+  }
+  FixedInteger(const FixedInteger& o) : FixedInteger(IntegerView(o)) {}
+  FixedInteger& operator=(const FixedInteger& o) {
+    if (this == &o) return *this;
+    size_ = o.size_;
+    std::copy_n(o.limbs_, IntegerView(o).count(), limbs_);
+    return *this;
+  }
+  operator IntegerView() const { return {limbs_, size_}; }  // NOLINT(google-explicit-constructor)
+
+  void negate() { size_ = -size_; }
+
+  /// digits * 2^shift, shift >= 0.
+  static FixedInteger shifted(std::uint64_t digits, int shift) {
+    FixedInteger r;
+    if (digits == 0) return r;
+    const int whole = shift / 64, part = shift % 64;
+    assert(whole + 2 <= kCapacity);
+    std::fill_n(r.limbs_, whole, mp_limb_t{0});
+    r.limbs_[whole] = digits << part;
+    r.limbs_[whole + 1] = part == 0 ? 0 : digits >> (64 - part);
+    r.size_ = whole + 2;
+    r.trim();
+    return r;
+  }
+
+  friend FixedInteger operator*(IntegerView a, IntegerView b) {
+    FixedInteger r;
+    if (a.size == 0 || b.size == 0) return r;
+    if (a.count() < b.count()) std::swap(a, b);
+    const int n = a.count(), m = b.count();
+    assert(n + m <= kCapacity);
+    if (n == 1) {
+      const auto product = static_cast<unsigned __int128>(a.limbs[0]) * b.limbs[0];
+      r.limbs_[0] = static_cast<mp_limb_t>(product);
+      r.limbs_[1] = static_cast<mp_limb_t>(product >> 64);
+    } else if (m == 1) {
+      r.limbs_[n] = mpn_mul_1(r.limbs_, a.limbs, n, b.limbs[0]);
+    } else {
+      mpn_mul(r.limbs_, a.limbs, n, b.limbs, m);
+    }
+    r.size_ = n + m - static_cast<int>(r.limbs_[n + m - 1] == 0);
+    if ((a.size < 0) != (b.size < 0)) r.negate();
+    return r;
+  }
+
+  friend FixedInteger operator+(IntegerView a, IntegerView b) {
+    if (a.count() <= 1 && b.count() <= 1) return FixedInteger(small(a) + small(b));
+    if (a.size == 0) return FixedInteger(b);
+    if (b.size == 0) return FixedInteger(a);
+    FixedInteger r;
+    if (a.count() < b.count()) std::swap(a, b);
+    int n = a.count();
+    const int m = b.count();
+    if ((a.size < 0) == (b.size < 0)) {
+      r.limbs_[n] = mpn_add(r.limbs_, a.limbs, n, b.limbs, m);
+      if (r.limbs_[n] != 0) ++n;
+      assert(n <= kCapacity);
+      r.size_ = a.size < 0 ? -n : n;
+      return r;
+    }
+    if (n == m) {
+      const int order = mpn_cmp(a.limbs, b.limbs, n);
+      if (order == 0) return r;
+      if (order < 0) std::swap(a, b);
+      mpn_sub_n(r.limbs_, a.limbs, b.limbs, n);
+    } else {
+      mpn_sub(r.limbs_, a.limbs, n, b.limbs, m);
+    }
+    r.size_ = n;
+    r.trim();
+    if (a.size < 0) r.negate();
+    return r;
+  }
+
+  friend FixedInteger operator-(IntegerView a, IntegerView b) { return a + IntegerView{b.limbs, -b.size}; }
+  friend FixedInteger operator-(FixedInteger a) {
+    a.negate();
+    return a;
+  }
+
+ private:
+  static __int128 small(IntegerView x) {
+    return x.size == 0 ? 0 : x.size > 0 ? static_cast<__int128>(x.limbs[0]) : -static_cast<__int128>(x.limbs[0]);
+  }
+  void trim() {
+    while (size_ > 0 && limbs_[size_ - 1] == 0) --size_;
+  }
+
+  int size_ = 0;
+  mp_limb_t limbs_[kCapacity];  // NOLINT: only the first |size_| are set
+};
+
+/// The widest grid on which FixedInteger holds every value of the predicates.
+inline constexpr int kWidestFixedGrid = (64 * (FixedInteger::kCapacity - 2) - 28) / 26 - 1;
+
+}  // namespace footfall

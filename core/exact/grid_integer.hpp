@@ -1,0 +1,75 @@
+// Coordinates as integers on the common grid.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+
+#include "core/exact/fixed_integer.hpp"
+#include "core/exact/grid.hpp"
+
+namespace footfall {
+
+/// |x| = digits * 2^shift in units of 2^gridExponent, for an x on that grid; shift >= 0.
+struct GridDigits {
+  std::uint64_t digits;
+  int shift;
+
+  GridDigits(double x, int gridExponent) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const int exponent = static_cast<int>(bits >> 52 & 0x7FF);
+    digits = bits & 0xFFFFFFFFFFFFFULL;
+    if (exponent != 0) digits |= 1ULL << 52;
+    if (digits == 0) {
+      shift = 0;
+      return;
+    }
+    shift = std::max(exponent, 1) - 1075 - gridExponent;
+    if (shift < 0) digits >>= -shift, shift = 0;  // zeros: x is on the grid
+  }
+};
+
+/// An x on the grid as an integer.
+template <class T>
+T gridInteger(double x, int gridExponent);
+
+template <>
+inline __int128 gridInteger<__int128>(double x, int gridExponent) {
+  const GridDigits g(x, gridExponent);
+  const auto size = static_cast<__int128>(g.digits) << g.shift;
+  return x < 0 ? -size : size;
+}
+
+template <>
+inline FixedInteger gridInteger<FixedInteger>(double x, int gridExponent) {
+  const GridDigits g(x, gridExponent);
+  FixedInteger r = FixedInteger::shifted(g.digits, g.shift);
+  if (x < 0) r.negate();
+  return r;
+}
+
+template <>
+inline mpz_class gridInteger<mpz_class>(double x, int gridExponent) {
+  const GridDigits g(x, gridExponent);
+  mpz_class r(static_cast<unsigned long>(g.digits));
+  r <<= static_cast<mp_bitcnt_t>(g.shift);
+  return x < 0 ? mpz_class(-r) : r;
+}
+
+/// Up to this Grid::width() coordinates are subtracted as 128-bit integers.
+inline constexpr int kNarrowGrid = 125;
+
+/// x - y as an integer; `narrow` says that the grid is no wider than kNarrowGrid.
+template <class T>
+T gridDifference(double x, double y, int gridExponent, bool narrow) {
+  if (x == y) return T(0);
+  if constexpr (std::is_same_v<T, FixedInteger>)
+    if (narrow) return T(gridInteger<__int128>(x, gridExponent) - gridInteger<__int128>(y, gridExponent));
+  return gridInteger<T>(x, gridExponent) - gridInteger<T>(y, gridExponent);
+}
+
+}  // namespace footfall

@@ -1,0 +1,154 @@
+// The formulas of the predicates in the plan, each written once for all kinds of numbers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A context supplies the numbers: differences of coordinates, heights and normals, as doubles with a running error
+// (DoubleContext) or as integers on the common grid (GridContext).
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <vector>
+
+#include "core/exact/fixed_integer.hpp"
+#include "core/exact/grid_integer.hpp"
+#include "core/exact/plan_kernel.hpp"
+
+namespace footfall {
+
+inline double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+struct DoubleContext {
+  using T = ErrorDouble;
+  const SourceMesh& mesh;
+  const std::vector<double>& scaledHeights;
+  Index origin;
+
+  T difference(Index a, Index b, int axis) const {
+    return T(coordinate(mesh.scaled[a], axis)) - T(coordinate(mesh.scaled[b], axis));
+  }
+  T local(Index v, int axis) const { return difference(v, origin, axis); }
+  T height(Index level) const { return level > 0 ? T(scaledHeights[level - 1]) : T(-scaledHeights[-level - 1]); }
+  T one() const { return 1.0; }
+  std::array<T, 3> normal(Index t) const { return mesh.normals[t]; }
+};
+
+/// Integer is FixedInteger where the grid is narrow enough for it, else mpz_class.
+template <class Integer>
+struct GridContext {
+  using T = Integer;
+  const SourceMesh& mesh;
+  const std::vector<double>& heights;
+  int gridExponent;
+  bool narrow;  ///< Grid::width() <= kNarrowGrid
+  Index origin;
+
+  T difference(Index a, Index b, int axis) const {
+    return gridDifference<T>(coordinate(mesh.vertices[a], axis), coordinate(mesh.vertices[b], axis), gridExponent,
+                             narrow);
+  }
+  T local(Index v, int axis) const { return difference(v, origin, axis); }
+  T height(Index level) const {
+    return gridInteger<T>(level > 0 ? heights[level - 1] : -heights[-level - 1], gridExponent);
+  }
+  T one() const { return T(1); }
+  std::array<T, 3> normal(Index t) const {
+    const auto& f = mesh.triangles[t];
+    const std::array<T, 3> u{difference(f[1], f[0], 0), difference(f[1], f[0], 1), difference(f[1], f[0], 2)};
+    const std::array<T, 3> v{difference(f[2], f[0], 0), difference(f[2], f[0], 1), difference(f[2], f[0], 2)};
+    return {T(u[1] * v[2] - u[2] * v[1]), T(u[2] * v[0] - u[0] * v[2]), T(u[0] * v[1] - u[1] * v[0])};
+  }
+};
+
+inline void negate(ErrorDouble& x) { x.value = -x.value; }
+inline void negate(FixedInteger& x) { x.negate(); }
+inline void negate(mpz_class& x) { mpz_neg(x.get_mpz_t(), x.get_mpz_t()); }
+
+/// Twice the area in the plan of three source vertices.
+template <class C>
+typename C::T planArea(const C& c, Index p, Index q, Index r) {
+  return c.difference(p, r, 0) * c.difference(q, r, 1) - c.difference(p, r, 1) * c.difference(q, r, 0);
+}
+
+/// n_t . (v - a_t) - level * height * nz_t: for a face that faces up, the sign of v's height above plane + level.
+template <class C>
+typename C::T heightValue(const C& c, Index t, Index v, Index level) {
+  using T = typename C::T;
+  const auto n = c.normal(t);
+  const Index a = c.mesh.triangles[t][0];
+  const T height = n[0] * c.difference(v, a, 0) + n[1] * c.difference(v, a, 1) + n[2] * c.difference(v, a, 2);
+  if (level == 0) return height;
+  return height - n[2] * c.height(level);
+}
+
+/// (a, b, c) of a line: a x + b y + c is positive on its left.
+template <class C>
+std::array<typename C::T, 3> lineCoefficients(const C& c, const PlanLine& line, Index face) {
+  using T = typename C::T;
+  if (line.kind == PlanLine::Edge) {
+    std::array<T, 3> r{c.difference(line.a, line.b, 1), c.difference(line.b, line.a, 0), T()};
+    r[2] = -(r[0] * c.local(line.a, 0) + r[1] * c.local(line.a, 1));
+    return r;
+  }
+  const auto n = c.normal(line.a);
+  const auto m = c.normal(face);
+  const Index a = c.mesh.triangles[line.a][0];
+  const Index b = c.mesh.triangles[face][0];
+  const T obstacle = n[0] * c.local(a, 0) + n[1] * c.local(a, 1) + n[2] * c.local(a, 2);
+  const T floor = m[0] * c.local(b, 0) + m[1] * c.local(b, 1) + m[2] * c.local(b, 2);
+  std::array<T, 3> r{T(n[2] * m[0] - m[2] * n[0]), T(n[2] * m[1] - m[2] * n[1]), T(m[2] * obstacle - n[2] * floor)};
+  if (line.b != 0) r[2] = r[2] - n[2] * m[2] * c.height(line.b);
+  if (c.mesh.facing[line.a] < 0)
+    for (T& x : r) negate(x);
+  return r;
+}
+
+/// Homogeneous coordinates of a point, with w of either sign.
+template <class C>
+Homogeneous<typename C::T> rawHomogeneous(const C& c, const PlanPoint& p) {
+  using T = typename C::T;
+  if (p.kind == PlanPoint::Source) return {c.local(p.a, 0), c.local(p.a, 1), c.one()};
+  if (p.kind == PlanPoint::EdgePlane) {
+    const T ha = heightValue(c, p.c, p.a, p.d);
+    const T hb = heightValue(c, p.c, p.b, p.d);
+    return {T(c.local(p.a, 0) * hb - c.local(p.b, 0) * ha), T(c.local(p.a, 1) * hb - c.local(p.b, 1) * ha), T(hb - ha)};
+  }
+  const auto l = lineCoefficients(c, p.firstLine(), p.face);
+  const auto m = lineCoefficients(c, p.secondLine(), p.face);
+  return {T(l[1] * m[2] - m[1] * l[2]), T(l[2] * m[0] - m[2] * l[0]), T(l[0] * m[1] - m[0] * l[1])};
+}
+
+/// Orientation of three homogeneous points; V is T or a view of one.
+template <class T, class V>
+T determinant(const std::array<V, 3>& a, const std::array<V, 3>& b, const std::array<V, 3>& c) {
+  return a[0] * (b[1] * c[2] - c[1] * b[2]) - a[1] * (b[0] * c[2] - c[0] * b[2]) + a[2] * (b[0] * c[1] - c[0] * b[1]);
+}
+
+/// A line at a point, times w.
+template <class T, class V>
+T lineAtPoint(const std::array<V, 3>& line, const std::array<V, 3>& h) {
+  return line[0] * h[0] + line[1] * h[1] + line[2] * h[2];
+}
+
+/// Coordinate `axis` of a minus that of b, times both w.
+template <class T, class V>
+T coordinateDifference(const std::array<V, 3>& a, const std::array<V, 3>& b, int axis) {
+  return a[axis] * b[2] - b[axis] * a[2];
+}
+
+/// Height of plane f minus height of plane g at a point, times w and both nz.
+template <class C>
+typename C::T heightDifference(const C& c, const Homogeneous<typename C::T>& h, Index f, Index g) {
+  using T = typename C::T;
+  const auto n = c.normal(f);
+  const auto m = c.normal(g);
+  const Index a = c.mesh.triangles[f][0];
+  const Index b = c.mesh.triangles[g][0];
+  const T df = n[0] * c.local(a, 0) + n[1] * c.local(a, 1) + n[2] * c.local(a, 2);
+  const T dg = m[0] * c.local(b, 0) + m[1] * c.local(b, 1) + m[2] * c.local(b, 2);
+  const T zf = df * h[2] - n[0] * h[0] - n[1] * h[1];  // times 1 / (n_z w)
+  const T zg = dg * h[2] - m[0] * h[0] - m[1] * h[1];  // times 1 / (m_z w)
+  return zf * m[2] - zg * n[2];
+}
+
+}  // namespace footfall
