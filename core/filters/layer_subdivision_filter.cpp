@@ -48,12 +48,13 @@ class LayerSubdivision {
 
   void findNeighbors() {
     neighbors_.resize(count_);
-    const MeshTopology topology = findEdges(mesh_);
-    for (const MeshEdge& e : topology.edges) {
-      if (e.obstacle) continue;
-      for (Index i = 0; i < e.useCount; ++i)
-        for (Index j = 0; j < i; ++j) {
-          const Index s = topology.uses[e.firstUse + i] / 3, t = topology.uses[e.firstUse + j] / 3;
+    const MeshTopology topology = findEdges(mesh_.triangles, mesh_.vertices.size());
+    for (Index e = 0; e < topology.edgeCount(); ++e) {
+      const auto sides = topology.sidesOf(e);
+      if (isObstacle(mesh_.triangles, sides)) continue;
+      for (std::size_t i = 0; i < sides.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const Index s = sides[i] / 3, t = sides[j] / 3;
           neighbors_[s].push_back(t);
           neighbors_[t].push_back(s);
         }
@@ -255,7 +256,7 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, RunContext& context) 
   outcome.fallbacks += subdivision.fallbacks();
 
   outcome.note =
-      std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh)) + " connections";
+      std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh,findEdges(mesh->triangles, mesh->vertices.size()))) + " connections";
   auto result = std::make_shared<WalkableState>(*state);
   result->mesh = std::move(mesh);
   outcome.state = std::move(result);
