@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -61,22 +62,20 @@ class BoxTree {
     });
     sortByKey(order, poll);
 
-    levels_.emplace_back(count);
-    forBlocks(count, poll, [&](Index i) {
-      ids_[i] = order[i].second;
-      levels_[0][i] = rounded(boundsOf(ids_[i]));
+    levels_.emplace_back((count + kFan - 1) / kFan);
+    forBlocks(static_cast<Index>(levels_[0].size()), poll, [&](Index g) {
+      const Index first = g * kFan, last = std::min(first + kFan, count);
+      for (Index i = first; i < last; ++i) {
+        ids_[i] = order[i].second;
+        levels_[0][g].set(i - first, rounded(boundsOf(ids_[i])));
+      }
     });
-    while (levels_.back().size() > kFan) {
-      const std::vector<Node>& below = levels_.back();
-      std::vector<Node> level((below.size() + kFan - 1) / kFan);
-      forBlocks(static_cast<Index>(level.size()), poll, [&](Index i) {
-        Node node = below[i * kFan];
-        for (std::size_t c = i * kFan + 1; c < std::min<std::size_t>((i + 1) * kFan, below.size()); ++c)
-          for (int k = 0; k < D; ++k) {
-            node.lower[k] = std::min(node.lower[k], below[c].lower[k]);
-            node.upper[k] = std::max(node.upper[k], below[c].upper[k]);
-          }
-        level[i] = node;
+    while (levels_.back().size() > 1) {
+      const std::vector<Group>& below = levels_.back();
+      std::vector<Group> level((below.size() + kFan - 1) / kFan);
+      const auto nodes = static_cast<Index>(below.size());
+      forBlocks(static_cast<Index>(level.size()), poll, [&](Index g) {
+        for (Index i = g * kFan; i < std::min((g + 1) * kFan, nodes); ++i) level[g].set(i - g * kFan, below[i].whole());
       });
       levels_.push_back(std::move(level));
     }
@@ -86,15 +85,38 @@ class BoxTree {
   template <class Visit>
   void visitOverlapping(const Bounds& query, Visit visit) const {
     if (levels_.empty()) return;
-    const int top = static_cast<int>(levels_.size()) - 1;
-    visitNodes(rounded(query), top, 0, levels_[top].size(), visit);
+    visitGroup(rounded(query), static_cast<int>(levels_.size()) - 1, 0, visit);
   }
 
  private:
+  static constexpr Index kFan = 4;
   struct Node {
     std::array<float, D> lower{}, upper{};
   };
-  static constexpr std::size_t kFan = 4;
+  /// Four boxes, coordinate by coordinate, so that they are compared at once; those that are not used overlap nothing.
+  struct Group {
+    std::array<std::array<float, kFan>, D> lower, upper;
+    Group() {
+      for (int k = 0; k < D; ++k) {
+        lower[k].fill(std::numeric_limits<float>::infinity());
+        upper[k].fill(-std::numeric_limits<float>::infinity());
+      }
+    }
+    void set(Index i, const Node& node) {
+      for (int k = 0; k < D; ++k) {
+        lower[k][i] = node.lower[k];
+        upper[k][i] = node.upper[k];
+      }
+    }
+    [[nodiscard]] Node whole() const {
+      Node node;
+      for (int k = 0; k < D; ++k) {
+        node.lower[k] = *std::min_element(lower[k].begin(), lower[k].end());
+        node.upper[k] = *std::max_element(upper[k].begin(), upper[k].end());
+      }
+      return node;
+    }
+  };
   static constexpr int kBits = 30 / D;
   static constexpr double kCells = 1 << kBits;
   static constexpr Index kPerTask = 8192;
@@ -146,28 +168,26 @@ class BoxTree {
     return node;
   }
 
-  static bool overlap(const Node& a, const Node& b) {
-    bool result = true;
-    for (int k = 0; k < D; ++k) result = result & (a.lower[k] <= b.upper[k]) & (b.lower[k] <= a.upper[k]);
-    return result;
-  }
-
   template <class Visit>
-  void visitNodes(const Node& query, int level, std::size_t first, std::size_t last, Visit& visit) const {
-    const std::vector<Node>& nodes = levels_[level];
-    last = std::min(last, nodes.size());
-    for (std::size_t i = first; i < last; ++i) {
-      if (!overlap(nodes[i], query)) continue;
+  void visitGroup(const Node& query, int level, Index group, Visit& visit) const {
+    const Group& g = levels_[level][group];
+    std::array<std::int32_t, kFan> hit;
+    for (Index i = 0; i < kFan; ++i) hit[i] = -1;
+    for (int k = 0; k < D; ++k)
+      for (Index i = 0; i < kFan; ++i)
+        hit[i] &= -static_cast<std::int32_t>((g.lower[k][i] <= query.upper[k]) & (g.upper[k][i] >= query.lower[k]));
+    for (Index i = 0; i < kFan; ++i) {
+      if (hit[i] == 0) continue;
       if (level == 0)
-        visit(ids_[i]);
+        visit(ids_[group * kFan + i]);
       else
-        visitNodes(query, level - 1, i * kFan, (i + 1) * kFan, visit);
+        visitGroup(query, level - 1, group * kFan + i, visit);
     }
   }
 
   std::array<double, D> centre_{};
   std::vector<Index> ids_;                 ///< in the order of the curve
-  std::vector<std::vector<Node>> levels_;  ///< boxes, then their groups, up to at most four
+  std::vector<std::vector<Group>> levels_;  ///< boxes, then the wholes of groups, up to one group
 };
 
 }  // namespace footfall

@@ -14,9 +14,9 @@
 
 namespace footfall {
 
-/// For each triangle a list of others, one after another.
-struct TriangleLists {
-  std::vector<Index> first;  ///< for each triangle, and one more at the end
+/// For each triangle (or piece) a list of others, one after another.
+struct IndexLists {
+  std::vector<Index> first;  ///< for each, and one more at the end
   std::vector<Index> items;
 
   [[nodiscard]] std::span<const Index> operator[](Index t) const {
@@ -27,8 +27,8 @@ struct TriangleLists {
 /// What subdividing a region needs to know; shared by all threads.
 struct LayerInput {
   std::vector<double> lowest;  ///< for each triangle the height of its lowest corner; decides the order of growth
-  TriangleLists neighbors;     ///< across edges that are not obstacle edges; only within regions that are subdivided
-  TriangleLists overlaps;      ///< triangles of the same region that overlap it in the plan
+  IndexLists neighbors;     ///< across edges that are not obstacle edges; only within regions that are subdivided
+  IndexLists overlaps;      ///< triangles of the same region that overlap it in the plan
 };
 
 /// Numbers the pieces of the region of `triangles` (ascending) from 0 and writes the numbers to `piece[t]`, other

@@ -21,32 +21,23 @@ constexpr Index kTrianglesPerTask = 8192;
 
 using Pair = std::array<Index, 2>;
 
-/// For each piece others and a number, one after another.
-struct PieceLinks {
-  struct Link {
-    Index from = -1, to = -1;
-    int size = 0;
-  };
-  std::vector<Link> links;   ///< sorted by `from`, then `to`; each pair once
-  std::vector<Index> first;  ///< for each piece, and one more at the end
-
-  PieceLinks(std::vector<Link>&& given, Index pieceCount) : first(pieceCount + 1, 0) {
-    std::sort(given.begin(), given.end(),
-              [](const Link& a, const Link& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
-    for (const Link& link : given) {
-      if (!links.empty() && links.back().from == link.from && links.back().to == link.to) {
-        links.back().size += link.size;
-        continue;
-      }
-      links.push_back(link);
-      ++first[link.from + 1];
-    }
-    for (Index p = 0; p < pieceCount; ++p) first[p + 1] += first[p];
+// The lists of both members of each pair.
+IndexLists listsOf(const std::vector<Pair>& pairs, Index count) {
+  IndexLists lists;
+  lists.first.assign(count + 1, 0);
+  for (const auto& [s, t] : pairs) {
+    ++lists.first[s + 1];
+    ++lists.first[t + 1];
   }
-  [[nodiscard]] std::span<const Link> operator[](Index piece) const {
-    return {links.data() + first[piece], static_cast<std::size_t>(first[piece + 1] - first[piece])};
+  for (Index t = 0; t < count; ++t) lists.first[t + 1] += lists.first[t];
+  lists.items.resize(lists.first.back());
+  std::vector<Index> next(lists.first.begin(), lists.first.end() - 1);
+  for (const auto& [s, t] : pairs) {
+    lists.items[next[s]++] = t;
+    lists.items[next[t]++] = s;
   }
-};
+  return lists;
+}
 
 class LayerSubdivision {
  public:
@@ -81,24 +72,6 @@ class LayerSubdivision {
     });
   }
 
-  // The lists of both members of each pair.
-  TriangleLists listsOf(const std::vector<Pair>& pairs) const {
-    TriangleLists lists;
-    lists.first.assign(count_ + 1, 0);
-    for (const auto& [s, t] : pairs) {
-      ++lists.first[s + 1];
-      ++lists.first[t + 1];
-    }
-    for (Index t = 0; t < count_; ++t) lists.first[t + 1] += lists.first[t];
-    lists.items.resize(lists.first.back());
-    std::vector<Index> next(lists.first.begin(), lists.first.end() - 1);
-    for (const auto& [s, t] : pairs) {
-      lists.items[next[s]++] = t;
-      lists.items[next[t]++] = s;
-    }
-    return lists;
-  }
-
   void findNeighbors(const std::vector<char>& divided) {
     std::vector<Pair> pairs;
     for (Index e = 0; e < topology_.edgeCount(); ++e) {
@@ -107,7 +80,7 @@ class LayerSubdivision {
       for (std::size_t i = 0; i < sides.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) pairs.push_back({sides[i] / 3, sides[j] / 3});
     }
-    input_.neighbors = listsOf(pairs);
+    input_.neighbors = listsOf(pairs, count_);
   }
 
   // Numbers all pieces by the height of the triangles from which they grew.
@@ -119,7 +92,7 @@ class LayerSubdivision {
       divided[region_[pair[0]]] = 1;
       within.push_back(pair);
     }
-    input_.overlaps = listsOf(within);
+    input_.overlaps = listsOf(within, count_);
     findNeighbors(divided);
     context_.checkCancelled();
 
@@ -173,16 +146,14 @@ class LayerSubdivision {
 
   // Each piece, lowest first, goes to the layer without overlap with which it shares most edges, else the first one.
   std::vector<std::uint32_t> colourPieces() {
-    std::vector<PieceLinks::Link> above, beside;
-    for (const auto& [s, t] : overlaps_) {
-      above.push_back({piece_[s], piece_[t], 1});
-      above.push_back({piece_[t], piece_[s], 1});
-    }
+    // Pieces above and beside each other, once for each pair of triangles.
+    std::vector<Pair> above, beside;
+    for (const auto& [s, t] : overlaps_) above.push_back({piece_[s], piece_[t]});
     for (Index t = 0; t < count_; ++t)
       for (const Index n : input_.neighbors[t])
-        if (piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n], 1});
+        if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
     context_.checkCancelled();
-    const PieceLinks conflicts(std::move(above), pieceCount_), shared(std::move(beside), pieceCount_);
+    const IndexLists conflicts = listsOf(above, pieceCount_), shared = listsOf(beside, pieceCount_);
     context_.checkCancelled();
     std::vector<char> used(pieceCount_, 0);
     for (const Index p : piece_) used[p] = 1;
@@ -193,23 +164,23 @@ class LayerSubdivision {
     for (Index p = 0; p < pieceCount_; ++p) {
       if (used[p] == 0) continue;
       if (p % 1024 == 0) context_.checkCancelled();
-      for (const auto& link : conflicts[p])
-        if (layerOf[link.to] != kUnplaced) blockedFor[layerOf[link.to]] = p;
+      for (const Index other : conflicts[p])
+        if (layerOf[other] != kUnplaced) blockedFor[layerOf[other]] = p;
       std::uint32_t best = 0;
       while (best < blockedFor.size() && blockedFor[best] == p) ++best;
       if (best == blockedFor.size()) {
         blockedFor.push_back(-1);
         edges.push_back(0);
       } else {
-        for (const auto& link : shared[p])
-          if (layerOf[link.to] != kUnplaced) edges[layerOf[link.to]] += link.size;
-        for (const auto& link : shared[p]) {
-          const std::uint32_t l = layerOf[link.to];
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) ++edges[layerOf[other]];
+        for (const Index other : shared[p]) {
+          const std::uint32_t l = layerOf[other];
           if (l == kUnplaced || blockedFor[l] == p) continue;
           if (edges[l] > edges[best] || (edges[l] == edges[best] && l < best)) best = l;
         }
-        for (const auto& link : shared[p])
-          if (layerOf[link.to] != kUnplaced) edges[layerOf[link.to]] = 0;
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) edges[layerOf[other]] = 0;
       }
       layerOf[p] = best;
     }

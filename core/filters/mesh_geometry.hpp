@@ -24,6 +24,8 @@ class MeshGeometry {
   ExactFallbacks fallbacks;
 
  private:
+  /// The orientation as far as rounded coordinates tell.
+  [[nodiscard]] int filtered(Index a, Index b, Index c) const;
   [[nodiscard]] Index origin(Index vertex) const;
 
   const PlanKernel& kernel_;

@@ -19,7 +19,6 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "core/filters/box_tree.hpp"
 #include "core/filters/mesh_geometry.hpp"
@@ -41,7 +40,11 @@ class OverlapFinder {
     std::vector<Pair> before, last = collect();
     pairs_ = last;
     while (!last.empty()) {
-      std::vector<Pair> next = test(neighborsOf(last), last, before);
+      const std::vector<Pair> linked = neighborsOf(last);
+      if (linked.empty()) break;
+      if (before.empty()) std::sort(last.begin(), last.end());
+      std::vector<Pair> next = test(linked, last, before);
+      std::sort(next.begin(), next.end());
       pairs_.insert(pairs_.end(), next.begin(), next.end());
       before = std::move(last);
       last = std::move(next);
@@ -114,14 +117,13 @@ class OverlapFinder {
     return across_[3 * s] == t || across_[3 * s + 1] == t || across_[3 * s + 2] == t;
   }
 
-  // What the threads found, sorted.
+  // What the threads found, in no particular order.
   std::vector<Pair> collect() {
     std::vector<Pair> result;
     for (Local& local : locals_) {
       result.insert(result.end(), local.found.begin(), local.found.end());
       local.found.clear();
     }
-    std::sort(result.begin(), result.end());
     return result;
   }
 
