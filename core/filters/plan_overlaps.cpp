@@ -11,14 +11,16 @@
 // beyond them. That pair is linked, so the glued surface goes on. Its image in the plan is then compact, not empty, and
 // has a finite number of border points at most; there is no such set.
 //
-// So border triangles are looked up in a tree, and all other pairs are reached across inner sides. On a terrain, nearly
-// no triangle needs to be looked up.
+// So border triangles are looked up in a tree first. Of the others, only those need to be looked up that are in a pair
+// or across a side from one that is: from a border triangle's pair to any other one that it is linked with, each step
+// is found so. On a terrain, nearly no triangle needs to be looked up.
 #include "core/filters/plan_overlaps.hpp"
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/filters/box_tree.hpp"
 #include "core/filters/mesh_geometry.hpp"
@@ -28,26 +30,29 @@ namespace {
 
 using Pair = std::array<Index, 2>;
 
-Pair ordered(Index s, Index t) { return {std::min(s, t), std::max(s, t)}; }
-
 class OverlapFinder {
  public:
   OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology, RunContext& context)
       : mesh_(mesh), context_(context), locals_([&] { return Local{MeshGeometry(kernel, mesh.vertices), {}}; }) {
-    const auto poll = [this] { context_.checkCancelled(); };
     findInnerSides(topology);
-    findAtBorders(poll);
-    std::vector<Pair> before, last = collect();
-    pairs_ = last;
-    while (!last.empty()) {
-      const std::vector<Pair> linked = neighborsOf(last);
-      if (linked.empty()) break;
-      if (before.empty()) std::sort(last.begin(), last.end());
-      std::vector<Pair> next = test(linked, last, before);
-      std::sort(next.begin(), next.end());
-      pairs_.insert(pairs_.end(), next.begin(), next.end());
-      before = std::move(last);
-      last = std::move(next);
+    const auto count = static_cast<Index>(mesh_.triangles.size());
+    tree_.build(count, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
+    round_.assign(count, kNever);
+    std::vector<Index> queries;
+    for (Index t = 0; t < count; ++t)
+      if (isAtBorder(t)) addQuery(t, 0, queries);
+    std::size_t known = 0;
+    for (Index round = 0; !queries.empty(); ++round) {
+      lookUp(queries, round);
+      queries.clear();
+      for (; known < pairs_.size(); ++known) {
+        if (known % 4096 == 0) context_.checkCancelled();
+        for (const Index t : pairs_[known]) {
+          addQuery(t, round + 1, queries);
+          for (int k = 0; k < 3; ++k)
+            if (across_[3 * t + k] >= 0) addQuery(across_[3 * t + k], round + 1, queries);
+        }
+      }
     }
   }
 
@@ -91,25 +96,29 @@ class OverlapFinder {
     return bounds;
   }
 
-  template <class Poll>
-  void findAtBorders(Poll poll) {
-    const auto count = static_cast<Index>(mesh_.triangles.size());
-    std::vector<Index> queries;
-    for (Index t = 0; t < count; ++t)
-      if (isAtBorder(t)) queries.push_back(t);
-    Tree tree;
-    tree.build(count, [this](Index t) { return boundsOf(t); }, poll);
+  void addQuery(Index t, Index round, std::vector<Index>& queries) {
+    if (round_[t] != kNever) return;
+    round_[t] = round;
+    queries.push_back(t);
+  }
+
+  // Finds each pair once: when its first triangle is looked up, or the larger one when both are in the same round.
+  void lookUp(const std::vector<Index>& queries, Index round) {
     tbb::parallel_for(std::size_t{0}, (queries.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
       Local& local = locals_.local();
       for (std::size_t i = task * kPerTask; i < std::min((task + 1) * kPerTask, queries.size()); ++i) {
         context_.checkCancelled();
         const Index t = queries[i];
-        tree.visitOverlapping(boundsOf(t), [&](Index o) {
-          if (o == t || (o > t && isAtBorder(o)) || shareEdge(t, o)) return;
-          if (local.geometry.overlap(mesh_.triangles[t], mesh_.triangles[o])) local.found.push_back(ordered(t, o));
+        tree_.visitOverlapping(boundsOf(t), [&](Index o) {
+          if (round_[o] < round || (round_[o] == round && o >= t) || shareEdge(t, o)) return;
+          if (local.geometry.overlap(mesh_.triangles[t], mesh_.triangles[o])) local.found.push_back({t, o});
         });
       }
     });
+    for (Local& local : locals_) {
+      pairs_.insert(pairs_.end(), local.found.begin(), local.found.end());
+      local.found.clear();
+    }
   }
 
   /// Triangles on either side of an edge do not overlap; a test by numbers saves the exact one.
@@ -117,60 +126,15 @@ class OverlapFinder {
     return across_[3 * s] == t || across_[3 * s + 1] == t || across_[3 * s + 2] == t;
   }
 
-  // What the threads found, in no particular order.
-  std::vector<Pair> collect() {
-    std::vector<Pair> result;
-    for (Local& local : locals_) {
-      result.insert(result.end(), local.found.begin(), local.found.end());
-      local.found.clear();
-    }
-    return result;
-  }
-
-  // Linked pairs without border triangles, sorted.
-  std::vector<Pair> neighborsOf(const std::vector<Pair>& pairs) const {
-    std::vector<Pair> result;
-    const auto add = [&](Index s, Index t) {
-      if (s >= 0 && t >= 0 && s != t && !isAtBorder(s) && !isAtBorder(t)) result.push_back(ordered(s, t));
-    };
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      if (p % 4096 == 0) context_.checkCancelled();
-      const auto [s, t] = pairs[p];
-      for (int i = 0; i < 3; ++i) {
-        add(across_[3 * s + i], t);
-        add(s, across_[3 * t + i]);
-        for (int j = 0; j < 3; ++j) add(across_[3 * s + i], across_[3 * t + j]);
-      }
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-  // Those pairs that overlap. A pair that is linked with the last ones and was found before is among the last ones or
-  // those before them.
-  std::vector<Pair> test(const std::vector<Pair>& pairs, const std::vector<Pair>& last,
-                         const std::vector<Pair>& before) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), kPerTask), [&](const auto& range) {
-      context_.checkCancelled();
-      Local& local = locals_.local();
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        const auto [s, t] = pairs[i];
-        if (shareEdge(s, t) || std::binary_search(last.begin(), last.end(), pairs[i]) ||
-            std::binary_search(before.begin(), before.end(), pairs[i]))
-          continue;
-        if (local.geometry.overlap(mesh_.triangles[s], mesh_.triangles[t])) local.found.push_back(pairs[i]);
-      }
-    });
-    return collect();
-  }
-
   static constexpr std::size_t kPerTask = 256;
+  static constexpr Index kNever = std::numeric_limits<Index>::max();
 
   const WalkableMesh& mesh_;
   RunContext& context_;
   tbb::enumerable_thread_specific<Local> locals_;
   std::vector<Index> across_;  ///< for each side the triangle beyond it when it is inner, else -1
+  Tree tree_;
+  std::vector<Index> round_;  ///< in which each triangle was looked up
   std::vector<Pair> pairs_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace footfall {
 
-/// All pairs of triangles (the smaller first) whose insides overlap in the plan, exactly; in no particular order.
+/// All pairs of triangles whose insides overlap in the plan, exactly; each once, in no particular order.
 std::vector<std::array<Index, 2>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                    const MeshTopology& topology, RunContext& context,
                                                    ExactFallbacks& fallbacks);

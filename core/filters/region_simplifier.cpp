@@ -106,10 +106,11 @@ void RegionSimplifier::collectFan(Index v, Index start, Fan& fan) const {
   }
 }
 
-bool RegionSimplifier::isStraight(Index u, Index v, Index w) {
-  if (!approximate_.enabled) return geometry_.isBetween(u, v, w);
-  return distanceToSegment(placeOf(mesh_.vertices[v]), placeOf(mesh_.vertices[u]), placeOf(mesh_.vertices[w])) <=
-         approximate_.bound;
+// Exactly, vertices at outlines are only given when they are straight there, and stay so: what goes beside them lies on
+// the same line.
+bool RegionSimplifier::isStraight(Index u, Index v, Index w) const {
+  return !approximate_.enabled || distanceToSegment(placeOf(mesh_.vertices[v]), placeOf(mesh_.vertices[u]),
+                                                    placeOf(mesh_.vertices[w])) <= approximate_.bound;
 }
 
 void RegionSimplifier::removeIfPossible(Index v) {

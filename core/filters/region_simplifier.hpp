@@ -39,8 +39,9 @@ class RegionSimplifier {
                    RunContext& context)
       : mesh_(mesh), approximate_(approximate), context_(context), geometry_(kernel, mesh.vertices) {}
 
-  /// Takes away what can go of `vertices` (ascending; all their triangles must be in the group), then flips edges
-  /// inside the regions of `triangles` (ascending) towards Delaunay.
+  /// Takes away what can go of `vertices` (ascending; all their triangles must be in the group, and exactly, each must be
+  /// inside a region or in the middle of a straight piece of outline), then flips edges inside the regions of
+  /// `triangles` (ascending) towards Delaunay.
   void simplify(std::span<const Index> vertices, std::span<const Index> triangles);
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
@@ -61,7 +62,7 @@ class RegionSimplifier {
   void collectFans(Index vertex);
   void collectFan(Index vertex, Index start, Fan& fan) const;
   void removeIfPossible(Index vertex);
-  [[nodiscard]] bool isStraight(Index u, Index v, Index w);
+  [[nodiscard]] bool isStraight(Index u, Index v, Index w) const;
   bool turnsOnce(Index vertex, const Fan& fan);
   void linkRing(const Fan& fan);
   void unlink(Index place);
