@@ -28,17 +28,18 @@ class BoxTree {
     std::array<double, D> upper{};
   };
 
-  /// `boundsOf(i)` gives box i of `count`; it may be called from any thread. `poll` is called now and then, from any
-  /// thread, and may throw.
+  /// `boundsOf(id)` gives the box of each of `ids`; it may be called from any thread. `poll` is called now and then, from
+  /// any thread, and may throw.
   template <class BoundsOf>
-  void build(Index count, BoundsOf boundsOf, const std::function<void()>& poll) {
+  void build(const std::vector<Index>& ids, BoundsOf boundsOf, const std::function<void()>& poll) {
+    const auto count = static_cast<Index>(ids.size());
     levels_.clear();
     ids_.resize(count);
     if (count == 0) return;
-    Bounds all = boundsOf(0);
+    Bounds all = boundsOf(ids[0]);
     for (Index i = 1; i < count; ++i) {
       if (i % kPolled == 0) poll();
-      const Bounds b = boundsOf(i);
+      const Bounds b = boundsOf(ids[i]);
       for (int k = 0; k < D; ++k) {
         all.lower[k] = std::min(all.lower[k], b.lower[k]);
         all.upper[k] = std::max(all.upper[k], b.upper[k]);
@@ -52,13 +53,13 @@ class BoxTree {
     std::vector<std::pair<std::uint32_t, Index>> order(count);
     const double scale = extent > 0 ? kCells / extent : 0;
     forBlocks(count, poll, [&](Index i) {
-      const Bounds b = boundsOf(i);
+      const Bounds b = boundsOf(ids[i]);
       std::uint32_t key = 0;
       for (int k = 0; k < D; ++k) {
         const double place = (b.lower[k] / 2 + b.upper[k] / 2 - all.lower[k]) * scale;
         key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1))) << k;
       }
-      order[i] = {key, i};
+      order[i] = {key, ids[i]};
     });
     sortByKey(order, poll);
 
@@ -81,15 +82,21 @@ class BoxTree {
     }
   }
 
-  /// Calls visit(i) for every box that may overlap the query.
+  /// Boxes have places along the curve.
+  [[nodiscard]] Index size() const { return static_cast<Index>(ids_.size()); }
+  [[nodiscard]] Index idAt(Index place) const { return ids_[place]; }
+
+  /// Calls visit(id) for every box that may overlap the query; only for those from place `first` on.
   template <class Visit>
-  void visitOverlapping(const Bounds& query, Visit visit) const {
+  void visitOverlapping(const Bounds& query, Visit visit, Index first = 0) const {
     if (levels_.empty()) return;
-    visitGroup(rounded(query), static_cast<int>(levels_.size()) - 1, 0, visit);
+    const int top = static_cast<int>(levels_.size()) - 1;
+    visitGroup(rounded(query), top, 0, first, visit);
   }
 
  private:
-  static constexpr Index kFan = 4;
+  static constexpr int kFanBits = 2;
+  static constexpr Index kFan = 1 << kFanBits;
   struct Node {
     std::array<float, D> lower{}, upper{};
   };
@@ -169,20 +176,27 @@ class BoxTree {
   }
 
   template <class Visit>
-  void visitGroup(const Node& query, int level, Index group, Visit& visit) const {
+  void visitGroup(const Node& query, int level, Index group, Index first, Visit& visit) const {
     const Group& g = levels_[level][group];
     std::array<std::int32_t, kFan> hit;
-    for (Index i = 0; i < kFan; ++i) hit[i] = -1;
-    for (int k = 0; k < D; ++k)
-      for (Index i = 0; i < kFan; ++i)
-        hit[i] &= -static_cast<std::int32_t>((g.lower[k][i] <= query.upper[k]) & (g.upper[k][i] >= query.lower[k]));
     for (Index i = 0; i < kFan; ++i) {
-      if (hit[i] == 0) continue;
-      if (level == 0)
-        visit(ids_[group * kFan + i]);
-      else
-        visitGroup(query, level - 1, group * kFan + i, visit);
+      std::int32_t overlaps = 1;
+      for (int k = 0; k < D; ++k) overlaps &= (g.lower[k][i] <= query.upper[k]) & (g.upper[k][i] >= query.lower[k]);
+      hit[i] = overlaps;
     }
+    for (Index i = 0; i < kFan; ++i) {
+      const Index child = group * kFan + i;
+      if (hit[i] == 0 || lastPlace(child, level) < first) continue;
+      if (level == 0)
+        visit(ids_[child]);
+      else
+        visitGroup(query, level - 1, child, first, visit);
+    }
+  }
+
+  /// The last place below a box of a level.
+  static std::int64_t lastPlace(Index box, int level) {
+    return ((static_cast<std::int64_t>(box) + 1) << (kFanBits * level)) - 1;
   }
 
   std::array<double, D> centre_{};

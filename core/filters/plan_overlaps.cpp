@@ -36,23 +36,26 @@ class OverlapFinder {
       : mesh_(mesh), context_(context), locals_([&] { return Local{MeshGeometry(kernel, mesh.vertices), {}}; }) {
     findInnerSides(topology);
     const auto count = static_cast<Index>(mesh_.triangles.size());
-    tree_.build(count, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
+    std::vector<Index> border, inner;
+    for (Index t = 0; t < count; ++t) (isAtBorder(t) ? border : inner).push_back(t);
+    const Tree borders = treeOf(border);
+    inner_ = treeOf(inner);
+    lookUpBorders(borders);
     round_.assign(count, kNever);
     std::vector<Index> queries;
-    for (Index t = 0; t < count; ++t)
-      if (isAtBorder(t)) addQuery(t, 0, queries);
     std::size_t known = 0;
-    for (Index round = 0; !queries.empty(); ++round) {
-      lookUp(queries, round);
-      queries.clear();
+    for (Index round = 0; !inner.empty(); ++round) {
       for (; known < pairs_.size(); ++known) {
         if (known % 4096 == 0) context_.checkCancelled();
         for (const Index t : pairs_[known]) {
-          addQuery(t, round + 1, queries);
+          addQuery(t, round, queries);
           for (int k = 0; k < 3; ++k)
-            if (across_[3 * t + k] >= 0) addQuery(across_[3 * t + k], round + 1, queries);
+            if (across_[3 * t + k] >= 0) addQuery(across_[3 * t + k], round, queries);
         }
       }
+      if (queries.empty()) break;
+      lookUpInner(queries, round);
+      queries.clear();
     }
   }
 
@@ -96,29 +99,57 @@ class OverlapFinder {
     return bounds;
   }
 
+  [[nodiscard]] Tree treeOf(const std::vector<Index>& triangles) const {
+    Tree tree;
+    tree.build(triangles, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
+    return tree;
+  }
+
   void addQuery(Index t, Index round, std::vector<Index>& queries) {
-    if (round_[t] != kNever) return;
+    if (round_[t] != kNever || isAtBorder(t)) return;
     round_[t] = round;
     queries.push_back(t);
   }
 
-  // Finds each pair once: when its first triangle is looked up, or the larger one when both are in the same round.
-  void lookUp(const std::vector<Index>& queries, Index round) {
-    tbb::parallel_for(std::size_t{0}, (queries.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
+  // Runs look(local, i) for all i below count on all threads, and takes what the threads found.
+  template <class Look>
+  void lookUp(std::size_t count, Look look) {
+    tbb::parallel_for(std::size_t{0}, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
       Local& local = locals_.local();
-      for (std::size_t i = task * kPerTask; i < std::min((task + 1) * kPerTask, queries.size()); ++i) {
+      for (std::size_t i = task * kPerTask; i < std::min((task + 1) * kPerTask, count); ++i) {
         context_.checkCancelled();
-        const Index t = queries[i];
-        tree_.visitOverlapping(boundsOf(t), [&](Index o) {
-          if (round_[o] < round || (round_[o] == round && o >= t) || shareEdge(t, o)) return;
-          if (local.geometry.overlap(mesh_.triangles[t], mesh_.triangles[o])) local.found.push_back({t, o});
-        });
+        look(local, i);
       }
     });
     for (Local& local : locals_) {
       pairs_.insert(pairs_.end(), local.found.begin(), local.found.end());
       local.found.clear();
     }
+  }
+
+  void test(Local& local, Index t, Index o) const {
+    if (shareEdge(t, o)) return;
+    if (local.geometry.overlap(mesh_.triangles[t], mesh_.triangles[o])) local.found.push_back({t, o});
+  }
+
+  void lookUpBorders(const Tree& borders) {
+    lookUp(static_cast<std::size_t>(borders.size()), [&](Local& local, std::size_t place) {
+      const Index t = borders.idAt(static_cast<Index>(place));
+      const Tree::Bounds bounds = boundsOf(t);
+      borders.visitOverlapping(
+          bounds, [&](Index o) { test(local, t, o); }, static_cast<Index>(place) + 1);
+      inner_.visitOverlapping(bounds, [&](Index o) { test(local, t, o); });
+    });
+  }
+
+  // Each pair is found when its first triangle is looked up, or the larger one when both are in the same round.
+  void lookUpInner(const std::vector<Index>& queries, Index round) {
+    lookUp(queries.size(), [&](Local& local, std::size_t i) {
+      const Index t = queries[i];
+      inner_.visitOverlapping(boundsOf(t), [&](Index o) {
+        if (round_[o] > round || (round_[o] == round && o < t)) test(local, t, o);
+      });
+    });
   }
 
   /// Triangles on either side of an edge do not overlap; a test by numbers saves the exact one.
@@ -133,8 +164,8 @@ class OverlapFinder {
   RunContext& context_;
   tbb::enumerable_thread_specific<Local> locals_;
   std::vector<Index> across_;  ///< for each side the triangle beyond it when it is inner, else -1
-  Tree tree_;
-  std::vector<Index> round_;  ///< in which each triangle was looked up
+  Tree inner_;
+  std::vector<Index> round_;  ///< in which each inner triangle was looked up
   std::vector<Pair> pairs_;
 };
 
