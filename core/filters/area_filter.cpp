@@ -6,10 +6,12 @@
 // the roots enclosed by intervals of growing precision. Areas that agree with the minimum to kFinestPrecision bits
 // count as equal, and are removed.
 #include <mpfr.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <string>
 
 #include "core/filters/filter_registry.hpp"
@@ -28,21 +30,38 @@ ErrorDouble squareRoot(ErrorDouble x) {
   return {q, ((x.error + residual) / q) * kInflate};
 }
 
-ErrorDouble twiceArea(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTriangle& t) {
+ErrorDouble twicePlanArea(const WalkableMesh& mesh, const MeshTriangle& t) {
   std::array<ErrorDouble, 3> x, y;
   for (int k = 0; k < 3; ++k) {
     const MeshVertex& v = mesh.vertices[t.corners[k]];
     x[k] = {v.x, v.error};
     y[k] = {v.y, v.error};
   }
-  const ErrorDouble plan = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+  return (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+}
+
+ErrorDouble twiceArea(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTriangle& t) {
   const auto& n = kernel.mesh().normals[t.face];
-  return plan * squareRoot(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / n[2];
+  return twicePlanArea(mesh, t) * squareRoot(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / n[2];
+}
+
+// Whether each region's area in the plan alone, which is at most its surface area, proves it greater than the limit
+// (twice the minimum, scaled). Nearly all of a level's triangles are in such regions, and a few of each tell.
+std::vector<char> findLargeRegions(const PlanKernel& kernel, const WalkableMesh& mesh, const std::vector<Index>& region,
+                                   Index regionCount, double limit) {
+  std::vector<char> large(regionCount, 0);
+  std::vector<ErrorDouble> sum(regionCount);
+  for (std::size_t t = 0; t < region.size(); ++t) {
+    const Index r = region[t];
+    if (large[r] != 0) continue;
+    sum[r] = sum[r] + twicePlanArea(mesh, mesh.triangles[t]);
+    large[r] = static_cast<char>(kernel.sign()(sum[r] - ErrorDouble(limit)) == 1);
+  }
+  return large;
 }
 
 // Sign of (area of the triangles) - minimum, decided or equal to the finest precision.
-int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, const std::vector<Index>& triangles,
-                   double minimum) {
+int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, std::span<const Index> triangles, double minimum) {
   std::map<Index, mpq_class> planOfFace;  // twice the area in the plan
   for (const Index i : triangles) {
     const MeshTriangle& t = mesh.triangles[i];
@@ -99,42 +118,56 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
   const PlanKernel& kernel = *state->kernel;
   const WalkableMesh& mesh = *state->mesh;
+  const auto poll = [&context] { context.checkCancelled(); };
+  const auto topology = topologyOf(*state, poll);
   Index regionCount = 0;
-  const std::vector<Index> region = findRegions(mesh, findEdges(mesh), regionCount);
+  const std::vector<Index> region = findRegions(mesh, *topology, regionCount);
   context.checkCancelled();
 
-  std::vector<ErrorDouble> area(regionCount);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    area[region[t]] = area[region[t]] + twiceArea(kernel, mesh, mesh.triangles[t]);
   const int scale = kernel.mesh().grid.scaleExponent();
-  const ErrorDouble limit(std::ldexp(minimum, 2 * scale + 1));
-  std::vector<char> keep(regionCount);
-  std::vector<Index> undecided;
-  for (Index r = 0; r < regionCount; ++r) {
-    const int s = kernel.sign()(area[r] - limit);
-    keep[r] = static_cast<char>(s == 1);
-    if (s == kUnknownSign || s == 0) undecided.push_back(r);
-  }
-  for (const Index r : undecided) {
+  const double limit = std::ldexp(minimum, 2 * scale + 1);
+  std::vector<char> keep = findLargeRegions(kernel, mesh, region, regionCount, limit);
+  context.checkCancelled();
+  // What is left are small regions and those about as large as the minimum.
+  std::vector<Index> firstOf(regionCount + 1, 0);
+  for (const Index r : region) firstOf[r + 1] += static_cast<Index>(keep[r] == 0);
+  for (Index r = 0; r < regionCount; ++r) firstOf[r + 1] += firstOf[r];
+  std::vector<Index> members(firstOf.back()), next(firstOf.begin(), firstOf.end() - 1);
+  for (std::size_t t = 0; t < region.size(); ++t)
+    if (keep[region[t]] == 0) members[next[region[t]]++] = static_cast<Index>(t);
+  std::vector<char> decidedExactly(regionCount, 0);
+  tbb::parallel_for(tbb::blocked_range<Index>(0, regionCount, 256), [&](const auto& range) {
     context.checkCancelled();
-    std::vector<Index> triangles;
-    for (std::size_t t = 0; t < region.size(); ++t)
-      if (region[t] == r) triangles.push_back(static_cast<Index>(t));
-    ++outcome.fallbacks.area;
-    keep[r] = static_cast<char>(compareExactly(kernel, mesh, triangles, minimum) > 0);
-  }
+    for (Index r = range.begin(); r != range.end(); ++r) {
+      if (keep[r] != 0) continue;
+      const std::span<const Index> triangles(members.data() + firstOf[r], members.data() + firstOf[r + 1]);
+      ErrorDouble area;
+      for (const Index t : triangles) area = area + twiceArea(kernel, mesh, mesh.triangles[t]);
+      int sign = kernel.sign()(area - ErrorDouble(limit));
+      if (sign == kUnknownSign || sign == 0) {
+        context.checkCancelled();
+        decidedExactly[r] = 1;
+        sign = compareExactly(kernel, mesh, triangles, minimum);
+      }
+      keep[r] = static_cast<char>(sign > 0);
+    }
+  });
+  outcome.fallbacks.area += static_cast<std::uint64_t>(std::count(decidedExactly.begin(), decidedExactly.end(), 1));
 
   const auto removed = std::count(keep.begin(), keep.end(), 0);
   if (removed == 0) {
-    outcome.state = state;
+    auto known = std::make_shared<WalkableState>(*state);
+    known->topology = topology;
+    known->topologyOwner = state->mesh;
+    outcome.state = std::move(known);
     return outcome;
   }
   auto kept = std::make_shared<WalkableMesh>();
   auto dropped = std::make_shared<WalkableMesh>();
   kept->vertices = mesh.vertices;
   if (state->dropped) *dropped = *state->dropped;
-  const auto firstDropped = static_cast<Index>(dropped->vertices.size());
-  dropped->vertices.insert(dropped->vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+  std::vector<Index> droppedVertex(mesh.vertices.size(), -1);
+  kept->triangles.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     MeshTriangle triangle = mesh.triangles[t];
     if (keep[region[t]] != 0) {
@@ -142,7 +175,13 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
       if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
       continue;
     }
-    for (Index& v : triangle.corners) v += firstDropped;
+    for (Index& v : triangle.corners) {
+      if (droppedVertex[v] < 0) {
+        droppedVertex[v] = static_cast<Index>(dropped->vertices.size());
+        dropped->vertices.push_back(mesh.vertices[v]);
+      }
+      v = droppedVertex[v];
+    }
     dropped->triangles.push_back(triangle);
   }
   kept->layerCount = mesh.layerCount;
@@ -162,6 +201,7 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
     dropped = nullptr;  // rejected source triangles are obstacles as they are
   }
   result->mesh = std::move(kept);
+  result->topology = nullptr;
   result->dropped = std::move(dropped);
   outcome.state = std::move(result);
   outcome.note = std::to_string(removed) + " of " + std::to_string(regionCount) + " regions removed";

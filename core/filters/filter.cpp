@@ -81,7 +81,7 @@ StateSummary summarize(const WalkableState& state) {
   }
   summary.area = std::ldexp(summary.area, -2 * source.grid.scaleExponent());
   summary.layers = mesh.layerCount;
-  summary.connections = countConnections(mesh);
+  summary.connections = mesh.layers.empty() ? 0 : countConnections(mesh, *topologyOf(state));
   summary.obstacleEdges = marks / 2;
   return summary;
 }

@@ -35,10 +35,14 @@ class SoupBuilder {
     std::vector<char> exact;
     rounded.vertices = roundVertices(*state_.kernel, state_.mesh->vertices, exact, context);
     rounded.triangles = state_.mesh->triangles;
-    markBorders(rounded);
+    const auto poll = [&context] { context.checkCancelled(); };
+    auto topology = topologyOf(state_, poll);
+    markBorders(rounded, *topology);
     result_.cases = repairRounding(rounded, exact, context);
-    settleBorders(rounded);
-    markClosedSlivers(rounded, context);
+    if (result_.cases.anyBroken())
+      topology = std::make_shared<MeshTopology>(findEdges(rounded.triangles, rounded.vertices.size(), poll));
+    settleBorders(rounded, *topology);
+    markClosedSlivers(rounded, *topology, {}, context);
     for (const Vec3& v : rounded.vertices) addVertex(v);
     for (const MeshTriangle& t : rounded.triangles) {
       Triangle corners{};

@@ -1,242 +1,203 @@
 // LayerSubdivisionFilter (the thesis's PEELFilter): splits the walkable triangles into layers that do not overlap in
 // the plan, with few connections (design section 2, thesis 3.2). SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The minimum number of connections is NP-hard to find (Hillebrand et al. 2016). Here: pieces grow from the lowest
-// triangle upwards (their height heuristic), taking what overlaps nothing in the piece; neighbouring pieces that do not
-// overlap are merged; a local search moves triangles across the cuts while that saves connections; and the pieces are
-// put into as few layers as a greedy pass finds.
-#include <oneapi/tbb/enumerable_thread_specific.h>
+// A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
+// into as few layers as a greedy pass finds.
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <map>
-#include <queue>
 #include <string>
 
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/layer_pieces.hpp"
 #include "core/filters/mesh_assembly.hpp"
-#include "core/filters/mesh_geometry.hpp"
 #include "core/filters/mesh_topology.hpp"
+#include "core/filters/plan_overlaps.hpp"
 
 namespace footfall {
 namespace {
 
-constexpr Index kNone = -1;
+constexpr Index kTrianglesPerTask = 8192;
+
+using Pair = std::array<Index, 2>;
+
+// The lists of both members of each pair.
+IndexLists listsOf(const std::vector<Pair>& pairs, Index count) {
+  IndexLists lists;
+  lists.first.assign(count + 1, 0);
+  for (const auto& [s, t] : pairs) {
+    ++lists.first[s + 1];
+    ++lists.first[t + 1];
+  }
+  for (Index t = 0; t < count; ++t) lists.first[t + 1] += lists.first[t];
+  lists.items.resize(lists.first.back());
+  std::vector<Index> next(lists.first.begin(), lists.first.end() - 1);
+  for (const auto& [s, t] : pairs) {
+    lists.items[next[s]++] = t;
+    lists.items[next[t]++] = s;
+  }
+  return lists;
+}
 
 class LayerSubdivision {
  public:
-  LayerSubdivision(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
-      : kernel_(kernel), mesh_(mesh), context_(context), count_(static_cast<Index>(mesh.triangles.size())) {}
+  LayerSubdivision(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology,
+                   RunContext& context)
+      : kernel_(kernel),
+        mesh_(mesh),
+        topology_(topology),
+        context_(context),
+        count_(static_cast<Index>(mesh.triangles.size())) {}
 
   std::vector<std::uint32_t> run() {
-    findNeighbors();
+    overlaps_ = findPlanOverlaps(kernel_, mesh_, topology_, context_, fallbacks_);
+    region_ = findRegions(mesh_, topology_, regionCount_);
     context_.checkCancelled();
-    findOverlaps();
-    growPieces();
-    for (bool changed = true; changed;) changed = mergePieces() || moveTriangles();
+    findLowest();
+    subdivideRegions();
     return colourPieces();
   }
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
  private:
-  /// The lowest corner decides the order of growth; ties by number, so that the result is fixed.
-  [[nodiscard]] double lowest(Index t) const {
-    const auto& c = mesh_.triangles[t].corners;
-    return std::min({mesh_.vertices[c[0]].z, mesh_.vertices[c[1]].z, mesh_.vertices[c[2]].z});
-  }
-
-  void findNeighbors() {
-    neighbors_.resize(count_);
-    const MeshTopology topology = findEdges(mesh_);
-    for (const MeshEdge& e : topology.edges) {
-      if (e.obstacle) continue;
-      for (Index i = 0; i < e.useCount; ++i)
-        for (Index j = 0; j < i; ++j) {
-          const Index s = topology.uses[e.firstUse + i] / 3, t = topology.uses[e.firstUse + j] / 3;
-          neighbors_[s].push_back(t);
-          neighbors_[t].push_back(s);
-        }
-    }
-  }
-
-  // All pairs of triangles whose insides overlap in the plan, exactly.
-  void findOverlaps() {
-    std::vector<Box> boxes(count_);
-    std::vector<std::int32_t> ids(count_);
-    for (Index t = 0; t < count_; ++t) {
-      Box& box = boxes[t];
-      box.lower = {1, 1, 0};
-      box.upper = {-1, -1, 0};
-      for (int k = 0; k < 3; ++k) {
-        const MeshVertex& v = mesh_.vertices[mesh_.triangles[t].corners[k]];
-        const double r = v.error;
-        box.lower[0] = k == 0 ? v.x - r : std::min(box.lower[0], v.x - r);
-        box.lower[1] = k == 0 ? v.y - r : std::min(box.lower[1], v.y - r);
-        box.upper[0] = k == 0 ? v.x + r : std::max(box.upper[0], v.x + r);
-        box.upper[1] = k == 0 ? v.y + r : std::max(box.upper[1], v.y + r);
-      }
-      ids[t] = t;
-    }
-    TriangleTree tree;
-    const std::vector<Box> queries = boxes;
-    tree.build(std::move(boxes), std::move(ids), [this] { context_.checkCancelled(); });
-    overlaps_.resize(count_);
-    struct Local {
-      explicit Local(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices) : geometry(kernel, vertices) {}
-      MeshGeometry geometry;
-      std::vector<std::int32_t> stack;
-    };
-    tbb::enumerable_thread_specific<Local> locals([&] { return Local(kernel_, mesh_.vertices); });
-    tbb::parallel_for(tbb::blocked_range<Index>(0, count_, 64), [&](const auto& range) {
-      Local& local = locals.local();
+  void findLowest() {
+    input_.lowest.resize(count_);
+    tbb::parallel_for(tbb::blocked_range<Index>(0, count_, kTrianglesPerTask), [&](const auto& range) {
+      context_.checkCancelled();
       for (Index t = range.begin(); t != range.end(); ++t) {
-        context_.checkCancelled();
-        tree.visitOverlapping(queries[t], local.stack, [&](std::int32_t o) {
-          if (o < t && !shareEdge(t, o) && local.geometry.overlap(mesh_.triangles[t], mesh_.triangles[o]))
-            overlaps_[t].push_back(o);
-          return true;
-        });
-        std::sort(overlaps_[t].begin(), overlaps_[t].end());
+        const auto& c = mesh_.triangles[t].corners;
+        input_.lowest[t] = std::min({mesh_.vertices[c[0]].z, mesh_.vertices[c[1]].z, mesh_.vertices[c[2]].z});
       }
     });
-    for (const Local& local : locals) fallbacks_ += local.geometry.fallbacks;
-    for (Index t = 0; t < count_; ++t) {
-      const std::size_t own = overlaps_[t].size();
-      for (std::size_t i = 0; i < own; ++i)
-        if (overlaps_[t][i] < t) overlaps_[overlaps_[t][i]].push_back(t);
+  }
+
+  void findNeighbors(const std::vector<char>& divided) {
+    std::vector<Pair> pairs;
+    for (Index e = 0; e < topology_.edgeCount(); ++e) {
+      const auto sides = topology_.sidesOf(e);
+      if (sides.size() < 2 || divided[region_[sides[0] / 3]] == 0 || isObstacle(mesh_.triangles, sides)) continue;
+      for (std::size_t i = 0; i < sides.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) pairs.push_back({sides[i] / 3, sides[j] / 3});
     }
+    input_.neighbors = listsOf(pairs, count_);
   }
 
-  /// Triangles on either side of an edge do not overlap; a test by numbers saves the exact one.
-  [[nodiscard]] bool shareEdge(Index s, Index t) const {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (mesh_.triangles[s].corners[i] == mesh_.triangles[t].corners[(j + 1) % 3] &&
-            mesh_.triangles[s].corners[(i + 1) % 3] == mesh_.triangles[t].corners[j])
-          return true;
-    return false;
-  }
+  // Numbers all pieces by the height of the triangles from which they grew.
+  void subdivideRegions() {
+    std::vector<char> divided(regionCount_, 0);
+    std::vector<Pair> within;
+    for (const auto& pair : overlaps_) {
+      if (region_[pair[0]] != region_[pair[1]]) continue;
+      divided[region_[pair[0]]] = 1;
+      within.push_back(pair);
+    }
+    input_.overlaps = listsOf(within, count_);
+    findNeighbors(divided);
+    context_.checkCancelled();
 
-  void growPieces() {
-    piece_.assign(count_, kNone);
-    std::vector<Index> order(count_), blockedFor(count_, kNone);
-    for (Index t = 0; t < count_; ++t) order[t] = t;
-    std::sort(order.begin(), order.end(),
-              [&](Index a, Index b) { return lowest(a) != lowest(b) ? lowest(a) < lowest(b) : a < b; });
-    using Candidate = std::pair<double, Index>;
-    for (const Index seed : order) {
-      if (piece_[seed] != kNone) continue;
+    std::vector<Index> number(regionCount_, -1), regions, first{0};
+    for (Index r = 0; r < regionCount_; ++r) {
+      if (divided[r] == 0) continue;
+      number[r] = static_cast<Index>(regions.size());
+      regions.push_back(r);
+    }
+    first.resize(regions.size() + 1, 0);
+    for (const Index r : region_)
+      if (number[r] >= 0) ++first[number[r] + 1];
+    for (std::size_t i = 0; i < regions.size(); ++i) first[i + 1] += first[i];
+    std::vector<Index> triangles(first.back()), next = first;
+    for (Index t = 0; t < count_; ++t)
+      if (const Index n = number[region_[t]]; n >= 0) triangles[next[n]++] = t;
+
+    piece_.assign(count_, 0);
+    std::vector<std::vector<Index>> seeds(regionCount_);
+    tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
       context_.checkCancelled();
-      const Index piece = pieceCount_++;
-      std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> front;
-      front.emplace(lowest(seed), seed);
-      while (!front.empty()) {
-        const Index t = front.top().second;
-        front.pop();
-        if (piece_[t] != kNone || blockedFor[t] == piece) continue;
-        piece_[t] = piece;
-        for (const Index o : overlaps_[t]) blockedFor[o] = piece;
-        for (const Index n : neighbors_[t])
-          if (piece_[n] == kNone && blockedFor[n] != piece) front.emplace(lowest(n), n);
-      }
-    }
-  }
-
-  // Unites neighbouring pieces that overlap nowhere, most connections first.
-  bool mergePieces() {
-    std::map<std::pair<Index, Index>, int> cuts;
-    std::vector<std::pair<Index, Index>> conflicts;
+      seeds[regions[i]] =
+          subdivideRegion(input_, {triangles.data() + first[i], triangles.data() + first[i + 1]}, piece_, context_);
+    });
     for (Index t = 0; t < count_; ++t) {
-      for (const Index n : neighbors_[t])
-        if (piece_[n] > piece_[t]) ++cuts[{piece_[t], piece_[n]}];
-      for (const Index o : overlaps_[t])
-        if (piece_[o] > piece_[t]) conflicts.emplace_back(piece_[t], piece_[o]);
+      if (divided[region_[t]] != 0) continue;
+      auto& seed = seeds[region_[t]];
+      if (seed.empty())
+        seed.push_back(t);
+      else if (input_.lowest[t] < input_.lowest[seed[0]])
+        seed[0] = t;
     }
-    std::sort(conflicts.begin(), conflicts.end());
-    const std::pair<Index, Index>* best = nullptr;
-    int most = 0;
-    for (const auto& [pair, size] : cuts)
-      if (size > most && !std::binary_search(conflicts.begin(), conflicts.end(), pair)) {
-        best = &pair;
-        most = size;
-      }
-    if (best == nullptr) return false;
-    const auto [into, from] = *best;
-    for (Index& p : piece_)
-      if (p == from) p = into;
-    return true;
+    numberPieces(seeds);
   }
 
-  // Moves single triangles to a neighbouring piece while that saves connections.
-  bool moveTriangles() {
-    bool changed = false;
-    std::vector<Index> queue;
-    for (Index t = 0; t < count_; ++t) queue.push_back(t);
-    for (std::size_t head = 0; head < queue.size(); ++head) {
-      if ((head & 1023) == 0) context_.checkCancelled();
-      const Index t = queue[head];
-      const auto links = [&](Index piece) {
-        return std::count_if(neighbors_[t].begin(), neighbors_[t].end(), [&](Index n) { return piece_[n] == piece; });
-      };
-      const auto own = links(piece_[t]);
-      Index target = kNone;
-      auto gain = own;
-      for (const Index n : neighbors_[t]) {
-        const Index p = piece_[n];
-        if (p == piece_[t] || links(p) <= gain) continue;
-        if (std::any_of(overlaps_[t].begin(), overlaps_[t].end(), [&](Index o) { return piece_[o] == p; })) continue;
-        target = p;
-        gain = links(p);
-      }
-      if (target == kNone) continue;
-      piece_[t] = target;
-      changed = true;
-      queue.insert(queue.end(), neighbors_[t].begin(), neighbors_[t].end());
+  void numberPieces(const std::vector<std::vector<Index>>& seeds) {
+    std::vector<Index> order;
+    std::vector<Index> firstPiece(regionCount_ + 1, 0);
+    for (Index r = 0; r < regionCount_; ++r) {
+      order.insert(order.end(), seeds[r].begin(), seeds[r].end());
+      firstPiece[r + 1] = static_cast<Index>(order.size());
     }
-    return changed;
+    pieceCount_ = static_cast<Index>(order.size());
+    std::vector<Index> bySeed(count_, -1);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+      return input_.lowest[a] != input_.lowest[b] ? input_.lowest[a] < input_.lowest[b] : a < b;
+    });
+    for (Index p = 0; p < pieceCount_; ++p) bySeed[order[p]] = p;
+    for (Index t = 0; t < count_; ++t) piece_[t] = bySeed[seeds[region_[t]][piece_[t]]];
   }
 
   // Each piece, lowest first, goes to the layer without overlap with which it shares most edges, else the first one.
   std::vector<std::uint32_t> colourPieces() {
-    std::vector<std::vector<Index>> members(pieceCount_);
-    for (Index t = 0; t < count_; ++t) members[piece_[t]].push_back(t);
-    std::vector<Index> order;
-    for (Index p = 0; p < pieceCount_; ++p)
-      if (!members[p].empty()) order.push_back(p);
-    std::vector<std::uint32_t> layer(count_, 0);
-    std::vector<char> placed(count_, 0);
-    std::uint32_t layers = 0;
-    std::vector<char> blocked;
-    std::vector<int> shared;
-    for (const Index p : order) {
-      context_.checkCancelled();
-      blocked.assign(layers, 0);
-      shared.assign(layers, 0);
-      for (const Index t : members[p]) {
-        for (const Index o : overlaps_[t])
-          if (placed[o] != 0) blocked[layer[o]] = 1;
-        for (const Index n : neighbors_[t])
-          if (placed[n] != 0) ++shared[layer[n]];
+    // Pieces above and beside each other, once for each pair of triangles.
+    std::vector<Pair> above, beside;
+    for (const auto& [s, t] : overlaps_) above.push_back({piece_[s], piece_[t]});
+    for (Index t = 0; t < count_; ++t)
+      for (const Index n : input_.neighbors[t])
+        if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
+    context_.checkCancelled();
+    const IndexLists conflicts = listsOf(above, pieceCount_), shared = listsOf(beside, pieceCount_);
+    context_.checkCancelled();
+    std::vector<char> used(pieceCount_, 0);
+    for (const Index p : piece_) used[p] = 1;
+    constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
+    std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced);
+    std::vector<Index> blockedFor;  // for each layer the last piece that could not go there
+    std::vector<int> edges;         // with each layer; zero between pieces
+    for (Index p = 0; p < pieceCount_; ++p) {
+      if (used[p] == 0) continue;
+      if (p % 1024 == 0) context_.checkCancelled();
+      for (const Index other : conflicts[p])
+        if (layerOf[other] != kUnplaced) blockedFor[layerOf[other]] = p;
+      std::uint32_t best = 0;
+      while (best < blockedFor.size() && blockedFor[best] == p) ++best;
+      if (best == blockedFor.size()) {
+        blockedFor.push_back(-1);
+        edges.push_back(0);
+      } else {
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) ++edges[layerOf[other]];
+        for (const Index other : shared[p]) {
+          const std::uint32_t l = layerOf[other];
+          if (l == kUnplaced || blockedFor[l] == p) continue;
+          if (edges[l] > edges[best] || (edges[l] == edges[best] && l < best)) best = l;
+        }
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) edges[layerOf[other]] = 0;
       }
-      std::uint32_t best = layers;
-      for (std::uint32_t l = 0; l < layers; ++l)
-        if (blocked[l] == 0 && (best == layers || shared[l] > shared[best])) best = l;
-      if (best == layers) ++layers;
-      for (const Index t : members[p]) {
-        layer[t] = best;
-        placed[t] = 1;
-      }
+      layerOf[p] = best;
     }
-    return layer;
+    std::vector<std::uint32_t> layers(count_);
+    for (Index t = 0; t < count_; ++t) layers[t] = layerOf[piece_[t]];
+    return layers;
   }
 
   const PlanKernel& kernel_;
   const WalkableMesh& mesh_;
+  const MeshTopology& topology_;
   RunContext& context_;
   Index count_;
-  std::vector<std::vector<Index>> neighbors_;
-  std::vector<std::vector<Index>> overlaps_;
+  std::vector<Pair> overlaps_;
+  std::vector<Index> region_;
+  Index regionCount_ = 0;
+  LayerInput input_;
   std::vector<Index> piece_;
   Index pieceCount_ = 0;
   ExactFallbacks fallbacks_;
@@ -247,7 +208,8 @@ class LayerSubdivision {
 FilterOutcome applyLayerSubdivision(const StatePtr& given, RunContext& context) {
   FilterOutcome outcome;
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
-  LayerSubdivision subdivision(*state->kernel, *state->mesh, context);
+  const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
+  LayerSubdivision subdivision(*state->kernel, *state->mesh, *topology, context);
   auto mesh = std::make_shared<WalkableMesh>(*state->mesh);
   mesh->layers = subdivision.run();
   mesh->layerCount = 0;
@@ -255,8 +217,10 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, RunContext& context) 
   outcome.fallbacks += subdivision.fallbacks();
 
   outcome.note =
-      std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh)) + " connections";
+      std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh, *topology)) + " connections";
   auto result = std::make_shared<WalkableState>(*state);
+  result->topology = topology;
+  result->topologyOwner = mesh;
   result->mesh = std::move(mesh);
   outcome.state = std::move(result);
   return outcome;

@@ -24,6 +24,13 @@ class MeshGeometry {
   ExactFallbacks fallbacks;
 
  private:
+  /// The orientation as far as rounded coordinates tell.
+  [[nodiscard]] int filtered(Index a, Index b, Index c) const;
+  int doubtfulOrientation(Index a, Index b, Index c);
+  /// The line of the source edge on which an EdgePlane point lies.
+  [[nodiscard]] PlanLine edgeOf(const PlanPoint& p) const;
+  /// The point lies on the line (taken on `face`) by what it is.
+  [[nodiscard]] bool isKnownOn(const PlanLine& line, Index face, const PlanPoint& p) const;
   [[nodiscard]] Index origin(Index vertex) const;
 
   const PlanKernel& kernel_;

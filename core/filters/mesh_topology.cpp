@@ -1,43 +1,130 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/mesh_topology.hpp"
 
-#include <oneapi/tbb/parallel_sort.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "core/filters/disjoint_sets.hpp"
 
 namespace footfall {
+namespace {
 
-MeshTopology findEdges(const WalkableMesh& mesh) {
-  std::vector<std::array<Index, 3>> sides;
-  sides.reserve(mesh.triangles.size() * 3);
-  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
-    const auto& c = mesh.triangles[t].corners;
+// Vertices whose edges one task sorts; a mesh with fewer is done by one thread.
+constexpr Index kVerticesPerTask = 4096;
+constexpr Index kPolledTriangles = 1 << 16;
+
+/// A side among those with the same smaller vertex: by the larger vertex, then by number.
+using Entry = std::uint64_t;
+
+Index largerOf(Entry entry) { return static_cast<Index>(entry >> 32); }
+
+// Most vertices have a handful of sides.
+void sortEntries(Entry* begin, Entry* end) {
+  if (end - begin > 32) {
+    std::sort(begin, end);
+    return;
+  }
+  for (Entry* i = begin; i < end; ++i) {
+    const Entry entry = *i;
+    Entry* j = i;
+    for (; j > begin && entry < j[-1]; --j) *j = j[-1];
+    *j = entry;
+  }
+}
+
+template <class Work>
+void forVertices(Index count, const std::function<void()>& poll, Work work) {
+  const auto polled = [&](Index first, Index last) {
+    poll();
+    work(first, last);
+  };
+  if (count == 0) return;
+  if (count <= kVerticesPerTask) return polled(0, count);
+  tbb::parallel_for(
+      tbb::blocked_range<Index>(0, (count + kVerticesPerTask - 1) / kVerticesPerTask, 1), [&](const auto& range) {
+        for (Index block = range.begin(); block != range.end(); ++block)
+          polled(block * kVerticesPerTask, std::min((block + 1) * kVerticesPerTask, count));
+      });
+}
+
+}  // namespace
+
+// A counting sort by the smaller vertex, then each vertex's few sides by the larger one.
+MeshTopology findEdges(const std::vector<MeshTriangle>& triangles, std::size_t vertexCount,
+                       const std::function<void()>& poll) {
+  const auto count = static_cast<Index>(triangles.size()), vertices = static_cast<Index>(vertexCount);
+  std::vector<Index> bucket(vertexCount + 1, 0);
+  for (Index t = 0; t < count; ++t) {
+    if (t % kPolledTriangles == 0) poll();
+    const auto& c = triangles[t].corners;
+    ++bucket[std::min(c[0], c[1])];
+    ++bucket[std::min(c[1], c[2])];
+    ++bucket[std::min(c[2], c[0])];
+  }
+  Index sum = 0;
+  for (Index& size : bucket) sum += std::exchange(size, sum);
+  std::vector<Entry> entries(triangles.size() * 3);
+  for (Index t = 0; t < count; ++t) {
+    if (t % kPolledTriangles == 0) poll();
+    const auto& c = triangles[t].corners;
     for (int k = 0; k < 3; ++k) {
-      const Index a = c[k], b = c[(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), 3 * t + k});
+      const Index a = c[k], b = c[k == 2 ? 0 : k + 1];
+      entries[bucket[std::min(a, b)]++] = static_cast<Entry>(std::max(a, b)) << 32 | static_cast<Entry>(3 * t + k);
     }
   }
-  tbb::parallel_sort(sides.begin(), sides.end());
+
+  // Now bucket[v] is where the sides of v end.
+  const auto beginOfBucket = [&](Index v) { return v == 0 ? 0 : bucket[v - 1]; };
   MeshTopology topology;
-  topology.uses.reserve(sides.size());
-  for (const auto& [low, high, side] : sides) {
-    if (topology.edges.empty() || topology.edges.back().low != low || topology.edges.back().high != high)
-      topology.edges.push_back({low, high, static_cast<Index>(topology.uses.size()), 0, false});
-    MeshEdge& edge = topology.edges.back();
-    ++edge.useCount;
-    edge.obstacle = edge.obstacle || (mesh.triangles[side / 3].obstacleEdges >> (side % 3) & 1) != 0;
-    topology.uses.push_back(side);
-  }
+  topology.sides.resize(entries.size());
+  std::vector<Index> edgesBefore((vertexCount + kVerticesPerTask - 1) / kVerticesPerTask + 1, 0);
+  const auto isFirst = [&](Index i, Index begin) {
+    return i == begin || largerOf(entries[i]) != largerOf(entries[i - 1]);
+  };
+  forVertices(vertices, poll, [&](Index first, Index last) {
+    Index edges = 0;
+    for (Index v = first; v < last; ++v) {
+      const Index begin = beginOfBucket(v);
+      sortEntries(entries.data() + begin, entries.data() + bucket[v]);
+      for (Index i = begin; i < bucket[v]; ++i) {
+        topology.sides[i] = static_cast<Index>(entries[i] & 0xFFFFFFFF);
+        edges += static_cast<Index>(isFirst(i, begin));
+      }
+    }
+    edgesBefore[first / kVerticesPerTask + 1] = edges;
+  });
+  for (std::size_t i = 1; i < edgesBefore.size(); ++i) edgesBefore[i] += edgesBefore[i - 1];
+  topology.first.resize(static_cast<std::size_t>(edgesBefore.back()) + 1);
+  forVertices(vertices, poll, [&](Index first, Index last) {
+    Index edge = edgesBefore[first / kVerticesPerTask];
+    for (Index v = first; v < last; ++v) {
+      const Index begin = beginOfBucket(v);
+      for (Index i = begin; i < bucket[v]; ++i)
+        if (isFirst(i, begin)) topology.first[edge++] = i;
+    }
+  });
+  topology.first.back() = static_cast<Index>(entries.size());
   return topology;
+}
+
+std::shared_ptr<const MeshTopology> topologyOf(const WalkableState& state, const std::function<void()>& poll) {
+  if (state.topology && state.topologyOwner.lock() == state.mesh) return state.topology;
+  return std::make_shared<MeshTopology>(findEdges(state.mesh->triangles, state.mesh->vertices.size(), poll));
+}
+
+bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Index> sides) {
+  return std::any_of(sides.begin(), sides.end(), [&](Index side) { return hasObstacle(triangles, side); });
 }
 
 std::vector<Index> findRegions(const WalkableMesh& mesh, const MeshTopology& topology, Index& regionCount) {
   DisjointSets sets(mesh.triangles.size());
-  for (const MeshEdge& e : topology.edges) {
-    if (e.obstacle) continue;
-    for (Index u = 1; u < e.useCount; ++u) sets.unite(topology.uses[e.firstUse] / 3, topology.uses[e.firstUse + u] / 3);
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    if (sides.size() < 2 || isObstacle(mesh.triangles, sides)) continue;
+    for (const Index side : sides.subspan(1)) sets.unite(sides[0] / 3, side / 3);
   }
   std::vector<Index> region(mesh.triangles.size());
   regionCount = 0;
@@ -46,15 +133,16 @@ std::vector<Index> findRegions(const WalkableMesh& mesh, const MeshTopology& top
   return region;
 }
 
-std::uint64_t countConnections(const WalkableMesh& mesh) {
+std::uint64_t countConnections(const WalkableMesh& mesh, const MeshTopology& topology) {
   if (mesh.layers.empty()) return 0;
-  const MeshTopology topology = findEdges(mesh);
-  return static_cast<std::uint64_t>(std::count_if(topology.edges.begin(), topology.edges.end(), [&](const MeshEdge& e) {
-    bool differ = false;
-    for (Index u = 1; u < e.useCount && !e.obstacle; ++u)
-      differ = differ || mesh.layers[topology.uses[e.firstUse] / 3] != mesh.layers[topology.uses[e.firstUse + u] / 3];
-    return differ;
-  }));
+  std::uint64_t connections = 0;
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    const auto differs = [&](Index side) { return mesh.layers[side / 3] != mesh.layers[sides[0] / 3]; };
+    connections += static_cast<std::uint64_t>(std::any_of(sides.begin(), sides.end(), differs) &&
+                                              !isObstacle(mesh.triangles, sides));
+  }
+  return connections;
 }
 
 }  // namespace footfall

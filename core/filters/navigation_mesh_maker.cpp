@@ -1,9 +1,9 @@
 // From the last state to the product: split along obstacle edges, rounded, repaired, with connections.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <map>
 #include <tuple>
 
 #include "core/filters/filter.hpp"
@@ -19,38 +19,42 @@ int next(int k) { return k == 2 ? 0 : k + 1; }
 using Place = std::tuple<double, double, double>;
 Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-void addObstacleEdges(const RoundedMesh& mesh, NavigationMesh& result) {
-  std::vector<std::tuple<std::array<Place, 2>, Index, int>> edges;
-  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
+// Each once, whatever its sides: sorted by the places of their ends, as the first side in the order of the result.
+void addObstacleEdges(const RoundedMesh& mesh, const std::vector<Index>& order, const std::vector<Index>& renumbered,
+                      NavigationMesh& result) {
+  std::vector<std::tuple<std::array<Place, 2>, std::size_t, int>> edges;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const MeshTriangle& t = mesh.triangles[order[i]];
     for (int k = 0; k < 3; ++k) {
-      if ((mesh.triangles[t].obstacleEdges >> k & 1) == 0) continue;
-      const Place a = placeOf(mesh.vertices[mesh.triangles[t].corners[k]]);
-      const Place b = placeOf(mesh.vertices[mesh.triangles[t].corners[next(k)]]);
-      edges.push_back({{std::min(a, b), std::max(a, b)}, t, k});
+      if ((t.obstacleEdges >> k & 1) == 0) continue;
+      const Place a = placeOf(mesh.vertices[t.corners[k]]), b = placeOf(mesh.vertices[t.corners[next(k)]]);
+      edges.push_back({{std::min(a, b), std::max(a, b)}, i, k});
     }
-  std::sort(edges.begin(), edges.end());
+  }
+  tbb::parallel_sort(edges.begin(), edges.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i > 0 && std::get<0>(edges[i]) == std::get<0>(edges[i - 1])) continue;
-    const auto& [places, t, k] = edges[i];
-    result.obstacleEdges.push_back({result.triangles[t][k], result.triangles[t][next(k)]});
+    const auto& [places, place, k] = edges[i];
+    const auto& corners = mesh.triangles[order[place]].corners;
+    result.obstacleEdges.push_back({static_cast<std::uint32_t>(renumbered[corners[k]]),
+                                    static_cast<std::uint32_t>(renumbered[corners[next(k)]])});
   }
 }
 
-void addConnections(NavigationMesh& mesh) {
+// Sorted by the numbers of their vertices.
+void addConnections(const RoundedMesh& mesh, const MeshTopology& topology, const std::vector<Index>& renumbered,
+                    NavigationMesh& result) {
   if (mesh.layers.empty()) return;
-  std::vector<std::array<std::uint32_t, 3>> uses;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][next(k)];
-      uses.push_back({std::min(a, b), std::max(a, b), mesh.layers[t]});
-    }
-  std::sort(uses.begin(), uses.end());
-  for (std::size_t i = 0; i < uses.size();) {
-    std::size_t j = i;
-    while (j < uses.size() && uses[j][0] == uses[i][0] && uses[j][1] == uses[i][1]) ++j;
-    if (uses[i][2] != uses[j - 1][2]) mesh.connections.push_back({uses[i][0], uses[i][1]});
-    i = j;
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    const std::uint32_t layer = mesh.layers[sides[0] / 3];
+    if (std::all_of(sides.begin(), sides.end(), [&](Index s) { return mesh.layers[s / 3] == layer; })) continue;
+    const MeshTriangle& t = mesh.triangles[sides[0] / 3];
+    const auto a = static_cast<std::uint32_t>(renumbered[t.corners[sides[0] % 3]]);
+    const auto b = static_cast<std::uint32_t>(renumbered[t.corners[next(sides[0] % 3)]]);
+    result.connections.push_back({std::min(a, b), std::max(a, b)});
   }
+  std::sort(result.connections.begin(), result.connections.end());
 }
 
 Vec3 middleOf(const Vec3& a, const Vec3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
@@ -63,6 +67,8 @@ RoundedMesh roundSplitMesh(const WalkableState& state, SplitMesh&& split, std::v
   RoundedMesh rounded;
   rounded.triangles = std::move(split.triangles);
   rounded.layers = std::move(split.layers);
+  rounded.vertices.reserve(split.origins.size());
+  sturdy.reserve(split.origins.size());
   for (std::size_t v = 0; v < split.origins.size(); ++v) {
     if (split.origins[v] >= 0) {
       rounded.vertices.push_back(places[split.origins[v]]);
@@ -75,13 +81,23 @@ RoundedMesh roundSplitMesh(const WalkableState& state, SplitMesh&& split, std::v
   return rounded;
 }
 
+// Vertices that rounding moved, and ends of obstacle edges.
+std::vector<char> suspectsOf(const RoundedMesh& mesh, const std::vector<char>& sturdy) {
+  std::vector<char> suspects(sturdy.size());
+  std::transform(sturdy.begin(), sturdy.end(), suspects.begin(), [](char s) { return static_cast<char>(s == 0); });
+  for (const MeshTriangle& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k)
+      if ((t.obstacleEdges >> k & 1) != 0) suspects[t.corners[k]] = suspects[t.corners[next(k)]] = 1;
+  return suspects;
+}
+
 // Repairs can bring the two sides of an obstacle together: give each its own vertices once more.
-void splitAgain(RoundedMesh& mesh) {
+void splitAgain(RoundedMesh& mesh, const MeshTopology& topology) {
   WalkableMesh joined;
   joined.vertices.resize(mesh.vertices.size());
   joined.triangles = std::move(mesh.triangles);
   joined.layers = std::move(mesh.layers);
-  SplitMesh split = splitAtObstacleEdges(joined);
+  SplitMesh split = splitAtObstacleEdges(joined, topology);
   std::vector<Vec3> vertices;
   for (std::size_t v = 0; v < split.origins.size(); ++v)
     vertices.push_back(split.origins[v] >= 0
@@ -90,51 +106,74 @@ void splitAgain(RoundedMesh& mesh) {
   mesh = {std::move(vertices), std::move(split.triangles), std::move(split.layers)};
 }
 
+// Stable, by counting.
+std::vector<Index> orderByLayer(const RoundedMesh& mesh) {
+  std::vector<Index> order(mesh.triangles.size());
+  std::vector<Index> start{0};
+  for (const std::uint32_t layer : mesh.layers) {
+    if (start.size() < layer + 2) start.resize(layer + 2, 0);
+    ++start[layer + 1];
+  }
+  for (std::size_t l = 1; l < start.size(); ++l) start[l] += start[l - 1];
+  for (std::size_t t = 0; t < order.size(); ++t)
+    order[mesh.layers.empty() ? t : start[mesh.layers[t]]++] = static_cast<Index>(t);
+  return order;
+}
+
 }  // namespace
 
 std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, RunContext& context) {
   ExactFallbacks fallbacks;
   const StatePtr state = withMesh(given, context, fallbacks);
   const SourceMesh& source = state->kernel->mesh();
+  const auto poll = [&context] { context.checkCancelled(); };
   std::vector<char> sturdy;
-  RoundedMesh rounded = roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh), sturdy, context);
+  RoundedMesh rounded =
+      roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh, *topologyOf(*state, poll)), sturdy, context);
   context.checkCancelled();
-  markBorders(rounded);
-  repairRounding(rounded, sturdy, context);
-  if (settleBorders(rounded)) splitAgain(rounded);
+  const auto edgesOf = [&] { return findEdges(rounded.triangles, rounded.vertices.size(), poll); };
+  std::vector<char> suspects = suspectsOf(rounded, sturdy);
+  MeshTopology topology = edgesOf();
+  markBorders(rounded, topology);
+  if (repairRounding(rounded, sturdy, context).anyBroken()) {
+    topology = edgesOf();
+    suspects.clear();
+  }
+  if (settleBorders(rounded, topology)) {
+    splitAgain(rounded, topology);
+    topology = edgesOf();
+    suspects.clear();
+  }
   context.checkCancelled();
-  markClosedSlivers(rounded, context);
+  if (markClosedSlivers(rounded, topology, suspects, context)) topology = edgesOf();
   context.checkCancelled();
 
   // Triangles by layer, then in the order of the mesh; vertices in the order of their first use.
-  std::vector<Index> order(rounded.triangles.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-  if (!rounded.layers.empty())
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return rounded.layers[a] < rounded.layers[b]; });
+  const std::vector<Index> order = orderByLayer(rounded);
   auto result = std::make_shared<NavigationMesh>();
-  std::vector<std::int64_t> renumbered(rounded.vertices.size(), -1);
-  RoundedMesh sorted;
-  sorted.vertices = std::move(rounded.vertices);
+  result->triangles.reserve(order.size());
+  result->sourceTriangles.reserve(order.size());
+  result->layers.reserve(rounded.layers.size());
+  std::vector<Index> renumbered(rounded.vertices.size(), -1);
   for (const Index i : order) {
     const MeshTriangle& t = rounded.triangles[i];
     Triangle corners{};
     for (int k = 0; k < 3; ++k) {
-      auto& number = renumbered[t.corners[k]];
+      Index& number = renumbered[t.corners[k]];
       if (number < 0) {
-        number = static_cast<std::int64_t>(result->vertices.size());
-        result->vertices.push_back(sorted.vertices[t.corners[k]]);
+        number = static_cast<Index>(result->vertices.size());
+        result->vertices.push_back(rounded.vertices[t.corners[k]]);
       }
       corners[k] = static_cast<std::uint32_t>(number);
     }
     result->triangles.push_back(corners);
     result->sourceTriangles.push_back(source.inputTriangles[t.face]);
     if (!rounded.layers.empty()) result->layers.push_back(rounded.layers[i]);
-    sorted.triangles.push_back(t);
   }
+  context.checkCancelled();
   result->layerCount = state->mesh->layerCount;
-  addObstacleEdges(sorted, *result);
-  addConnections(*result);
+  addObstacleEdges(rounded, order, renumbered, *result);
+  addConnections(rounded, topology, renumbered, *result);
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "core/filters/walkable_state.hpp"
+#include "core/filters/mesh_topology.hpp"
 
 namespace footfall {
 
@@ -20,7 +20,7 @@ struct SplitMesh {
 
 /// Splits vertices along obstacle edges: the corners of two triangles stay one vertex when one can turn around the
 /// vertex from one to the other without crossing an obstacle edge. An edge whose sides still have the same two ends
-/// (a wall with two free ends) gets a point in its middle on either side.
-SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh);
+/// (a wall with two free ends) gets a point in its middle on either side. `topology` is that of the mesh.
+SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& topology);
 
 }  // namespace footfall

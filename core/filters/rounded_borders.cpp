@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_sort.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
-#include "core/environment/triangle_tree.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "core/filters/box_tree.hpp"
 #include "core/filters/rounded_mesh.hpp"
 #include "core/filters/triangle_split.hpp"
 
 namespace footfall {
 namespace {
+
+constexpr std::size_t kBordersPerTask = 256;
 
 int next(int k) { return k == 2 ? 0 : k + 1; }
 
@@ -25,35 +29,15 @@ struct Border {
   int k = 0;
 };
 
-/// Calls visit(sides) for every edge, with the numbers 3 * triangle + k of all its sides.
-template <class Visit>
-void visitEdges(const RoundedMesh& mesh, Visit visit) {
-  std::vector<std::array<Index, 3>> uses;  // vertices (smaller first) and side
-  uses.reserve(mesh.triangles.size() * 3);
-  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const Index a = mesh.triangles[t].corners[k], b = mesh.triangles[t].corners[next(k)];
-      uses.push_back({std::min(a, b), std::max(a, b), 3 * t + k});
-    }
-  tbb::parallel_sort(uses.begin(), uses.end());
-  std::vector<Index> sides;
-  for (std::size_t i = 0; i < uses.size();) {
-    sides.clear();
-    std::size_t j = i;
-    for (; j < uses.size() && uses[j][0] == uses[i][0] && uses[j][1] == uses[i][1]; ++j) sides.push_back(uses[j][2]);
-    visit(sides);
-    i = j;
-  }
-}
-
-std::vector<Border> findBorders(const RoundedMesh& mesh) {
+std::vector<Border> findBorders(const RoundedMesh& mesh, const MeshTopology& topology) {
   std::vector<Border> borders;
-  visitEdges(mesh, [&](const std::vector<Index>& sides) {
-    if (sides.size() > 1) return;
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    if (sides.size() > 1) continue;
     const Index t = sides[0] / 3;
     const int k = sides[0] % 3;
     borders.push_back({mesh.triangles[t].corners[k], mesh.triangles[t].corners[next(k)], t, k});
-  });
+  }
   return borders;
 }
 
@@ -63,51 +47,71 @@ bool isBetween(const Vec3& a, const Vec3& p, const Vec3& b) {
   return (pa < pp && pp < pb) || (pb < pp && pp < pa);  // order along a line is the order of x, then y, then z
 }
 
-/// For each border with ends of others strictly inside it: those places, and the border's number.
-std::map<std::size_t, std::vector<Place>> findInnerEnds(const RoundedMesh& mesh, const std::vector<Border>& borders,
-                                                        RunContext& context) {
-  const auto boxOf = [&](const Border& e) {
-    const Vec3 &a = mesh.vertices[e.from], &b = mesh.vertices[e.to];
-    return Box{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-               {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
-  };
-  std::vector<Box> boxes;
-  std::vector<std::int32_t> ids;
-  for (std::size_t i = 0; i < borders.size(); ++i) {
-    boxes.push_back(boxOf(borders[i]));
-    ids.push_back(static_cast<std::int32_t>(i));
-  }
-  TriangleTree tree;
-  tree.build(std::move(boxes), std::move(ids), [&context] { context.checkCancelled(); });
+/// What borders have in common with others that run the opposite way.
+struct Contacts {
+  std::vector<Index> closed;                       ///< borders that coincide with another one
+  std::vector<std::pair<Index, Place>> innerEnds;  ///< borders, and ends of others strictly inside them
+};
 
-  std::map<std::size_t, std::vector<Place>> inner;
-  std::vector<std::int32_t> stack;
-  for (std::size_t i = 0; i < borders.size(); ++i) {
-    if ((i & 1023) == 0) context.checkCancelled();
-    const Vec3 &v = mesh.vertices[borders[i].from], &w = mesh.vertices[borders[i].to];
-    tree.visitOverlapping(boxOf(borders[i]), stack, [&](std::int32_t o) {
-      const Vec3 &a = mesh.vertices[borders[o].from], &b = mesh.vertices[borders[o].to];
-      const double along = (w.x - v.x) * (b.x - a.x) + (w.y - v.y) * (b.y - a.y) + (w.z - v.z) * (b.z - a.z);
-      if (along >= 0 || !isDegenerate(a, b, v) || !isDegenerate(a, b, w)) return true;  // only opposite ones meet
-      for (const Vec3* p : {&v, &w})
-        if (isBetween(a, *p, b)) inner[static_cast<std::size_t>(o)].push_back(placeOf(*p));
-      return true;
-    });
+Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& borders, const std::vector<char>& suspects,
+                      RunContext& context) {
+  using Tree = BoxTree<3>;
+  const auto boundsOf = [&](Index i) {
+    const Vec3 &a = mesh.vertices[borders[i].from], &b = mesh.vertices[borders[i].to];
+    return Tree::Bounds{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                        {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
+  };
+  std::vector<Index> all(borders.size()), queries;
+  for (Index i = 0; i < static_cast<Index>(borders.size()); ++i) {
+    all[i] = i;
+    if (suspects.empty() || suspects[borders[i].from] != 0 || suspects[borders[i].to] != 0) queries.push_back(i);
   }
-  return inner;
+  Contacts result;
+  if (queries.empty()) return result;
+  Tree tree;
+  tree.build(all, boundsOf, [&context] { context.checkCancelled(); });
+
+  tbb::enumerable_thread_specific<Contacts> locals;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), kBordersPerTask), [&](const auto& range) {
+    context.checkCancelled();
+    Contacts& local = locals.local();
+    for (std::size_t q = range.begin(); q != range.end(); ++q) {
+      const Index i = queries[q];
+      const Vec3 &v = mesh.vertices[borders[i].from], &w = mesh.vertices[borders[i].to];
+      tree.visitOverlapping(boundsOf(i), [&](Index o) {
+        const Vec3 &a = mesh.vertices[borders[o].from], &b = mesh.vertices[borders[o].to];
+        if (a == w && b == v) {
+          local.closed.insert(local.closed.end(), {i, o});
+          return;
+        }
+        const double along = (w.x - v.x) * (b.x - a.x) + (w.y - v.y) * (b.y - a.y) + (w.z - v.z) * (b.z - a.z);
+        if (along >= 0 || !isDegenerate(a, b, v) || !isDegenerate(a, b, w)) return;  // only opposite ones meet
+        for (const Vec3* p : {&v, &w})
+          if (isBetween(a, *p, b)) local.innerEnds.emplace_back(o, placeOf(*p));
+        for (const Vec3* p : {&a, &b})
+          if (isBetween(v, *p, w)) local.innerEnds.emplace_back(i, placeOf(*p));
+      });
+    }
+  });
+  for (const Contacts& local : locals) {
+    result.closed.insert(result.closed.end(), local.closed.begin(), local.closed.end());
+    result.innerEnds.insert(result.innerEnds.end(), local.innerEnds.begin(), local.innerEnds.end());
+  }
+  return result;
 }
 
 void splitBorders(RoundedMesh& mesh, const std::vector<Border>& borders,
-                  const std::map<std::size_t, std::vector<Place>>& inner) {
-  if (inner.empty()) return;
+                  std::vector<std::pair<Index, Place>>& innerEnds) {
+  std::sort(innerEnds.begin(), innerEnds.end());
+  innerEnds.erase(std::unique(innerEnds.begin(), innerEnds.end()), innerEnds.end());
   std::map<Index, std::array<std::vector<Index>, 3>> splits;
-  for (const auto& [number, given] : inner) {
+  for (auto first = innerEnds.begin(); first != innerEnds.end();) {
+    const Index number = first->first;
+    const auto last = std::find_if(first, innerEnds.end(), [&](const auto& end) { return end.first != number; });
     const Border& e = borders[number];
-    std::vector<Place> places = given;
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    if (placeOf(mesh.vertices[e.to]) < placeOf(mesh.vertices[e.from])) std::reverse(places.begin(), places.end());
-    for (const auto& [x, y, z] : places) {
+    if (placeOf(mesh.vertices[e.to]) < placeOf(mesh.vertices[e.from])) std::reverse(first, last);
+    for (; first != last; ++first) {
+      const auto& [x, y, z] = first->second;
       splits[e.triangle][e.k].push_back(static_cast<Index>(mesh.vertices.size()));
       mesh.vertices.push_back({x, y, z});
     }
@@ -127,54 +131,42 @@ void splitBorders(RoundedMesh& mesh, const std::vector<Border>& borders,
 
 }  // namespace
 
-void markBorders(RoundedMesh& mesh) {
-  for (const Border& e : findBorders(mesh))
+void markBorders(RoundedMesh& mesh, const MeshTopology& topology) {
+  for (const Border& e : findBorders(mesh, topology))
     mesh.triangles[e.triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << e.k);
 }
 
-bool settleBorders(RoundedMesh& mesh) {
+bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology) {
   bool shared = false;
-  visitEdges(mesh, [&](const std::vector<Index>& sides) {
-    bool flagged = false;
-    for (const Index s : sides) flagged = flagged || (mesh.triangles[s / 3].obstacleEdges >> (s % 3) & 1) != 0;
-    const bool obstacle = flagged && sides.size() > 1;
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    const bool flagged = isObstacle(mesh.triangles, sides);
+    if (!flagged) continue;
+    const bool obstacle = sides.size() > 1;
     shared = shared || obstacle;
     for (const Index s : sides) {
       std::uint8_t& flags = mesh.triangles[s / 3].obstacleEdges;
       const auto bit = static_cast<std::uint8_t>(1 << (s % 3));
       flags = static_cast<std::uint8_t>(obstacle ? flags | bit : flags & ~bit);
     }
-  });
+  }
   return shared;
 }
 
-void markClosedSlivers(RoundedMesh& mesh, RunContext& context) {
-  std::vector<Border> borders = findBorders(mesh);
-  if (const auto inner = findInnerEnds(mesh, borders, context); !inner.empty()) {
-    splitBorders(mesh, borders, inner);
-    borders = findBorders(mesh);
+bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const std::vector<char>& suspects,
+                       RunContext& context) {
+  std::vector<Border> borders = findBorders(mesh, topology);
+  Contacts contacts = findContacts(mesh, borders, suspects, context);
+  const bool split = !contacts.innerEnds.empty();
+  if (split) {
+    // Now no border ends inside another one.
+    splitBorders(mesh, borders, contacts.innerEnds);
+    borders = findBorders(mesh, findEdges(mesh.triangles, mesh.vertices.size(), [&context] { context.checkCancelled(); }));
+    contacts = findContacts(mesh, borders, {}, context);
   }
-  const auto keyOf = [&](const Border& e) {
-    const Place a = placeOf(mesh.vertices[e.from]), b = placeOf(mesh.vertices[e.to]);
-    return std::pair(std::min(a, b), std::max(a, b));
-  };
-  const auto runsForward = [&](const Border& e) {
-    return placeOf(mesh.vertices[e.from]) < placeOf(mesh.vertices[e.to]);
-  };
-  std::sort(borders.begin(), borders.end(), [&](const Border& x, const Border& y) {
-    const auto kx = keyOf(x), ky = keyOf(y);
-    return kx != ky ? kx < ky : x.triangle < y.triangle;
-  });
-  for (std::size_t i = 0; i < borders.size();) {
-    std::size_t j = i;
-    bool forward = false, backward = false;
-    for (; j < borders.size() && keyOf(borders[j]) == keyOf(borders[i]); ++j)
-      (runsForward(borders[j]) ? forward : backward) = true;
-    if (forward && backward)
-      for (std::size_t m = i; m < j; ++m)
-        mesh.triangles[borders[m].triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << borders[m].k);
-    i = j;
-  }
+  for (const Index i : contacts.closed)
+    mesh.triangles[borders[i].triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << borders[i].k);
+  return split;
 }
 
 }  // namespace footfall

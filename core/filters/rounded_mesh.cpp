@@ -4,7 +4,9 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <unordered_map>
 
 #include "core/exact/source_predicates.hpp"
 
@@ -18,25 +20,63 @@ int previous(int k) { return k == 0 ? 2 : k - 1; }
 // collapsed while another repair is possible.
 constexpr double kFoldedShare = 0x1p-44;
 
+constexpr Index kTrianglesPerTask = 4096;
+
+/// The triangles around each vertex, in the order in which they came there. Only few vertices are ever asked for, so
+/// lists are made when they are.
+class Surroundings {
+ public:
+  void build(const std::vector<MeshTriangle>& triangles, std::size_t vertexCount) {
+    first_.assign(vertexCount + 1, 0);
+    for (const MeshTriangle& t : triangles)
+      for (const Index v : t.corners) ++first_[v + 1];
+    for (std::size_t v = 0; v < vertexCount; ++v) first_[v + 1] += first_[v];
+    atStart_.resize(triangles.size() * 3);
+    std::vector<Index> next(first_.begin(), first_.end() - 1);
+    for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t)
+      for (const Index v : triangles[t].corners) atStart_[next[v]++] = t;
+  }
+  /// References stay valid.
+  std::vector<Index>& operator[](Index vertex) {
+    const auto [it, isNew] = lists_.try_emplace(vertex);
+    if (isNew) it->second.assign(atStart_.begin() + first_[vertex], atStart_.begin() + first_[vertex + 1]);
+    return it->second;
+  }
+
+ private:
+  std::vector<Index> first_, atStart_;
+  std::unordered_map<Index, std::vector<Index>> lists_;
+};
+
 class RoundingRepair {
  public:
   RoundingRepair(RoundedMesh& mesh, const std::vector<char>& sturdy) : mesh_(mesh), sturdy_(sturdy) {}
 
   RoundingCases run(RunContext& context) {
+    const auto count = static_cast<Index>(mesh_.triangles.size());
+    std::vector<char> broken(count);
+    std::atomic<std::uint64_t> exact{0};
+    tbb::parallel_for(tbb::blocked_range<Index>(0, count, kTrianglesPerTask), [&](const auto& range) {
+      context.checkCancelled();
+      std::uint64_t exactHere = 0;
+      for (Index t = range.begin(); t != range.end(); ++t) {
+        const auto& c = mesh_.triangles[t].corners;
+        exactHere += sturdy_[c[0]] != 0 && sturdy_[c[1]] != 0 && sturdy_[c[2]] != 0;
+        broken[t] = static_cast<char>(!isUpright(t));
+      }
+      exact.fetch_add(exactHere, std::memory_order_relaxed);
+    });
     RoundingCases cases;
+    cases.exact = exact;
     std::vector<Index> queue;
-    for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t) {
-      const auto& c = mesh_.triangles[t].corners;
-      cases.exact += sturdy_[c[0]] != 0 && sturdy_[c[1]] != 0 && sturdy_[c[2]] != 0;
-      if (isUpright(t)) continue;
-      count(t, cases);
+    for (Index t = 0; t < count; ++t) {
+      if (broken[t] == 0) continue;
+      this->count(t, cases);
       queue.push_back(t);
     }
     if (queue.empty()) return cases;
     alive_.assign(mesh_.triangles.size(), 1);
-    around_.resize(mesh_.vertices.size());
-    for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t)
-      for (const Index v : mesh_.triangles[t].corners) around_[v].push_back(t);
+    around_.build(mesh_.triangles, mesh_.vertices.size());
     // A flip can be undone by a later one; after so many repairs only collapses are used, and each takes a vertex away.
     std::size_t gentle = 16 * queue.size() + 1024;
     while (!queue.empty()) {
@@ -58,7 +98,12 @@ class RoundingRepair {
   const Vec3& place(Index v) const { return mesh_.vertices[v]; }
   [[nodiscard]] bool isUpright(Index t) const {
     const auto& c = mesh_.triangles[t].corners;
-    return facing(place(c[0]), place(c[1]), place(c[2])) > 0;
+    const Vec3 &p = place(c[0]), &q = place(c[1]), &r = place(c[2]);
+    // Differences, products and the last difference lose at most 4 u (|l| + |r|) together, u = 2^-53, and the bound 2 u
+    // more; underflows lose less than 2^-1000. An overflow makes the bound infinite or NaN.
+    const double left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
+    if (left - right > (std::fabs(left) + std::fabs(right)) * 0x1p-50 + 0x1p-1000) return true;
+    return facing(p, q, r) > 0;
   }
 
   void count(Index t, RoundingCases& cases) const {
@@ -86,7 +131,7 @@ class RoundingRepair {
   }
 
   // The triangle with the edge from a to b.
-  [[nodiscard]] Index across(Index a, Index b, int& k) const {
+  [[nodiscard]] Index across(Index a, Index b, int& k) {
     for (const Index t : around_[a]) {
       if (alive_[t] == 0) continue;
       for (k = 0; k < 3; ++k)
@@ -207,7 +252,7 @@ class RoundingRepair {
   RoundedMesh& mesh_;
   const std::vector<char>& sturdy_;
   std::vector<char> alive_;
-  std::vector<std::vector<Index>> around_;
+  Surroundings around_;
   std::vector<Index> changed_;
 };
 

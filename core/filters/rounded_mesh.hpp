@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/filters/mesh_topology.hpp"
 #include "core/filters/walkable_state.hpp"
 #include "core/pipeline/run_context.hpp"
 
@@ -18,6 +19,9 @@ struct RoundingCases {
   std::uint64_t point = 0;      ///< case 3: all corners fell together
   std::uint64_t collinear = 0;  ///< case 4
   std::uint64_t flipped = 0;    ///< case 5
+
+  /// Something had to be repaired.
+  [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped != 0; }
 };
 
 struct RoundedMesh {
@@ -37,15 +41,21 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
 RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
 
 /// Sets the obstacle flag of every edge with a triangle on one side only, so that repairs carry along what is a border.
-void markBorders(RoundedMesh& mesh);
+void markBorders(RoundedMesh& mesh, const MeshTopology& topology);
 
 /// After the repairs: borders lose that flag again; where repairs brought a border together with another edge by index,
 /// it is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.
-bool settleBorders(RoundedMesh& mesh);
+bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology);
 
 /// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
 /// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
-/// only are split where the common part ends.
-void markClosedSlivers(RoundedMesh& mesh, RunContext& context);
+/// only are split where the common part ends; then the result is true, and the topology has changed.
+///
+/// `suspects` (one for each vertex, or empty for all): a border can only coincide with another when an end of one of the
+/// two is a suspect. In a mesh that is as it was assembled, those are the vertices that rounding moved and the ends of
+/// obstacle edges: before rounding the mesh is conforming, so borders that have a piece in common are one edge there,
+/// or the two sides of an obstacle edge; and if no end of two borders moved, they have in common what they had before.
+bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const std::vector<char>& suspects,
+                       RunContext& context);
 
 }  // namespace footfall

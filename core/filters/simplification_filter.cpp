@@ -24,9 +24,11 @@ double diagonal(const SourceMesh& mesh) {
 
 StatePtr simplify(const StatePtr& state, const ApproximateSimplification& approximate, RunContext& context,
                   ExactFallbacks& fallbacks) {
-  Simplifier simplifier(*state->kernel, *state->mesh, approximate, context);
+  const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
+  Simplifier simplifier(*state->kernel, *state->mesh, *topology, approximate, context);
   auto result = std::make_shared<WalkableState>(*state);
   result->mesh = std::make_shared<WalkableMesh>(simplifier.run());
+  result->topology = nullptr;
   result->simplified = true;
   fallbacks += simplifier.fallbacks();
   return result;

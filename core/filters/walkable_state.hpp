@@ -40,6 +40,8 @@ struct WalkableMesh {
 
 struct AssemblyMemory;  // core/filters/assembly_memory.hpp
 
+struct MeshTopology;  // core/filters/mesh_topology.hpp
+
 struct WalkableState {
   std::shared_ptr<const Environment> environment;
   std::shared_ptr<const PlanKernel> kernel;
@@ -51,6 +53,9 @@ struct WalkableState {
   std::shared_ptr<const CutTable> cuts;
   /// The mesh of walkable parts; null until a filter needed it.
   std::shared_ptr<const WalkableMesh> mesh;
+  /// The edges of `topologyOwner`, when a filter found them; of use while that is still `mesh` (topologyOf()).
+  std::shared_ptr<const MeshTopology> topology;
+  std::weak_ptr<const WalkableMesh> topologyOwner;
   /// The mesh's triangles may span several coplanar source triangles (SimplificationFilter).
   bool simplified = false;
   /// Pieces that AreaFilter took away since the cuts were made: obstacles still, but no floor any more.

@@ -1,0 +1,18 @@
+// Which triangles of a walkable mesh lie above one another?
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/filters/mesh_topology.hpp"
+#include "core/pipeline/run_context.hpp"
+
+namespace footfall {
+
+/// All pairs of triangles whose insides overlap in the plan, exactly; each once, in no particular order.
+std::vector<std::array<Index, 2>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
+                                                   const MeshTopology& topology, RunContext& context,
+                                                   ExactFallbacks& fallbacks);
+
+}  // namespace footfall
