@@ -69,6 +69,7 @@ FaceCuts ClearanceClipper::cut() {
   bool removed = false;
   for (const Candidate& candidate : candidates_) {
     if ((++polls_ & 255) == 0) poll_();
+    if (mesh_.facing[candidate.obstacle] == 0 && isWallOfEdge(candidate)) continue;
     if (!started_) {
       geometry_.start(face_);
       started_ = true;
@@ -141,7 +142,7 @@ void ClearanceClipper::search(const Box& box) {
 
 void ClearanceClipper::consider(Index obstacle) {
   if ((++polls_ & 255) == 0) poll_();
-  if (obstacle == face_) return;
+  if (obstacle == face_ || (mesh_.facing[obstacle] != 0 && onlyTouchesBox(obstacle))) return;
   Candidate candidate;
   candidate.obstacle = obstacle;
   if (!findHeights(candidate)) return;
@@ -177,13 +178,16 @@ bool ClearanceClipper::findHeights(Candidate& candidate) {
     on = on && floor == 0;
   };
   if (isLevel_) {
+    const std::array<double, 3> z{mesh_.vertices[o[0]].z, mesh_.vertices[o[1]].z, mesh_.vertices[o[2]].z};
+    const auto [lowest, highest] = std::minmax({z[0], z[1], z[2]});
+    candidate.coplanar = lowest == floorZ_ && highest == floorZ_;
+    if (!candidate.coplanar && (highest <= floorZ_ || (lowest > floorZ_ && compareToCeiling(lowest) >= 0)))
+      return false;
     for (int j = 0; j < 3; ++j) {
-      const double z = mesh_.vertices[o[j]].z;
-      const int floor = z > floorZ_ ? 1 : z < floorZ_ ? -1 : 0;
-      note(j, floor, floor > 0 ? compareToCeiling(z) : -1);
+      const int floor = z[j] > floorZ_ ? 1 : z[j] < floorZ_ ? -1 : 0;
+      note(j, floor, floor > 0 ? compareToCeiling(z[j]) : -1);
     }
-    candidate.coplanar = on;
-    return on || (above && below);
+    return true;
   }
   const Vec3& base = mesh_.scaled[f[0]];
   const double slack = kernel_.sign().slack;
@@ -232,7 +236,6 @@ bool ClearanceClipper::findOverlap(Candidate& candidate) {
   const auto& o = mesh_.triangles[obstacle];
   const auto& plan = mesh_.planIds;
   const int facing = mesh_.facing[obstacle];
-  if (facing != 0 && onlyTouchesBox(obstacle)) return false;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
   for (int k = 0; k < 3; ++k) {
     auto& sides = candidate.sides[k];
@@ -415,6 +418,32 @@ void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
     }
   }
   polygon = result;
+}
+
+// The most common wall stands on a whole edge of the face: between its ends, and in the clearance at both.
+bool ClearanceClipper::isWallOfEdge(const Candidate& candidate) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  const auto& plan = mesh_.planIds;
+  for (int k = 0; k < 3; ++k) {
+    if (candidate.sides[k] != Candidate::Signs{0, 0, 0}) continue;
+    const Index from = plan[f[k]], to = plan[f[next(k)]];
+    bool atFrom = false, atTo = false;
+    for (int j = 0; j < 3; ++j) {
+      const Index at = plan[o[j]];
+      if (at != from && at != to) return false;
+      bool reaches = candidate.floor[j] >= 0 && candidate.ceiling[j] <= 0;
+      const int i = next(j);
+      if (plan[o[i]] == at)  // an upright edge
+        reaches =
+            reaches || candidate.floor[j] * candidate.floor[i] < 0 || candidate.ceiling[j] * candidate.ceiling[i] < 0;
+      (at == from ? atFrom : atTo) |= reaches;
+    }
+    if (!atFrom || !atTo) return false;
+    edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
+    return true;
+  }
+  return false;
 }
 
 void ClearanceClipper::addWall(const Candidate& candidate) {

@@ -74,6 +74,7 @@ class ClearanceClipper {
   [[nodiscard]] bool onlyTouchesBox(Index obstacle) const;
   bool isSeparated(Index obstacle);
   bool addArea(const Candidate& candidate);
+  bool isWallOfEdge(const Candidate& candidate);
   void addWall(const Candidate& candidate);
   void clipToLevel(Polygon& polygon, Index obstacle, bool ceiling);
   void clipToEdge(Polygon& polygon, int k);
