@@ -105,6 +105,7 @@ class Editor {
       mesh_.degenerate.push_back(0);
       classifyTriangle(mesh_, t, sign);
       changes_->baseOf.push_back(-1);
+      if (mesh_.degenerate[t] == 0) changes_->addedTriangles.push_back(t);
       changes_->added.push_back(boxOf(mesh_, t));
       ++next;
     };

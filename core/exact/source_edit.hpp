@@ -18,7 +18,8 @@ struct SourceEdit {
   std::vector<Index> planOf;      ///< for each plan id of the base its number now, or -1 (also for what is no plan id)
   std::vector<Index> triangleOf;  ///< for each triangle of the base its number now, or -1
   std::vector<Index> baseOf;      ///< for each triangle its number in the base, or -1
-  std::vector<Box> removed, added;  ///< of the triangles that went and came
+  std::vector<Index> addedTriangles;  ///< that came and are not degenerate, ascending
+  std::vector<Box> removed, added;    ///< of the triangles that went and came
 };
 
 /// The mesh that makeSourceMesh() makes of `environment`, which is an edit of the environment that `base` was made of.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace footfall {
 namespace {
@@ -122,7 +123,10 @@ void ClearanceClipper::findCandidates(const std::vector<Index>& known, double kn
   candidates_.clear();
   box_ = clearanceBox(mesh_, face_, height_);
   for (const Index obstacle : known) consider(obstacle);
-  if (knownHeight >= height_) return;
+  if (knownHeight >= height_) {
+    sortCandidates();
+    return;
+  }
   Box box = box_;
   box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
   search(box);
@@ -135,7 +139,11 @@ void ClearanceClipper::search(const Box& box) {
     consider(obstacle);
     return true;
   });
-  // Points and lines are numbered as they come, so the order of the tree must not show.
+  sortCandidates();
+}
+
+// Points and lines are numbered as they come, so the order of the tree must not show.
+void ClearanceClipper::sortCandidates() {
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& x, const Candidate& y) { return x.obstacle < y.obstacle; });
 }
@@ -523,14 +531,16 @@ void ClearanceClipper::addEarlier(const FaceCuts& earlier) {
 
 // Two obstacles that share an edge and lie on either side of it in the plan cover it: their windings cancel.
 void ClearanceClipper::cancelSegments() {
-  std::sort(segments_.begin(), segments_.end(), [](const CutSegment& a, const CutSegment& b) {
-    return a.from != b.from ? a.from < b.from : a.to != b.to ? a.to < b.to : a.line < b.line;
-  });
+  sortSegments();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < segments_.size();) {
     CutSegment sum = segments_[i];
     std::size_t j = i + 1;
     for (; j < segments_.size() && segments_[j].from == sum.from && segments_[j].to == sum.to; ++j) {
+      if (segments_[j].line < sum.line) {
+        sum.line = segments_[j].line;
+        sum.direction = segments_[j].direction;
+      }
       sum.winding += segments_[j].winding;
       sum.wall = sum.wall || segments_[j].wall;
     }
@@ -538,6 +548,27 @@ void ClearanceClipper::cancelSegments() {
     i = j;
   }
   segments_.resize(kept);
+}
+
+// By their ends. Giants have tens of thousands of segments: those are counted into place, by one end and then the
+// other.
+void ClearanceClipper::sortSegments() {
+  constexpr std::size_t kFewSegments = 256;
+  if (segments_.size() < kFewSegments) {
+    std::sort(segments_.begin(), segments_.end(), [](const CutSegment& a, const CutSegment& b) {
+      return a.from != b.from ? a.from < b.from : a.to < b.to;
+    });
+    return;
+  }
+  sorted_.resize(segments_.size());
+  for (const auto end : {&CutSegment::to, &CutSegment::from}) {
+    poll_();
+    numbers_.assign(geometry_.pointCount() + 1, 0);
+    for (const CutSegment& s : segments_) ++numbers_[s.*end + 1];
+    std::partial_sum(numbers_.begin(), numbers_.end(), numbers_.begin());
+    for (const CutSegment& s : segments_) sorted_[numbers_[s.*end]++] = s;
+    segments_.swap(sorted_);
+  }
 }
 
 FaceCuts ClearanceClipper::collect() {

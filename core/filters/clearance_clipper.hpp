@@ -26,7 +26,7 @@ class ClearanceClipper {
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null).
   FaceCuts clip(Index face, const FaceCuts* earlier);
 
-  /// The same, when it is known what stands above the face in the plan within `knownHeight`.
+  /// The same without earlier cuts, when all that may stand above the face in the plan within `knownHeight` is known.
   FaceCuts clip(Index face, const std::vector<Index>& known, double knownHeight);
 
   /// What the last clip() found in the clearance, ascending.
@@ -63,6 +63,7 @@ class ClearanceClipper {
   void findCandidates(const std::vector<Index>& known, double knownHeight);
   void consider(Index obstacle);
   void search(const Box& box);
+  void sortCandidates();
   FaceCuts cut();
   /// False when nothing of the obstacle is strictly within the clearance, nor coplanar.
   bool findHeights(Candidate& candidate);
@@ -81,6 +82,7 @@ class ClearanceClipper {
   void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall);
   void addEarlier(const FaceCuts& earlier);
   void cancelSegments();
+  void sortSegments();
   FaceCuts collect();
 
   const PlanKernel& kernel_;
@@ -97,7 +99,7 @@ class ClearanceClipper {
   bool started_ = false;
   Box box_;  ///< of the face and the clearance above it
   std::uint8_t edgeWalls_ = 0;
-  std::vector<CutSegment> segments_;
+  std::vector<CutSegment> segments_, sorted_;
   std::vector<std::int32_t> stack_;
   std::vector<Candidate> candidates_;
   std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected

@@ -107,7 +107,13 @@ std::shared_ptr<const std::vector<Index>> EarlierResult::candidates(Index faceBe
   if (!edit_ || !shared) return shared;
   auto result = std::make_shared<std::vector<Index>>(*shared);
   for (Index& t : *result) t = edit_->triangleOf[t];
+  std::erase(*result, -1);
   return result;
+}
+
+const std::vector<Index>& EarlierResult::added() const {
+  static const std::vector<Index> kNone;
+  return edit_ ? edit_->addedTriangles : kNone;
 }
 
 }  // namespace footfall

@@ -30,7 +30,10 @@ class EarlierResult {
 
   [[nodiscard]] std::shared_ptr<const FaceCuts> cuts(Index faceBefore) const;
   [[nodiscard]] std::shared_ptr<const FaceMesh> mesh(Index faceBefore) const;
+  /// What stood above a face, as far as it still exists.
   [[nodiscard]] std::shared_ptr<const std::vector<Index>> candidates(Index faceBefore) const;
+  /// The triangles that came, except degenerate ones.
+  [[nodiscard]] const std::vector<Index>& added() const;
 
  private:
   EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit);

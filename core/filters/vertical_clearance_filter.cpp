@@ -119,13 +119,27 @@ class KnownCuts {
     }
   }
 
-  /// The face's number then, when what stood above it stands there still and nothing else does; else -1.
-  [[nodiscard]] Index unchanged(Index face) const {
+  /// The face's number then, when it was a floor and what is remembered of it can be used; else -1.
+  [[nodiscard]] Index before(Index face) const {
     if (!earlier_) return -1;
     const Index then = earlier_->faceBefore(face);
     if (then < 0 || earlier_->state().walkable[then] == 0) return -1;
-    if (floorsDiffer_ && (*earlier_->state().cuts)[then].dependsOnFloors) return -1;
-    return earlier_->isTouched(clearanceBox(state_.kernel->mesh(), face, std::max(height_, clearance()))) ? -1 : then;
+    return floorsDiffer_ && (*earlier_->state().cuts)[then].dependsOnFloors ? -1 : then;
+  }
+  /// Whether standing() is complete: it leaves out what was in the face's plane and no floor.
+  [[nodiscard]] bool knowsAll(Index faceBefore) const {
+    return faceBefore >= 0 && !(*earlier_->state().cuts)[faceBefore].dependsOnFloors;
+  }
+  /// Whether something came or went in the clearance above the face.
+  [[nodiscard]] bool isTouched(Index face) const {
+    return earlier_->isTouched(clearanceBox(state_.kernel->mesh(), face, std::max(height_, clearance())));
+  }
+  /// All that may stand above a face within clearance().
+  [[nodiscard]] std::vector<Index> standing(Index faceBefore) const {
+    const auto known = earlier_->candidates(faceBefore);
+    std::vector<Index> result = earlier_->added();
+    if (known) result.insert(result.end(), known->begin(), known->end());
+    return result;
   }
   [[nodiscard]] bool sameClearance() const { return sameClearance_; }
   [[nodiscard]] double clearance() const { return earlier_->state().memory->clearance; }
@@ -172,17 +186,15 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
     for (Index t = range.begin(); t != range.end(); ++t) {
       context.checkCancelled();
       if (state->walkable[t] == 0) continue;
-      const Index then = known.unchanged(t);
-      if (then >= 0 && known.sameClearance()) {
+      const Index then = known.before(t);
+      if (then >= 0 && known.sameClearance() && !known.isTouched(t)) {
         cuts->set(t, earlier->cuts(then));
         memory->candidates[t] = earlier->candidates(then);
         continue;
       }
       isChanged[t] = 1;
-      const auto standing = then >= 0 ? earlier->candidates(then) : nullptr;
-      static const std::vector<Index> kNothing;
-      cuts->set(t, then >= 0 ? clipper->clip(t, standing ? *standing : kNothing, known.clearance())
-                             : clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr));
+      cuts->set(t, known.knowsAll(then) ? clipper->clip(t, known.standing(then), known.clearance())
+                                        : clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr));
       if (memory && !clipper->candidates().empty())
         memory->candidates[t] = std::make_shared<const std::vector<Index>>(clipper->candidates());
     }
