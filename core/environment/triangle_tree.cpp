@@ -230,8 +230,8 @@ class TriangleTreeBuilder {
       nodes_ = std::move(root.nodes);
       return;
     }
-    nodes_.resize(root.size);
-    place(root, 0);
+    nodes_.reserve(root.size);
+    append(root);
   }
 
  private:
@@ -291,27 +291,22 @@ class TriangleTreeBuilder {
     for (const Subtree& below : *tree.below) tree.size += below.size;
   }
 
-  /// Copies the nodes of a subtree to their places from `offset` on.
-  void place(const Subtree& tree, std::size_t offset) const {
-    if (!tree.below) {
-      for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        Node node = tree.nodes[i];
-        for (std::int32_t& child : node.children)
-          if (child > 0) child += static_cast<std::int32_t>(offset);
-        nodes_[offset + i] = node;
-      }
-      return;
+  /// Moves the nodes of a subtree to the end of all.
+  void append(Subtree& tree) const {
+    poll_();
+    const auto self = nodes_.size();
+    for (Node node : tree.nodes) {
+      for (std::int32_t& child : node.children)
+        if (child > 0) child += static_cast<std::int32_t>(self);
+      nodes_.push_back(node);
     }
-    std::array<std::size_t, kWidth> offsets{};
-    std::size_t next = offset + 1;
-    Node node = tree.nodes[0];
+    tree.nodes = {};
+    if (!tree.below) return;
     for (std::size_t i = 0; i < kWidth; ++i) {
-      offsets[i] = next;
-      if ((*tree.below)[i].size > 0) node.children[i] = static_cast<std::int32_t>(next);
-      next += (*tree.below)[i].size;
+      if ((*tree.below)[i].size == 0) continue;
+      nodes_[self].children[i] = static_cast<std::int32_t>(nodes_.size());
+      append((*tree.below)[i]);
     }
-    nodes_[offset] = node;
-    tbb::parallel_for(std::size_t{0}, kWidth, [&](std::size_t i) { place((*tree.below)[i], offsets[i]); });
   }
 
   const std::function<void()>& poll_;
