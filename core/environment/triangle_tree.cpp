@@ -10,8 +10,8 @@
 namespace footfall {
 namespace {
 
-constexpr std::size_t kWidth = 4;       // children of a node
-constexpr std::size_t kSmallSize = 16;  // split by count, to fill the nodes; larger ones by area
+constexpr std::size_t kWidth = 4;      // children of a node
+constexpr std::size_t kSlabSize = 16;  // smaller nodes are split by count, to fill those below; larger ones by area
 constexpr int kBins = 16;
 // Below this depth everything is split by count, so that no input makes the tree, and the recursion, deep.
 constexpr int kAreaDepth = 24;
@@ -72,7 +72,8 @@ struct Part {
 };
 
 /// Divides the items of a node among its children by the surface-area heuristic over bins of the centres (Wald 2007,
-/// "On fast construction of SAH-based bounding volume hierarchies"). One for each thread: it holds working memory.
+/// "On fast construction of SAH-based bounding volume hierarchies"), here with one look at the items for all four
+/// children. One for each thread: it holds working memory.
 class ItemDivider {
  public:
   explicit ItemDivider(const std::function<void()>& poll) : poll_(poll) {}
@@ -84,6 +85,10 @@ class ItemDivider {
       for (std::size_t i = 0; i < total; ++i) parts[i] = Part(whole.items.subspan(i, 1));
       return total;
     }
+    if (total > kSlabSize && depth < kAreaDepth) {
+      const std::size_t count = divideIntoSlabs(whole, parts);
+      if (count != 0) return count;
+    }
     parts[0] = whole;
     std::size_t count = 1;
     while (count < kWidth) {
@@ -93,7 +98,7 @@ class ItemDivider {
           next = i;
       if (next == kWidth) break;
       const std::span<TreeItem> items = parts[next].items;
-      const std::size_t middle = split(parts[next], depth);
+      const std::size_t middle = split(parts[next]);
       if (items.size() > kPolledSize) poll_();
       parts[next] = Part(items.first(middle));
       parts[count++] = Part(items.subspan(middle));
@@ -105,61 +110,71 @@ class ItemDivider {
   static constexpr std::size_t kPolledSize = 16384;
   static constexpr std::size_t kScratchSize = 8192;
 
-  /// How many of the items come first; they are moved there.
-  std::size_t split(const Part& part, int depth) {
-    const int axis = widestAxis(part.centres);
-    const std::size_t count = part.items.size();
-    if (count > kSmallSize && depth < kAreaDepth) {
-      const float least = part.centres.lower[axis];
-      const float perBin = kBins / (part.centres.upper[axis] - least);
-      if (std::isfinite(perBin)) return splitByArea(part.items, axis, least, perBin);
-    }
-    const std::size_t middle = count > kSmallSize ? count / 2 : (count / 2 + kWidth - 1) / kWidth * kWidth;
-    std::nth_element(part.items.begin(), part.items.begin() + static_cast<std::ptrdiff_t>(middle), part.items.end(),
-                     [axis](const TreeItem& a, const TreeItem& b) { return centreOf(a, axis) < centreOf(b, axis); });
-    return middle;
-  }
+  struct Bin {
+    Bounds box;
+    std::size_t count = 0;
 
-  std::size_t splitByArea(std::span<TreeItem> items, int axis, float least, float perBin) {
+    void include(const Bin& other) {
+      box.include(other.box);
+      count += other.count;
+    }
+    [[nodiscard]] float cost() const { return box.halfArea() * static_cast<float>(count); }
+  };
+  using Bins = std::array<Bin, kBins>;
+
+  /// Cuts along one axis at up to three borders of bins, into two to four slabs; none where the centres hardly differ.
+  std::size_t divideIntoSlabs(const Part& whole, std::array<Part, kWidth>& parts) {
+    const int axis = widestAxis(whole.centres);
+    const float least = whole.centres.lower[axis];
+    const float perBin = kBins / (whole.centres.upper[axis] - least);
+    if (!std::isfinite(perBin)) return 0;
     const auto binOf = [=](const TreeItem& item) {
       return std::min(static_cast<int>((centreOf(item, axis) - least) * perBin), kBins - 1);
     };
-    // Neighbours tend to fall into one bin: with two sets of them they need not wait for each other.
-    std::array<std::array<Bounds, kBins>, 2> boxes;
-    std::array<std::array<std::size_t, kBins>, 2> counts{};
+    // Neighbours tend to fall into one bin: with two sets of bins they need not wait for each other.
+    std::array<Bins, 2> bins;
+    const std::span<TreeItem> items = whole.items;
     for (std::size_t i = 0; i < items.size(); ++i) {
-      const int bin = binOf(items[i]);
-      boxes[i & 1][bin].include(lowerOf(items[i]), upperOf(items[i]));
-      ++counts[i & 1][bin];
+      Bin& bin = bins[i & 1][binOf(items[i])];
+      bin.box.include(lowerOf(items[i]), upperOf(items[i]));
+      ++bin.count;
     }
     if (items.size() > kPolledSize) poll_();
+    for (int bin = 0; bin < kBins; ++bin) bins[0][bin].include(bins[1][bin]);
+
+    const int middle = cheapestBorder(bins[0], 0, kBins);
+    const std::array<int, kWidth + 1> borders{0, cheapestBorder(bins[0], 0, middle), middle,
+                                              cheapestBorder(bins[0], middle, kBins), kBins};
+    std::array<std::uint8_t, kBins> slabs{};
+    std::array<std::size_t, kWidth> sizes{};
     for (int bin = 0; bin < kBins; ++bin) {
-      boxes[0][bin].include(boxes[1][bin]);
-      counts[0][bin] += counts[1][bin];
+      while (bin >= borders[slabs[bin] + 1]) ++slabs[bin];
+      sizes[slabs[bin]] += bins[0][bin].count;
     }
-    const int second = cheapestSplit(boxes[0], counts[0]);
-    return moveForward(items, [=](const TreeItem& item) { return binOf(item) < second; });
+    moveToSlabs(items, sizes, [&](const TreeItem& item) { return slabs[binOf(item)]; });
+    std::size_t count = 0, first = 0;
+    for (const std::size_t size : sizes) {
+      if (size > 0) parts[count++] = Part(items.subspan(first, size));
+      first += size;
+    }
+    return count;
   }
 
-  /// The bin with which the second part begins.
-  static int cheapestSplit(const std::array<Bounds, kBins>& boxes, const std::array<std::size_t, kBins>& counts) {
+  /// The bin between `first` and `last` with which the second half begins; `last` where either half would be empty.
+  static int cheapestBorder(const Bins& bins, int first, int last) {
     std::array<float, kBins> costs{};  // of what lies at and after the bin
-    Bounds after;
-    std::size_t count = 0;
-    for (int bin = kBins - 1; bin > 0; --bin) {
-      after.include(boxes[bin]);
-      count += counts[bin];
-      costs[bin] = after.halfArea() * static_cast<float>(count);
+    Bin after;
+    for (int bin = last - 1; bin > first; --bin) {
+      after.include(bins[bin]);
+      costs[bin] = after.count == 0 ? std::numeric_limits<float>::infinity() : after.cost();
     }
-    // The first and the last bin are never empty, so neither side is.
-    Bounds before;
-    count = 0;
-    int best = 1;
+    Bin before;
+    int best = last;
     float lowest = std::numeric_limits<float>::infinity();
-    for (int bin = 1; bin < kBins; ++bin) {
-      before.include(boxes[bin - 1]);
-      count += counts[bin - 1];
-      const float cost = before.halfArea() * static_cast<float>(count) + costs[bin];
+    for (int bin = first + 1; bin < last; ++bin) {
+      before.include(bins[bin - 1]);
+      if (before.count == 0) continue;
+      const float cost = before.cost() + costs[bin];
       if (cost < lowest) {
         lowest = cost;
         best = bin;
@@ -168,24 +183,31 @@ class ItemDivider {
     return best;
   }
 
-  /// Moves the items that are `first` before the others; how many they are.
-  template <class IsFirst>
-  std::size_t moveForward(std::span<TreeItem> items, const IsFirst& isFirst) {
-    if (items.size() > kScratchSize)
-      return static_cast<std::size_t>(std::partition(items.begin(), items.end(), isFirst) - items.begin());
-    // Without branches, which could not be predicted: each item is written to both sides, and one of them keeps it.
-    if (!scratch_) scratch_ = std::make_unique_for_overwrite<TreeItem[]>(kScratchSize);
-    std::size_t first = 0, second = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      const TreeItem item = items[i];
-      const bool forward = isFirst(item);
-      items[first] = item;
-      scratch_[second] = item;
-      first += static_cast<std::size_t>(forward);
-      second += static_cast<std::size_t>(!forward);
+  /// Moves the items to the order of their slabs, of which the sizes are known.
+  template <class SlabOf>
+  void moveToSlabs(std::span<TreeItem> items, const std::array<std::size_t, kWidth>& sizes, const SlabOf& slabOf) {
+    if (items.size() > kScratchSize) {
+      const auto middle =
+          std::partition(items.begin(), items.end(), [&](const TreeItem& item) { return slabOf(item) < 2; });
+      poll_();
+      std::partition(items.begin(), middle, [&](const TreeItem& item) { return slabOf(item) < 1; });
+      std::partition(middle, items.end(), [&](const TreeItem& item) { return slabOf(item) < 3; });
+      return;
     }
-    std::copy_n(scratch_.get(), second, items.begin() + static_cast<std::ptrdiff_t>(first));
-    return first;
+    if (!scratch_) scratch_ = std::make_unique_for_overwrite<TreeItem[]>(kScratchSize);
+    std::array<std::size_t, kWidth> places{0, sizes[0], sizes[0] + sizes[1], sizes[0] + sizes[1] + sizes[2]};
+    for (const TreeItem& item : items) scratch_[places[slabOf(item)]++] = item;
+    std::copy_n(scratch_.get(), items.size(), items.begin());
+  }
+
+  /// How many of the items come first, to fill nodes; they are moved there.
+  static std::size_t split(const Part& part) {
+    const int axis = widestAxis(part.centres);
+    const std::size_t count = part.items.size();
+    const std::size_t middle = (count / 2 + kWidth - 1) / kWidth * kWidth;
+    std::nth_element(part.items.begin(), part.items.begin() + static_cast<std::ptrdiff_t>(middle), part.items.end(),
+                     [axis](const TreeItem& a, const TreeItem& b) { return centreOf(a, axis) < centreOf(b, axis); });
+    return middle;
   }
 
   const std::function<void()>& poll_;
@@ -208,8 +230,8 @@ class TriangleTreeBuilder {
       nodes_ = std::move(root.nodes);
       return;
     }
-    nodes_.resize(root.size);
-    place(root, 0);
+    nodes_.reserve(root.size);
+    append(root);
   }
 
  private:
@@ -269,27 +291,22 @@ class TriangleTreeBuilder {
     for (const Subtree& below : *tree.below) tree.size += below.size;
   }
 
-  /// Copies the nodes of a subtree to their places from `offset` on.
-  void place(const Subtree& tree, std::size_t offset) const {
-    if (!tree.below) {
-      for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        Node node = tree.nodes[i];
-        for (std::int32_t& child : node.children)
-          if (child > 0) child += static_cast<std::int32_t>(offset);
-        nodes_[offset + i] = node;
-      }
-      return;
+  /// Moves the nodes of a subtree to the end of all.
+  void append(Subtree& tree) const {
+    poll_();
+    const auto self = nodes_.size();
+    for (Node node : tree.nodes) {
+      for (std::int32_t& child : node.children)
+        if (child > 0) child += static_cast<std::int32_t>(self);
+      nodes_.push_back(node);
     }
-    std::array<std::size_t, kWidth> offsets{};
-    std::size_t next = offset + 1;
-    Node node = tree.nodes[0];
+    tree.nodes = {};
+    if (!tree.below) return;
     for (std::size_t i = 0; i < kWidth; ++i) {
-      offsets[i] = next;
-      if ((*tree.below)[i].size > 0) node.children[i] = static_cast<std::int32_t>(next);
-      next += (*tree.below)[i].size;
+      if ((*tree.below)[i].size == 0) continue;
+      nodes_[self].children[i] = static_cast<std::int32_t>(nodes_.size());
+      append((*tree.below)[i]);
     }
-    nodes_[offset] = node;
-    tbb::parallel_for(std::size_t{0}, kWidth, [&](std::size_t i) { place((*tree.below)[i], offsets[i]); });
   }
 
   const std::function<void()>& poll_;
