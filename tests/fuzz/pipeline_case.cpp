@@ -155,6 +155,7 @@ double chooseMap(Dice& dice, PipelineCase& result) {
         const double x = scaled(v.x), y = scaled(v.y), z = scaled(v.z);
         return Vec3{x, y, z};
       });
+      result.copies = 1;  // every copy would reach over all others
       return 1;
     default:
       return 1;
@@ -237,13 +238,13 @@ PipelineCase makePipelineCase(std::uint64_t seed) {
   Dice dice(seed);
   PipelineCase result;
   chooseSoup(dice, result);
+  result.copies = dice.oneIn(8) ? 2 + dice.below(8) : 1;
   const double scale = chooseMap(dice, result);
   result.bothSides = dice.oneIn(4);
   result.slope = dice.oneOf({45.0, 60.0, 30.0, 80.0, 54.7});
   result.clearance = scale * dice.oneOf({2.0, 1.0, 0.5, 1.5, 3.0, 1e30});
   result.sameSetFilters = chooseSameSetFilters(dice, result.slope, result.clearance);
   result.anyFilters = chooseAnyFilters(dice, scale);
-  result.copies = dice.oneIn(8) ? 2 + dice.below(8) : 1;
   result.copyDistance = extentOf(result.soup) * dice.oneOf({0.5, 1.0, 1.5});
   result.order = dice.bits();
   return result;
