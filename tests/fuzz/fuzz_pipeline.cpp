@@ -1,10 +1,10 @@
 // footfall-fuzz-pipeline: random environments and filters against the reference implementation, for as long as wanted.
 //
-//   footfall-fuzz-pipeline [--seconds N] [--seed S] [--case S] [--folder F]
+//   footfall-fuzz-pipeline [--seconds N | --cases C] [--seed S] [--folder F]
 //
-// Case S, S + 1, ... until N seconds are over (0: until stopped; default 60); with --case only that one. Each runs in a
-// process of its own, so that crashes and hangs are found, too. The first that fails is shrunk, written to F (the
-// current folder) as OBJ with what to do in its comments, and the exit code is 1.
+// Case S, S + 1, ... until N seconds are over (0: until stopped; default 60), or C cases. Each runs in a process of its
+// own, so that crashes and hangs are found, too. The first that fails is shrunk, written to F (the current folder) as
+// OBJ with its story in the comments, and the exit code is 1.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -79,7 +79,8 @@ std::string joined(const std::vector<std::string>& filters) {
 
 /// The case as OBJ, Z up, with its story as comments.
 std::string describe(const PipelineCase& experiment, std::uint64_t seed, const std::string& error) {
-  std::string text = "# footfall-fuzz-pipeline --case " + std::to_string(seed) + " (" + experiment.kind + "), shrunk";
+  std::string text =
+      "# footfall-fuzz-pipeline --cases 1 --seed " + std::to_string(seed) + " (" + experiment.kind + "), shrunk";
   text += "\n# " + error + "\n# both sides: " + (experiment.bothSides ? "yes" : "no") + ", slope ";
   appendNumber(text, experiment.slope);
   text += ", clearance ";
@@ -120,25 +121,27 @@ int report(std::uint64_t seed, const PipelineCase& experiment, const std::string
 int main(int argc, char** argv) {
   double seconds = 60;
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> only;
+  std::uint64_t cases = 0;
   std::string folder = ".";
   CLI::App options("Random environments and filters against the reference implementation");
-  options.add_option("--seconds", seconds, "How long; 0: until stopped")->capture_default_str();
+  auto* limit = options.add_option("--seconds", seconds, "How long; 0: until stopped")->capture_default_str();
   options.add_option("--seed", seed, "The first case")->capture_default_str();
-  options.add_option("--case", only, "Only this case");
+  options.add_option("--cases", cases, "How many, however long that takes")->excludes(limit);
   options.add_option("--folder", folder, "Where a failing case is written")->capture_default_str();
   CLI11_PARSE(options, argc, argv);
 
   const auto start = Clock::now();
-  const auto isOver = [&] { return seconds > 0 && Clock::now() - start >= std::chrono::duration<double>(seconds); };
-  const std::uint64_t first = only.value_or(seed);
-  std::uint64_t next = first;
+  std::uint64_t next = seed;
+  const auto isOver = [&] {
+    if (cases > 0) return next - seed >= cases;
+    return seconds > 0 && Clock::now() - start >= std::chrono::duration<double>(seconds);
+  };
   do {
     const PipelineCase experiment = makePipelineCase(next);
     const std::string error = findError(experiment, false);
     if (!error.empty()) return report(next, experiment, error, folder);
     ++next;
-  } while (!only && !isOver());
-  std::cout << next - first << " cases from " << first << " on agree with the reference" << std::endl;
+  } while (!isOver());
+  std::cout << next - seed << " cases from " << seed << " on agree with the reference" << std::endl;
   return 0;
 }

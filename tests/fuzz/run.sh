@@ -52,7 +52,7 @@ run_target checks 1024
 run_target import 1024
 say "footfall-fuzz-pipeline"
 if [ "${seconds}" -eq 0 ]; then
-  build/fuzz/tests/fuzz/footfall-fuzz-pipeline --case "${seed}" --folder "${found}"
+  build/fuzz/tests/fuzz/footfall-fuzz-pipeline --cases 1 --seed "${seed}" --folder "${found}"
 else
   build/fuzz/tests/fuzz/footfall-fuzz-pipeline --seconds "${seconds}" --seed "${seed}" --folder "${found}"
 fi
