@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Footfall is built with, tested with and runs on. Does nothing, quickly, when all are
-# there. Needs root, or sudo, only when something is missing.
+# install_dependencies.sh [--fuzzing]: installs the Debian packages that Footfall is built with, tested with and runs on,
+# and with --fuzzing those that tests/fuzz/run.sh needs. Does nothing, quickly, when all are there. Needs root, or sudo,
+# only when something is missing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 # shellcheck source=installer/common.sh
@@ -17,6 +18,12 @@ packages=(
   # testing
   clang-format librapidcheck-dev xauth xvfb
 )
+
+case "$#:${1:-}" in
+  0:) ;;
+  1:--fuzzing) packages+=(clang-14 libclang-rt-14-dev) ;;
+  *) fail "unknown arguments $*; usage: install_dependencies.sh [--fuzzing]" ;;
+esac
 
 command -v dpkg-query >/dev/null || fail "this is not a Debian system; install by hand: ${packages[*]}"
 missing=()

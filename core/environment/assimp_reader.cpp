@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string_view>
 
@@ -162,6 +163,15 @@ Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
   return asset.upAxis == 'X' ? kXUpToYUp * own : own;
 }
 
+/// The first few bytes of a file, in lower case.
+std::string lowerStart(const std::string& path) {
+  std::string start(5, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  std::transform(start.begin(), start.end(), start.begin(), [](unsigned char c) { return std::tolower(c); });
+  return start;
+}
+
 }  // namespace
 
 FileFrame readWithAssimp(const std::string& path, Environment& environment, RunContext* context) {
@@ -169,8 +179,10 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
 
-  if (extension == ".ply") rejectTruncatedPly(path, readInputFile(path, context));
-  if (extension == ".stl") rejectTruncatedStl(path, readInputFile(path, context));
+  // Assimp goes by the content where the name says something else.
+  const std::string start = lowerStart(path);
+  if (extension == ".ply" || start.starts_with("ply")) rejectTruncatedPly(path, readInputFile(path, context));
+  if (extension == ".stl" || start.starts_with("solid")) rejectTruncatedStl(path, readInputFile(path, context));
 
   Assimp::Importer importer;
   // A skeleton alone is no environment: without this Assimp makes up a mesh for it.

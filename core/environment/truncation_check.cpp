@@ -5,6 +5,9 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <limits>
+#include <system_error>
 #include <vector>
 
 #include "core/environment/input_file.hpp"
@@ -22,6 +25,13 @@ std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
+/// Whatever the case of the text: Assimp does not mind it either.
+bool startsWith(std::string_view text, std::string_view lower) {
+  return text.size() >= lower.size() && std::equal(lower.begin(), lower.end(), text.begin(), [](char l, char c) {
+           return l == (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+         });
+}
+
 std::vector<std::string_view> words(std::string_view line) {
   std::vector<std::string_view> result;
   for (std::size_t start = 0; (start = line.find_first_not_of(" \t\r", start)) != std::string_view::npos;) {
@@ -32,16 +42,22 @@ std::vector<std::string_view> words(std::string_view line) {
   return result;
 }
 
+/// A count that no integer holds is larger than any file.
 std::uint64_t toCount(std::string_view word) {
   std::uint64_t count = 0;
-  std::from_chars(word.data(), word.data() + word.size(), count);
-  return count;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), count);
+  return read.ec == std::errc::result_out_of_range ? std::numeric_limits<std::uint64_t>::max() : count;
 }
 
+/// 0 for what is no type of PLY.
 std::uint64_t plyTypeSize(std::string_view type) {
-  if (type == "char" || type == "uchar" || type == "int8" || type == "uint8") return 1;
-  if (type == "short" || type == "ushort" || type == "int16" || type == "uint16") return 2;
-  return type == "double" || type == "float64" ? 8 : 4;
+  const auto isOneOf = [&](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), type) != names.end();
+  };
+  if (isOneOf({"char", "uchar", "int8", "uint8"})) return 1;
+  if (isOneOf({"short", "ushort", "int16", "uint16"})) return 2;
+  if (isOneOf({"int", "uint", "int32", "uint32", "float", "float32"})) return 4;
+  return isOneOf({"double", "float64"}) ? 8 : 0;
 }
 
 struct PlyElement {
@@ -57,22 +73,43 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
+/// One line of the header; false when it is none.
+bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& header) {
+  const std::string_view keyword = line[0];
+  if (keyword == "comment" || keyword == "obj_info") return true;
+  if (keyword == "end_header") return header.complete = line.size() == 1;
+  if (keyword == "format") {
+    if (line.size() != 3) return false;
+    header.ascii = line[1] == "ascii";
+    return header.ascii || line[1] == "binary_little_endian" || line[1] == "binary_big_endian";
+  }
+  if (keyword == "element") {
+    if (line.size() != 3 || line[2].find_first_not_of("0123456789") != std::string_view::npos) return false;
+    header.elements.push_back({toCount(line[2]), 0, 0, false});
+    return true;
+  }
+  const bool list = line.size() == 5 && line[1] == "list";
+  if (keyword != "property" || (!list && line.size() != 3) || header.elements.empty()) return false;
+  const std::uint64_t size = plyTypeSize(list ? line[2] : line[1]);
+  PlyElement& element = header.elements.back();
+  if (element.leastWords == 0) element.firstIsList = list;
+  element.leastBytes += size;
+  ++element.leastWords;
+  return size > 0 && (!list || plyTypeSize(line[3]) > 0);
+}
+
 /// Leaves `text` behind the header.
-PlyHeader takePlyHeader(std::string_view& text) {
+PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
   PlyHeader header;
-  while (!text.empty() && !header.complete) {
+  takeLine(text);  // "ply"
+  for (std::size_t number = 2; !text.empty() && !header.complete; ++number) {
     const std::vector<std::string_view> line = words(takeLine(text));
-    if (line.empty()) continue;
-    if (line[0] == "end_header") header.complete = true;
-    if (line[0] == "format" && line.size() > 1) header.ascii = line[1] == "ascii";
-    if (line[0] == "element" && line.size() > 2) header.elements.push_back({toCount(line[2]), 0, 0, false});
-    if (line[0] == "property" && line.size() > 2 && !header.elements.empty()) {
-      PlyElement& element = header.elements.back();
-      const bool list = line[1] == "list";
-      if (element.leastWords == 0) element.firstIsList = list;
-      element.leastBytes += plyTypeSize(list ? line[2] : line[1]);
-      ++element.leastWords;
-    }
+    if (line.empty() || takePlyHeaderLine(line, header)) continue;
+    if (text.empty()) break;  // cut inside the line
+    failInput(path, 0,
+              "line " + std::to_string(number) + " of the PLY header, '" + std::string(line[0].substr(0, 24)) +
+                  " ...', is not understood",
+              "correct it or export the file again");
   }
   return header;
 }
@@ -108,15 +145,15 @@ void checkBinaryPly(const std::string& path, const PlyHeader& header, std::strin
 }  // namespace
 
 void rejectTruncatedPly(const std::string& path, std::string_view text) {
-  if (text.substr(0, 3) != "ply" && text.substr(0, 3) != "PLY") return;  // Assimp says that it is no PLY
-  const PlyHeader header = takePlyHeader(text);
+  if (!startsWith(text, "ply")) return;  // Assimp says that it is no PLY
+  const PlyHeader header = takePlyHeader(path, text);
   if (!header.complete) failInput(path, 0, "the PLY header has no end_header", kTruncated);
   header.ascii ? checkAsciiPly(path, header, text) : checkBinaryPly(path, header, text);
 }
 
 void rejectTruncatedStl(const std::string& path, std::string_view text) {
   constexpr std::size_t kBinaryHeader = 84, kBinaryFacet = 50;
-  if (text.substr(0, 5) != "solid") return;
+  if (!startsWith(text, "solid")) return;
   if (text.size() >= kBinaryHeader) {  // some binary files begin with "solid" too
     std::uint32_t facets = 0;
     std::memcpy(&facets, text.data() + kBinaryHeader - sizeof facets, sizeof facets);

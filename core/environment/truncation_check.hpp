@@ -7,8 +7,9 @@
 
 namespace footfall {
 
-/// Throws InputError when `text` is a PLY file without the end of its header or with fewer elements than its header
-/// says. In a binary file with lists only the elements before the first list and the least size of the rest count.
+/// Throws InputError when `text` is a PLY file with a header that is not as it should be (Assimp 5.2 writes where it
+/// must not after some of those), without the end of its header or with fewer elements than its header says. In a
+/// binary file with lists only the elements before the first list and the least size of the rest count.
 void rejectTruncatedPly(const std::string& path, std::string_view text);
 
 /// Throws InputError when `text` is an ASCII STL file whose last facet or solid has no end.

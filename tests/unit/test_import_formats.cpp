@@ -172,6 +172,18 @@ class TestImportFormats : public QObject {
         << "; ";
     QTest::newRow("ply that announces billions")
         << "a.ply" << with(ply, "element vertex 7", "element vertex 4000000000") << "truncated";
+    // found by fuzzing: Assimp asked for 20 GB, never returned, or wrote where it must not
+    QTest::newRow("ply that announces more than any number")
+        << "a.ply" << with(ply, "element vertex 7", "element vertex 99999999999999999999") << "truncated";
+    QTest::newRow("ply that announces less than nothing")
+        << "a.ply" << with(ply, "element vertex 7", "element vertex -7") << "line 4 of the PLY header";
+    QTest::newRow("cut ply with another extension") << "a.gltf" << ply.left(100) << "end_header";
+    QTest::newRow("cut ply in capitals") << "a.ply"
+                                         << "Ply" + ply.mid(3, 97) << "end_header";
+    QTest::newRow("ply with an unknown statement")
+        << "a.ply" << with(binaryPly(), "element", "elephant") << "line 3 of the PLY header";
+    QTest::newRow("ply with an unknown type")
+        << "a.ply" << with(binaryPly(), "property float", "property long") << "line 4 of the PLY header";
   }
   void brokenFiles() {
     QFETCH(QString, name);

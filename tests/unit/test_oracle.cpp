@@ -106,6 +106,20 @@ NavigationMesh withoutContacts(const NavigationMesh& mesh, const Environment& en
   return result;
 }
 
+/// To map coordinates; moving rounds them, and what comes out is the environment that both sides get.
+std::shared_ptr<const Environment> movedFarAway(const Environment& environment) {
+  auto moved = std::make_shared<Environment>(environment);
+  for (Vec3& v : moved->vertices) v = {v.x + 122000.123, v.y + 487000.456, v.z};
+  return moved;
+}
+
+/// What the oracle takes for an environment where it was made.
+double usualTolerance(const Environment& environment) {
+  double largest = 1;
+  for (const Vec3& v : environment.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return 4e-6 * largest;
+}
+
 /// The last line of the oracle is what it found; the exit code says whether it agrees.
 struct Verdict {
   bool agrees = false;
@@ -125,12 +139,22 @@ struct Verdict {
   }
 };
 
-Verdict askOracle(const QString& environment, const QString& product, double clearance, double tolerance) {
+struct Question {
+  double slope = 45;
+  double clearance = 2;
+  int samples = 200'000;
+  double tolerance = 0;  ///< 0: the oracle's own, 4e-6 of the largest coordinate
+};
+
+Verdict askOracle(const QString& environment, const QString& product, const Question& question) {
   QProcess oracle;
   oracle.setProcessChannelMode(QProcess::MergedChannels);
-  QStringList arguments{environment, product, "--slope",   "45",    "--clearance", QString::number(clearance),
-                        "--up",      "y",     "--samples", "200000"};
-  if (tolerance > 0) arguments << "--tol" << QString::number(tolerance);
+  QStringList arguments{environment,   product,
+                        "--slope",     QString::number(question.slope),
+                        "--clearance", QString::number(question.clearance, 'g', 17),
+                        "--up",        "y",
+                        "--samples",   QString::number(question.samples)};
+  if (question.tolerance > 0) arguments << "--tol" << QString::number(question.tolerance);
   oracle.start(FOOTFALL_ORACLE, arguments);
   if (!oracle.waitForFinished(kOracleTimeout)) return {false, "the oracle took too long"};
   const QByteArray output = oracle.readAll().trimmed();
@@ -144,21 +168,46 @@ class TestOracle : public QObject {
  private slots:
   void agrees_data() {
     QTest::addColumn<QString>("file");
+    QTest::addColumn<double>("slope");
     QTest::addColumn<double>("clearance");
-    QTest::newRow("nav_test") << "nav_test.obj" << 2.0;
-    QTest::newRow("level") << "level.obj" << 0.35;
-    QTest::newRow("ot") << "ot.obj" << 40.0;
-    QTest::newRow("turbine") << "turbine.obj" << 40.0;
-    QTest::newRow("dutility") << "dutility.obj" << 40.0;
-    QTest::newRow("complex") << "complex.obj" << 40.0;
-    QTest::newRow("town") << "town/town_model.gltf" << 2.0;
-    QTest::newRow("steelribs") << "steelribs.obj" << 40.0;
-    QTest::newRow("fortitude") << "fortitude.obj" << 40.0;
+    QTest::addColumn<bool>("moved");
+    QTest::addColumn<int>("samples");
+    struct File {
+      const char* name;
+      double metre;
+      bool small;
+    };
+    for (const File& file : std::initializer_list<File>{{"nav_test.obj", 1, true},
+                                                        {"level.obj", 0.175, true},
+                                                        {"ot.obj", 20, true},
+                                                        {"turbine.obj", 20, true},
+                                                        {"dutility.obj", 20, true},
+                                                        {"complex.obj", 20, true},
+                                                        {"town/town_model.gltf", 1, false},
+                                                        {"steelribs.obj", 20, false},
+                                                        {"fortitude.obj", 20, false}}) {
+      for (const bool moved : {false, true}) {
+        for (const double slope : {30.0, 45.0, 60.0}) {
+          for (const double metres : {1.0, 2.0, 3.0}) {
+            const bool usual = slope == 45 && metres == 2;
+            const bool diagonal = slope / 15 - metres == 1;
+            if (!usual && (!file.small || (moved && !diagonal))) continue;
+            const QString name =
+                QString("%1, %2 degrees, %3 m%4").arg(file.name).arg(slope).arg(metres).arg(moved ? ", moved" : "");
+            QTest::newRow(qPrintable(name))
+                << file.name << slope << metres * file.metre << moved << (usual ? 200'000 : 20'000);
+          }
+        }
+      }
+    }
   }
 
   void agrees() {
     QFETCH(QString, file);
+    QFETCH(double, slope);
     QFETCH(double, clearance);
+    QFETCH(bool, moved);
+    QFETCH(int, samples);
     const QString path = environmentsFolder() + file;
     if (!QFileInfo::exists(FOOTFALL_ORACLE)) QSKIP("the oracle was not built: its source is not beside the repository");
     if (!QFileInfo::exists(path)) QSKIP("the real environments are not there; set FOOTFALL_SHARED to their folder");
@@ -166,8 +215,9 @@ class TestOracle : public QObject {
     QTemporaryDir folder;
     ImportOptions options;
     options.up = UpAxis::Y;
-    const auto environment = importEnvironment(path.toStdString(), options);
-    const Pipeline pipeline = parsePipeline(minimalPipeline(clearance) + "LayerSubdivisionFilter\n", "test");
+    const auto original = importEnvironment(path.toStdString(), options);
+    const auto environment = moved ? movedFarAway(*original) : original;
+    const Pipeline pipeline = parsePipeline(minimalPipeline(clearance, slope) + "LayerSubdivisionFilter\n", "test");
     RunContext context;
     QElapsedTimer timer;
     timer.start();
@@ -180,7 +230,9 @@ class TestOracle : public QObject {
     const QString product = folder.filePath("result.obj");
     writeObj(product.toStdString(), *result.mesh, *environment, makeExportHeader(pipeline));
 
-    const Verdict verdict = askOracle(source, product, clearance, 0);
+    // Its tolerance follows the largest coordinate; far from the origin it would overlook whole rooms.
+    Question question{slope, clearance, samples, moved ? usualTolerance(*original) : 0};
+    const Verdict verdict = askOracle(source, product, question);
     qInfo("%lld ms; %s", static_cast<long long>(time),
           verdict.output.mid(verdict.output.lastIndexOf('\n') + 1).constData());
     if (verdict.agrees) return;
@@ -191,9 +243,11 @@ class TestOracle : public QObject {
     // that above a floor. With a finer one it looks at shorter edges, too, and takes the two sides of a needle of floor
     // for edges that meet. So only what it finds with either tolerance counts.
     if (verdict.count("unjoined edges") > 0) {
-      const Verdict finer = askOracle(source, product, clearance, 1e-4);
-      for (const Verdict* v : {&verdict, &finer}) QVERIFY2(v->count("unjoined edges") <= 5, v->output.constData());
-      const auto places = finer.unjoinedPlaces();
+      Question finer = question;
+      finer.tolerance = 5e-4;
+      const Verdict second = askOracle(source, product, finer);
+      for (const Verdict* v : {&verdict, &second}) QVERIFY2(v->count("unjoined edges") <= 5, v->output.constData());
+      const auto places = second.unjoinedPlaces();
       for (const QByteArray& place : verdict.unjoinedPlaces()) QVERIFY2(!places.contains(place), place.constData());
       qInfo("none of these edges is unjoined with a finer tolerance");
     }
@@ -201,8 +255,8 @@ class TestOracle : public QObject {
     // floor on both sides (design 3.3, contacts). Without the joins at contacts it must find none.
     if (verdict.count("leaks") > 0) {
       const QString apart = folder.filePath("without_contacts.obj");
-      writeObj(apart.toStdString(), withoutContacts(*result.mesh, *environment), *environment, {});
-      const Verdict second = askOracle(source, apart, clearance, 0);
+      writeObj(apart.toStdString(), withoutContacts(*result.mesh, *original), *environment, {});
+      const Verdict second = askOracle(source, apart, question);
       QVERIFY2(second.count("leaks") == 0 && second.count("wrongly walkable") == 0, second.output.constData());
       qInfo("all of these leaks are walks over contacts");
     }
