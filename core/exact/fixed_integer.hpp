@@ -57,7 +57,7 @@ class FixedInteger {
  public:
   static constexpr int kCapacity = 64;
 
-  FixedInteger() = default;
+  FixedInteger() {}  // NOLINT(modernize-use-equals-default): `= default` would set all limbs where it says T()
   explicit FixedInteger(__int128 value) {
     const auto magnitude = value < 0 ? -static_cast<unsigned __int128>(value) : static_cast<unsigned __int128>(value);
     limbs_[0] = static_cast<mp_limb_t>(magnitude);
@@ -67,13 +67,12 @@ class FixedInteger {
   }
   explicit FixedInteger(IntegerView x) : size_(x.size) {
     assert(x.count() <= kCapacity);
-    std::copy_n(x.limbs, x.count(), limbs_);
+    copy(x);
   }
   FixedInteger(const FixedInteger& o) : FixedInteger(IntegerView(o)) {}
   FixedInteger& operator=(const FixedInteger& o) {
-    if (this == &o) return *this;
     size_ = o.size_;
-    std::copy_n(o.limbs_, IntegerView(o).count(), limbs_);
+    copy(o);
     return *this;
   }
   operator IntegerView() const { return {limbs_, size_}; }  // NOLINT(google-explicit-constructor)
@@ -84,13 +83,13 @@ class FixedInteger {
   static FixedInteger shifted(std::uint64_t digits, int shift) {
     FixedInteger r;
     if (digits == 0) return r;
-    const int whole = shift / 64, part = shift % 64;
+    const auto whole = static_cast<unsigned>(shift) / 64, part = static_cast<unsigned>(shift) % 64;
     assert(whole + 2 <= kCapacity);
-    std::fill_n(r.limbs_, whole, mp_limb_t{0});
+    for (unsigned i = 0; i < whole; ++i) r.limbs_[i] = 0;
     r.limbs_[whole] = digits << part;
-    r.limbs_[whole + 1] = part == 0 ? 0 : digits >> (64 - part);
-    r.size_ = whole + 2;
-    r.trim();
+    r.limbs_[whole + 1] = digits >> 1 >> (63 - part);
+    r.size_ = static_cast<int>(whole) + 1 + static_cast<int>(r.limbs_[whole + 1] != 0);
+    if (r.limbs_[whole] == 0 && r.limbs_[whole + 1] == 0) r.size_ = 0;
     return r;
   }
 
@@ -100,12 +99,9 @@ class FixedInteger {
     if (a.count() < b.count()) std::swap(a, b);
     const int n = a.count(), m = b.count();
     assert(n + m <= kCapacity);
-    if (n == 1) {
-      const auto product = static_cast<unsigned __int128>(a.limbs[0]) * b.limbs[0];
-      r.limbs_[0] = static_cast<mp_limb_t>(product);
-      r.limbs_[1] = static_cast<mp_limb_t>(product >> 64);
-    } else if (m == 1) {
-      r.limbs_[n] = mpn_mul_1(r.limbs_, a.limbs, n, b.limbs[0]);
+    if (n <= kShort) {
+      r.limbs_[n] = r.multiplyAdd(0, a, b.limbs[0], true);
+      for (int i = 1; i < m; ++i) r.limbs_[n + i] = r.multiplyAdd(i, a, b.limbs[i], false);
     } else {
       mpn_mul(r.limbs_, a.limbs, n, b.limbs, m);
     }
@@ -150,6 +146,23 @@ class FixedInteger {
   }
 
  private:
+  /// Up to this many limbs a call of GMP costs more than it saves.
+  static constexpr int kShort = 4;
+
+  // A loop, because few limbs are the rule.
+  void copy(IntegerView x) {
+    for (int i = 0; i < x.count(); ++i) limbs_[i] = x.limbs[i];
+  }
+  // Adds a * b to the limbs from `start`, or sets them where there is nothing yet; returns the carry.
+  mp_limb_t multiplyAdd(int start, IntegerView a, mp_limb_t b, bool set) {
+    mp_limb_t carry = 0;
+    for (int i = 0; i < a.count(); ++i) {
+      const auto sum = static_cast<unsigned __int128>(a.limbs[i]) * b + carry + (set ? 0 : limbs_[start + i]);
+      limbs_[start + i] = static_cast<mp_limb_t>(sum);
+      carry = static_cast<mp_limb_t>(sum >> 64);
+    }
+    return carry;
+  }
   static __int128 small(IntegerView x) {
     return x.size == 0 ? 0 : x.size > 0 ? static_cast<__int128>(x.limbs[0]) : -static_cast<__int128>(x.limbs[0]);
   }

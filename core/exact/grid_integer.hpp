@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <type_traits>
 
 #include "core/exact/fixed_integer.hpp"
 #include "core/exact/grid.hpp"
@@ -24,12 +23,9 @@ struct GridDigits {
     const int exponent = static_cast<int>(bits >> 52 & 0x7FF);
     digits = bits & 0xFFFFFFFFFFFFFULL;
     if (exponent != 0) digits |= 1ULL << 52;
-    if (digits == 0) {
-      shift = 0;
-      return;
-    }
-    shift = std::max(exponent, 1) - 1075 - gridExponent;
-    if (shift < 0) digits >>= -shift, shift = 0;  // zeros: x is on the grid
+    shift = digits == 0 ? 0 : std::max(exponent, 1) - 1075 - gridExponent;
+    digits >>= std::max(-shift, 0);  // zeros: x is on the grid
+    shift = std::max(shift, 0);
   }
 };
 
@@ -65,11 +61,18 @@ inline constexpr int kNarrowGrid = 125;
 
 /// x - y as an integer; `narrow` says that the grid is no wider than kNarrowGrid.
 template <class T>
-T gridDifference(double x, double y, int gridExponent, bool narrow) {
-  if (x == y) return T(0);
-  if constexpr (std::is_same_v<T, FixedInteger>)
-    if (narrow) return T(gridInteger<__int128>(x, gridExponent) - gridInteger<__int128>(y, gridExponent));
+T gridDifference(double x, double y, int gridExponent, bool /*narrow*/) {
   return gridInteger<T>(x, gridExponent) - gridInteger<T>(y, gridExponent);
+}
+
+template <>
+inline FixedInteger gridDifference<FixedInteger>(double x, double y, int gridExponent, bool narrow) {
+  if (narrow) return FixedInteger(gridInteger<__int128>(x, gridExponent) - gridInteger<__int128>(y, gridExponent));
+  // Apart, as its numbers would make the frame of every caller larger.
+  const auto wide = [=] [[gnu::noinline]] () -> FixedInteger {
+    return gridInteger<FixedInteger>(x, gridExponent) - gridInteger<FixedInteger>(y, gridExponent);
+  };
+  return wide();
 }
 
 }  // namespace footfall

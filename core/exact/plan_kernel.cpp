@@ -53,7 +53,7 @@ std::optional<Index> PlanKernel::levelOf(double height) const {
 
 template <class Integer>
 GridContext<Integer> PlanKernel::gridContext(Index origin) const {
-  return {*mesh_, heights_, grid_.low, grid_.width() <= kNarrowGrid, origin};
+  return {*mesh_, heights_, grid_.low, grid_.width() <= kNarrowGrid, origin, {}, 0};
 }
 
 template <class Evaluate>
@@ -286,7 +286,7 @@ Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact
   const auto place = [&](const auto& context) -> Vec3 {
     using T = typename std::decay_t<decltype(context)>::T;
     const auto h = homogeneousOn(context, point);
-    const auto n = context.normal(face);
+    const auto& n = context.normal(face);
     // (local + base) on the grid over a common denominator, without reducing fractions
     const auto round = [&](const T& numerator, const T& denominator, double base) {
       const T whole = numerator + gridInteger<T>(base, grid_.low) * denominator;

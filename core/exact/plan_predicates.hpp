@@ -30,7 +30,7 @@ struct DoubleContext {
   T local(Index v, int axis) const { return difference(v, origin, axis); }
   T height(Index level) const { return level > 0 ? T(scaledHeights[level - 1]) : T(-scaledHeights[-level - 1]); }
   T one() const { return 1.0; }
-  std::array<T, 3> normal(Index t) const { return mesh.normals[t]; }
+  const std::array<T, 3>& normal(Index t) const { return mesh.normals[t]; }
 };
 
 /// Integer is FixedInteger where the grid is narrow enough for it, else mpz_class.
@@ -52,12 +52,25 @@ struct GridContext {
     return gridInteger<T>(level > 0 ? heights[level - 1] : -heights[-level - 1], gridExponent);
   }
   T one() const { return T(1); }
-  std::array<T, 3> normal(Index t) const {
+  /// Good until the second next one is asked for: the last two are kept, as lines on one face have its normal in
+  /// common.
+  const std::array<T, 3>& normal(Index t) const {
+    if (normals[latest].triangle != t && normals[latest ^= 1].triangle != t) normals[latest] = {t, computeNormal(t)};
+    return normals[latest].normal;
+  }
+  std::array<T, 3> computeNormal(Index t) const {
     const auto& f = mesh.triangles[t];
     const std::array<T, 3> u{difference(f[1], f[0], 0), difference(f[1], f[0], 1), difference(f[1], f[0], 2)};
     const std::array<T, 3> v{difference(f[2], f[0], 0), difference(f[2], f[0], 1), difference(f[2], f[0], 2)};
     return {T(u[1] * v[2] - u[2] * v[1]), T(u[2] * v[0] - u[0] * v[2]), T(u[0] * v[1] - u[1] * v[0])};
   }
+
+  struct Normal {
+    Index triangle = -1;
+    std::array<T, 3> normal;
+  };
+  mutable std::array<Normal, 2> normals{};
+  mutable int latest = 0;
 };
 
 inline void negate(ErrorDouble& x) { x.value = -x.value; }
@@ -74,7 +87,7 @@ typename C::T planArea(const C& c, Index p, Index q, Index r) {
 template <class C>
 typename C::T heightValue(const C& c, Index t, Index v, Index level) {
   using T = typename C::T;
-  const auto n = c.normal(t);
+  const auto& n = c.normal(t);
   const Index a = c.mesh.triangles[t][0];
   const T height = n[0] * c.difference(v, a, 0) + n[1] * c.difference(v, a, 1) + n[2] * c.difference(v, a, 2);
   if (level == 0) return height;
@@ -90,8 +103,8 @@ std::array<typename C::T, 3> lineCoefficients(const C& c, const PlanLine& line, 
     r[2] = -(r[0] * c.local(line.a, 0) + r[1] * c.local(line.a, 1));
     return r;
   }
-  const auto n = c.normal(line.a);
-  const auto m = c.normal(face);
+  const auto& n = c.normal(line.a);
+  const auto& m = c.normal(face);
   const Index a = c.mesh.triangles[line.a][0];
   const Index b = c.mesh.triangles[face][0];
   const T obstacle = n[0] * c.local(a, 0) + n[1] * c.local(a, 1) + n[2] * c.local(a, 2);
@@ -140,8 +153,8 @@ T coordinateDifference(const std::array<V, 3>& a, const std::array<V, 3>& b, int
 template <class C>
 typename C::T heightDifference(const C& c, const Homogeneous<typename C::T>& h, Index f, Index g) {
   using T = typename C::T;
-  const auto n = c.normal(f);
-  const auto m = c.normal(g);
+  const auto& n = c.normal(f);
+  const auto& m = c.normal(g);
   const Index a = c.mesh.triangles[f][0];
   const Index b = c.mesh.triangles[g][0];
   const T df = n[0] * c.local(a, 0) + n[1] * c.local(a, 1) + n[2] * c.local(a, 2);

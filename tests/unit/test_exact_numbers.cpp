@@ -175,7 +175,7 @@ class TestExactNumbers : public QObject {
       const double expected = reference(value, exponent);
       bool exact = true;
       const double result = roundedQuotient(viewOf(n), viewOf(d), exponent, &exact);
-      QCOMPARE(result, expected);
+      QVERIFY(result == expected);  // QCOMPARE lets doubles differ
       QVERIFY(!std::signbit(result) || result != 0);
       mpq_class scaled = value;
       if (exponent >= 0)
@@ -186,7 +186,7 @@ class TestExactNumbers : public QObject {
       bool lost = false;
       roundedQuotient(viewOf(n), viewOf(d), exponent, &lost);
       QVERIFY(!lost);
-      if (exponent == 0) QCOMPARE(nearestDouble(value), result);
+      if (exponent == 0) QVERIFY(nearestDouble(value) == result);
     }
   }
 

@@ -183,7 +183,7 @@ class TestExactPredicates : public QObject {
   void singleTriangles() {
     QFETCH(int, numbers);
     Random random(test::seed() + static_cast<std::uint64_t>(numbers));
-    for (int i = 0; i < test::rounds(4000); ++i) {
+    for (int i = 0; i < test::rounds(10'000); ++i) {
       const std::vector<Vec3> points = randomPoints(random, Numbers(numbers), 5);
       const Vec3 &a = points[2], &b = points[3], &c = points[4];
       const Rational3 p = rational(a), q = rational(b), r = rational(c);
@@ -204,7 +204,7 @@ class TestExactPredicates : public QObject {
   void family() {
     QFETCH(int, numbers);
     Random random(test::seed() + 100 + static_cast<std::uint64_t>(numbers));
-    for (int i = 0; i < test::rounds(12); ++i) {
+    for (int i = 0; i < test::rounds(Numbers(numbers) == Numbers::Extreme ? 3 : 9); ++i) {
       const auto mesh = randomMesh(random, Numbers(numbers), 7);
       double height = integer(random, 0, 1) == 0 ? 2 : 1.1;
       if (Numbers(numbers) == Numbers::Huge) height = std::ldexp(3, 200);
@@ -336,9 +336,10 @@ class TestExactPredicates : public QObject {
     QVERIFY(position == lifted);
     bool exact = false;
     const Vec3 rounded = kernel.roundedPosition(p, face, &exact);
-    QCOMPARE(rounded.x, nearestDouble(lifted[0]));
-    QCOMPARE(rounded.y, nearestDouble(lifted[1]));
-    QCOMPARE(rounded.z, nearestDouble(lifted[2]));
+    // QCOMPARE would let doubles differ
+    QVERIFY(rounded.x == nearestDouble(lifted[0]));
+    QVERIFY(rounded.y == nearestDouble(lifted[1]));
+    QVERIFY(rounded.z == nearestDouble(lifted[2]));
     if (std::isfinite(rounded.x) && std::isfinite(rounded.y) && std::isfinite(rounded.z))
       QCOMPARE(exact, rational(rounded) == lifted);
   }
