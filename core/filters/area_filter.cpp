@@ -61,7 +61,8 @@ std::vector<char> findLargeRegions(const PlanKernel& kernel, const WalkableMesh&
 }
 
 // Sign of (area of the triangles) - minimum, decided or equal to the finest precision.
-int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, std::span<const Index> triangles, double minimum) {
+int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, std::span<const Index> triangles,
+                   double minimum) {
   std::map<Index, mpq_class> planOfFace;  // twice the area in the plan
   for (const Index i : triangles) {
     const MeshTriangle& t = mesh.triangles[i];

@@ -28,8 +28,8 @@ class BoxTree {
     std::array<double, D> upper{};
   };
 
-  /// `boundsOf(id)` gives the box of each of `ids`; it may be called from any thread. `poll` is called now and then, from
-  /// any thread, and may throw.
+  /// `boundsOf(id)` gives the box of each of `ids`; it may be called from any thread. `poll` is called now and then,
+  /// from any thread, and may throw.
   template <class BoundsOf>
   void build(const std::vector<Index>& ids, BoundsOf boundsOf, const std::function<void()>& poll) {
     const auto count = static_cast<Index>(ids.size());
@@ -200,7 +200,7 @@ class BoxTree {
   }
 
   std::array<double, D> centre_{};
-  std::vector<Index> ids_;                 ///< in the order of the curve
+  std::vector<Index> ids_;                  ///< in the order of the curve
   std::vector<std::vector<Group>> levels_;  ///< boxes, then the wholes of groups, up to one group
 };
 

@@ -97,8 +97,8 @@ StateSummary summarize(const WalkableState& state) {
   summary.triangles = mesh.triangles.size();
   std::size_t marks = 0;
   for (const MeshTriangle& t : mesh.triangles) marks += static_cast<std::size_t>(std::popcount(t.obstacleEdges));
-  summary.area = std::ldexp(
-      sumOf(mesh.triangles.size(), [&](std::size_t t) { return areaOf(mesh, mesh.triangles[t]); }), unscale);
+  summary.area =
+      std::ldexp(sumOf(mesh.triangles.size(), [&](std::size_t t) { return areaOf(mesh, mesh.triangles[t]); }), unscale);
   summary.layers = mesh.layerCount;
   summary.connections = mesh.layers.empty() ? 0 : countConnections(mesh, *topologyOf(state));
   summary.obstacleEdges = marks / 2;

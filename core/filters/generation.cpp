@@ -94,7 +94,8 @@ class SoupBuilder {
         FaceMesh mesh = mesher->mesh(face, cutsOf(face), true);
         parts[i].cells = std::move(mesh.cells);
         parts[i].places.resize(mesh.points.size());
-        // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this one's.
+        // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this
+        // one's.
         tbb::this_task_arena::isolate([&] {
           tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.points.size(), kPointsPerTask),
                             [&](const auto& points) {

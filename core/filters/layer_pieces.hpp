@@ -27,8 +27,8 @@ struct IndexLists {
 /// What subdividing a region needs to know; shared by all threads.
 struct LayerInput {
   std::vector<double> lowest;  ///< for each triangle the height of its lowest corner; decides the order of growth
-  IndexLists neighbors;     ///< across edges that are not obstacle edges; only within regions that are subdivided
-  IndexLists overlaps;      ///< triangles of the same region that overlap it in the plan
+  IndexLists neighbors;        ///< across edges that are not obstacle edges; only within regions that are subdivided
+  IndexLists overlaps;         ///< triangles of the same region that overlap it in the plan
 };
 
 /// Numbers the pieces of the region of `triangles` (ascending) from 0 and writes the numbers to `piece[t]`, other

@@ -216,8 +216,8 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, RunContext& context) 
   for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);
   outcome.fallbacks += subdivision.fallbacks();
 
-  outcome.note =
-      std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh, *topology)) + " connections";
+  outcome.note = std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh, *topology)) +
+                 " connections";
   auto result = std::make_shared<WalkableState>(*state);
   result->topology = topology;
   result->topologyOwner = mesh;

@@ -86,13 +86,13 @@ bool MeshGeometry::isBetween(Index u, Index v, Index w) {
   return false;
 }
 
-// Two triangles are apart when an edge of one has all corners of the other on its outer side. What doubles tell about all
-// six edges comes first: only where none of them separates for sure are the doubtful ones decided exactly.
+// Two triangles are apart when an edge of one has all corners of the other on its outer side. What doubles tell about
+// all six edges comes first: only where none of them separates for sure are the doubtful ones decided exactly.
 //
-// One bound serves all doubles, u = 2^-53: relative to one corner, coordinates are at most d in size, and each is off by
-// at most e + u d, e being the vertices' own error. Differences of two are at most 2 d and off by f = 2 e + 4 u d. The
-// difference of two products of them is then off by at most 2 (4 d f + f^2 + 4 u d^2) + 8 u d^2 (1 + u), and what these
-// roundings themselves lose is covered by 32 in place of 16 and by kInflate.
+// One bound serves all doubles, u = 2^-53: relative to one corner, coordinates are at most d in size, and each is off
+// by at most e + u d, e being the vertices' own error. Differences of two are at most 2 d and off by f = 2 e + 4 u d.
+// The difference of two products of them is then off by at most 2 (4 d f + f^2 + 4 u d^2) + 8 u d^2 (1 + u), and what
+// these roundings themselves lose is covered by 32 in place of 16 and by kInflate.
 bool MeshGeometry::overlap(const PlanTriangle& s, const PlanTriangle& t) {
   std::array<std::array<double, 3>, 2> x, y;
   double size = 0;

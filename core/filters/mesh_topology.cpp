@@ -43,11 +43,11 @@ void forVertices(Index count, const std::function<void()>& poll, Work work) {
   };
   if (count == 0) return;
   if (count <= kVerticesPerTask) return polled(0, count);
-  tbb::parallel_for(
-      tbb::blocked_range<Index>(0, (count + kVerticesPerTask - 1) / kVerticesPerTask, 1), [&](const auto& range) {
-        for (Index block = range.begin(); block != range.end(); ++block)
-          polled(block * kVerticesPerTask, std::min((block + 1) * kVerticesPerTask, count));
-      });
+  tbb::parallel_for(tbb::blocked_range<Index>(0, (count + kVerticesPerTask - 1) / kVerticesPerTask, 1),
+                    [&](const auto& range) {
+                      for (Index block = range.begin(); block != range.end(); ++block)
+                        polled(block * kVerticesPerTask, std::min((block + 1) * kVerticesPerTask, count));
+                    });
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace footfall {
 
 /// All edges, each as the list of its sides: triangle `side / 3` has it from its corner `side % 3` to the next one.
 struct MeshTopology {
-  std::vector<Index> sides;  ///< grouped by edge, ascending within one; edges are sorted by their vertices, smaller first
+  std::vector<Index>
+      sides;  ///< grouped by edge, ascending within one; edges are sorted by their vertices, smaller first
   std::vector<Index> first;  ///< for each edge its first place in `sides`, and one more at the end
 
   [[nodiscard]] Index edgeCount() const { return static_cast<Index>(first.size()) - 1; }
@@ -28,7 +29,8 @@ MeshTopology findEdges(
     const std::vector<MeshTriangle>& triangles, std::size_t vertexCount, const std::function<void()>& poll = [] {});
 
 /// The topology of the state's mesh: what an earlier filter found for the same mesh, else found now.
-std::shared_ptr<const MeshTopology> topologyOf(const WalkableState& state, const std::function<void()>& poll = [] {});
+std::shared_ptr<const MeshTopology> topologyOf(
+    const WalkableState& state, const std::function<void()>& poll = [] {});
 
 /// The corner of triangle t at which its side begins.
 inline Index beginOf(const std::vector<MeshTriangle>& triangles, Index side) {

@@ -36,8 +36,8 @@ void addObstacleEdges(const RoundedMesh& mesh, const std::vector<Index>& order, 
     if (i > 0 && std::get<0>(edges[i]) == std::get<0>(edges[i - 1])) continue;
     const auto& [places, place, k] = edges[i];
     const auto& corners = mesh.triangles[order[place]].corners;
-    result.obstacleEdges.push_back({static_cast<std::uint32_t>(renumbered[corners[k]]),
-                                    static_cast<std::uint32_t>(renumbered[corners[next(k)]])});
+    result.obstacleEdges.push_back(
+        {static_cast<std::uint32_t>(renumbered[corners[k]]), static_cast<std::uint32_t>(renumbered[corners[next(k)]])});
   }
 }
 

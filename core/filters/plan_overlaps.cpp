@@ -33,7 +33,9 @@ using Pair = std::array<Index, 2>;
 class OverlapFinder {
  public:
   OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology, RunContext& context)
-      : mesh_(mesh), context_(context), locals_([&] { return Local{MeshGeometry(kernel, mesh.vertices), {}}; }) {
+      : mesh_(mesh), context_(context), locals_([&] {
+          return Local{MeshGeometry(kernel, mesh.vertices), {}};
+        }) {
     findInnerSides(topology);
     findPlanTriangles();
     const auto count = static_cast<Index>(mesh_.triangles.size());
@@ -105,7 +107,8 @@ class OverlapFinder {
 
   [[nodiscard]] Tree treeOf(const std::vector<Index>& triangles) const {
     Tree tree;
-    tree.build(triangles, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
+    tree.build(
+        triangles, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
     return tree;
   }
 

@@ -39,8 +39,8 @@ class RegionSimplifier {
                    RunContext& context)
       : mesh_(mesh), approximate_(approximate), context_(context), geometry_(kernel, mesh.vertices) {}
 
-  /// Takes away what can go of `vertices` (ascending; all their triangles must be in the group, and exactly, each must be
-  /// inside a region or in the middle of a straight piece of outline), then flips edges inside the regions of
+  /// Takes away what can go of `vertices` (ascending; all their triangles must be in the group, and exactly, each must
+  /// be inside a region or in the middle of a straight piece of outline), then flips edges inside the regions of
   /// `triangles` (ascending) towards Delaunay.
   void simplify(std::span<const Index> vertices, std::span<const Index> triangles);
 
@@ -50,8 +50,8 @@ class RegionSimplifier {
   /// The triangles at a vertex between two outline edges, or all around it, and the hole that they leave.
   struct Fan {
     std::vector<Index> triangles;
-    std::vector<Index> ring;  ///< opposite vertices, counter-clockwise; a closed fan does not repeat the first
-    std::vector<Index> beyond;  ///< for each ring edge the side beyond it, or -1
+    std::vector<Index> ring;          ///< opposite vertices, counter-clockwise; a closed fan does not repeat the first
+    std::vector<Index> beyond;        ///< for each ring edge the side beyond it, or -1
     std::vector<std::uint8_t> flags;  ///< and its obstacle flag; for an open fan the last edge is the new outline
     std::vector<std::array<Index, 3>> ears;  ///< the triangles that fill the hole, as places in the ring
     bool closed = false;

@@ -161,7 +161,8 @@ bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const st
   if (split) {
     // Now no border ends inside another one.
     splitBorders(mesh, borders, contacts.innerEnds);
-    borders = findBorders(mesh, findEdges(mesh.triangles, mesh.vertices.size(), [&context] { context.checkCancelled(); }));
+    borders =
+        findBorders(mesh, findEdges(mesh.triangles, mesh.vertices.size(), [&context] { context.checkCancelled(); }));
     contacts = findContacts(mesh, borders, {}, context);
   }
   for (const Index i : contacts.closed)

@@ -51,10 +51,11 @@ bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology);
 /// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
 /// only are split where the common part ends; then the result is true, and the topology has changed.
 ///
-/// `suspects` (one for each vertex, or empty for all): a border can only coincide with another when an end of one of the
-/// two is a suspect. In a mesh that is as it was assembled, those are the vertices that rounding moved and the ends of
-/// obstacle edges: before rounding the mesh is conforming, so borders that have a piece in common are one edge there,
-/// or the two sides of an obstacle edge; and if no end of two borders moved, they have in common what they had before.
+/// `suspects` (one for each vertex, or empty for all): a border can only coincide with another when an end of one of
+/// the two is a suspect. In a mesh that is as it was assembled, those are the vertices that rounding moved and the ends
+/// of obstacle edges: before rounding the mesh is conforming, so borders that have a piece in common are one edge
+/// there, or the two sides of an obstacle edge; and if no end of two borders moved, they have in common what they had
+/// before.
 bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const std::vector<char>& suspects,
                        RunContext& context);
 

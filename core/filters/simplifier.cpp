@@ -137,8 +137,7 @@ std::vector<char> Simplifier::findCandidates() {
     MeshGeometry& geometry = geometries.local();
     for (Index v = range.begin(); v != range.end(); ++v) {
       const OutlineEnds& o = outline[v];
-      candidates[v] =
-          static_cast<char>(o.count == 0 || (o.count == 2 && geometry.isBetween(o.ends[0], v, o.ends[1])));
+      candidates[v] = static_cast<char>(o.count == 0 || (o.count == 2 && geometry.isBetween(o.ends[0], v, o.ends[1])));
     }
   });
   for (const MeshGeometry& geometry : geometries) fallbacks_ += geometry.fallbacks;

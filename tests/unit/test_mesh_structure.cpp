@@ -139,7 +139,8 @@ class TestMeshStructure : public QObject {
         ids.push_back(i);
       }
       BoxTree<3> tree;
-      tree.build(ids, [&](Index i) { return boxes[i]; }, [] {});
+      tree.build(
+          ids, [&](Index i) { return boxes[i]; }, [] {});
       QCOMPARE(tree.size(), count);
       for (Index first : {0, count / 2})
         for (const Bounds& query : boxes) {
@@ -147,10 +148,12 @@ class TestMeshStructure : public QObject {
           for (Index place = first; place < count; ++place) {
             const Bounds& b = boxes[tree.idAt(place)];
             bool overlap = true;
-            for (int k = 0; k < 3; ++k) overlap = overlap && b.lower[k] <= query.upper[k] && query.lower[k] <= b.upper[k];
+            for (int k = 0; k < 3; ++k)
+              overlap = overlap && b.lower[k] <= query.upper[k] && query.lower[k] <= b.upper[k];
             if (overlap) expected.insert(tree.idAt(place));
           }
-          tree.visitOverlapping(query, [&](Index i) { found.insert(i); }, first);
+          tree.visitOverlapping(
+              query, [&](Index i) { found.insert(i); }, first);
           QVERIFY(found == expected);  // small whole numbers: floats lose nothing
         }
     }
