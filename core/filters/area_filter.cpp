@@ -163,6 +163,7 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
     outcome.state = std::move(known);
     return outcome;
   }
+  context.checkCancelled();
   auto kept = std::make_shared<WalkableMesh>();
   auto dropped = std::make_shared<WalkableMesh>();
   kept->vertices = mesh.vertices;

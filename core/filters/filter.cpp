@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/filter.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "core/environment/environment_edit.hpp"
 #include "core/exact/source_edit.hpp"
@@ -46,12 +51,27 @@ FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<doub
 
 namespace {
 
-double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  return 0.5 * std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+// Sums of this many terms are added up one after another, so that the total does not depend on the threads.
+constexpr std::size_t kTermsPerBlock = 4096;
+
+template <class Term>
+double sumOf(std::size_t count, Term term) {
+  std::vector<double> sums((count + kTermsPerBlock - 1) / kTermsPerBlock, 0);
+  tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t block) {
+    for (std::size_t i = block * kTermsPerBlock; i < std::min((block + 1) * kTermsPerBlock, count); ++i)
+      sums[block] += term(i);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-Vec3 scaledPlace(const MeshVertex& v) { return {v.x, v.y, v.z}; }
+// Half the length of a normal; scaled coordinates are below 2^38, so the squares stay far from the largest double.
+double areaOf(double x, double y, double z) { return 0.5 * std::sqrt(x * x + y * y + z * z); }
+
+double areaOf(const WalkableMesh& mesh, const MeshTriangle& t) {
+  const MeshVertex &a = mesh.vertices[t.corners[0]], &b = mesh.vertices[t.corners[1]], &c = mesh.vertices[t.corners[2]];
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+  return areaOf(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+}
 
 }  // namespace
 
@@ -60,26 +80,31 @@ StateSummary summarize(const WalkableState& state) {
   const SourceMesh& source = state.kernel->mesh();
   for (std::size_t t = 0; t < source.triangles.size(); ++t) {
     if (state.removed[t] != 0) continue;
-    if (state.walkable[t] == 0) {
+    if (state.walkable[t] == 0)
       ++summary.rejected;
-    } else if (!state.mesh) {
-      const auto& f = source.triangles[t];
+    else if (!state.mesh)
       ++summary.triangles;
-      summary.area += triangleArea(source.vertices[f[0]], source.vertices[f[1]], source.vertices[f[2]]);
-    } else if (state.cuts && (*state.cuts)[t].removed) {
+    else if (state.cuts && (*state.cuts)[t].removed)
       ++summary.rejected;
-    }
   }
-  if (!state.mesh) return summary;
+  const int unscale = -2 * source.grid.scaleExponent();
+  if (!state.mesh) {
+    summary.area = std::ldexp(sumOf(source.triangles.size(),
+                                    [&](std::size_t t) {
+                                      const auto& n = source.normals[t];
+                                      return state.removed[t] == 0 && state.walkable[t] != 0
+                                                 ? areaOf(n[0].value, n[1].value, n[2].value)
+                                                 : 0.0;
+                                    }),
+                              unscale);
+    return summary;
+  }
   const WalkableMesh& mesh = *state.mesh;
   summary.triangles = mesh.triangles.size();
   std::size_t marks = 0;
-  for (const MeshTriangle& t : mesh.triangles) {
-    summary.area += triangleArea(scaledPlace(mesh.vertices[t.corners[0]]), scaledPlace(mesh.vertices[t.corners[1]]),
-                                 scaledPlace(mesh.vertices[t.corners[2]]));
-    for (int k = 0; k < 3; ++k) marks += t.obstacleEdges >> k & 1;
-  }
-  summary.area = std::ldexp(summary.area, -2 * source.grid.scaleExponent());
+  for (const MeshTriangle& t : mesh.triangles) marks += static_cast<std::size_t>(std::popcount(t.obstacleEdges));
+  summary.area =
+      std::ldexp(sumOf(mesh.triangles.size(), [&](std::size_t t) { return areaOf(mesh, mesh.triangles[t]); }), unscale);
   summary.layers = mesh.layerCount;
   summary.connections = mesh.layers.empty() ? 0 : countConnections(mesh, *topologyOf(state));
   summary.obstacleEdges = marks / 2;

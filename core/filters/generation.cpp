@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/generation.hpp"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <memory>
+
 #include "core/filters/face_mesh.hpp"
 
 namespace footfall {
 namespace {
 
 using VertexNumber = std::uint32_t;
+
+constexpr std::size_t kFacesPerTask = 8;
+constexpr std::size_t kPointsPerTask = 256;
+constexpr Index kPolled = 1 << 14;
 
 class SoupBuilder {
  public:
@@ -53,30 +63,78 @@ class SoupBuilder {
     }
   }
 
+  /// What a floor's cuts cover, or all of a triangle that no cut divides.
+  struct CoveredParts {
+    Index face = -1;
+    std::vector<Vec3> places;
+    std::vector<FaceMesh::Cell> cells;
+  };
+
+  [[nodiscard]] const FaceCuts* cutsOf(Index t) const {
+    return state_.walkable[t] != 0 && state_.cuts ? &(*state_.cuts)[t] : nullptr;
+  }
+  [[nodiscard]] bool isDivided(Index t) const {
+    const FaceCuts* cuts = cutsOf(t);
+    return state_.removed[t] == 0 && cuts != nullptr && !cuts->removed && !cuts->segments.empty();
+  }
+
+  // In the order of the faces.
+  std::vector<CoveredParts> findCoveredParts(RunContext& context, ExactFallbacks& fallbacks) const {
+    std::vector<CoveredParts> parts;
+    for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t)
+      if (isDivided(t)) parts.push_back({t, {}, {}});
+    const auto poll = [&context] { context.checkCancelled(); };
+    tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), kFacesPerTask), [&](const auto& range) {
+      auto& mesher = meshers.local();
+      if (!mesher) mesher = std::make_unique<FaceMesher>(*state_.kernel, poll);
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        poll();
+        const Index face = parts[i].face;
+        FaceMesh mesh = mesher->mesh(face, cutsOf(face), true);
+        parts[i].cells = std::move(mesh.cells);
+        parts[i].places.resize(mesh.points.size());
+        // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this
+        // one's.
+        tbb::this_task_arena::isolate([&] {
+          tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.points.size(), kPointsPerTask),
+                            [&](const auto& points) {
+                              poll();
+                              for (std::size_t p = points.begin(); p != points.end(); ++p)
+                                parts[i].places[p] = state_.kernel->roundedPosition(mesh.points[p], face);
+                            });
+        });
+      }
+    });
+    for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
+    return parts;
+  }
+
   void addSourceTriangles(RunContext& context, ExactFallbacks& fallbacks) {
-    FaceMesher mesher(*state_.kernel, [&context] { context.checkCancelled(); });
+    std::vector<CoveredParts> divided = findCoveredParts(context, fallbacks);
+    auto parts = divided.begin();
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t) {
+      if (t % kPolled == 0) context.checkCancelled();
       if (state_.removed[t] != 0) continue;
-      const bool floor = state_.walkable[t] != 0;
-      const FaceCuts* cuts = floor && state_.cuts ? &(*state_.cuts)[t] : nullptr;
-      const bool whole = cuts == nullptr || cuts->removed || cuts->segments.empty();
-      if (whole) {
-        const bool covered = cuts != nullptr && cuts->removed;
-        if (floor && !covered && state_.mesh) continue;  // in the mesh
-        const auto& f = source_.triangles[t];
-        addTriangle(
-            {addVertex(source_.vertices[f[0]]), addVertex(source_.vertices[f[1]]), addVertex(source_.vertices[f[2]])},
-            t, floor && !covered);
+      if (parts != divided.end() && parts->face == t) {
+        const auto base = static_cast<VertexNumber>(result_.soup.vertices.size());
+        result_.soup.vertices.insert(result_.soup.vertices.end(), parts->places.begin(), parts->places.end());
+        for (const FaceMesh::Cell& c : parts->cells)
+          addTriangle({base + static_cast<VertexNumber>(c.corners[0]), base + static_cast<VertexNumber>(c.corners[1]),
+                       base + static_cast<VertexNumber>(c.corners[2])},
+                      t, false);
+        *parts++ = {};
         continue;
       }
-      context.checkCancelled();
-      const FaceMesh parts = mesher.mesh(t, cuts, true);
-      std::vector<VertexNumber> numbers;
-      for (const PlanPoint& p : parts.points) numbers.push_back(addVertex(state_.kernel->roundedPosition(p, t)));
-      for (const FaceMesh::Cell& c : parts.cells)
-        addTriangle({numbers[c.corners[0]], numbers[c.corners[1]], numbers[c.corners[2]]}, t, false);
+      const bool floor = state_.walkable[t] != 0;
+      const FaceCuts* cuts = cutsOf(t);
+      const bool covered = cuts != nullptr && cuts->removed;
+      if (floor && !covered && state_.mesh) continue;  // in the mesh
+      const auto& f = source_.triangles[t];
+      addTriangle(
+          {addVertex(source_.vertices[f[0]]), addVertex(source_.vertices[f[1]]), addVertex(source_.vertices[f[2]])}, t,
+          floor && !covered);
     }
-    fallbacks += mesher.fallbacks();
     for (const auto& [a, b] : source_.obstacleEdges)
       result_.soup.obstacleEdges.push_back({addVertex(source_.vertices[a]), addVertex(source_.vertices[b])});
   }

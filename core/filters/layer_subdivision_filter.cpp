@@ -117,6 +117,7 @@ class LayerSubdivision {
       seeds[regions[i]] =
           subdivideRegion(input_, {triangles.data() + first[i], triangles.data() + first[i + 1]}, piece_, context_);
     });
+    context_.checkCancelled();
     for (Index t = 0; t < count_; ++t) {
       if (divided[region_[t]] != 0) continue;
       auto& seed = seeds[region_[t]];

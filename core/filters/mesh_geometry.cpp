@@ -9,6 +9,17 @@
 
 namespace footfall {
 
+PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle) {
+  PlanTriangle result{triangle.corners, {}, {}, 0};
+  for (int k = 0; k < 3; ++k) {
+    const MeshVertex& v = vertices[triangle.corners[k]];
+    result.x[k] = v.x;
+    result.y[k] = v.y;
+    result.error = std::max(result.error, v.error);
+  }
+  return result;
+}
+
 Index MeshGeometry::origin(Index vertex) const { return kernel_.mesh().triangles[vertices_[vertex].face][0]; }
 
 int MeshGeometry::filtered(Index a, Index b, Index c) const {
@@ -82,18 +93,17 @@ bool MeshGeometry::isBetween(Index u, Index v, Index w) {
 // by at most e + u d, e being the vertices' own error. Differences of two are at most 2 d and off by f = 2 e + 4 u d.
 // The difference of two products of them is then off by at most 2 (4 d f + f^2 + 4 u d^2) + 8 u d^2 (1 + u), and what
 // these roundings themselves lose is covered by 32 in place of 16 and by kInflate.
-bool MeshGeometry::overlap(const MeshTriangle& s, const MeshTriangle& t) {
-  const MeshVertex& base = vertices_[s.corners[0]];
+bool MeshGeometry::overlap(const PlanTriangle& s, const PlanTriangle& t) {
   std::array<std::array<double, 3>, 2> x, y;
-  double size = 0, error = 0;
+  double size = 0;
   for (int m = 0; m < 2; ++m)
     for (int k = 0; k < 3; ++k) {
-      const MeshVertex& v = vertices_[(m == 0 ? s : t).corners[k]];
-      x[m][k] = v.x - base.x;
-      y[m][k] = v.y - base.y;
+      const PlanTriangle& own = m == 0 ? s : t;
+      x[m][k] = own.x[k] - s.x[0];
+      y[m][k] = own.y[k] - s.y[0];
       size = std::max({size, std::fabs(x[m][k]), std::fabs(y[m][k])});
-      error = std::max(error, v.error);
     }
+  const double error = std::max(s.error, t.error);
   const double f = 2 * error + 4 * 0x1p-53 * size;
   const double bound = (8 * size * f + 2 * f * f + 32 * 0x1p-53 * size * size) * kInflate + kernel_.sign().slack;
   enum { kSeparates, kDoubtful, kDoesNot };

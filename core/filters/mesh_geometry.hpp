@@ -2,9 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "core/filters/walkable_state.hpp"
 
 namespace footfall {
+
+/// A triangle as the plan shows it, with all that a first look needs in one place.
+struct PlanTriangle {
+  std::array<Index, 3> corners{};
+  std::array<double, 3> x{}, y{};
+  double error = 0;  ///< of any of the coordinates
+};
+
+PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle);
 
 /// Not for sharing between threads: it counts fall-backs.
 class MeshGeometry {
@@ -19,7 +31,7 @@ class MeshGeometry {
   /// True when v lies strictly between u and w on one line in the plan.
   bool isBetween(Index u, Index v, Index w);
   /// True when the insides of two triangles that face up overlap in the plan.
-  bool overlap(const MeshTriangle& s, const MeshTriangle& t);
+  bool overlap(const PlanTriangle& s, const PlanTriangle& t);
 
   ExactFallbacks fallbacks;
 

@@ -129,7 +129,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   const auto poll = [&context] { context.checkCancelled(); };
   std::vector<char> sturdy;
   RoundedMesh rounded =
-      roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh, *topologyOf(*state, poll)), sturdy, context);
+      roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh, *topologyOf(*state, poll), poll), sturdy, context);
   context.checkCancelled();
   const auto edgesOf = [&] { return findEdges(rounded.triangles, rounded.vertices.size(), poll); };
   std::vector<char> suspects = suspectsOf(rounded, sturdy);
@@ -139,6 +139,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
     topology = edgesOf();
     suspects.clear();
   }
+  context.checkCancelled();
   if (settleBorders(rounded, topology)) {
     splitAgain(rounded, topology);
     topology = edgesOf();

@@ -17,7 +17,8 @@ Index cornerOf(const MeshTriangle& t, Index vertex) {
 
 }  // namespace
 
-SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& topology) {
+SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& topology,
+                               const std::function<void()>& poll) {
   const auto& triangles = mesh.triangles;
   const auto endOf = [&](Index side) { return triangles[side / 3].corners[next(side % 3)]; };
   SplitMesh result;
@@ -34,6 +35,7 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
         atObstacle[triangles[t].corners[k]] = atObstacle[triangles[t].corners[next(k)]] = 1;
   }
 
+  poll();
   DisjointSets corners(any ? triangles.size() * 3 : 0);
   const auto corner = [&](Index side, Index v) { return side - side % 3 + cornerOf(triangles[side / 3], v); };
   std::vector<Index> obstacles;  // edges
@@ -51,6 +53,7 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
       for (const Index v : {a, b}) corners.unite(corner(side, v), corner(sides[0], v));
   }
 
+  poll();
   // Sides that still share both ends get a point in the middle each.
   std::vector<char> needs;
   for (const Index e : obstacles) {
@@ -66,6 +69,7 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
       }
   }
 
+  poll();
   std::vector<Index> copies(any ? triangles.size() * 3 : 0, -1);  // for the first corner of each set
   std::vector<Index> whole(mesh.vertices.size(), -1);
   const auto newVertex = [&](Index origin, std::array<Index, 2> middle) {
@@ -81,6 +85,7 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
       result.triangles[t].corners[k] = slot;
     }
   if (needs.empty()) return result;
+  poll();
 
   std::vector<MeshTriangle> pieces;
   std::vector<std::uint32_t> layers;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "core/filters/mesh_topology.hpp"
@@ -20,7 +21,9 @@ struct SplitMesh {
 
 /// Splits vertices along obstacle edges: the corners of two triangles stay one vertex when one can turn around the
 /// vertex from one to the other without crossing an obstacle edge. An edge whose sides still have the same two ends
-/// (a wall with two free ends) gets a point in its middle on either side. `topology` is that of the mesh.
-SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& topology);
+/// (a wall with two free ends) gets a point in its middle on either side. `topology` is that of the mesh. `poll` is
+/// called now and then and may throw to cancel.
+SplitMesh splitAtObstacleEdges(
+    const WalkableMesh& mesh, const MeshTopology& topology, const std::function<void()>& poll = [] {});
 
 }  // namespace footfall

@@ -37,6 +37,7 @@ class OverlapFinder {
           return Local{MeshGeometry(kernel, mesh.vertices), {}};
         }) {
     findInnerSides(topology);
+    findPlanTriangles();
     const auto count = static_cast<Index>(mesh_.triangles.size());
     std::vector<Index> border, inner;
     for (Index t = 0; t < count; ++t) (isAtBorder(t) ? border : inner).push_back(t);
@@ -88,17 +89,20 @@ class OverlapFinder {
     return across_[3 * t] < 0 || across_[3 * t + 1] < 0 || across_[3 * t + 2] < 0;
   }
 
+  void findPlanTriangles() {
+    const auto count = static_cast<Index>(mesh_.triangles.size());
+    plan_.resize(count);
+    tbb::parallel_for(tbb::blocked_range<Index>(0, count, kTrianglesPerTask), [&](const auto& range) {
+      context_.checkCancelled();
+      for (Index t = range.begin(); t != range.end(); ++t)
+        plan_[t] = planTriangleOf(mesh_.vertices, mesh_.triangles[t]);
+    });
+  }
+
   [[nodiscard]] Tree::Bounds boundsOf(Index t) const {
-    Tree::Bounds bounds;
-    for (int k = 0; k < 3; ++k) {
-      const MeshVertex& v = mesh_.vertices[mesh_.triangles[t].corners[k]];
-      const std::array<double, 2> low{v.x - v.error, v.y - v.error}, high{v.x + v.error, v.y + v.error};
-      for (int i = 0; i < 2; ++i) {
-        bounds.lower[i] = k == 0 ? low[i] : std::min(bounds.lower[i], low[i]);
-        bounds.upper[i] = k == 0 ? high[i] : std::max(bounds.upper[i], high[i]);
-      }
-    }
-    return bounds;
+    const PlanTriangle& p = plan_[t];
+    return {{std::min({p.x[0], p.x[1], p.x[2]}) - p.error, std::min({p.y[0], p.y[1], p.y[2]}) - p.error},
+            {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
   }
 
   [[nodiscard]] Tree treeOf(const std::vector<Index>& triangles) const {
@@ -132,7 +136,7 @@ class OverlapFinder {
 
   void test(Local& local, Index t, Index o) const {
     if (shareEdge(t, o)) return;
-    if (local.geometry.overlap(mesh_.triangles[t], mesh_.triangles[o])) local.found.push_back({t, o});
+    if (local.geometry.overlap(plan_[t], plan_[o])) local.found.push_back({t, o});
   }
 
   void lookUpBorders(const Tree& borders) {
@@ -161,12 +165,14 @@ class OverlapFinder {
   }
 
   static constexpr std::size_t kPerTask = 256;
+  static constexpr Index kTrianglesPerTask = 4096;
   static constexpr Index kNever = std::numeric_limits<Index>::max();
 
   const WalkableMesh& mesh_;
   RunContext& context_;
   tbb::enumerable_thread_specific<Local> locals_;
   std::vector<Index> across_;  ///< for each side the triangle beyond it when it is inner, else -1
+  std::vector<PlanTriangle> plan_;
   Tree inner_;
   std::vector<Index> round_;  ///< in which each inner triangle was looked up
   std::vector<Pair> pairs_;

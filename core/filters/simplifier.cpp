@@ -149,6 +149,7 @@ Simplifier::Groups Simplifier::findGroups(const std::vector<char>& candidates) c
   DisjointSets sets(mesh_.triangles.size());
   for (Index s = 0; s < 3 * count; ++s)
     if (mesh_.neighbors[s] > s) sets.unite(s / 3, mesh_.neighbors[s] / 3);
+  context_.checkCancelled();
   std::vector<Index> triangleAt(candidates.size(), -1);  // one at each vertex that may go
   for (Index t = 0; t < count; ++t)
     for (const Index v : mesh_.triangles[t].corners) {
@@ -156,6 +157,7 @@ Simplifier::Groups Simplifier::findGroups(const std::vector<char>& candidates) c
       if (triangleAt[v] >= 0) sets.unite(triangleAt[v], t);
       triangleAt[v] = t;
     }
+  context_.checkCancelled();
   // A triangle alone has nothing that could go or be flipped.
   std::vector<Index> size(count, 0);
   for (Index t = 0; t < count; ++t) ++size[sets.find(t)];
@@ -163,6 +165,8 @@ Simplifier::Groups Simplifier::findGroups(const std::vector<char>& candidates) c
   for (Index t = 0; t < count; ++t)
     if (size[t] > 1) roots.push_back(t);
   std::stable_sort(roots.begin(), roots.end(), [&](Index a, Index b) { return size[a] > size[b]; });
+
+  context_.checkCancelled();
 
   Groups groups;
   std::vector<Index> groupOf(count, -1);
@@ -177,6 +181,7 @@ Simplifier::Groups Simplifier::findGroups(const std::vector<char>& candidates) c
   std::vector<Index> next = groups.firstTriangle;
   for (Index t = 0; t < count; ++t)
     if (const Index g = groupOf[sets.find(t)]; g >= 0) groups.triangles[next[g]++] = t;
+  context_.checkCancelled();
   const auto groupAt = [&](std::size_t v) { return triangleAt[v] < 0 ? -1 : groupOf[sets.find(triangleAt[v])]; };
   groups.firstVertex.assign(roots.size() + 1, 0);
   for (std::size_t v = 0; v < candidates.size(); ++v)
