@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/metrics/process_usage.hpp"
+
 namespace footfall::bench {
 
 ViewWatch::ViewWatch(EditorWindow& window) : window_(window) {
@@ -21,6 +23,7 @@ void ViewWatch::begin() {
   times_ = {};
   resultReady_ = done_ = false;
   watching_ = true;
+  cpuBefore_ = processCpuMs();
   clock_.start();
   sinceTick_.start();
   pulse_.start();
@@ -35,9 +38,13 @@ void ViewWatch::tick() {
 void ViewWatch::frameShown() {
   if (!watching_) return;
   const double now = elapsedMs();
+  const double cpu = processCpuMs() - cpuBefore_;
   times_.slowestFrame = std::max(times_.slowestFrame, window_.view().lastFrameMs());
   tick();
-  if (!times_.visible && pixels() != before_) times_.visible = now;
+  if (!times_.visible && pixels() != before_) {
+    times_.visible = now;
+    times_.visibleCpu = cpu;
+  }
   sinceTick_.start();  // reading the pixels is the measurement's own pause
   if (!resultReady_) return;
   times_.finished = now;

@@ -14,9 +14,10 @@ namespace footfall::bench {
 /// Milliseconds since an edit.
 struct EditTimes {
   std::optional<double> visible;  ///< the first frame with other pixels was on its way to the screen
-  double finished = 0;            ///< the frame with the finished result was
-  double longestPause = 0;        ///< in which the window could do nothing else
-  double slowestFrame = 0;        ///< of the view
+  double visibleCpu = 0;    ///< processor time of all threads until then, which others on the machine cannot stretch
+  double finished = 0;      ///< the frame with the finished result was
+  double longestPause = 0;  ///< in which the window could do nothing else
+  double slowestFrame = 0;  ///< of the view
 };
 
 /// Follows one edit at a time: call begin(), make the edit, and wait until done().
@@ -37,6 +38,7 @@ class ViewWatch : public QObject {
 
   EditorWindow& window_;
   QElapsedTimer clock_, sinceTick_;
+  double cpuBefore_ = 0;
   QTimer pulse_;
   EditTimes times_;
   std::size_t before_ = 0;
