@@ -1,6 +1,7 @@
 // footfall-bench: where the time goes, and what others need for the same.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -65,7 +66,7 @@ void runProgramWith(int argc, char** argv) {
   app.add_option("--seconds", options.repetition.seconds, "No further run of a measurement after so long")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "Thread counts, ascending; peers are compared at the last")
+  app.add_option("--threads", options.threads, "Thread counts; peers are compared at the largest")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -89,6 +90,7 @@ void runProgramWith(int argc, char** argv) {
     return;
   }
 
+  std::ranges::sort(options.threads);
   options.recast = !noRecast;
   options.embree = !noEmbree;
   options.limits.time = std::chrono::seconds(timeout);

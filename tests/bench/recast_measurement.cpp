@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "core/metrics/process_usage.hpp"
 
@@ -75,6 +76,11 @@ rcConfig makeConfig(const Soup& soup, double metresPerUnit, const RecastCell& ce
   config.detailSampleMaxError = config.ch * kDetailSampleError;
   rcCalcBounds(soup.vertices.data(), static_cast<int>(soup.vertices.size() / 3), config.bmin, config.bmax);
   rcCalcGridSize(config.bmin, config.bmax, config.cs, &config.width, &config.height);
+  constexpr long long kMostCells = 1LL << 29U;  // 4 GB of pointers, before there is any span
+  if (static_cast<long long>(config.width) * config.height > kMostCells) {
+    throw std::runtime_error("a grid of " + std::to_string(config.width) + " x " + std::to_string(config.height) +
+                             " cells");
+  }
   return config;
 }
 

@@ -80,7 +80,8 @@ class Report {
       const std::string where = target["where"].get<std::string>();
       table.addRow({target["against"], target["what"].get<std::string>() + (where.empty() ? "" : " (" + where + ')'),
                     (target["at_least"].get<bool>() ? "at least " : "at most ") + number(target["due"]) + ending,
-                    number(target["measured"]) + ending, target["met"].get<bool>() ? "met" : "**missed**"});
+                    target["measured"].is_null() ? "fails" : number(target["measured"]) + ending,
+                    target["met"].get<bool>() ? "met" : "**missed**"});
     }
     return table.text();
   }

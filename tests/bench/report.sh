@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# report.sh [BUILD_FOLDER]: measures everything again and writes the tables of docs/performance.md between their markers.
+# report.sh [BUILD_FOLDER [OPTION...]]: measures everything again and writes the tables of docs/performance.md between
+# their markers. Options go to footfall-bench (--runs 3 --seconds 2: quick and rough).
 # Environments from outside come from the folder $FOOTFALL_SHARED (../shared unless set); its prototype/ is built when it
 # is there. The editor is measured where it was built and a display is or xvfb-run can make one. Takes some minutes; a
 # machine that does something else meanwhile spoils the figures.
@@ -7,12 +8,13 @@
 set -euo pipefail
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"
 build="$(realpath -- "${1:-${repository}/build/release}")"
+if [ "$#" -gt 0 ]; then shift; fi
 shared="${FOOTFALL_SHARED:-${repository}/../shared}"
 document="${repository}/docs/performance.md"
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "${scratch}"' EXIT
 
-arguments=(--samples --growth --json "${build}/bench.json" --markdown "${scratch}/bench.md")
+arguments=("$@" --samples --growth --json "${build}/bench.json" --markdown "${scratch}/bench.md")
 # The clearance of each file: 2 m in its units.
 environment() {
   if [ -f "${shared}/envs/$1" ]; then arguments+=("${shared}/envs/$1:$2"); fi

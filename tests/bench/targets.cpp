@@ -99,7 +99,18 @@ class Judge {
       memory.push_back({where, step["memory"]});
     }
     for (const Json& entry : results_["growth"]) {
-      if (entry["size"] != 1'000'000 || !entry.contains("run_ms")) continue;
+      if (entry["size"] != 1'000'000) continue;
+      if (entry.contains("fails")) {
+        targets_.push_back({{"against", "growth"},
+                            {"what", "time for 1 M"},
+                            {"due", 3},
+                            {"measured", nullptr},
+                            {"unit", "s"},
+                            {"at_least", false},
+                            {"met", false},
+                            {"where", entry["fails"]}});
+        continue;
+      }
       large.push_back({entry["series"], entry["run_ms"].get<double>() / 1e3});
       largest.push_back({entry["series"], entry["peak_bytes"].get<double>() / 1e6});
     }

@@ -8,7 +8,7 @@ namespace footfall::bench {
 
 /// Of results as runBenchmark() gives them, at the last of their thread counts. A list of `against`, `what`, `due` and
 /// `measured` (numbers), `unit`, `at_least` (a due figure is a lower bound), `met` and `where` (the worst case, when
-/// the figure is one). What was not measured has no entry.
+/// the figure is one). What was not measured has no entry; what failed has null for `measured`.
 Json judgeTargets(const Json& results);
 
 /// The entry of a list of measurements that belongs to a thread count; null when there is none or it failed.
