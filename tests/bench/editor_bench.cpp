@@ -25,14 +25,14 @@ struct Arguments {
 };
 
 /// A way to edit: which field, and the values that it gets one after the other. None comes twice, so that nothing is
-/// answered from the cache, and each takes away or brings back something of the docks.
+/// answered from the cache, and each changes what one sees of the docks.
 struct Series {
   const char* name;
   const char* filter;
   std::array<double, 12> values;
 };
 constexpr std::array<Series, 3> kSeries{{
-    {"slope", "SlopeFilter", {10, 44, 9, 43, 8, 42, 7, 41, 11, 40, 12, 39}},
+    {"slope", "SlopeFilter", {52.5, 64.5, 66.5, 68.5, 70.5, 73.5, 75.5, 76.5, 77.5, 79.5, 80.5, 82}},
     {"clearance", "VerticalClearanceFilter", {2.1, 2.2, 2.3, 2.4, 2.5, 2.6, 2.7, 2.8, 2.9, 3, 3.1, 3.2}},
     {"minimum area", "AreaFilter", {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120}},
 }};
