@@ -17,6 +17,8 @@ packages=(
   qmake6 qt6-base-dev qt6-base-dev-tools qt6-qpa-plugins
   # testing
   clang-format librapidcheck-dev xauth xvfb
+  # peers that the benchmark compares with
+  libembree-dev librecast-dev
 )
 
 case "$#:${1:-}" in

@@ -84,7 +84,6 @@ void EditorWindow::connectParts() {
     emit loadFailed(message);
   });
 
-  connect(&controller_, &RunController::started, this, [this] { showProgress(tr("Starting"), 0); });
   connect(&controller_, &RunController::progressed, this,
           [this](double fraction, const QString& text) { showProgress(text, fraction); });
   connect(&controller_, &RunController::contentReady, this, [this](const ViewContent& content) {

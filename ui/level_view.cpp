@@ -142,7 +142,7 @@ void LevelView::draw() {
   SceneParts parts = parts_;
   const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;
   if (hurried) parts.outlines = false;
-  renderer_.draw(scene, parts);
+  renderer_.draw(scene, parts, rest_.isActive());
   context()->functions()->glFinish();  // software OpenGL works on after the call
   lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   if (!hurried) wholeFrameMs_ = lastFrameMs_;

@@ -27,6 +27,8 @@ Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return length > 0 ? Vec3{n.x / length, n.y / length, n.z / length} : Vec3{0, 0, 1};
 }
 
+bool isCrease(const Vec3& a, const Vec3& b) { return std::abs(a.x * b.x + a.y * b.y + a.z * b.z) < kCreaseCosine; }
+
 std::int8_t toByte(double component) { return static_cast<std::int8_t>(std::lround(component * 127)); }
 
 void addTriangle(std::vector<SurfaceVertex>& surface, const std::array<const Vec3*, 3>& corners, const Vec3& centre,
@@ -182,11 +184,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
 
   forEachEdge(environment.triangles, weldedIds(vertices), [&](auto first, auto last) {
     bool crease = last - first != 2;
-    if (!crease) {
-      const Vec3& a = normals[first->triangle];
-      const Vec3& b = normals[(first + 1)->triangle];
-      crease = std::abs(a.x * b.x + a.y * b.y + a.z * b.z) < kCreaseCosine;
-    }
+    if (!crease) crease = isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
     if (crease) {
       geometry->creases.push_back({toFloats(vertices[first->low], centre), toFloats(vertices[first->high], centre)});
     }
@@ -199,16 +197,20 @@ std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh,
   auto geometry = std::make_shared<MeshGeometry>();
   geometry->layers = mesh.layerCount;
   geometry->surface.reserve(mesh.triangles.size() * 3);
+  std::vector<Vec3> normals;
+  normals.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto corners = cornersOf(mesh.vertices, mesh.triangles[t]);
     const Paint colour = paint ? *paint : mesh.layers.empty() ? walkablePaint() : layerPaint(mesh.layers[t]);
-    addTriangle(geometry->surface, corners, centre, unitNormal(*corners[0], *corners[1], *corners[2]), colour, false);
+    normals.push_back(unitNormal(*corners[0], *corners[1], *corners[2]));
+    addTriangle(geometry->surface, corners, centre, normals.back(), colour, false);
   }
   if (paint) return geometry;  // what was removed shows no lines
   forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
-    if (last - first != 1) return;
-    geometry->outline.push_back(
-        {toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+    const bool sharp = last - first == 2 && isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
+    if (last - first != 1 && !sharp) return;
+    (sharp ? geometry->creases : geometry->outline)
+        .push_back({toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
   });
   geometry->obstacleEdges = toSegments(mesh.obstacleEdges, mesh.vertices, centre);
   geometry->connections = toSegments(mesh.connections, mesh.vertices, centre);

@@ -40,6 +40,7 @@ struct EnvironmentGeometry {
 
 struct MeshGeometry {
   std::vector<SurfaceVertex> surface;  ///< three a triangle
+  std::vector<LineSegment> creases;    ///< sharp edges between two triangles
   std::vector<LineSegment> outline;    ///< edges with one triangle
   std::vector<LineSegment> obstacleEdges;
   std::vector<LineSegment> connections;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 #include "core/pipeline/block_structure.hpp"
 #include "ui/appearance.hpp"
@@ -10,10 +11,12 @@
 namespace footfall {
 namespace {
 
-constexpr int kPauseMs = 200;  // between the last edit and the run
-constexpr int kDrainMs = 40;   // between two updates of the window
-// The old result stays this long: most runs are over by then, and the view does not flicker through their steps.
-constexpr auto kPartsAfter = std::chrono::milliseconds(150);
+constexpr auto kDrainPeriod = std::chrono::milliseconds(100);  // between two updates of the window
+constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
+// What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
+constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
+// What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
+constexpr auto kProgressAfter = std::chrono::milliseconds(150);
 constexpr double kSameArea = 1 - 1e-9;  // areas in summaries are rounded
 constexpr std::size_t kPreviews = 32;   // as many as ResultCache keeps states
 
@@ -63,7 +66,12 @@ struct RunController::Job {
   RunEventBuffer::Clock::time_point begun = RunEventBuffer::Clock::now();
   // What the window shows of it while it runs; the window's own.
   std::vector<std::shared_ptr<const MeshGeometry>> pieces;
+  std::vector<std::uint32_t> pieceFaces;
   std::size_t shownStep = static_cast<std::size_t>(-1), shownParts = 0;
+  std::optional<RunEventBuffer::Clock::time_point> lastPicture;
+  // The step of the last finished run in the place of the first one that is not the same.
+  std::size_t firstChanged = 0;
+  std::string changedPrefix;
   std::shared_ptr<PreviewCache> previews;
   std::unique_ptr<RunEventBuffer> events;
   std::unique_ptr<RunContext> context;
@@ -77,11 +85,7 @@ struct RunController::Outcome {
 
 RunController::RunController(QObject* parent)
     : QObject(parent), previews_(std::make_shared<PreviewCache>()), cache_(std::make_shared<ResultCache>()) {
-  pause_.setSingleShot(true);
-  pause_.setInterval(kPauseMs);
-  connect(&pause_, &QTimer::timeout, this, &RunController::start);
   drainTimer_.setSingleShot(true);
-  drainTimer_.setInterval(kDrainMs);
   connect(&drainTimer_, &QTimer::timeout, this, &RunController::drain);
 }
 
@@ -95,12 +99,14 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   centre_ = centre;
   finished_.reset();
   finishedKey_.clear();
+  shown_ = {};
+  provisional_ = false;
   statuses_.clear();
   cache_ = std::make_shared<ResultCache>();  // a run that is still ending keeps the old ones
   previews_ = std::make_shared<PreviewCache>();
   refreshStatuses();
   emit statusChanged();
-  if (environment_) pause_.start(0);
+  start();
 }
 
 std::string RunController::runKey() const {
@@ -114,19 +120,23 @@ std::string RunController::runKey() const {
 bool RunController::upToDate() const { return finished_ && !busy() && finishedKey_ == runKey(); }
 
 void RunController::setFilters(const std::vector<FilterEntry>& filters) {
+  const bool sameRows =
+      std::ranges::equal(filters, filters_, [](const auto& a, const auto& b) { return a.id == b.id; });
   filters_ = filters;
   const std::string key = runKey();
   const bool sameAsRunning = job_ && job_->key == key;
   if (!sameAsRunning) stopJob(StepState::Stale);
   refreshStatuses();
-  emit statusChanged();
-  if (!environment_ || sameAsRunning) return;
-  if (finished_ && finishedKey_ == key) {
-    pause_.stop();
-    emit finished();  // the list is back where the result is
+  const bool starting = environment_ && !sameAsRunning && !(finished_ && finishedKey_ == key);
+  // A run tells the statuses when it takes a while, and at its end: to repaint the rows twice costs it time.
+  if (!starting || !sameRows) emit statusChanged();
+  if (starting) {
+    start();
     return;
   }
-  pause_.start(kPauseMs);
+  if (!environment_ || sameAsRunning) return;
+  showLastResult();
+  emit finished();  // the list is back where the result is
 }
 
 void RunController::runNow() {
@@ -137,12 +147,16 @@ void RunController::runNow() {
 }
 
 void RunController::cancel() {
-  const bool waiting = pause_.isActive();
-  pause_.stop();
-  if (!job_ && !waiting) return;
+  if (!job_) return;
   stopJob(StepState::Cancelled);
+  showLastResult();
   emit statusChanged();
   emit cancelled();
+}
+
+// In place of what a run that did not finish has shown.
+void RunController::showLastResult() {
+  if (std::exchange(provisional_, false)) emit contentReady(shown_.content);
 }
 
 StepStatus RunController::status(int id) const {
@@ -210,7 +224,6 @@ bool RunController::reportInvalidStep() {
 }
 
 void RunController::start() {
-  pause_.stop();
   if (!environment_) return;
   stopJob(StepState::Stale);
   for (auto& [id, status] : statuses_) {
@@ -235,6 +248,7 @@ void RunController::start() {
     if (status.state == StepState::Cancelled) status.state = StepState::Stale;
   }
   job->key = job->prefixes.back();
+  findFirstChange(*job);
   job->events = std::make_unique<RunEventBuffer>(
       [this] { QMetaObject::invokeMethod(this, &RunController::scheduleDrain, Qt::QueuedConnection); });
   // The events are told to the job that they belong to; it outlives the context that it owns.
@@ -248,13 +262,29 @@ void RunController::start() {
       },
       true);
   job_ = job;
-  emit statusChanged();
-  emit started();
+  // The work begins now; who hears of it may edit or cancel, and not in the middle of the edit that led here.
+  QMetaObject::invokeMethod(
+      this,
+      [this, job] {
+        if (job == job_) emit started();
+      },
+      Qt::QueuedConnection);
   queue_.post([this, job, cache = cache_] {
     const auto outcome = std::make_shared<Outcome>(compute(*job, *cache));
     QMetaObject::invokeMethod(
         this, [this, job, outcome] { complete(job, *outcome); }, Qt::QueuedConnection);
   });
+}
+
+void RunController::findFirstChange(Job& job) const {
+  if (!finished_) return;
+  std::vector<const PipelineStep*> before;
+  for (const PipelineStep& step : finished_->pipeline.steps) {
+    if (step.enabled) before.push_back(&step);
+  }
+  std::size_t& i = job.firstChanged;
+  while (i < before.size() && i < job.steps.size() && *before[i] == *job.steps[i]) ++i;
+  if (i < before.size()) job.changedPrefix = extendPrefix(job.prefixes[i], *before[i]);
 }
 
 RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
@@ -295,12 +325,23 @@ ViewContent RunController::makeContent(const Job& job, const RunResult& result) 
 }
 
 void RunController::scheduleDrain() {
-  if (job_ && !drainTimer_.isActive()) drainTimer_.start();
+  if (!job_ || drainTimer_.isActive()) return;
+  const auto period = waitsForPicture() ? kWatchPeriod : kDrainPeriod;
+  const auto due = std::chrono::ceil<std::chrono::milliseconds>(drained_ + period - RunEventBuffer::Clock::now());
+  drainTimer_.start(std::max(due, std::chrono::milliseconds(0)));
 }
 
 void RunController::drain() {
   if (!job_) return;
+  drained_ = RunEventBuffer::Clock::now();
   const std::vector<RunEventBuffer::Step> steps = job_->events->fetch();
+  takeStatuses(steps);
+  if (!job_) return;  // somebody who heard of them has cancelled
+  const auto last = job_->lastPicture ? *job_->lastPicture : job_->begun;
+  if (waitsForPicture() || RunEventBuffer::Clock::now() - last > kPicturePeriod) showParts(steps);
+}
+
+void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps) {
   double done = 0;
   QString text = tr("Finishing");
   for (std::size_t i = 0; i < steps.size() && i < job_->ids.size(); ++i) {
@@ -323,40 +364,72 @@ void RunController::drain() {
       status.trianglesOut = step.whole->triangles.size();
     }
   }
-  emit progressed(done / static_cast<double>(job_->ids.size() + 1), text);
-  emit statusChanged();
-  if (RunEventBuffer::Clock::now() - job_->begun > kPartsAfter) showParts(steps);
+  if (drained_ - job_->begun > kProgressAfter) {
+    emit progressed(done / static_cast<double>(job_->ids.size() + 1), text);
+    emit statusChanged();
+  }
 }
 
-// The last step that has something to show: its pieces, or else the whole result of the one before.
+// Without an earlier result, the steps on the way would only flicker past.
+bool RunController::waitsForPicture() const { return shown_.mesh && !job_->lastPicture; }
+
+// The last step that has something to show.
 void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
   for (std::size_t i = steps.size(); i-- > 0;) {
     const bool pieces = !steps[i].parts.empty();
     if (!pieces && !steps[i].whole) continue;
-    const std::size_t shown = pieces ? steps[i].parts.size() + 1 : 0;
-    if (job_->shownStep == i && job_->shownParts == shown) return;
-    ViewContent content;
-    // Pieces that have been converted stay as they are.
-    if (job_->shownStep != i || shown == 0) job_->pieces.clear();
-    if (!pieces) job_->pieces.push_back(makeMeshGeometry(*steps[i].whole, job_->centre));
-    for (std::size_t p = job_->pieces.size(); pieces && p < steps[i].parts.size(); ++p) {
-      job_->pieces.push_back(makeMeshGeometry(*steps[i].parts[p], job_->centre));
-    }
+    const std::size_t parts = pieces ? steps[i].parts.size() + 1 : 0;
+    if (job_->shownStep == i && job_->shownParts == parts) return;
+    const auto content = contentOfStep(i, steps[i]);
     job_->shownStep = i;
-    job_->shownParts = shown;
-    content.walkable = job_->pieces;
-    emit contentReady(content);
+    job_->shownParts = parts;
+    if (!content) return;
+    job_->lastPicture = RunEventBuffer::Clock::now();
+    provisional_ = true;
+    emit contentReady(*content);  // last: who hears it may cancel
     return;
   }
 }
 
+// Its pieces, or else its whole result, in front of the last finished run where there is one.
+std::optional<ViewContent> RunController::contentOfStep(std::size_t index, const RunEventBuffer::Step& step) {
+  const bool pieces = !step.parts.empty();
+  if (!pieces && shown_.mesh && holdsWholeFaces(*step.whole)) {
+    // Nothing has been cut out of the floors yet: only what has changed is worth showing.
+    const MeshPtr before = index == job_->firstChanged ? job_->previews->find(job_->changedPrefix) : nullptr;
+    if (!before || !holdsWholeFaces(*before)) return std::nullopt;
+    return withChangedFaces(shown_, *before, *step.whole, removalStyle(job_->steps[index]->filter->name), job_->centre);
+  }
+  // Pieces that have been converted stay as they are.
+  if (job_->shownStep != index || job_->shownParts == 0) {
+    job_->pieces.clear();
+    job_->pieceFaces.clear();
+  }
+  const auto add = [&](const MeshPtr& mesh) {
+    job_->pieces.push_back(makeMeshGeometry(*mesh, job_->centre));
+    job_->pieceFaces.insert(job_->pieceFaces.end(), mesh->sourceTriangles.begin(), mesh->sourceTriangles.end());
+  };
+  if (pieces) {
+    for (std::size_t p = job_->pieces.size(); p < step.parts.size(); ++p) add(step.parts[p]);
+    if (shown_.mesh) return withPieces(shown_, job_->pieces, job_->pieceFaces);
+  } else {
+    add(step.whole);
+  }
+  ViewContent content = shown_.content;
+  content.walkable = job_->pieces;
+  return content;
+}
+
 void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& outcome) {
   if (job != job_) return;  // cancelled or overtaken
-  drain();                  // the last events, which may have come after the timer
+  drained_ = RunEventBuffer::Clock::now();
+  takeStatuses(job->events->fetch());  // the last events, which may have come after the timer
+  if (job != job_) return;             // somebody who heard of them has cancelled
   job_.reset();
   if (outcome.finished) {
     finished_ = outcome.finished;
     finishedKey_ = job->key;
+    shown_ = {finished_->result.mesh, outcome.content};
     const std::vector<StepStatistics>& steps = finished_->result.steps;
     for (std::size_t i = 0; i < steps.size() && i < job->ids.size(); ++i) {
       StepStatus& status = statuses_[job->ids[i]];
@@ -367,6 +440,7 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
       status.note = QString::fromStdString(steps[i].note);
       status.prefix = job->prefixes[i + 1];
     }
+    provisional_ = false;
     emit statusChanged();
     emit contentReady(outcome.content);
     emit finished();
@@ -378,6 +452,7 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
     statuses_[*running].state = outcome.error.isEmpty() ? StepState::Cancelled : StepState::Failed;
     statuses_[*running].error = outcome.error;
   }
+  showLastResult();
   emit statusChanged();
   if (outcome.error.isEmpty()) {
     emit cancelled();

@@ -14,6 +14,7 @@
 #include "core/pipeline/runner.hpp"
 #include "ui/background_queue.hpp"
 #include "ui/document.hpp"
+#include "ui/provisional_content.hpp"
 #include "ui/render_geometry.hpp"
 #include "ui/run_event_buffer.hpp"
 #include "ui/step_status.hpp"
@@ -27,9 +28,9 @@ struct FinishedRun {
   RunResult result;
 };
 
-/// Lives on the window's thread and never waits there. Every change cancels the run under way and, after a short pause
-/// without further changes, starts another; a change that leaves the same enabled steps starts none. Signals come on
-/// the window's thread, at most about 30 times a second.
+/// Lives on the window's thread and never waits there. Every change cancels the run under way and starts another as
+/// soon as the events that led to it are done; a change that leaves the same enabled steps starts none. Signals come on
+/// the window's thread, at most about ten times a second once it has shown something.
 class RunController : public QObject {
   Q_OBJECT
 
@@ -45,8 +46,8 @@ class RunController : public QObject {
   void cancel();
 
   [[nodiscard]] StepStatus status(int id) const;
-  /// A run is under way or about to start.
-  [[nodiscard]] bool busy() const { return job_ != nullptr || pause_.isActive(); }
+  /// A run is under way.
+  [[nodiscard]] bool busy() const { return job_ != nullptr; }
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
   /// Whether finishedRun() belongs to the filter list as it is.
@@ -54,8 +55,9 @@ class RunController : public QObject {
 
  signals:
   void statusChanged();
+  /// A run is under way; not told of a run that was overtaken in the same moment.
   void started();
-  /// `fraction` of the whole run; `text` names the step.
+  /// `fraction` of the whole run; `text` names the step. Only of runs that take a while.
   void progressed(double fraction, const QString& text);
   void contentReady(const footfall::ViewContent& content);
   void finished();
@@ -69,10 +71,15 @@ class RunController : public QObject {
 
   static Outcome compute(Job& job, ResultCache& cache);
   static ViewContent makeContent(const Job& job, const RunResult& result);
+  void findFirstChange(Job& job) const;
   void start();
   void scheduleDrain();
   void drain();
+  void takeStatuses(const std::vector<RunEventBuffer::Step>& steps);
   void showParts(const std::vector<RunEventBuffer::Step>& steps);
+  std::optional<ViewContent> contentOfStep(std::size_t index, const RunEventBuffer::Step& step);
+  [[nodiscard]] bool waitsForPicture() const;
+  void showLastResult();
   void complete(const std::shared_ptr<Job>& job, const Outcome& outcome);
   void stopJob(StepState unfinished);
   void refreshStatuses();
@@ -86,7 +93,10 @@ class RunController : public QObject {
   std::shared_ptr<Job> job_;
   std::shared_ptr<const FinishedRun> finished_;
   std::string finishedKey_;
-  QTimer pause_, drainTimer_;
+  ShownResult shown_;         ///< what the view shows of the last finished run; no mesh when there is none
+  bool provisional_ = false;  ///< the view shows something else, of a run that has not finished
+  QTimer drainTimer_;
+  RunEventBuffer::Clock::time_point drained_;
   /// Results of single steps for display, beside the states in the cache, by steps so far.
   class PreviewCache;
   std::shared_ptr<PreviewCache> previews_;

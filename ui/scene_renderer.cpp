@@ -44,6 +44,7 @@ void SceneRenderer::release() {
   environmentCreases_.reset();
   removed_.clear();
   walkable_.clear();
+  still_.reset();
   emptyArray_.destroy();
   for (QOpenGLShaderProgram* program : {&surfaceProgram_, &lineProgram_, &backgroundProgram_}) {
     program->removeAllShaders();
@@ -111,8 +112,8 @@ void SceneRenderer::uploadPending() {
     for (const ViewContent::Removed& removed : content_.removed)
       removed_.push_back(makeSurface(removed.before->surface));
     for (const auto& mesh : content_.walkable) {
-      walkable_.push_back({makeSurface(mesh->surface), makeLines(mesh->outline), makeLines(mesh->obstacleEdges),
-                           makeLines(mesh->connections)});
+      walkable_.push_back({makeSurface(mesh->surface), makeLines(mesh->creases), makeLines(mesh->outline),
+                           makeLines(mesh->obstacleEdges), makeLines(mesh->connections)});
     }
   }
 }
@@ -145,58 +146,131 @@ void SceneRenderer::drawLines(const BatchPtr& batch, const QColor& colour, float
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch->count);
 }
 
-void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts) {
-  uploadPending();
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  drawBackground();
-  glDepthFunc(GL_LEQUAL);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glEnable(GL_CLIP_DISTANCE0);
+void SceneRenderer::useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera) {
+  program.bind();
+  program.setUniformValue("modelViewProjection", camera.modelViewProjection);
+  program.setUniformValue("cut", camera.cut);
+}
 
-  surfaceProgram_.bind();
-  surfaceProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
-  surfaceProgram_.setUniformValue("cut", camera.cut);
+// The environment without anything on it.
+void SceneRenderer::drawStill(const StillKey& key) {
+  drawBackground();
+  glEnable(GL_CLIP_DISTANCE0);
+  if (key.surface) {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    useCamera(surfaceProgram_, key.camera);
+    surfaceProgram_.setUniformValue("eye", key.camera.eye);
+    surfaceProgram_.setUniformValue("viewDirection", key.camera.viewDirection);
+    surfaceProgram_.setUniformValue("orthographic", key.camera.orthographic);
+    surfaceProgram_.setUniformValue("patternScale", key.camera.devicePixelRatio);
+    surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
+    drawSurface(environmentSurface_, key.offset);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+  if (key.creases) {
+    beginLines(key.camera);
+    drawLines(environmentCreases_, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
+    endLines();
+  }
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
+// Into the frame, from the picture that is kept, which is made first where it is another. False: it cannot be kept.
+bool SceneRenderer::copyStill(const StillKey& key) {
+  GLint frame = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
+  const QSize size = key.camera.viewport;
+  const bool made = still_ && still_->isValid() && still_->size() == size;
+  if (!made) {
+    still_ = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+    if (!still_->isValid()) return false;
+  }
+  if (!made || !(stillKey_ == key)) {
+    still_->bind();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    drawStill(key);
+    stillKey_ = key;
+  }
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, still_->handle());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(frame));
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  const bool copied = glGetError() == GL_NO_ERROR;
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(frame));
+  return copied;
+}
+
+void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  useCamera(surfaceProgram_, camera);
   surfaceProgram_.setUniformValue("eye", camera.eye);
   surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
   surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
-  const Paint floor = content_.firstRemoval && parts.removed ? content_.firstRemoval->paint : undecidedPaint();
-  surfaceProgram_.setUniformValue("floorPaint",
-                                  QVector4D(toVector(floor.colour), static_cast<float>(floor.pattern) / 127.0F));
-  // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each.
-  float offset = static_cast<float>(removed_.size()) + 1;
-  if (parts.environment) drawSurface(environmentSurface_, offset);
-  for (const BatchPtr& batch : removed_) {
-    offset -= 1;
-    if (parts.removed && parts.environment) drawSurface(batch, offset);
-  }
   if (parts.walkable) {
     for (const MeshBatches& mesh : walkable_) drawSurface(mesh.surface, 0);
   }
+  // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each. The
+  // nearest come first, so that what they hide is not painted.
+  for (std::size_t i = removed_.size(); i-- > 0;) {
+    if (parts.removed && parts.environment) drawSurface(removed_[i], static_cast<float>(removed_.size() - i));
+  }
   glDisable(GL_POLYGON_OFFSET_FILL);
+}
 
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
-  glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later
-  lineProgram_.bind();
-  lineProgram_.setUniformValue("modelViewProjection", camera.modelViewProjection);
-  lineProgram_.setUniformValue("cut", camera.cut);
-  lineProgram_.setUniformValue(
-      "viewport", QVector2D(static_cast<float>(camera.viewport.width()), static_cast<float>(camera.viewport.height())));
+void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& parts) {
+  beginLines(camera);
   const float pixel = camera.devicePixelRatio;
-  if (parts.environment && parts.outlines) drawLines(environmentCreases_, creaseColour(), 1.0F * pixel, 3e-5F);
   for (const MeshBatches& mesh : walkable_) {
-    if (parts.walkable && parts.outlines) drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 8e-5F);
+    if (parts.walkable && parts.outlines) {
+      drawLines(mesh.creases, creaseColour(), 1.0F * pixel, 3e-5F);
+      drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 8e-5F);
+    }
     if (parts.connections) {
       drawLines(mesh.connections, outlineColour(), 4.5F * pixel, 1.1e-4F);
       drawLines(mesh.connections, connectionColour(), 2.5F * pixel, 1.2e-4F);
     }
     if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.8F * pixel, 1.6e-4F);
   }
+  endLines();
+}
+
+void SceneRenderer::beginLines(const SceneCamera& camera) {
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
+  glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later
+  useCamera(lineProgram_, camera);
+  lineProgram_.setUniformValue(
+      "viewport", QVector2D(static_cast<float>(camera.viewport.width()), static_cast<float>(camera.viewport.height())));
+}
+
+void SceneRenderer::endLines() {
   lineProgram_.release();
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
+}
+
+void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, bool moving) {
+  uploadPending();
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDepthFunc(GL_LEQUAL);
+  const Paint floor = content_.firstRemoval && parts.removed ? content_.firstRemoval->paint : undecidedPaint();
+  // Behind everything that may come on top: a step for each of it, but the same for a few more or less.
+  constexpr std::size_t kSteps = 4;
+  const auto offset = static_cast<float>((removed_.size() / kSteps + 1) * kSteps);
+  const StillKey key{environment_,
+                     camera,
+                     parts.environment,
+                     parts.environment && parts.outlines,
+                     QVector4D(toVector(floor.colour), static_cast<float>(floor.pattern) / 127.0F),
+                     offset};
+  if (moving || !copyStill(key)) drawStill(key);
+  glEnable(GL_CLIP_DISTANCE0);
+  drawSurfaces(camera, parts);
+  drawAllLines(camera, parts);
   glDisable(GL_CLIP_DISTANCE0);
 }
 

@@ -5,6 +5,7 @@
 #include <QMatrix4x4>
 #include <QOpenGLBuffer>
 #include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 #include <QString>
@@ -33,6 +34,7 @@ struct SceneCamera {
   QSize viewport;  ///< device pixels
   float devicePixelRatio = 1;
   float cut = std::numeric_limits<float>::max();  ///< what is higher is left out
+  bool operator==(const SceneCamera&) const = default;
 };
 
 /// Every member but setEnvironment() and setContent() needs the OpenGL context of initialize() to be current.
@@ -46,7 +48,9 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
   void setContent(ViewContent content);
 
-  void draw(const SceneCamera& camera, const SceneParts& parts);
+  /// `moving`: the camera will be elsewhere in the next frame. While it rests, what does not depend on the content is
+  /// drawn once and kept: frames after that cost only what the content costs.
+  void draw(const SceneCamera& camera, const SceneParts& parts, bool moving);
 
  private:
   /// A vertex array with its buffer.
@@ -57,14 +61,31 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   };
   using BatchPtr = std::unique_ptr<Batch>;
   struct MeshBatches {
-    BatchPtr surface, outline, obstacleEdges, connections;
+    BatchPtr surface, creases, outline, obstacleEdges, connections;
+  };
+
+  /// All that the picture of the environment depends on.
+  struct StillKey {
+    std::shared_ptr<const EnvironmentGeometry> environment;
+    SceneCamera camera;
+    bool surface = false, creases = false;
+    QVector4D floorPaint;
+    float offset = 0;
+    bool operator==(const StillKey&) const = default;
   };
 
   void uploadPending();
+  void useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera);
+  void drawStill(const StillKey& key);
+  bool copyStill(const StillKey& key);
+  void drawSurfaces(const SceneCamera& camera, const SceneParts& parts);
+  void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
   BatchPtr makeSurface(const std::vector<SurfaceVertex>& vertices);
   BatchPtr makeLines(const std::vector<LineSegment>& segments);
   void drawBackground();
   void drawSurface(const BatchPtr& batch, float offset);
+  void beginLines(const SceneCamera& camera);
+  void endLines();
   void drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift);
 
   QOpenGLShaderProgram surfaceProgram_, lineProgram_, backgroundProgram_;
@@ -75,6 +96,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   bool environmentPending_ = false, contentPending_ = false;
 
   BatchPtr environmentSurface_, environmentCreases_;
+  std::unique_ptr<QOpenGLFramebufferObject> still_;  ///< colour and depth of the picture that belongs to stillKey_
+  StillKey stillKey_;
   std::vector<BatchPtr> removed_;
   std::vector<MeshBatches> walkable_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "ui/provisional_content.hpp"
 
 using namespace footfall;
 using namespace footfall::test;
@@ -131,6 +132,29 @@ class TestLevelView : public QObject {
     low.orientation = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
     window.view().setCameraPose(low);
     QVERIFY(shareOf(window.view().grabFramebuffer(), removed.style->paint.colour) > 0.0005);
+  }
+
+  void whatAnEditTakesAwayShowsBeforeTheResult() {
+    const QTemporaryDir folder;
+    EditorWindow window;
+    window.resize(1000, 800);
+    QVERIFY(showWindow(window));
+    QVERIFY(openZUp(window, writeFile(folder, "table.obj", tableObj()), "SlopeFilter 70\nVerticalClearanceFilter 2\n"));
+    window.view().viewOblique();
+    const QColor brown = removalStyle("SlopeFilter")->paint.colour;
+    QVERIFY(shareOf(window.view().grabFramebuffer(), brown) < 0.001);
+    NavigationMesh before;
+    before.vertices = window.environment()->vertices;
+    before.triangles = window.environment()->triangles;
+    before.sourceTriangles = {0, 1, 2, 3, 4, 5};
+    NavigationMesh after = before;
+    after.triangles.resize(4);  // not the ramp
+    after.sourceTriangles.resize(4);
+    const ShownResult shown{window.controller().finishedRun()->result.mesh, window.view().content()};
+    const auto content = withChangedFaces(shown, before, after, removalStyle("SlopeFilter"), {});
+    QVERIFY(content.has_value());
+    window.view().setContent(*content);
+    QVERIFY(shareOf(window.view().grabFramebuffer(), brown) > 0.005);
   }
 
   void mapCoordinatesDoNotTremble() {

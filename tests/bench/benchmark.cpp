@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/benchmark.hpp"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "tests/bench/generated_levels.hpp"
+#include "tests/bench/prototype_measurement.hpp"
+#if FOOTFALL_BENCH_RECAST
+#include "tests/bench/recast_measurement.hpp"
+#endif
+#if FOOTFALL_BENCH_EMBREE
+#include "tests/bench/floor_measurement.hpp"
+#endif
+
+namespace footfall::bench {
+namespace {
+
+// Seconds that the thesis took for environments of the sizes of our samples (its section 5.4), on 16 cores.
+const std::map<std::string, double>& thesisSeconds() {
+  static const std::map<std::string, double> seconds{{"house", 3.3}, {"villa", 97}, {"arena", 122}, {"docks", 466}};
+  return seconds;
+}
+
+void tell(const std::string& name, const std::string& what) {
+  std::fprintf(stderr, "%s: %s\n", name.c_str(), what.c_str());
+}
+
+std::string threadText(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
+
+/// A folder of its own for files that are made on the way.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "footfall-bench-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be made");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class Benchmark {
+ public:
+  explicit Benchmark(const BenchmarkOptions& options) : options_(options) {}
+
+  Json run() {
+    Json results;
+    results["program"] = {{"version", FOOTFALL_VERSION},
+                          {"recast", FOOTFALL_BENCH_RECAST != 0 && options_.recast},
+                          {"embree", FOOTFALL_BENCH_EMBREE != 0 && options_.embree},
+                          {"prototype", !options_.prototype.empty()}};
+    results["threads"] = options_.threads;
+    results["runs"] = options_.repetition.runs;
+    results["environments"] = Json::array();
+    for (const Subject& subject : options_.given) results["environments"].push_back(measure(subject, "given"));
+    for (const Subject& subject : options_.samples) results["environments"].push_back(measure(subject, "sample"));
+    results["growth"] = options_.growth ? measureGrowth() : Json::array();
+    return results;
+  }
+
+ private:
+  Json ours(const Subject& subject, int threads) const {
+    tell(subject.name, "Footfall, " + threadText(threads));
+    // The limit of memory is for peers that take what they can get: threads reserve address space they never use.
+    return runIsolated([&] { return measurePipeline(subject, threads, options_.repetition); },
+                       {options_.limits.time, 0});
+  }
+
+  Json measure(const Subject& subject, const char* group) {
+    Json entry;
+    entry["name"] = subject.name;
+    entry["group"] = group;
+    entry["clearance"] = subject.clearance;
+    entry["metres_per_unit"] = subject.metresPerUnit();
+    entry["footfall"] = Json::array();
+    for (const int threads : options_.threads) {
+      entry["footfall"].push_back(ours(subject, threads));
+      entry["footfall"].back()["threads"] = threads;
+    }
+    if (!options_.prototype.empty()) entry["prototype"] = measureThePrototype(subject, entry["footfall"]);
+#if FOOTFALL_BENCH_EMBREE
+    if (options_.embree) entry["floor"] = measureTheFloor(subject);
+#endif
+#if FOOTFALL_BENCH_RECAST
+    if (options_.recast) entry["recast"] = compareRecast(subject, entry["footfall"].back());
+#endif
+    if (const auto thesis = thesisSeconds().find(subject.name); thesis != thesisSeconds().end() && group[0] == 's')
+      entry["thesis_s"] = thesis->second;
+    return entry;
+  }
+
+  Json measureThePrototype(const Subject& subject, const Json& footfall) const {
+    // It reads OBJ with Y up; then the same OBJ is what ours is measured on.
+    Subject same = subject;
+    const std::string ending = ".obj";
+    if (!subject.path.ends_with(ending)) {
+      same.path = scratch_.file(subject.name + ending);
+      const Json written = runIsolated([&] {
+        writeEnvironment(same.path, *loadSubject(subject));
+        return Json::object();
+      });
+      if (written.contains("fails")) return Json::array();
+    }
+    Json entries = Json::array();
+    for (std::size_t i = 0; i < options_.threads.size(); ++i) {
+      tell(subject.name, "prototype, " + threadText(options_.threads[i]));
+      Json entry = measurePrototype(options_.prototype, same, options_.threads[i], options_.repetition);
+      entry["threads"] = options_.threads[i];
+      const Json own = same.path == subject.path ? footfall[i] : ours(same, options_.threads[i]);
+      if (own.contains("file_to_walkable_ms")) entry["ours_ms"] = own["file_to_walkable_ms"];
+      entries.push_back(std::move(entry));
+    }
+    return entries;
+  }
+
+#if FOOTFALL_BENCH_EMBREE
+  Json measureTheFloor(const Subject& subject) const {
+    Json entries = Json::array();
+    for (const int threads : options_.threads) {
+      tell(subject.name, "reading and Embree's tree, " + threadText(threads));
+      entries.push_back(
+          runIsolated([&] { return measureFloor(subject.path, *loadSubject(subject), threads, options_.repetition); },
+                      {options_.limits.time, 0}));
+      entries.back()["threads"] = threads;
+    }
+    return entries;
+  }
+#endif
+
+#if FOOTFALL_BENCH_RECAST
+  Json compareRecast(const Subject& subject, const Json& footfall) const {
+    constexpr std::array<RecastCell, 3> kCells{{{0.3, 0.2}, {0.1, 0.05}, {0.05, 0.05}}};
+    Json entries = Json::array();
+    for (const RecastCell& cell : kCells) {
+      Json entry{{"cell", cell.size}, {"cell_height", cell.height}};
+      char text[64];
+      std::snprintf(text, sizeof text, "Recast, cells of %g m", cell.size);
+      tell(subject.name, text);
+      entry.update(runIsolated(
+          [&] { return measureRecast(*loadSubject(subject), subject.metresPerUnit(), cell, options_.repetition); },
+          options_.limits));
+      if (entry.contains("plan_area") && footfall.contains("plan_area"))
+        entry["area_percent"] = 100 * (entry["plan_area"].get<double>() / footfall["plan_area"].get<double>() - 1);
+      entries.push_back(std::move(entry));
+    }
+    return entries;
+  }
+#endif
+
+  Json measureGrowth() const {
+    using Make = Environment (*)(std::uint32_t);
+    Json entries = Json::array();
+    const auto series = [&](const char* name, Make make, const std::array<std::uint32_t, 3>& sizes) {
+      for (const std::uint32_t size : sizes) {
+        const Subject subject{std::string(name) + ' ' + std::to_string(size), scratch_.file("generated.obj"), 2};
+        const Json written = runIsolated([&] {
+          writeEnvironment(subject.path, make(size));
+          return Json::object();
+        });
+        Json entry{{"series", name}, {"size", size}};
+        entry.update(written.contains("fails") ? written : ours(subject, options_.threads.back()));
+        entries.push_back(std::move(entry));
+      }
+    };
+    series("terrain with obstacles", makeTerrain, {10'000, 100'000, 1'000'000});
+    series("obstacles on one floor", makeGiantFloor, {1'000, 10'000, 100'000});
+    return entries;
+  }
+
+  BenchmarkOptions options_;
+  ScratchFolder scratch_;
+};
+
+}  // namespace
+
+Json runBenchmark(const BenchmarkOptions& options) { return Benchmark(options).run(); }
+
+}  // namespace footfall::bench

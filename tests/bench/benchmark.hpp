@@ -1,0 +1,37 @@
+// The whole benchmark: every environment, measured and beside its peers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/bench/pipeline_measurement.hpp"
+
+namespace footfall::bench {
+
+struct BenchmarkOptions {
+  std::vector<Subject> given;  ///< files from outside
+  std::vector<Subject> samples;
+  bool growth = false;
+  std::vector<int> threads{1, 2};  ///< ascending; the last is what the report compares with the peers
+  Repetition repetition;
+  bool recast = true;                                                 ///< where the program was built with it
+  bool embree = true;                                                 ///< where the program was built with it
+  std::string prototype;                                              ///< the program, or empty
+  Limits limits{std::chrono::seconds(300), std::uint64_t{4} << 30U};  ///< of one measurement
+};
+
+/// Measures everything, telling on standard error what it is at. The result has
+/// - `program`: `version`, `recast`, `embree` (built with it and asked for);
+/// - `threads`, `runs`;
+/// - `environments`: a list; each with `name`, `group` ("given" or "sample"), `clearance`, `metres_per_unit`,
+///   `footfall` (a list, one entry a thread count, of measurePipeline()), `floor` (the same of measureFloor()),
+///   `recast` (one entry a cell size, of measureRecast(), with `cell`, `cell_height` and `area_percent`: how far its
+///   area in the plan is from ours), `prototype` (one entry a thread count, of measurePrototype(), with `ours_ms`: from
+///   the same file to the walkable environment), `thesis_s` (an environment of the same size in the thesis);
+/// - `growth`: a list of `series`, `size` and what measurePipeline() says with most threads.
+/// Whatever cannot be measured has `fails` with the reason in the place of its figures.
+Json runBenchmark(const BenchmarkOptions& options);
+
+}  // namespace footfall::bench

@@ -1,0 +1,16 @@
+// What nobody can do without: the bytes of the file, and a tree over the triangles by who builds them fastest, Embree.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/environment/environment.hpp"
+#include "tests/bench/sampling.hpp"
+
+namespace footfall::bench {
+
+/// Gives `read_ms` (the file into memory), `tree_ms` (rtcCommitScene on triangles that lie ready as floats), `wall_ms`
+/// (both) and `runs`. To be run isolated.
+Json measureFloor(const std::string& path, const Environment& environment, int threads, const Repetition& repetition);
+
+}  // namespace footfall::bench

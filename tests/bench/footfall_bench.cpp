@@ -1,0 +1,128 @@
+// footfall-bench: where the time goes, and what others need for the same.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "core/environment/export.hpp"
+#include "core/errors.hpp"
+#include "tests/bench/benchmark.hpp"
+#include "tests/bench/report.hpp"
+#include "tests/bench/targets.hpp"
+
+namespace {
+
+using namespace footfall;
+using namespace footfall::bench;
+
+// FILE or FILE:HEIGHT.
+Subject parseSubject(const std::string& text, double clearance) {
+  Subject subject{"", text, clearance};
+  const std::size_t colon = text.rfind(':');
+  if (colon != std::string::npos && !std::filesystem::exists(text)) {
+    std::size_t used = 0;
+    try {
+      subject.clearance = std::stod(text.substr(colon + 1), &used);
+    } catch (const std::logic_error&) {
+    }
+    if (used == 0 || used + colon + 1 != text.size() || !(subject.clearance > 0))
+      throw InputError(text + ": the height after ':' must be a number above 0; give FILE:HEIGHT");
+    subject.path.resize(colon);
+  }
+  if (!std::filesystem::is_regular_file(subject.path)) throw InputError(subject.path + ": no such file");
+  subject.name = std::filesystem::path(subject.path).stem().string();
+  return subject;
+}
+
+std::vector<Subject> sampleSubjects() {
+  std::vector<Subject> subjects;
+  for (const char* name : {"house", "villa", "arena", "docks", "tower"})
+    subjects.push_back({name, std::string(FOOTFALL_SOURCE_DIR "/samples/") + name + '/' + name + ".obj", 2});
+  return subjects;
+}
+
+void runProgramWith(int argc, char** argv) {
+  CLI::App app(
+      "Measures Footfall on environments, in one run beside Recast's voxels, the time that reading the file and "
+      "Embree's tree take, and a prototype. Each measurement happens in a process of its own.",
+      "footfall-bench");
+  std::vector<std::string> files;
+  double clearance = 2;
+  bool samples = false, noRecast = false, noEmbree = false;
+  std::string json, markdown;
+  BenchmarkOptions options;
+  int timeout = 300;
+  app.add_option("FILES", files, "Environments, each with the clearance in its units where it is not 2")
+      ->type_name("FILE[:HEIGHT]");
+  app.add_option("--clearance", clearance, "For files that are given without one; it stands for 2 m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--samples", samples, "The samples of the repository too");
+  app.add_flag("--growth", options.growth, "Generated environments of up to a million triangles too");
+  app.add_option("--runs", options.repetition.runs, "Runs of each measurement after one warm-up")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--seconds", options.repetition.seconds, "No further run of a measurement after so long")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "Thread counts; peers are compared at the largest")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--timeout", timeout, "Seconds after which a measurement has failed")
+      ->check(CLI::Range(1, 86400))
+      ->capture_default_str();
+  app.add_option("--prototype", options.prototype,
+                 "The program of another implementation, for OBJ with Y up, called "
+                 "as: PROGRAM ENV.obj CLEARANCE OUT.obj THREADS")
+      ->check(CLI::ExistingFile)
+      ->type_name("PROGRAM");
+  app.add_flag("--no-recast", noRecast, "Leave Recast out");
+  app.add_flag("--no-embree", noEmbree, "Leave Embree out");
+  app.add_option("--json", json, "Write all figures to this file")->type_name("FILE");
+  app.add_option("--markdown", markdown, "Write the tables to this file instead of to standard output")
+      ->type_name("FILE");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    app.exit(success);  // --help
+    return;
+  }
+
+  std::ranges::sort(options.threads);
+  options.recast = !noRecast;
+  options.embree = !noEmbree;
+  options.limits.time = std::chrono::seconds(timeout);
+  for (const std::string& file : files) options.given.push_back(parseSubject(file, clearance));
+  if (samples) options.samples = sampleSubjects();
+  if (options.given.empty() && options.samples.empty() && !options.growth)
+    throw InputError("nothing to measure; give files, --samples or --growth");
+
+  Json results = runBenchmark(options);
+  results["targets"] = judgeTargets(results);
+  if (!json.empty()) writeFileSafely(json, results.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  if (markdown.empty()) {
+    std::cout << formatReport(results);
+  } else {
+    writeFileSafely(markdown, formatReport(results));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    runProgramWith(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "footfall-bench: " << error.what() << "; --help tells what can be given\n";
+    return 2;
+  } catch (const InputError& error) {
+    std::cerr << "footfall-bench: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "footfall-bench: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,14 @@
+// The results as Markdown tables.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "tests/bench/isolated.hpp"
+
+namespace footfall::bench {
+
+/// Of results as runBenchmark() gives them, with the `targets` of judgeTargets().
+std::string formatReport(const Json& results);
+
+}  // namespace footfall::bench

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "tests/bench/sampling.hpp"
+
+namespace footfall::bench {
+namespace {
+
+struct Figure {
+  std::string where;
+  double value = 0;
+};
+using Figures = std::vector<Figure>;
+
+class Judge {
+ public:
+  explicit Judge(const Json& results) : results_(results), threads_(results["threads"].back().get<int>()) {}
+
+  Json judge() {
+    const Figures prototype = overEnvironments([&](const Json& e) { return ratioTo(e, "prototype"); });
+    worst("prototype", "time to the walkable environment, worst", prototype, 1.0, "times");
+    mean("prototype", "the same, geometric mean", prototype, 0.8, "times");
+    const Figures fine = recastRatios(0.1), coarse = recastRatios(0.3);
+    worst("Recast at 0.1 m", "time, worst", fine, 0.8, "times");
+    mean("Recast at 0.1 m", "time, geometric mean", fine, 0.2, "times");
+    mean("Recast at 0.3 m", "time, geometric mean", coarse, 1, "times");
+    least("the thesis", "speed-up, least", overEnvironments(thesisSpeedUp()), 1000, "times");
+    mean("the floor", "time, geometric mean", overEnvironments([&](const Json& e) { return ratioTo(e, "floor"); }), 5,
+         "times");
+    worst("town", "time", overEnvironments([&](const Json& e) { return townMs(e); }), 100, "ms");
+    judgeGrowth();
+    worst("memory", "a triangle above 60 MB, worst", memoryFigures(), 1024, "bytes");
+    least("load of OBJ", "one core, files above 1 MB, least", loadRates(), 100, "MB/s");
+    return targets_;
+  }
+
+ private:
+  using Measure = std::function<std::optional<double>(const Json&)>;
+
+  Figures overEnvironments(const Measure& measure) const {
+    Figures figures;
+    for (const Json& environment : results_["environments"]) {
+      if (const auto value = measure(environment)) figures.push_back({environment["name"], *value});
+    }
+    return figures;
+  }
+
+  const Json* ours(const Json& environment) const { return atThreads(environment["footfall"], threads_); }
+
+  // Our time over a peer's that was measured once a thread count.
+  std::optional<double> ratioTo(const Json& environment, const char* peer) const {
+    const Json* own = ours(environment);
+    if (own == nullptr || !environment.contains(peer)) return std::nullopt;
+    const Json* other = atThreads(environment[peer], threads_);
+    if (other == nullptr) return std::nullopt;
+    const Json& mine = other->contains("ours_ms") ? (*other)["ours_ms"] : (*own)["run_ms"];
+    return mine.get<double>() / (*other)["wall_ms"].get<double>();
+  }
+
+  // The files from outside; our own samples were made by us, and count only where there is nothing else.
+  Figures recastRatios(double cell) const {
+    const auto isGiven = [](const Json& e) { return e["group"] == "given"; };
+    const bool given = std::ranges::any_of(results_["environments"], isGiven);
+    return overEnvironments([&](const Json& e) -> std::optional<double> {
+      const Json* own = ours(e);
+      if (own == nullptr || !e.contains("recast") || isGiven(e) != given) return std::nullopt;
+      for (const Json& entry : e["recast"]) {
+        if (entry["cell"] == cell && entry.contains("wall_ms"))
+          return (*own)["run_ms"].get<double>() / entry["wall_ms"].get<double>();
+      }
+      return std::nullopt;
+    });
+  }
+
+  Measure thesisSpeedUp() const {
+    return [this](const Json& e) -> std::optional<double> {
+      const Json* own = ours(e);
+      if (own == nullptr || !e.contains("thesis_s")) return std::nullopt;
+      return 1000 * e["thesis_s"].get<double>() / (*own)["run_ms"].get<double>();
+    };
+  }
+
+  std::optional<double> townMs(const Json& e) const {
+    const Json* own = ours(e);
+    if (own == nullptr || e["name"] != "town_model") return std::nullopt;
+    return (*own)["run_ms"].get<double>();
+  }
+
+  void judgeGrowth() {
+    Figures time, memory, large, largest;
+    for (const Json& step : growthExponents(results_)) {
+      const std::string where = step["series"].get<std::string>() + " to " + std::to_string(step["to"].get<int>());
+      time.push_back({where, step["time"]});
+      memory.push_back({where, step["memory"]});
+    }
+    for (const Json& entry : results_["growth"]) {
+      if (entry["size"] != 1'000'000) continue;
+      if (entry.contains("fails")) {
+        targets_.push_back({{"against", "growth"},
+                            {"what", "time for 1 M"},
+                            {"due", 3},
+                            {"measured", nullptr},
+                            {"unit", "s"},
+                            {"at_least", false},
+                            {"met", false},
+                            {"where", entry["fails"]}});
+        continue;
+      }
+      large.push_back({entry["series"], entry["run_ms"].get<double>() / 1e3});
+      largest.push_back({entry["series"], entry["peak_bytes"].get<double>() / 1e6});
+    }
+    worst("growth", "exponent of time, worst", time, 1.1, "");
+    worst("growth", "exponent of memory, worst", memory, 1.1, "");
+    worst("growth", "time for 1 M", large, 3, "s");
+    worst("growth", "memory for 1 M", largest, 1000, "MB");
+  }
+
+  Figures memoryFigures() const {
+    constexpr double kFixed = 60e6;
+    const auto perTriangle = [](const Json& figures) {
+      return std::max(0.0, figures["peak_bytes"].get<double>() - kFixed) / figures["triangles"].get<double>();
+    };
+    Figures result = overEnvironments([&](const Json& e) -> std::optional<double> {
+      const Json* own = ours(e);
+      return own == nullptr ? std::nullopt : std::optional(perTriangle(*own));
+    });
+    for (const Json& entry : results_["growth"]) {
+      if (!entry.contains("peak_bytes")) continue;
+      result.push_back(
+          {entry["series"].get<std::string>() + ' ' + std::to_string(entry["size"].get<int>()), perTriangle(entry)});
+    }
+    return result;
+  }
+
+  Figures loadRates() const {
+    constexpr double kLargeFile = 1e6;
+    return overEnvironments([&](const Json& e) -> std::optional<double> {
+      const Json* own = atThreads(e["footfall"], 1);
+      if (own == nullptr || (*own)["file_bytes"].get<double>() < kLargeFile || !(*own)["is_obj"].get<bool>())
+        return std::nullopt;
+      return (*own)["load_mb_per_s"].get<double>();
+    });
+  }
+
+  void worst(const char* against, const char* what, const Figures& figures, double due, const char* unit) {
+    const auto found = std::ranges::max_element(figures, {}, &Figure::value);
+    if (found != figures.end()) add(against, what, *found, due, unit, false);
+  }
+  void least(const char* against, const char* what, const Figures& figures, double due, const char* unit) {
+    const auto found = std::ranges::min_element(figures, {}, &Figure::value);
+    if (found != figures.end()) add(against, what, *found, due, unit, true);
+  }
+  void mean(const char* against, const char* what, const Figures& figures, double due, const char* unit) {
+    std::vector<double> values;
+    for (const Figure& figure : figures) values.push_back(figure.value);
+    if (!values.empty()) add(against, what, {"", geometricMean(values)}, due, unit, false);
+  }
+  void add(const char* against, const char* what, const Figure& figure, double due, const char* unit, bool atLeast) {
+    targets_.push_back({{"against", against},
+                        {"what", what},
+                        {"due", due},
+                        {"measured", figure.value},
+                        {"unit", unit},
+                        {"at_least", atLeast},
+                        {"met", atLeast ? figure.value >= due : figure.value <= due},
+                        {"where", figure.where}});
+  }
+
+  const Json& results_;
+  int threads_;
+  Json targets_ = Json::array();
+};
+
+}  // namespace
+
+Json judgeTargets(const Json& results) { return Judge(results).judge(); }
+
+const Json* atThreads(const Json& list, int threads) {
+  for (const Json& entry : list) {
+    if (entry["threads"] == threads && !entry.contains("fails")) return &entry;
+  }
+  return nullptr;
+}
+
+Json growthExponents(const Json& results) {
+  Json exponents = Json::array();
+  const Json& growth = results["growth"];
+  for (std::size_t i = 1; i < growth.size(); ++i) {
+    const Json &small = growth[i - 1], &large = growth[i];
+    if (small["series"] != large["series"] || small.contains("fails") || large.contains("fails")) continue;
+    const auto logarithm = [&](const Json& entry, const char* figure) { return std::log(entry[figure].get<double>()); };
+    const auto exponent = [&](const char* figure) {
+      return (logarithm(large, figure) - logarithm(small, figure)) /
+             (logarithm(large, "triangles") - logarithm(small, "triangles"));
+    };
+    exponents.push_back({{"series", large["series"]},
+                         {"from", small["size"]},
+                         {"to", large["size"]},
+                         {"time", exponent("run_ms")},
+                         {"memory", exponent("peak_above_start_bytes")}});
+  }
+  return exponents;
+}
+
+}  // namespace footfall::bench

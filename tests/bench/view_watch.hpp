@@ -1,0 +1,48 @@
+// What a person in front of the editor would see with a stopwatch in hand.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <optional>
+
+#include "ui/editor_window.hpp"
+
+namespace footfall::bench {
+
+/// Milliseconds since an edit.
+struct EditTimes {
+  std::optional<double> visible;  ///< the first frame with other pixels was on its way to the screen
+  double visibleCpu = 0;    ///< processor time of all threads until then, which others on the machine cannot stretch
+  double finished = 0;      ///< the frame with the finished result was
+  double longestPause = 0;  ///< in which the window could do nothing else
+  double slowestFrame = 0;  ///< of the view
+};
+
+/// Follows one edit at a time: call begin(), make the edit, and wait until done().
+class ViewWatch : public QObject {
+ public:
+  explicit ViewWatch(EditorWindow& window);
+
+  void begin();
+  /// The run that the edit led to has finished, and its result is on the screen.
+  [[nodiscard]] bool done() const { return done_; }
+  [[nodiscard]] const EditTimes& times() const { return times_; }
+
+ private:
+  void frameShown();
+  void tick();
+  [[nodiscard]] std::size_t pixels();
+  [[nodiscard]] double elapsedMs() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-6; }
+
+  EditorWindow& window_;
+  QElapsedTimer clock_, sinceTick_;
+  double cpuBefore_ = 0;
+  QTimer pulse_;
+  EditTimes times_;
+  std::size_t before_ = 0;
+  bool watching_ = false, resultReady_ = false, done_ = true;
+};
+
+}  // namespace footfall::bench
