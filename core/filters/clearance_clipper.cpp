@@ -231,32 +231,37 @@ bool ClearanceClipper::findHeights(Candidate& candidate) {
   return on || (above && below);
 }
 
-int ClearanceClipper::orientation(Index a, Index b, Index c) {
-  if (!exactOrientations_) return kernel_.orientation(a, b, c, geometry_.fallbacks);
-  const Vec3 &p = mesh_.scaled[a], &q = mesh_.scaled[b], &r = mesh_.scaled[c];
-  const double left = (p.x - r.x) * (q.y - r.y), right = (p.y - r.y) * (q.x - r.x);
-  return left > right ? 1 : left < right ? -1 : 0;
+// The kernel's orientation of a, b and p, which doubles decide at once on a grid of few bits. A point above one of the
+// ends is on the line.
+int ClearanceClipper::sideOf(Index a, Index b, Index p) {
+  const Vec3 &from = mesh_.scaled[a], &to = mesh_.scaled[b], &at = mesh_.scaled[p];
+  const double left = (to.x - from.x) * (at.y - from.y), right = (to.y - from.y) * (at.x - from.x);
+  const double value = left - right;
+  // As in PlanKernel::orientation.
+  const double bound =
+      exactOrientations_ ? 0 : (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + kernel_.sign().slack;
+  if (value > bound) return 1;
+  if (value < -bound) return -1;
+  if (exactOrientations_ || mesh_.planIds[p] == mesh_.planIds[a] || mesh_.planIds[p] == mesh_.planIds[b]) return 0;
+  return kernel_.orientation(a, b, p, geometry_.fallbacks);
 }
 
 bool ClearanceClipper::findOverlap(Candidate& candidate) {
   const Index obstacle = candidate.obstacle;
   const auto& f = mesh_.triangles[face_];
   const auto& o = mesh_.triangles[obstacle];
-  const auto& plan = mesh_.planIds;
-  const int facing = mesh_.facing[obstacle];
+  const bool isWall = mesh_.facing[obstacle] == 0;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
   for (int k = 0; k < 3; ++k) {
     auto& sides = candidate.sides[k];
-    const Index from = plan[f[k]], to = plan[f[next(k)]];
-    bool inside = false;
-    int zeros = 0;
+    int most = -1, zeros = 0;
     for (int j = 0; j < 3; ++j) {
-      const Index v = plan[o[j]];
-      sides[j] = static_cast<std::int8_t>(v == from || v == to ? 0 : orientation(f[k], f[next(k)], o[j]));
-      inside = inside || sides[j] > 0;
-      zeros += sides[j] == 0;
+      const int side = sideOf(f[k], f[next(k)], o[j]);
+      sides[j] = static_cast<std::int8_t>(side);
+      most = std::max(most, side);
+      zeros += side == 0;
     }
-    if (!inside && !(facing == 0 && zeros >= 2)) return false;
+    if (most <= 0 && !(isWall && zeros >= 2)) return false;
   }
   return !isSeparated(obstacle);
 }
@@ -273,10 +278,6 @@ bool ClearanceClipper::onlyTouchesBox(Index obstacle) const {
 bool ClearanceClipper::isSeparated(Index obstacle) {
   const auto& f = mesh_.triangles[face_];
   const auto& o = mesh_.triangles[obstacle];
-  const auto& plan = mesh_.planIds;
-  const auto sideOf = [&](Index a, Index b, Index v) {
-    return plan[v] == plan[a] || plan[v] == plan[b] ? 0 : orientation(a, b, v);
-  };
   const int facing = mesh_.facing[obstacle];
   if (facing != 0) {
     for (int k = 0; k < 3; ++k) {
@@ -289,7 +290,7 @@ bool ClearanceClipper::isSeparated(Index obstacle) {
   // A wall must not have the whole face strictly on one side, nor touch it in a corner only.
   Index a = -1, b = -1;
   for (int k = 0; k < 3 && a < 0; ++k)
-    if (plan[o[k]] != plan[o[next(k)]]) a = o[k], b = o[next(k)];
+    if (mesh_.planIds[o[k]] != mesh_.planIds[o[next(k)]]) a = o[k], b = o[next(k)];
   int left = 0, right = 0;
   for (int j = 0; j < 3; ++j) {
     const int s = sideOf(a, b, f[j]);

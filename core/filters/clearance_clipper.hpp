@@ -68,8 +68,8 @@ class ClearanceClipper {
   /// False when nothing of the obstacle is strictly within the clearance, nor coplanar.
   bool findHeights(Candidate& candidate);
   [[nodiscard]] int compareToCeiling(double z) const;
-  /// The kernel's orientation of source vertices, which doubles decide at once on a grid of few bits.
-  [[nodiscard]] int orientation(Index a, Index b, Index c);
+  /// Side of the line from a to b on which p lies in the plan; source vertices.
+  [[nodiscard]] int sideOf(Index a, Index b, Index p);
   /// False when obstacle and face do not overlap in the plan; finds the sides.
   bool findOverlap(Candidate& candidate);
   [[nodiscard]] bool onlyTouchesBox(Index obstacle) const;
