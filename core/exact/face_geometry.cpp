@@ -52,6 +52,8 @@ Index FaceGeometry::point(const PlanPoint& p) {
     Place& place = places_.emplace_back();
     if (p.kind == PlanPoint::Source) {
       place.approximate = kernel_.approximateSource(p.a, origin_);
+    } else if (const auto quick = kernel_.approximateQuickly(p, origin_)) {
+      place.approximate = *quick;
     } else {
       place.homogeneous = kernel_.homogeneous(p, origin_);
       place.hasHomogeneous = true;

@@ -186,6 +186,82 @@ ApproximatePoint PlanKernel::approximateSource(Index planId, Index origin) const
   return {x.value, y.value, std::max(x.error, y.error) + sign_.slack};
 }
 
+namespace {
+
+constexpr double kU = 0x1p-53;
+
+/// A double and a bound of its error.
+struct Bounded {
+  double value, error;
+};
+
+// n . (v - a) - level * height * nz with each product off by at most 2.01 u, each of three sums by u, and the normal by
+// its own error; 9 u covers the rounding of the bound.
+Bounded quickHeight(const SourceMesh& mesh, const std::vector<double>& scaledHeights, Index t, Index v, Index level) {
+  const auto& n = mesh.normals[t];
+  const Vec3 &p = mesh.scaled[v], &a = mesh.scaled[mesh.triangles[t][0]];
+  const double dx = p.x - a.x, dy = p.y - a.y, dz = p.z - a.z;
+  const double h = level == 0 ? 0 : level > 0 ? scaledHeights[level - 1] : -scaledHeights[-level - 1];
+  const double tx = n[0].value * dx, ty = n[1].value * dy, tz = n[2].value * dz, th = n[2].value * h;
+  const double error =
+      ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * kU) + n[0].error * std::fabs(dx) +
+       n[1].error * std::fabs(dy) + n[2].error * (std::fabs(dz) + std::fabs(h))) *
+      kInflate;
+  return {tx + ty + tz - th, error};
+}
+
+// ax by - ay bx of differences of coordinates, as in PlanKernel::orientation.
+Bounded quickCross(double ax, double ay, double bx, double by) {
+  const double left = ax * by, right = ay * bx;
+  return {left - right, (std::fabs(left) + std::fabs(right)) * (6 * kU)};
+}
+
+}  // namespace
+
+// The point divides the segment from a to b as t = N / D. With N' and D' off by at most eN and eD,
+// |N'/D' - N/D| = |N'(D - D') + (N' - N) D'| / |D D'| <= (|t'| eD + eN) / (|D'| - eD). The coordinate a + t (b - a)
+// then adds u for each of its operations. Nothing underflows while the sign rule holds zeros valid.
+std::optional<ApproximatePoint> PlanKernel::approximateQuickly(const PlanPoint& point, Index origin) const {
+  if (!sign_.zeroValid) return std::nullopt;
+  const auto& scaled = mesh_->scaled;
+  Bounded n{}, d{};
+  Index a = point.a, b = point.b;
+  if (point.kind == PlanPoint::EdgePlane) {
+    n = quickHeight(*mesh_, scaledHeights_, point.c, a, point.d);
+    const Bounded end = quickHeight(*mesh_, scaledHeights_, point.c, b, point.d);
+    d.value = n.value - end.value;
+    d.error = n.error + end.error + std::fabs(d.value) * kU;
+  } else if (point.kind == PlanPoint::Crossing && point.firstLine().kind == PlanLine::Edge &&
+             point.secondLine().kind == PlanLine::Edge) {
+    const PlanLine first = point.firstLine(), second = point.secondLine();
+    a = first.a, b = first.b;
+    const Vec3 &p = scaled[a], &q = scaled[b], &r = scaled[second.a], &s = scaled[second.b];
+    n = quickCross(r.x - p.x, r.y - p.y, s.x - r.x, s.y - r.y);
+    d = quickCross(q.x - p.x, q.y - p.y, s.x - r.x, s.y - r.y);
+  } else {
+    return std::nullopt;
+  }
+  const double smallest = std::fabs(d.value) * (1 - 4 * kU) - d.error * kInflate;
+  if (!(smallest > 0)) return std::nullopt;
+  const double t = n.value / d.value;
+  const double errorOfT = ((std::fabs(t) * d.error + n.error) / smallest + std::fabs(t) * (2 * kU)) * kInflate;
+  const Vec3 &from = scaled[a], &to = scaled[b], &zero = scaled[origin];
+  ApproximatePoint result;
+  const auto coordinateAt = [&](double start, double end, double base) {
+    const double span = end - start, offset = start - base, step = t * span, x = offset + step;
+    const double error =
+        (std::fabs(span) * errorOfT + std::fabs(step) * (4 * kU) + (std::fabs(offset) + std::fabs(x)) * (2 * kU)) *
+        kInflate;
+    result.error = std::max(result.error, error);
+    return x;
+  };
+  result.x = coordinateAt(from.x, to.x, zero.x);
+  result.y = coordinateAt(from.y, to.y, zero.y);
+  if (!(result.error < kCoarse * (std::fabs(result.x) + std::fabs(result.y) + 1))) return std::nullopt;
+  result.error += sign_.slack;
+  return result;
+}
+
 ApproximatePoint PlanKernel::approximate(const Homogeneous<ErrorDouble>& h, const PlanPoint& point,
                                          Index origin) const {
   if (point.kind == PlanPoint::Source) return approximateSource(point.a, origin);

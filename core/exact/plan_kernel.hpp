@@ -102,6 +102,8 @@ class PlanKernel {
   [[nodiscard]] Homogeneous<FixedInteger> fixedHomogeneous(const PlanPoint& point, Index origin) const;
   [[nodiscard]] std::array<FixedInteger, 3> fixedCoefficients(const PlanLine& line, Index face, Index origin) const;
   [[nodiscard]] ApproximatePoint approximateSource(Index planId, Index origin) const;
+  /// The same for the most common constructed points, in plain doubles; empty where that would be coarse.
+  [[nodiscard]] std::optional<ApproximatePoint> approximateQuickly(const PlanPoint& point, Index origin) const;
   /// Rounded coordinates; computed exactly where the running error would be too coarse to decide anything.
   [[nodiscard]] ApproximatePoint approximate(const Homogeneous<ErrorDouble>& h, const PlanPoint& point,
                                              Index origin) const;
