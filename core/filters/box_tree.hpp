@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -18,8 +19,9 @@ namespace footfall {
 
 /// Boxes of D dimensions in the order of a space-filling curve (Morton's), four of them under each node.
 ///
-/// Boxes are kept as floats relative to a common centre. Both steps, the difference and the conversion, round
-/// monotonically: a <= b stays true of the rounded numbers. So boxes that overlap (touching counts) still do.
+/// Boxes are kept as floats relative to a common centre. All steps, the difference, cutting off what no float holds,
+/// and the conversion, round monotonically: a <= b stays true of the rounded numbers. So boxes that overlap (touching
+/// counts) still do. Boxes may be infinite, as those of vertices are that doubles cannot place, but must not hold NaN.
 template <int D>
 class BoxTree {
  public:
@@ -36,27 +38,33 @@ class BoxTree {
     levels_.clear();
     ids_.resize(count);
     if (count == 0) return;
-    Bounds all = boundsOf(ids[0]);
-    for (Index i = 1; i < count; ++i) {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    Bounds all;
+    all.lower.fill(kLargest);
+    all.upper.fill(-kLargest);
+    for (Index i = 0; i < count; ++i) {
       if (i % kPolled == 0) poll();
       const Bounds b = boundsOf(ids[i]);
       for (int k = 0; k < D; ++k) {
-        all.lower[k] = std::min(all.lower[k], b.lower[k]);
-        all.upper[k] = std::max(all.upper[k], b.upper[k]);
+        if (std::isfinite(b.lower[k])) all.lower[k] = std::min(all.lower[k], b.lower[k]);
+        if (std::isfinite(b.upper[k])) all.upper[k] = std::max(all.upper[k], b.upper[k]);
       }
     }
-    double extent = 0;
+    double extent = 0;  // halves, as the whole may overflow
     for (int k = 0; k < D; ++k) {
+      if (all.lower[k] > all.upper[k]) all.lower[k] = all.upper[k] = 0;
       centre_[k] = all.lower[k] / 2 + all.upper[k] / 2;
-      extent = std::max(extent, all.upper[k] - all.lower[k]);
+      extent = std::max(extent, all.upper[k] / 2 - all.lower[k] / 2);
     }
     std::vector<std::pair<std::uint32_t, Index>> order(count);
-    const double scale = extent > 0 ? kCells / extent : 0;
+    const double scale = extent > kCells * std::numeric_limits<double>::min() ? kCells / extent : 0;
     forBlocks(count, poll, [&](Index i) {
       const Bounds b = boundsOf(ids[i]);
       std::uint32_t key = 0;
       for (int k = 0; k < D; ++k) {
-        const double place = (b.lower[k] / 2 + b.upper[k] / 2 - all.lower[k]) * scale;
+        const double low = std::clamp(b.lower[k], all.lower[k], all.upper[k]);
+        const double high = std::clamp(b.upper[k], all.lower[k], all.upper[k]);
+        const double place = ((low / 2 + high / 2) / 2 - all.lower[k] / 2) * scale;
         key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1))) << k;
       }
       order[i] = {key, ids[i]};
@@ -166,11 +174,17 @@ class BoxTree {
     }
   }
 
+  /// Never infinite, so that nothing overlaps a box that is not used.
+  static float inFloats(double x) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+  }
+
   Node rounded(const Bounds& b) const {
     Node node;
     for (int k = 0; k < D; ++k) {
-      node.lower[k] = static_cast<float>(b.lower[k] - centre_[k]);
-      node.upper[k] = static_cast<float>(b.upper[k] - centre_[k]);
+      node.lower[k] = inFloats(b.lower[k] - centre_[k]);
+      node.upper[k] = inFloats(b.upper[k] - centre_[k]);
     }
     return node;
   }

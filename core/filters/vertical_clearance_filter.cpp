@@ -37,8 +37,8 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
   const double extent = high->z - low->z;
   if (!(extent > 0) || !std::isfinite(extent)) return height;
   int exponent = 0;
-  std::frexp(extent, &exponent);  // the extent, rounding of the difference included, is at most 2^exponent
-  return std::min(height, std::ldexp(1.0, exponent + 1));
+  std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
+  return std::min(height, std::ldexp(1.0, exponent));
 }
 
 // What AreaFilter took away does not come back when floors are cut anew. The outlines of earlier parts stay among the

@@ -3,9 +3,12 @@
 #include <gmpxx.h>
 
 #include <QtTest>
+#include <cmath>
 #include <map>
 
 #include "core/filters/exact_view.hpp"
+#include "core/filters/walkable_state.hpp"
+#include "core/pipeline/pipeline.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/support/soup_generators.hpp"
@@ -134,6 +137,16 @@ class TestFilterOrders : public QObject {
       QCOMPARE(other.planArea.get_d(), enough.planArea.get_d());
       QCOMPARE(other.parts, enough.parts);
     }
+  }
+
+  // Also around z = 0, where the extent is larger than all coordinates, doubles decide nearly everything.
+  void heightAboveTheExtentStaysOnTheGrid() {
+    const Soup centred = room().mapped([](const Vec3& v) { return Vec3{v.x - 8, v.y - 8, (v.z - 2) * 4}; });
+    RunContext context;
+    const StatePtr state = makeInitialState(centred.environment(), context);
+    const PipelineStep step = parsePipeline("VerticalClearanceFilter 1000", "test").steps[0];
+    const FilterOutcome outcome = applyFilter(*step.filter, step.values, state, context);
+    QVERIFY(std::isfinite(outcome.state->kernel->sign().slack));
   }
 
   void bothSidesSurviveANewGeneration() {
