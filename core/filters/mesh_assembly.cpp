@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/environment/background_release.hpp"
 #include "core/filters/mesh_joiner.hpp"
 
 namespace footfall {
@@ -15,6 +16,7 @@ namespace {
 
 // Faces that one task triangulates, and that one part for display shows.
 constexpr std::size_t kFacesPerTask = 32;
+constexpr std::size_t kMeshesFreedPerTask = 8192;
 
 std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel,
                                           const std::vector<std::shared_ptr<const FaceMesh>>& meshes,
@@ -53,7 +55,10 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
                                                  RunContext& context, ExactFallbacks& fallbacks) {
   const PlanKernel& kernel = *state.kernel;
   const auto count = static_cast<Index>(kernel.mesh().triangles.size());
-  std::vector<std::shared_ptr<const FaceMesh>> meshes(state.cuts ? count : 0);
+  ReleaseOnException large(state.walkable.size() >= kLargeRelease);
+  const auto ownedMeshes = std::make_shared<std::vector<std::shared_ptr<const FaceMesh>>>(state.cuts ? count : 0);
+  auto& meshes = *ownedMeshes;
+  large.hold(ownedMeshes);
   // Only faces with segments need a triangulation; largest first, so that no thread is left with a giant at the end.
   std::vector<Index> faces;
   for (Index t = 0; t < count && state.cuts; ++t) {
@@ -90,14 +95,15 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   });
   for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
 
-  MeshJoiner joiner(kernel);
+  const auto ownedJoiner = std::make_shared<MeshJoiner>(kernel);
+  large.hold(ownedJoiner);
+  MeshJoiner& joiner = *ownedJoiner;
   for (Index t = 0; t < count; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
     if (state.walkable[t] == 0) continue;
     if (state.cuts && (*state.cuts)[t].removed) continue;
     if (state.cuts && meshes[t]) {
       joiner.addParts(t, *meshes[t]);
-      if (memory == nullptr) meshes[t] = nullptr;
       continue;
     }
     std::uint8_t walls = state.cuts ? (*state.cuts)[t].edgeWalls : std::uint8_t{0};
@@ -106,11 +112,17 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
       if (kernel.mesh().hasObstacleEdge(f[k], f[(k + 1) % 3])) walls |= static_cast<std::uint8_t>(1 << k);
     joiner.addWholeFace(t, walls);
   }
+  if (memory != nullptr) {
+    memory->meshes = std::move(meshes);
+  } else {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, meshes.size(), kMeshesFreedPerTask), [&](const auto& range) {
+      for (std::size_t t = range.begin(); t != range.end(); ++t) meshes[t] = nullptr;
+    });
+  }
   if (earlier != nullptr) joiner.reuse(*earlier, changed);
   auto mesh = std::make_shared<WalkableMesh>(joiner.join(context));
   fallbacks += joiner.fallbacks();
   if (memory != nullptr) {
-    memory->meshes = std::move(meshes);
     memory->join = joiner.takeMemory();
   }
   return mesh;

@@ -3,10 +3,13 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <span>
 
 #include "core/filters/disjoint_sets.hpp"
 #include "core/filters/triangle_split.hpp"
@@ -18,6 +21,30 @@ int next(int k) { return k == 2 ? 0 : k + 1; }
 
 // Rounding of a scaled sum or product of coordinates, generously.
 constexpr double kRounding = 8 * 0x1p-53;
+
+constexpr std::size_t kPolled = 1 << 16;
+constexpr std::size_t kVerticesPerTask = 4096;
+
+Box emptyBox() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}
+
+Box whole(const Box& a, const Box& b) {
+  Box box;
+  for (int k = 0; k < 3; ++k) {
+    box.lower[k] = std::min(a.lower[k], b.lower[k]);
+    box.upper[k] = std::max(a.upper[k], b.upper[k]);
+  }
+  return box;
+}
+
+/// Holds the exact place of the vertex.
+Box boxAround(const MeshVertex& v) {
+  const auto low = [&](double c) { return c - v.error - std::fabs(c) * kRounding; };
+  const auto high = [&](double c) { return c + v.error + std::fabs(c) * kRounding; };
+  return {{low(v.x), low(v.y), low(v.z)}, {high(v.x), high(v.y), high(v.z)}};
+}
 
 }  // namespace
 
@@ -247,35 +274,74 @@ std::vector<Index> MeshJoiner::entriesToSearch() const {
   return entries;
 }
 
+// Parts that meet in a whole edge have an outline each there: what lies on one of them lies on the other. A counting
+// sort by the smaller vertex, then each vertex's few outlines by the larger one.
+MeshJoiner::Twins MeshJoiner::findTwins(const std::vector<Index>& entries, RunContext& context) const {
+  const auto smaller = [&](Index i) { return std::min(outlines_[i].from, outlines_[i].to); };
+  const auto larger = [&](Index i) { return std::max(outlines_[i].from, outlines_[i].to); };
+  const auto forOutlines = [&](const auto& visit) {
+    for (std::size_t n = 0; n < entries.size(); ++n) {
+      if (n % kPolled == 0) context.checkCancelled();
+      const Index end = memory_.entries[entries[n] + 1].firstOutline;
+      for (Index i = memory_.entries[entries[n]].firstOutline; i < end; ++i) visit(i);
+    }
+  };
+  std::vector<Index> bucket(vertices_.size() + 1, 0);
+  forOutlines([&](Index i) { ++bucket[smaller(i)]; });
+  Index sum = 0;
+  for (Index& size : bucket) sum += std::exchange(size, sum);
+  Twins twins;
+  twins.first.resize(sum);
+  forOutlines([&](Index i) { twins.first[bucket[smaller(i)]++] = i; });
+  // Now bucket[v] is where the outlines of v end. Those that are not the first of theirs become -1.
+  twins.next.assign(outlines_.size(), -1);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), kVerticesPerTask), [&](const auto& range) {
+    context.checkCancelled();
+    for (std::size_t v = range.begin(); v != range.end(); ++v) {
+      const std::span<Index> here(twins.first.data() + (v == 0 ? 0 : bucket[v - 1]), twins.first.data() + bucket[v]);
+      std::sort(here.begin(), here.end(), [&](Index a, Index b) {
+        const Index p = larger(a), q = larger(b);
+        return p != q ? p < q : a < b;
+      });
+      Index last = -1;
+      for (Index& i : here) {
+        const Index before = std::exchange(last, i);
+        if (before < 0 || larger(before) != larger(i)) continue;
+        twins.next[before] = i;
+        i = -1;
+      }
+    }
+  });
+  std::erase(twins.first, -1);
+  return twins;
+}
+
 void MeshJoiner::findIncidences(RunContext& context) {
   if (earlier_ != nullptr) takeOver();
-  const auto boxOf = [&](const MeshVertex& v) {
-    const double r = v.error;
-    const auto low = [&](double c) { return c - r - std::fabs(c) * kRounding; };
-    const auto high = [&](double c) { return c + r + std::fabs(c) * kRounding; };
-    return Box{{low(v.x), low(v.y), low(v.z)}, {high(v.x), high(v.y), high(v.z)}};
-  };
-  std::vector<Box> boxes;
-  std::vector<std::int32_t> ids;
+  const auto boxOf = [&](Index v) { return boxAround(vertices_[v]); };
+  const Twins twins = findTwins(entriesToSearch(), context);
   std::vector<Index> searched;  // vertices on outlines
   std::vector<char> seen(vertices_.size(), 0);
-  for (const Index entry : entriesToSearch()) {
-    for (Index i = memory_.entries[entry].firstOutline; i < memory_.entries[entry + 1].firstOutline; ++i) {
-      const Outline& o = outlines_[i];
-      Box box = boxOf(vertices_[o.from]);
-      const Box other = boxOf(vertices_[o.to]);
-      for (int k = 0; k < 3; ++k) {
-        box.lower[k] = std::min(box.lower[k], other.lower[k]);
-        box.upper[k] = std::max(box.upper[k], other.upper[k]);
-      }
-      boxes.push_back(box);
-      ids.push_back(i);
-      for (const Index v : {o.from, o.to})
-        if (std::exchange(seen[v], 1) == 0) searched.push_back(v);
-    }
+  for (std::size_t n = 0; n < twins.first.size(); ++n) {
+    if (n % kPolled == 0) context.checkCancelled();
+    for (const Index v : {outlines_[twins.first[n]].from, outlines_[twins.first[n]].to})
+      if (std::exchange(seen[v], 1) == 0) searched.push_back(v);
   }
+  const Box bounds = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, searched.size(), kVerticesPerTask), emptyBox(),
+      [&](const auto& range, Box box) {
+        for (std::size_t n = range.begin(); n != range.end(); ++n) box = whole(box, boxOf(searched[n]));
+        return box;
+      },
+      whole);
   TriangleTree tree;
-  tree.build(boxes, ids, [&context] { context.checkCancelled(); });
+  tree.build(
+      bounds, twins.first,
+      [&](std::size_t n) {
+        const Outline& o = outlines_[twins.first[n]];
+        return whole(boxOf(o.from), boxOf(o.to));
+      },
+      [&context] { context.checkCancelled(); });
 
   struct Local {
     std::vector<Incidence> between;
@@ -290,11 +356,16 @@ void MeshJoiner::findIncidences(RunContext& context) {
     for (std::size_t n = range.begin(); n != range.end(); ++n) {
       const Index v = searched[n];
       const bool known = !knownVertices_.empty() && knownVertices_[v] != 0;
-      tree.visitOverlapping(boxOf(vertices_[v]), local.stack, [&](std::int32_t i) {
-        const Outline& o = outlines_[i];
-        if (o.from == v || o.to == v || (known && knownOutlines_[i] != 0)) return true;
+      tree.visitOverlapping(boxOf(v), local.stack, [&](std::int32_t first) {
+        const Outline& o = outlines_[first];
+        if (o.from == v || o.to == v) return true;
+        const auto isToDo = [&](Index i) { return !known || knownOutlines_[i] == 0; };
+        bool any = false;
+        for (Index i = first; i >= 0 && !any; i = twins.next[i]) any = isToDo(i);
+        if (!any) return true;
         const Relation relation = relate(v, o, local.fallbacks);
-        if (relation == Relation::Between) local.between.push_back({i, v});
+        for (Index i = first; i >= 0 && relation == Relation::Between; i = twins.next[i])
+          if (isToDo(i)) local.between.push_back({i, v});
         if (relation == Relation::AtStart) local.equal.emplace_back(v, o.from);
         if (relation == Relation::AtEnd) local.equal.emplace_back(v, o.to);
         return true;

@@ -48,6 +48,11 @@ class MeshJoiner {
     std::pair<Index, Index> sourceEdge{-1, -1};  ///< the source vertices of the face's edge that it lies on
   };
   using Incidence = JoinMemory::Incidence;
+  /// Outlines between the same two vertices.
+  struct Twins {
+    std::vector<Index> first;  ///< of each set the smallest
+    std::vector<Index> next;   ///< for each outline the next of its set, or -1
+  };
   enum class Relation { Apart, AtStart, Between, AtEnd };
 
   void beginFace(Index face);
@@ -56,6 +61,7 @@ class MeshJoiner {
   void takeOver();
   /// The entries of faces that may meet a changed one; all of them when nothing is reused.
   [[nodiscard]] std::vector<Index> entriesToSearch() const;
+  [[nodiscard]] Twins findTwins(const std::vector<Index>& entries, RunContext& context) const;
   void findIncidences(RunContext& context);
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
   [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;

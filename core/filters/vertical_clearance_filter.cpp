@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/environment/background_release.hpp"
 #include "core/filters/assembly_memory.hpp"
 #include "core/filters/clearance_clipper.hpp"
 #include "core/filters/earlier_result.hpp"
@@ -155,6 +156,7 @@ class KnownCuts {
 }  // namespace
 
 FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const Recall& recall, RunContext& context) {
+  ReleaseOnException large(state->walkable.size() >= kLargeRelease);
   const double height = sufficientHeight(state->kernel->mesh(), given);
   FilterOutcome outcome;
   auto result = std::make_shared<WalkableState>(*state);
@@ -175,6 +177,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
   const KnownCuts known(earlier, *result, height);
 
   auto cuts = std::make_shared<CutTable>(count);
+  large.hold(cuts);
   std::vector<char> isChanged(count, 0);
   tbb::enumerable_thread_specific<std::unique_ptr<ClearanceClipper>> clippers;
   std::atomic<Index> done{0};

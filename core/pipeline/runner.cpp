@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/environment/background_release.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/result_cache.hpp"
@@ -69,6 +70,13 @@ class Run {
       if (step.enabled) steps_.push_back(&step);
     }
   }
+
+  // Whoever waits for the result need not wait until the last state is gone.
+  ~Run() {
+    if (environment_->triangles.size() >= kLargeRelease) releaseInBackground(std::move(current_.state));
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   RunResult execute() {
     context_.checkCancelled();

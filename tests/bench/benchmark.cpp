@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "tests/bench/cancel_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
 #include "tests/bench/prototype_measurement.hpp"
 #if FOOTFALL_BENCH_RECAST
@@ -67,6 +68,7 @@ class Benchmark {
     for (const Subject& subject : options_.given) results["environments"].push_back(measure(subject, "given"));
     for (const Subject& subject : options_.samples) results["environments"].push_back(measure(subject, "sample"));
     results["growth"] = options_.growth ? measureGrowth() : Json::array();
+    results["cancelling"] = options_.cancelMoments > 0 ? measureCancellings() : Json::array();
     return results;
   }
 
@@ -159,16 +161,22 @@ class Benchmark {
   }
 #endif
 
+  using Make = Environment (*)(std::uint32_t);
+
+  Json writeGenerated(const char* series, Make make, std::uint32_t size, Subject& subject) const {
+    subject = {std::string(series) + ' ' + std::to_string(size), scratch_.file("generated.obj"), 2};
+    return runIsolated([&] {
+      writeEnvironment(subject.path, make(size));
+      return Json::object();
+    });
+  }
+
   Json measureGrowth() const {
-    using Make = Environment (*)(std::uint32_t);
     Json entries = Json::array();
     const auto series = [&](const char* name, Make make, const std::array<std::uint32_t, 3>& sizes) {
       for (const std::uint32_t size : sizes) {
-        const Subject subject{std::string(name) + ' ' + std::to_string(size), scratch_.file("generated.obj"), 2};
-        const Json written = runIsolated([&] {
-          writeEnvironment(subject.path, make(size));
-          return Json::object();
-        });
+        Subject subject;
+        const Json written = writeGenerated(name, make, size, subject);
         Json entry{{"series", name}, {"size", size}};
         entry.update(written.contains("fails") ? written : ours(subject, options_.threads.back()));
         entries.push_back(std::move(entry));
@@ -176,6 +184,32 @@ class Benchmark {
     };
     series("terrain with obstacles", makeTerrain, {10'000, 100'000, 1'000'000});
     series("obstacles on one floor", makeGiantFloor, {1'000, 10'000, 100'000});
+    return entries;
+  }
+
+  Json measureCancellings() const {
+    Json entries = Json::array();
+    const auto add = [&](const Subject& subject) {
+      tell(subject.name, "cancelling");
+      Json entry{{"name", subject.name}};
+      entry.update(
+          runIsolated([&] { return measureCancelling(subject, options_.threads.back(), options_.cancelMoments); },
+                      {options_.limits.time, 0}));
+      entries.push_back(std::move(entry));
+    };
+    const auto addGenerated = [&](const char* series, Make make, std::uint32_t size) {
+      Subject subject;
+      const Json written = writeGenerated(series, make, size, subject);
+      if (written.contains("fails"))
+        throw std::runtime_error(subject.path + ": " + written["fails"].get<std::string>());
+      add(subject);
+    };
+    for (const Subject& subject : options_.given) add(subject);
+    for (const Subject& subject : options_.samples) add(subject);
+    if (options_.growth) {
+      addGenerated("terrain with obstacles", makeTerrain, 1'000'000);
+      addGenerated("obstacles on one floor", makeGiantFloor, 100'000);
+    }
     return entries;
   }
 

@@ -14,6 +14,7 @@ struct BenchmarkOptions {
   std::vector<Subject> given;  ///< files from outside
   std::vector<Subject> samples;
   bool growth = false;
+  int cancelMoments = 0;           ///< of each file, and with `growth` of the largest generated environments
   std::vector<int> threads{1, 2};  ///< ascending; the last is what the report compares with the peers
   Repetition repetition;
   bool recast = true;                                                 ///< where the program was built with it
@@ -30,7 +31,8 @@ struct BenchmarkOptions {
 ///   `recast` (one entry a cell size, of measureRecast(), with `cell`, `cell_height` and `area_percent`: how far its
 ///   area in the plan is from ours), `prototype` (one entry a thread count, of measurePrototype(), with `ours_ms`: from
 ///   the same file to the walkable environment), `thesis_s` (an environment of the same size in the thesis);
-/// - `growth`: a list of `series`, `size` and what measurePipeline() says with most threads.
+/// - `growth`: a list of `series`, `size` and what measurePipeline() says with most threads;
+/// - `cancelling`: a list of `name` and what measureCancelling() says with most threads.
 /// Whatever cannot be measured has `fails` with the reason in the place of its figures.
 Json runBenchmark(const BenchmarkOptions& options);
 

@@ -60,6 +60,10 @@ void runProgramWith(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--samples", samples, "The samples of the repository too");
   app.add_flag("--growth", options.growth, "Generated environments of up to a million triangles too");
+  app.add_option("--cancel", options.cancelMoments,
+                 "Cancel runs of each environment (of the generated ones the largest) at so many moments")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("MOMENTS");
   app.add_option("--runs", options.repetition.runs, "Runs of each measurement after one warm-up")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

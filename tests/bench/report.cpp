@@ -64,6 +64,7 @@ class Report {
       text += "### Threads, memory, exact fall-backs\n\n" + totals();
     }
     if (!results_["growth"].empty()) text += "### Growth, " + threadText() + "\n\n" + growth();
+    if (!results_["cancelling"].empty()) text += "### Cancelling, " + threadText() + "\n\n" + cancelling();
     return text;
   }
 
@@ -242,6 +243,23 @@ class Report {
       table.addRow(row);
     }
     return table.text();
+  }
+
+  std::string cancelling() const {
+    Table table({"environment", "triangles", "load and run", "moments", "median", "longest", "in", "most CPU", "late"});
+    for (const Json& entry : results_["cancelling"]) {
+      if (entry.contains("fails")) {
+        table.addRow({entry["name"], "", "fails: " + entry["fails"].get<std::string>(), "", "", "", "", "", ""});
+        continue;
+      }
+      table.addRow({entry["name"], grouped(entry["triangles"]), number(entry["whole_ms"]), grouped(entry["moments"]),
+                    number(entry["median_ms"]), number(entry["longest_ms"]), entry["longest_at"],
+                    number(entry["longest_cpu_ms"]), grouped(static_cast<double>(entry["late"].size()))});
+    }
+    return table.text() +
+           "From telling a run to stop until its caller knows, memory freed. *most CPU*: the most processor time of "
+           "all "
+           "threads in between. *late*: how many took longer than 50 ms.\n\n";
   }
 
   static constexpr std::size_t kCells = 3;

@@ -34,6 +34,7 @@ class Judge {
          "times");
     worst("town", "time", overEnvironments([&](const Json& e) { return townMs(e); }), 100, "ms");
     judgeGrowth();
+    worst("cancelling", "until the caller knows, longest", cancelFigures(), 50, "ms");
     worst("memory", "a triangle above 60 MB, worst", memoryFigures(), 1024, "bytes");
     least("load of OBJ", "one core, files above 1 MB, least", loadRates(), 100, "MB/s");
     return targets_;
@@ -118,6 +119,13 @@ class Judge {
     worst("growth", "exponent of memory, worst", memory, 1.1, "");
     worst("growth", "time for 1 M", large, 3, "s");
     worst("growth", "memory for 1 M", largest, 1000, "MB");
+  }
+
+  Figures cancelFigures() const {
+    Figures figures;
+    for (const Json& entry : results_["cancelling"])
+      if (!entry.contains("fails")) figures.push_back({entry["name"], entry["longest_ms"]});
+    return figures;
   }
 
   Figures memoryFigures() const {
