@@ -14,6 +14,13 @@ bool overlaps(const Box& a, const Box& b) {
          a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
 }
 
+// Whether a point depends on a height above a floor.
+bool usesLevel(const PlanPoint& point) {
+  const auto isRaised = [](const PlanLine& line) { return line.kind == PlanLine::Trace && line.b != 0; };
+  if (point.kind == PlanPoint::EdgePlane) return point.d != 0;
+  return point.kind == PlanPoint::Crossing && (isRaised(point.firstLine()) || isRaised(point.secondLine()));
+}
+
 Box boxAround(const std::vector<Box>& boxes) {
   Box all;
   all.lower.fill(std::numeric_limits<double>::infinity());
@@ -29,18 +36,29 @@ Box boxAround(const std::vector<Box>& boxes) {
 }  // namespace
 
 std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const PlanKernel& now) {
-  if (!before || !before->memory) return std::nullopt;
+  if (!before) return std::nullopt;
   const auto& mesh = now.sharedMesh();
-  if (before->kernel->sharedMesh() == mesh) return EarlierResult(before, nullptr);
-  if (mesh->edit && mesh->edit->base.lock() == before->kernel->sharedMesh()) return EarlierResult(before, mesh->edit);
+  const bool sameHeights = before->kernel->heights() == now.heights();
+  if (before->kernel->sharedMesh() == mesh) return EarlierResult(before, nullptr, sameHeights);
+  if (mesh->edit && mesh->edit->base.lock() == before->kernel->sharedMesh())
+    return EarlierResult(before, mesh->edit, sameHeights);
   return std::nullopt;
 }
 
-EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit)
-    : before_(std::move(before)), edit_(std::move(edit)) {
+EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, bool sameHeights)
+    : before_(std::move(before)), edit_(std::move(edit)), sameHeights_(sameHeights) {
   if (!edit_) return;
   removed_ = boxAround(edit_->removed);
   added_ = boxAround(edit_->added);
+}
+
+bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) const {
+  if (before.x != now.x || before.y != now.y || before.z != now.z || before.error != now.error) return false;
+  if (!sameHeights_ && usesLevel(now.point)) return false;
+  if (!edit_) return before.point == now.point && before.face == now.face && before.source == now.source;
+  return edit_->triangleOf[before.face] == now.face &&
+         (before.source < 0 ? now.source < 0 : edit_->vertexOf[before.source] == now.source) &&
+         renumbered(before.point) == now.point;
 }
 
 bool EarlierResult::isTouched(const Box& box) const {

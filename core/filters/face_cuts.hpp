@@ -37,20 +37,26 @@ struct FaceCuts {
 /// The cuts of all source triangles. Most have none, and later runs share those that they can reuse.
 class CutTable {
  public:
-  explicit CutTable(std::size_t faces) : cuts_(faces) {}
+  explicit CutTable(std::size_t faces) : cuts_(faces), removed_(faces, 0) {}
 
   const FaceCuts& operator[](std::size_t face) const {
     static const FaceCuts kNone;
     return cuts_[face] ? *cuts_[face] : kNone;
   }
   [[nodiscard]] const std::shared_ptr<const FaceCuts>& shared(std::size_t face) const { return cuts_[face]; }
-  void set(std::size_t face, std::shared_ptr<const FaceCuts> cuts) { cuts_[face] = std::move(cuts); }
+  /// Whether one obstacle covers the whole face.
+  [[nodiscard]] bool isRemoved(std::size_t face) const { return removed_[face] != 0; }
+  void set(std::size_t face, std::shared_ptr<const FaceCuts> cuts) {
+    removed_[face] = static_cast<char>(cuts && cuts->removed);
+    cuts_[face] = std::move(cuts);
+  }
   void set(std::size_t face, FaceCuts&& cuts) {
-    if (!cuts.empty()) cuts_[face] = std::make_shared<const FaceCuts>(std::move(cuts));
+    if (!cuts.empty()) set(face, std::make_shared<const FaceCuts>(std::move(cuts)));
   }
 
  private:
   std::vector<std::shared_ptr<const FaceCuts>> cuts_;
+  std::vector<char> removed_;
 };
 
 }  // namespace footfall

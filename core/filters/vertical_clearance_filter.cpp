@@ -170,7 +170,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
     memory = std::make_shared<AssemblyMemory>();
     memory->candidates.resize(count);
     memory->clearance = height;
-    earlier = EarlierResult::relate(recall.before, kernel);
+    if (recall.before && recall.before->memory) earlier = EarlierResult::relate(recall.before, kernel);
   }
   const KnownCuts known(earlier, *result, height);
 
