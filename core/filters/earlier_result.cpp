@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include "core/filters/assembly_memory.hpp"
 
@@ -21,6 +22,12 @@ bool usesLevel(const PlanPoint& point) {
   return point.kind == PlanPoint::Crossing && (isRaised(point.firstLine()) || isRaised(point.secondLine()));
 }
 
+// A copy that is never destroyed: all that it has lies in the memory as well.
+template <class T>
+T* copyInto(const CopyMemory& memory, const T& value) {
+  return new (memory->allocate(sizeof(T), alignof(T))) T(value, memory.get());
+}
+
 Box boxAround(const std::vector<Box>& boxes) {
   Box all;
   all.lower.fill(std::numeric_limits<double>::infinity());
@@ -34,6 +41,11 @@ Box boxAround(const std::vector<Box>& boxes) {
 }
 
 }  // namespace
+
+CopyMemory makeCopyMemory() {
+  constexpr std::size_t kFirstBlock = 1 << 16;
+  return std::make_shared<std::pmr::monotonic_buffer_resource>(kFirstBlock);
+}
 
 std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const PlanKernel& now) {
   if (!before) return std::nullopt;
@@ -102,31 +114,32 @@ PlanPoint EarlierResult::renumbered(PlanPoint point) const {
   return point;
 }
 
-std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore) const {
+std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore, const CopyMemory& memory) const {
   const auto& shared = before_->cuts->shared(faceBefore);
   if (!edit_ || !shared) return shared;
-  auto result = std::make_shared<FaceCuts>(*shared);
+  FaceCuts* const result = copyInto(memory, *shared);
   for (PlanPoint& p : result->points) p = renumbered(p);
   for (PlanLine& l : result->lines) l = renumbered(l);
-  return result;
+  return {memory, result};
 }
 
-std::shared_ptr<const FaceMesh> EarlierResult::mesh(Index faceBefore) const {
+std::shared_ptr<const FaceMesh> EarlierResult::mesh(Index faceBefore, const CopyMemory& memory) const {
   const auto& shared = before_->memory->meshes[faceBefore];
   if (!edit_ || !shared) return shared;
-  auto result = std::make_shared<FaceMesh>(*shared);
+  FaceMesh* const result = copyInto(memory, *shared);
   for (PlanPoint& p : result->points) p = renumbered(p);
   for (PlanLine& l : result->lines) l = renumbered(l);
-  return result;
+  return {memory, result};
 }
 
-std::shared_ptr<const std::vector<Index>> EarlierResult::candidates(Index faceBefore) const {
+std::shared_ptr<const std::pmr::vector<Index>> EarlierResult::candidates(Index faceBefore,
+                                                                         const CopyMemory& memory) const {
   const auto& shared = before_->memory->candidates[faceBefore];
   if (!edit_ || !shared) return shared;
-  auto result = std::make_shared<std::vector<Index>>(*shared);
+  std::pmr::vector<Index>* const result = copyInto(memory, *shared);
   for (Index& t : *result) t = edit_->triangleOf[t];
   std::erase(*result, -1);
-  return result;
+  return {memory, result};
 }
 
 const std::vector<Index>& EarlierResult::added() const {

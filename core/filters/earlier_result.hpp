@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "core/filters/walkable_state.hpp"
 
 namespace footfall {
+
+/// Where copies of one thread lie, that are let go together: each holds all of it.
+using CopyMemory = std::shared_ptr<std::pmr::monotonic_buffer_resource>;
+[[nodiscard]] CopyMemory makeCopyMemory();
 
 /// An earlier state whose source mesh is the present one or the one that it was edited from. Faces keep their parts
 /// while nothing came or went in the clearance above them; numbers are those of the present mesh.
@@ -32,10 +37,11 @@ class EarlierResult {
 
   // Of what a clearance filter remembered.
 
-  [[nodiscard]] std::shared_ptr<const FaceCuts> cuts(Index faceBefore) const;
-  [[nodiscard]] std::shared_ptr<const FaceMesh> mesh(Index faceBefore) const;
+  [[nodiscard]] std::shared_ptr<const FaceCuts> cuts(Index faceBefore, const CopyMemory& memory) const;
+  [[nodiscard]] std::shared_ptr<const FaceMesh> mesh(Index faceBefore, const CopyMemory& memory) const;
   /// What stood above a face, as far as it still exists.
-  [[nodiscard]] std::shared_ptr<const std::vector<Index>> candidates(Index faceBefore) const;
+  [[nodiscard]] std::shared_ptr<const std::pmr::vector<Index>> candidates(Index faceBefore,
+                                                                          const CopyMemory& memory) const;
   /// The triangles that came, except degenerate ones.
   [[nodiscard]] const std::vector<Index>& added() const;
 
