@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/environment/parallel_ranges.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall {
@@ -12,6 +13,8 @@ namespace {
 
 // Everything that a visit to a rebuilt tree costs less than.
 constexpr std::size_t kMostAddedShare = 8;
+
+constexpr std::size_t kTrianglesPerTask = 8192;
 
 /// A triangle and its number in the environment: the order of a source mesh.
 struct SortedTriangle {
@@ -87,46 +90,54 @@ class Editor {
           {turnedTriangle(mesh_, environment_.triangles[i], environment_.bothSides), static_cast<std::uint32_t>(i)});
     std::sort(added.begin(), added.end());
 
-    mesh_.triangles.reserve(count);
-    mesh_.inputTriangles.reserve(count);
-    mesh_.normals.reserve(count);
-    mesh_.facing.reserve(count);
-    mesh_.degenerate.reserve(count);
+    // Where each comes from: a triangle of the base, or -1 - the place among those that were added.
     changes_->triangleOf.assign(base_.triangles.size(), -1);
     changes_->baseOf.reserve(count);
-    const SignRule sign = mesh_.grid.signRule(mesh_.grid.scaleExponent());
     std::size_t next = 0;
-    const auto appendAdded = [&] {
-      const auto t = static_cast<Index>(mesh_.triangles.size());
-      mesh_.triangles.push_back(added[next].corners);
-      mesh_.inputTriangles.push_back(added[next].number);
-      mesh_.normals.emplace_back();
-      mesh_.facing.push_back(0);
-      mesh_.degenerate.push_back(0);
-      classifyTriangle(mesh_, t, sign);
-      changes_->baseOf.push_back(-1);
-      if (mesh_.degenerate[t] == 0) changes_->addedTriangles.push_back(t);
-      changes_->added.push_back(boxOf(mesh_, t));
-      ++next;
-    };
+    const auto appendAdded = [&] { changes_->baseOf.push_back(-1 - static_cast<Index>(next++)); };
     for (std::size_t t = 0; t < base_.triangles.size(); ++t) {
       const Index number = numberOf[base_.inputTriangles[t]];
       if (number < 0) {
         changes_->removed.push_back(boxOf(base_, static_cast<Index>(t)));
         continue;
       }
-      SortedTriangle triangle{base_.triangles[t], static_cast<std::uint32_t>(number)};
-      for (Index& v : triangle.corners) v = changes_->vertexOf[v];
-      while (next < added.size() && added[next] < triangle) appendAdded();
-      changes_->triangleOf[t] = static_cast<Index>(mesh_.triangles.size());
+      if (next < added.size()) {
+        SortedTriangle triangle{base_.triangles[t], static_cast<std::uint32_t>(number)};
+        for (Index& v : triangle.corners) v = changes_->vertexOf[v];
+        while (next < added.size() && added[next] < triangle) appendAdded();
+      }
+      changes_->triangleOf[t] = static_cast<Index>(changes_->baseOf.size());
       changes_->baseOf.push_back(static_cast<Index>(t));
-      mesh_.triangles.push_back(triangle.corners);
-      mesh_.inputTriangles.push_back(triangle.number);
-      mesh_.normals.push_back(base_.normals[t]);
-      mesh_.facing.push_back(base_.facing[t]);
-      mesh_.degenerate.push_back(base_.degenerate[t]);
     }
     while (next < added.size()) appendAdded();
+
+    mesh_.triangles.resize(count);
+    mesh_.inputTriangles.resize(count);
+    mesh_.normals.resize(count);
+    mesh_.facing.resize(count);
+    mesh_.degenerate.resize(count);
+    forRanges(count, kTrianglesPerTask, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        const Index then = changes_->baseOf[t];
+        if (then < 0) continue;
+        for (int k = 0; k < 3; ++k) mesh_.triangles[t][k] = changes_->vertexOf[base_.triangles[then][k]];
+        mesh_.inputTriangles[t] = static_cast<std::uint32_t>(numberOf[base_.inputTriangles[then]]);
+        mesh_.normals[t] = base_.normals[then];
+        mesh_.facing[t] = base_.facing[then];
+        mesh_.degenerate[t] = base_.degenerate[then];
+      }
+    });
+    const SignRule sign = mesh_.grid.signRule(mesh_.grid.scaleExponent());
+    for (Index t = 0; t < static_cast<Index>(count); ++t) {
+      if (changes_->baseOf[t] >= 0) continue;
+      const SortedTriangle& triangle = added[-1 - changes_->baseOf[t]];
+      changes_->baseOf[t] = -1;
+      mesh_.triangles[t] = triangle.corners;
+      mesh_.inputTriangles[t] = triangle.number;
+      classifyTriangle(mesh_, t, sign);
+      if (mesh_.degenerate[t] == 0) changes_->addedTriangles.push_back(t);
+      changes_->added.push_back(boxOf(mesh_, t));
+    }
   }
 
   void makeTree() {

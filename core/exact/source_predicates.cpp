@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -136,26 +137,40 @@ int facing(const Vec3& a, const Vec3& b, const Vec3& c) {
   return withExactNormal(a, b, c, [](const auto& n) { return sgn(n[2]); });
 }
 
+// The cosine of the library is good to far better than 2^-46; squaring and the degrees add a few units.
+SlopeLimit::SlopeLimit(double degrees) : quarters_(quartersOfSquaredCosine(degrees)) {
+  const double cosine = std::cos(degrees * (3.14159265358979323846 / 180));
+  squared_ = quarters_ != 0 ? ErrorDouble(quarters_ / 4.0) : ErrorDouble(cosine * cosine, 0x1p-46);
+}
+
+// First with one bound for all roundings. Let each component be off by at most e, m the sum of their sizes, and u =
+// 2^-53. The square of the length is off by at most 2 m e + 3 e^2, its product with cos^2 <= 1 by no more, nz^2 by
+// 2 m e + e^2: together below 4 e (m + e). The error of cos^2, at most 2^-46, and the roundings, each at most u of
+// numbers that are at most m^2, cost less than 2^-45 m^2; twice as much is allowed, for the bound's own roundings.
+int SlopeLimit::compare(const std::array<ErrorDouble, 3>& normal, const SignRule& sign) const {
+  const double x = normal[0].value, y = normal[1].value, z = normal[2].value;
+  const double e = std::max({normal[0].error, normal[1].error, normal[2].error}) + sign.slack;
+  const double m = std::fabs(x) + std::fabs(y) + std::fabs(z);
+  const double value = z * z - squared_.value * (x * x + y * y + z * z);
+  const double bound = 8 * e * (m + e) + 0x1p-44 * (m * m) + sign.slack;
+  if (m > 0x1p-400 && std::fabs(value) > bound) return value > 0 ? 1 : -1;
+
+  const ErrorDouble steep = normal[2] * normal[2], flat = normal[0] * normal[0] + normal[1] * normal[1];
+  const int exactly = sign(quarters_ != 0 ? steep * ErrorDouble(4 - quarters_) - flat * ErrorDouble(quarters_)
+                                          : steep - squared_ * (steep + flat));
+  // no angle with an irrational squared cosine is ever met exactly
+  if (exactly == kUnknownSign || (exactly == 0 && quarters_ == 0)) return kUnknownSign;
+  return exactly >= 0 ? 1 : -1;
+}
+
 bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, bool* beyondDoubles) {
   if (facing(a, b, c) <= 0) return false;
-  const int quarters = quartersOfSquaredCosine(degrees);
   if (areModerate(a, b, c)) {
-    const auto n = normal(a, b, c);
-    const ErrorDouble squared = n[2] * n[2];
-    const ErrorDouble flat = n[0] * n[0] + n[1] * n[1];
-    ErrorDouble difference;
-    if (quarters != 0) {
-      difference = squared * ErrorDouble(4 - quarters) - flat * ErrorDouble(quarters);
-    } else {
-      // The cosine of the library is good to far better than 2^-46; squaring and the degrees add a few units.
-      const double cosine = std::cos(degrees * (3.14159265358979323846 / 180));
-      const ErrorDouble limit(cosine * cosine, 0x1p-46);
-      difference = squared - limit * (squared + flat);
-    }
-    const int s = SignRule{}(difference);
-    if (s != kUnknownSign && (quarters != 0 || s != 0)) return s >= 0;
+    const int s = SlopeLimit(degrees).compare(normal(a, b, c), SignRule{});
+    if (s != kUnknownSign) return s > 0;
   }
   if (beyondDoubles != nullptr) *beyondDoubles = true;
+  const int quarters = quartersOfSquaredCosine(degrees);
   if (quarters != 0)
     return withExactNormal(a, b, c, [quarters](const auto& n) {
       using T = std::decay_t<decltype(n[0])>;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/environment/environment.hpp"
+#include "core/exact/error_double.hpp"
 
 namespace footfall {
 
@@ -16,5 +19,19 @@ int facing(const Vec3& a, const Vec3& b, const Vec3& c);
 /// (0 < degrees < 90), exactly. Degenerate triangles are never within. `beyondDoubles` (may be null) is set to true
 /// when doubles could not decide.
 bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, bool* beyondDoubles = nullptr);
+
+/// The angle of isWithinSlope(), for many triangles whose normals are known already.
+class SlopeLimit {
+ public:
+  explicit SlopeLimit(double degrees);
+
+  /// +1: a normal that faces up is within the angle, -1: it is not, kUnknownSign: doubles cannot tell. The components
+  /// may have any common scale; `sign` says what to think of them.
+  [[nodiscard]] int compare(const std::array<ErrorDouble, 3>& normal, const SignRule& sign) const;
+
+ private:
+  int quarters_;         ///< cos^2 of the angle where it is rational, as numerator over 4; 0 elsewhere
+  ErrorDouble squared_;  ///< cos^2 of the angle
+};
 
 }  // namespace footfall

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <memory_resource>
 #include <utility>
 #include <vector>
 
@@ -35,7 +36,7 @@ struct AssemblyMemory {
   std::vector<std::shared_ptr<const FaceMesh>> meshes;
   /// For each source triangle what stands in the clearance above it and overlaps it in the plan, ascending; null:
   /// nothing, or no floor.
-  std::vector<std::shared_ptr<const std::vector<Index>>> candidates;
+  std::vector<std::shared_ptr<const std::pmr::vector<Index>>> candidates;
   double clearance = 0;
   JoinMemory join;
 };

@@ -583,7 +583,7 @@ FaceCuts ClearanceClipper::collect() {
   };
   const std::size_t lineSlots = geometry_.pointCount();
   numbers_.assign(lineSlots + geometry_.lineCount(), -1);
-  cuts.segments = segments_;
+  cuts.segments.assign(segments_.begin(), segments_.end());
   for (CutSegment& s : cuts.segments) {
     for (Index* p : {&s.from, &s.to}) {
       if (number(*p, cuts.points.size())) {

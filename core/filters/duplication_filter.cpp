@@ -108,7 +108,7 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   outcome.state = startGeneration(*state, soup, context);
   if (state->mesh) {
     outcome.state = withMesh(outcome.state, context, outcome.fallbacks);
-    if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, context).state;
+    if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
   }
   return outcome;
 }

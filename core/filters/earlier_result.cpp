@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include "core/filters/assembly_memory.hpp"
 
@@ -12,6 +13,19 @@ namespace {
 bool overlaps(const Box& a, const Box& b) {
   return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] && a.upper[1] >= b.lower[1] &&
          a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
+}
+
+// Whether a point depends on a height above a floor.
+bool usesLevel(const PlanPoint& point) {
+  const auto isRaised = [](const PlanLine& line) { return line.kind == PlanLine::Trace && line.b != 0; };
+  if (point.kind == PlanPoint::EdgePlane) return point.d != 0;
+  return point.kind == PlanPoint::Crossing && (isRaised(point.firstLine()) || isRaised(point.secondLine()));
+}
+
+// A copy that is never destroyed: all that it has lies in the memory as well.
+template <class T>
+T* copyInto(const CopyMemory& memory, const T& value) {
+  return new (memory->allocate(sizeof(T), alignof(T))) T(value, memory.get());
 }
 
 Box boxAround(const std::vector<Box>& boxes) {
@@ -28,19 +42,35 @@ Box boxAround(const std::vector<Box>& boxes) {
 
 }  // namespace
 
+CopyMemory makeCopyMemory() {
+  constexpr std::size_t kFirstBlock = 1 << 16;
+  return std::make_shared<std::pmr::monotonic_buffer_resource>(kFirstBlock);
+}
+
 std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const PlanKernel& now) {
-  if (!before || !before->memory) return std::nullopt;
+  if (!before) return std::nullopt;
   const auto& mesh = now.sharedMesh();
-  if (before->kernel->sharedMesh() == mesh) return EarlierResult(before, nullptr);
-  if (mesh->edit && mesh->edit->base.lock() == before->kernel->sharedMesh()) return EarlierResult(before, mesh->edit);
+  const bool sameHeights = before->kernel->heights() == now.heights();
+  if (before->kernel->sharedMesh() == mesh) return EarlierResult(before, nullptr, sameHeights);
+  if (mesh->edit && mesh->edit->base.lock() == before->kernel->sharedMesh())
+    return EarlierResult(before, mesh->edit, sameHeights);
   return std::nullopt;
 }
 
-EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit)
-    : before_(std::move(before)), edit_(std::move(edit)) {
+EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, bool sameHeights)
+    : before_(std::move(before)), edit_(std::move(edit)), sameHeights_(sameHeights) {
   if (!edit_) return;
   removed_ = boxAround(edit_->removed);
   added_ = boxAround(edit_->added);
+}
+
+bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) const {
+  if (before.x != now.x || before.y != now.y || before.z != now.z || before.error != now.error) return false;
+  if (!sameHeights_ && usesLevel(now.point)) return false;
+  if (!edit_) return before.point == now.point && before.face == now.face && before.source == now.source;
+  return edit_->triangleOf[before.face] == now.face &&
+         (before.source < 0 ? now.source < 0 : edit_->vertexOf[before.source] == now.source) &&
+         renumbered(before.point) == now.point;
 }
 
 bool EarlierResult::isTouched(const Box& box) const {
@@ -84,31 +114,32 @@ PlanPoint EarlierResult::renumbered(PlanPoint point) const {
   return point;
 }
 
-std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore) const {
+std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore, const CopyMemory& memory) const {
   const auto& shared = before_->cuts->shared(faceBefore);
   if (!edit_ || !shared) return shared;
-  auto result = std::make_shared<FaceCuts>(*shared);
+  FaceCuts* const result = copyInto(memory, *shared);
   for (PlanPoint& p : result->points) p = renumbered(p);
   for (PlanLine& l : result->lines) l = renumbered(l);
-  return result;
+  return {memory, result};
 }
 
-std::shared_ptr<const FaceMesh> EarlierResult::mesh(Index faceBefore) const {
+std::shared_ptr<const FaceMesh> EarlierResult::mesh(Index faceBefore, const CopyMemory& memory) const {
   const auto& shared = before_->memory->meshes[faceBefore];
   if (!edit_ || !shared) return shared;
-  auto result = std::make_shared<FaceMesh>(*shared);
+  FaceMesh* const result = copyInto(memory, *shared);
   for (PlanPoint& p : result->points) p = renumbered(p);
   for (PlanLine& l : result->lines) l = renumbered(l);
-  return result;
+  return {memory, result};
 }
 
-std::shared_ptr<const std::vector<Index>> EarlierResult::candidates(Index faceBefore) const {
+std::shared_ptr<const std::pmr::vector<Index>> EarlierResult::candidates(Index faceBefore,
+                                                                         const CopyMemory& memory) const {
   const auto& shared = before_->memory->candidates[faceBefore];
   if (!edit_ || !shared) return shared;
-  auto result = std::make_shared<std::vector<Index>>(*shared);
+  std::pmr::vector<Index>* const result = copyInto(memory, *shared);
   for (Index& t : *result) t = edit_->triangleOf[t];
   std::erase(*result, -1);
-  return result;
+  return {memory, result};
 }
 
 const std::vector<Index>& EarlierResult::added() const {

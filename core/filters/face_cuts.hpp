@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <vector>
 
 #include "core/exact/plan_kernel.hpp"
@@ -21,12 +22,23 @@ struct CutSegment {
 
 /// Value type: everything that triangulating the face needs, in ids of one generation.
 struct FaceCuts {
+  FaceCuts() = default;
+  /// A copy that lies in `memory`.
+  FaceCuts(const FaceCuts& other, std::pmr::memory_resource* memory)
+      : removed(other.removed),
+        edgeWalls(other.edgeWalls),
+        points(other.points, memory),
+        borders(other.borders, memory),
+        lines(other.lines, memory),
+        segments(other.segments, memory),
+        dependsOnFloors(other.dependsOnFloors) {}
+
   bool removed = false;        ///< one obstacle covers the whole face
   std::uint8_t edgeWalls = 0;  ///< bit k: a wall stands along the whole edge from corner k to k + 1
-  std::vector<PlanPoint> points;
-  std::vector<std::uint8_t> borders;  ///< for each point, bit k: known to lie on the face's edge k
-  std::vector<PlanLine> lines;
-  std::vector<CutSegment> segments;
+  std::pmr::vector<PlanPoint> points;
+  std::pmr::vector<std::uint8_t> borders;  ///< for each point, bit k: known to lie on the face's edge k
+  std::pmr::vector<PlanLine> lines;
+  std::pmr::vector<CutSegment> segments;
 
   /// Whether another face is a floor decided something here: coplanar floors overlap, and one of them stays.
   bool dependsOnFloors = false;
@@ -37,20 +49,26 @@ struct FaceCuts {
 /// The cuts of all source triangles. Most have none, and later runs share those that they can reuse.
 class CutTable {
  public:
-  explicit CutTable(std::size_t faces) : cuts_(faces) {}
+  explicit CutTable(std::size_t faces) : cuts_(faces), removed_(faces, 0) {}
 
   const FaceCuts& operator[](std::size_t face) const {
     static const FaceCuts kNone;
     return cuts_[face] ? *cuts_[face] : kNone;
   }
   [[nodiscard]] const std::shared_ptr<const FaceCuts>& shared(std::size_t face) const { return cuts_[face]; }
-  void set(std::size_t face, std::shared_ptr<const FaceCuts> cuts) { cuts_[face] = std::move(cuts); }
+  /// Whether one obstacle covers the whole face.
+  [[nodiscard]] bool isRemoved(std::size_t face) const { return removed_[face] != 0; }
+  void set(std::size_t face, std::shared_ptr<const FaceCuts> cuts) {
+    removed_[face] = static_cast<char>(cuts && cuts->removed);
+    cuts_[face] = std::move(cuts);
+  }
   void set(std::size_t face, FaceCuts&& cuts) {
-    if (!cuts.empty()) cuts_[face] = std::make_shared<const FaceCuts>(std::move(cuts));
+    if (!cuts.empty()) set(face, std::make_shared<const FaceCuts>(std::move(cuts)));
   }
 
  private:
   std::vector<std::shared_ptr<const FaceCuts>> cuts_;
+  std::vector<char> removed_;
 };
 
 }  // namespace footfall

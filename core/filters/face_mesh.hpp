@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory_resource>
 #include <vector>
 
 #include "core/exact/face_triangulation.hpp"
@@ -19,10 +20,18 @@ struct FaceMesh {
     std::array<std::int8_t, 3> faceEdges{-1, -1, -1};  ///< for an outline edge on the face's own edge: which
     std::array<Index, 3> lines{-1, -1, -1};            ///< supporting line of an outline or obstacle edge
   };
-  std::vector<PlanPoint> points;
-  std::vector<ApproximatePoint> approximate;  ///< relative to the face's first vertex
-  std::vector<PlanLine> lines;
-  std::vector<Cell> cells;
+  FaceMesh() = default;
+  /// A copy that lies in `memory`.
+  FaceMesh(const FaceMesh& other, std::pmr::memory_resource* memory)
+      : points(other.points, memory),
+        approximate(other.approximate, memory),
+        lines(other.lines, memory),
+        cells(other.cells, memory) {}
+
+  std::pmr::vector<PlanPoint> points;
+  std::pmr::vector<ApproximatePoint> approximate;  ///< relative to the face's first vertex
+  std::pmr::vector<PlanLine> lines;
+  std::pmr::vector<Cell> cells;
 };
 
 /// Triangulates a face by its cuts. `covered` chooses the covered parts instead of the walkable ones.

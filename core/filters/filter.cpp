@@ -43,8 +43,8 @@ FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<doub
   if (name == "SlopeFilter") return applySlope(state, values[0], context);
   if (name == "VerticalClearanceFilter") return applyVerticalClearance(state, values[0], recall, context);
   if (name == "AreaFilter") return applyArea(state, values[0], context);
-  if (name == "SimplificationFilter") return applySimplification(state, values[0] != 0, values[1], context);
-  if (name == "LayerSubdivisionFilter") return applyLayerSubdivision(state, context);
+  if (name == "SimplificationFilter") return applySimplification(state, values[0] != 0, values[1], recall, context);
+  if (name == "LayerSubdivisionFilter") return applyLayerSubdivision(state, recall, context);
   if (name == "RoundingFilter") return applyRounding(state, context);
   throw InputError(std::string(name) + " is understood but does not run yet; take it out of the pipeline");
 }
@@ -84,7 +84,7 @@ StateSummary summarize(const WalkableState& state) {
       ++summary.rejected;
     else if (!state.mesh)
       ++summary.triangles;
-    else if (state.cuts && (*state.cuts)[t].removed)
+    else if (state.cuts && state.cuts->isRemoved(t))
       ++summary.rejected;
   }
   const int unscale = -2 * source.grid.scaleExponent();

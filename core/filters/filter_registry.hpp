@@ -14,8 +14,9 @@ FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context);
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);
-FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, RunContext& context);
-FilterOutcome applyLayerSubdivision(const StatePtr& state, RunContext& context);
+FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, const Recall& recall,
+                                  RunContext& context);
+FilterOutcome applyLayerSubdivision(const StatePtr& state, const Recall& recall, RunContext& context);
 FilterOutcome applyRounding(const StatePtr& state, RunContext& context);
 
 }  // namespace footfall

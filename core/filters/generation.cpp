@@ -67,7 +67,7 @@ class SoupBuilder {
   struct CoveredParts {
     Index face = -1;
     std::vector<Vec3> places;
-    std::vector<FaceMesh::Cell> cells;
+    std::pmr::vector<FaceMesh::Cell> cells;
   };
 
   [[nodiscard]] const FaceCuts* cutsOf(Index t) const {

@@ -49,8 +49,8 @@ class LayerSubdivision {
         context_(context),
         count_(static_cast<Index>(mesh.triangles.size())) {}
 
-  std::vector<std::uint32_t> run() {
-    overlaps_ = findPlanOverlaps(kernel_, mesh_, topology_, context_, fallbacks_);
+  std::vector<std::uint32_t> run(const StatePtr& before) {
+    findOverlaps(before);
     region_ = findRegions(mesh_, topology_, regionCount_);
     context_.checkCancelled();
     findLowest();
@@ -58,9 +58,24 @@ class LayerSubdivision {
     return colourPieces();
   }
 
+  std::vector<Pair> takeOverlaps() { return std::move(overlaps_); }
+
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
  private:
+  void findOverlaps(const StatePtr& before) {
+    const auto earlier = EarlierResult::relate(before, kernel_);
+    if (earlier && before->overlaps) {
+      const MeshRelation relation = relateMeshes(*earlier, *before->mesh, mesh_);
+      context_.checkCancelled();
+      if (relation.related > count_ / 2) {
+        overlaps_ = updatePlanOverlaps(*before->overlaps, relation, kernel_, mesh_, context_, fallbacks_);
+        return;
+      }
+    }
+    overlaps_ = findPlanOverlaps(kernel_, mesh_, topology_, context_, fallbacks_);
+  }
+
   void findLowest() {
     input_.lowest.resize(count_);
     tbb::parallel_for(tbb::blocked_range<Index>(0, count_, kTrianglesPerTask), [&](const auto& range) {
@@ -206,13 +221,13 @@ class LayerSubdivision {
 
 }  // namespace
 
-FilterOutcome applyLayerSubdivision(const StatePtr& given, RunContext& context) {
+FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
   const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
   LayerSubdivision subdivision(*state->kernel, *state->mesh, *topology, context);
   auto mesh = std::make_shared<WalkableMesh>(*state->mesh);
-  mesh->layers = subdivision.run();
+  mesh->layers = subdivision.run(recall.before);
   mesh->layerCount = 0;
   for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);
   outcome.fallbacks += subdivision.fallbacks();
@@ -223,6 +238,7 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, RunContext& context) 
   result->topology = topology;
   result->topologyOwner = mesh;
   result->mesh = std::move(mesh);
+  result->overlaps = recall.keep ? std::make_shared<const std::vector<Pair>>(subdivision.takeOverlaps()) : nullptr;
   outcome.state = std::move(result);
   return outcome;
 }

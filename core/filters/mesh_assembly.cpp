@@ -17,6 +17,7 @@ namespace {
 // Faces that one task triangulates, and that one part for display shows.
 constexpr std::size_t kFacesPerTask = 32;
 constexpr std::size_t kMeshesFreedPerTask = 8192;
+constexpr std::size_t kCopiesPerTask = 512;
 
 std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel,
                                           const std::vector<std::shared_ptr<const FaceMesh>>& meshes,
@@ -60,17 +61,21 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   auto& meshes = *ownedMeshes;
   large.hold(ownedMeshes);
   // Only faces with segments need a triangulation; largest first, so that no thread is left with a giant at the end.
-  std::vector<Index> faces;
+  std::vector<Index> faces, known;
   for (Index t = 0; t < count && state.cuts; ++t) {
     const FaceCuts& cuts = (*state.cuts)[t];
     if (state.walkable[t] == 0 || cuts.removed || cuts.segments.empty()) continue;
-    if (earlier != nullptr && !std::binary_search(changed.begin(), changed.end(), t))
-      meshes[t] = earlier->mesh(earlier->faceBefore(t));
-    else
-      faces.push_back(t);
+    (earlier != nullptr && !std::binary_search(changed.begin(), changed.end(), t) ? known : faces).push_back(t);
   }
   std::stable_sort(faces.begin(), faces.end(), [&](Index a, Index b) {
     return (*state.cuts)[a].segments.size() > (*state.cuts)[b].segments.size();
+  });
+
+  tbb::enumerable_thread_specific<CopyMemory> copies(makeCopyMemory);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, known.size(), kCopiesPerTask), [&](const auto& range) {
+    const CopyMemory& ownCopies = copies.local();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      meshes[known[i]] = earlier->mesh(earlier->faceBefore(known[i]), ownCopies);
   });
 
   tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 
@@ -14,6 +15,7 @@ namespace {
 
 // Vertices whose edges one task sorts; a mesh with fewer is done by one thread.
 constexpr Index kVerticesPerTask = 4096;
+constexpr Index kEdgesPerTask = 8192;
 constexpr Index kPolledTriangles = 1 << 16;
 
 /// A side among those with the same smaller vertex: by the larger vertex, then by number.
@@ -135,13 +137,17 @@ std::vector<Index> findRegions(const WalkableMesh& mesh, const MeshTopology& top
 
 std::uint64_t countConnections(const WalkableMesh& mesh, const MeshTopology& topology) {
   if (mesh.layers.empty()) return 0;
-  std::uint64_t connections = 0;
-  for (Index e = 0; e < topology.edgeCount(); ++e) {
-    const auto sides = topology.sidesOf(e);
-    const auto differs = [&](Index side) { return mesh.layers[side / 3] != mesh.layers[sides[0] / 3]; };
-    connections += static_cast<std::uint64_t>(std::any_of(sides.begin(), sides.end(), differs) &&
-                                              !isObstacle(mesh.triangles, sides));
-  }
+  std::atomic<std::uint64_t> connections{0};
+  tbb::parallel_for(tbb::blocked_range<Index>(0, topology.edgeCount(), kEdgesPerTask), [&](const auto& range) {
+    std::uint64_t here = 0;
+    for (Index e = range.begin(); e != range.end(); ++e) {
+      const auto sides = topology.sidesOf(e);
+      const auto differs = [&](Index side) { return mesh.layers[side / 3] != mesh.layers[sides[0] / 3]; };
+      here += static_cast<std::uint64_t>(std::any_of(sides.begin(), sides.end(), differs) &&
+                                         !isObstacle(mesh.triangles, sides));
+    }
+    connections.fetch_add(here, std::memory_order_relaxed);
+  });
   return connections;
 }
 

@@ -32,10 +32,12 @@ using Pair = std::array<Index, 2>;
 
 class OverlapFinder {
  public:
-  OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology, RunContext& context)
-      : mesh_(mesh), context_(context), locals_([&] {
+  OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
+      : mesh_(mesh), context_(context), locals_([&kernel, &mesh] {
           return Local{MeshGeometry(kernel, mesh.vertices), {}};
-        }) {
+        }) {}
+
+  void findAll(const MeshTopology& topology) {
     findInnerSides(topology);
     findPlanTriangles();
     const auto count = static_cast<Index>(mesh_.triangles.size());
@@ -60,6 +62,26 @@ class OverlapFinder {
       lookUpInner(queries, round);
       queries.clear();
     }
+  }
+
+  // What is known of two triangles that are still there holds; others are compared with all.
+  void update(const std::vector<Pair>& before, const MeshRelation& relation) {
+    across_.assign(mesh_.triangles.size() * 3, -1);
+    findPlanTriangles();
+    std::vector<Index> now(relation.triangleCountBefore, -1), kept, changed;
+    for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t) {
+      const Index then = relation.triangleBefore[t];
+      if (then >= 0) now[then] = t;
+      (then >= 0 ? kept : changed).push_back(t);
+    }
+    for (const auto& [s, t] : before)
+      if (now[s] >= 0 && now[t] >= 0) pairs_.push_back({now[s], now[t]});
+    context_.checkCancelled();
+    const Tree tree = treeOf(changed);
+    lookUpBorders(tree);
+    lookUp(kept.size(), [&](Local& local, std::size_t i) {
+      tree.visitOverlapping(boundsOf(kept[i]), [&](Index o) { test(local, kept[i], o); });
+    });
   }
 
   std::vector<Pair> take(ExactFallbacks& fallbacks) {
@@ -182,7 +204,17 @@ class OverlapFinder {
 
 std::vector<Pair> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology,
                                    RunContext& context, ExactFallbacks& fallbacks) {
-  return OverlapFinder(kernel, mesh, topology, context).take(fallbacks);
+  OverlapFinder finder(kernel, mesh, context);
+  finder.findAll(topology);
+  return finder.take(fallbacks);
+}
+
+std::vector<Pair> updatePlanOverlaps(const std::vector<Pair>& before, const MeshRelation& relation,
+                                     const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context,
+                                     ExactFallbacks& fallbacks) {
+  OverlapFinder finder(kernel, mesh, context);
+  finder.update(before, relation);
+  return finder.take(fallbacks);
 }
 
 }  // namespace footfall

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/filters/mesh_relation.hpp"
 #include "core/filters/mesh_topology.hpp"
 #include "core/pipeline/run_context.hpp"
 
@@ -14,5 +15,11 @@ namespace footfall {
 std::vector<std::array<Index, 2>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                    const MeshTopology& topology, RunContext& context,
                                                    ExactFallbacks& fallbacks);
+
+/// The same, when the pairs of an earlier mesh are known.
+std::vector<std::array<Index, 2>> updatePlanOverlaps(const std::vector<std::array<Index, 2>>& before,
+                                                     const MeshRelation& relation, const PlanKernel& kernel,
+                                                     const WalkableMesh& mesh, RunContext& context,
+                                                     ExactFallbacks& fallbacks);
 
 }  // namespace footfall

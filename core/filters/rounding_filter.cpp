@@ -18,7 +18,7 @@ FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
   }
   const GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
   outcome.state = withMesh(startGeneration(*state, soup, context), context, outcome.fallbacks);
-  if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, context).state;
+  if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
   const RoundingCases& c = soup.cases;
   outcome.note = "case 1: " + std::to_string(c.exact) + ", case 2: " + std::to_string(c.edge) +
                  ", case 3: " + std::to_string(c.point) + ", case 4: " + std::to_string(c.collinear) +

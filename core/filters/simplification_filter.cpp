@@ -22,12 +22,25 @@ double diagonal(const SourceMesh& mesh) {
   return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
 }
 
-StatePtr simplify(const StatePtr& state, const ApproximateSimplification& approximate, RunContext& context,
-                  ExactFallbacks& fallbacks) {
+StatePtr simplify(const StatePtr& state, const ApproximateSimplification& approximate, const Recall& recall,
+                  RunContext& context, ExactFallbacks& fallbacks) {
   const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
   Simplifier simplifier(*state->kernel, *state->mesh, *topology, approximate, context);
+  const auto earlier = EarlierResult::relate(recall.before, *state->kernel);
+  MeshRelation relation;
+  if (earlier && recall.before->simplifierMemory) {
+    relation = relateMeshes(*earlier, *recall.before->simplifierMemory->given, *state->mesh);
+    simplifier.reuse(*recall.before->simplifierMemory, *earlier, relation);
+    context.checkCancelled();
+  }
   auto result = std::make_shared<WalkableState>(*state);
-  result->mesh = std::make_shared<WalkableMesh>(simplifier.run());
+  std::shared_ptr<SimplifierMemory> memory;
+  if (recall.keep) {
+    memory = std::make_shared<SimplifierMemory>();
+    memory->given = state->mesh;
+  }
+  result->mesh = std::make_shared<WalkableMesh>(simplifier.run(memory.get()));
+  result->simplifierMemory = std::move(memory);
   result->topology = nullptr;
   result->simplified = true;
   fallbacks += simplifier.fallbacks();
@@ -39,23 +52,24 @@ StatePtr simplify(const StatePtr& state, const ApproximateSimplification& approx
 // Approximately: vertices take double coordinates first, and what comes out starts a new generation, because its
 // triangles lie in no source plane any more. No vertex is moved; one that is taken away was within `tolerance` times
 // the diagonal of the environment of what replaces it.
-FilterOutcome applySimplification(const StatePtr& given, bool approximate, double tolerance, RunContext& context) {
+FilterOutcome applySimplification(const StatePtr& given, bool approximate, double tolerance, const Recall& recall,
+                                  RunContext& context) {
   FilterOutcome outcome;
   StatePtr state = withMesh(given, context, outcome.fallbacks);
   if (!approximate || state->mesh->triangles.empty()) {
-    outcome.state = simplify(state, {}, context, outcome.fallbacks);
+    outcome.state = simplify(state, {}, approximate ? Recall{} : recall, context, outcome.fallbacks);
     return outcome;
   }
   const bool layered = !state->mesh->layers.empty();
-  state = simplify(state, {}, context, outcome.fallbacks);  // what goes exactly need not be judged
+  state = simplify(state, {}, {}, context, outcome.fallbacks);  // what goes exactly need not be judged
   if (hasConstructedVertices(*state))
     state = withMesh(startGeneration(*state, makeGenerationSoup(*state, context, outcome.fallbacks), context), context,
                      outcome.fallbacks);
   const double bound = tolerance * diagonal(state->kernel->mesh());
-  state = simplify(state, {true, tolerance, bound}, context, outcome.fallbacks);
+  state = simplify(state, {true, tolerance, bound}, {}, context, outcome.fallbacks);
   outcome.state = withMesh(startGeneration(*state, makeGenerationSoup(*state, context, outcome.fallbacks), context),
                            context, outcome.fallbacks);
-  if (layered) outcome.state = applyLayerSubdivision(outcome.state, context).state;
+  if (layered) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
   return outcome;
 }
 

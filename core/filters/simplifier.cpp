@@ -32,15 +32,21 @@ struct OutlineEnds {
 
 }  // namespace
 
-WalkableMesh Simplifier::run() {
+WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   findInnerEdges();
   const std::vector<char> candidates = findCandidates();
   mesh_.around.build(mesh_.triangles, candidates);
   context_.checkCancelled();
   mesh_.alive.assign(mesh_.triangles.size(), 1);
   if (approximate_.enabled) mesh_.standsFor.resize(mesh_.triangles.size());
-  const Groups groups = findGroups(candidates);
+  Groups groups = findGroups(candidates);
   context_.checkCancelled();
+  if (memory != nullptr) memory->neighbors = mesh_.neighbors;
+  if (before_ != nullptr)
+    for (const Index g : before_->groupOf) {
+      if (g >= static_cast<Index>(sizeBefore_.size())) sizeBefore_.resize(g + 1, 0);
+      if (g >= 0) ++sizeBefore_[g];
+    }
 
   tbb::enumerable_thread_specific<RegionSimplifier> simplifiers(
       [&] { return RegionSimplifier(kernel_, mesh_, approximate_, context_); });
@@ -49,10 +55,11 @@ WalkableMesh Simplifier::run() {
     RegionSimplifier& simplifier = simplifiers.local();
     const Index first = groups.firstOfTask[task], last = groups.firstOfTask[task + 1];
     for (Index g = first; g < last; ++g) {
-      const auto part = [g](const std::vector<Index>& list, const std::vector<Index>& starts) {
-        return std::span<const Index>(list.data() + starts[g], list.data() + starts[g + 1]);
-      };
-      simplifier.simplify(part(groups.vertices, groups.firstVertex), part(groups.triangles, groups.firstTriangle));
+      const auto triangles = groups.trianglesOf(g), vertices = groups.verticesOf(g);
+      if (before_ != nullptr && isKnown(triangles, vertices, candidates))
+        takeOver(triangles);
+      else
+        simplifier.simplify(vertices, triangles);
     }
     const Index size = groups.firstTriangle[last] - groups.firstTriangle[first];
     context_.progress(static_cast<double>(done.fetch_add(size, std::memory_order_relaxed) + size) /
@@ -60,7 +67,48 @@ WalkableMesh Simplifier::run() {
   };
   tbb::parallel_for(std::size_t{0}, groups.firstOfTask.size() - 1, runTask);
   for (const RegionSimplifier& simplifier : simplifiers) fallbacks_ += simplifier.fallbacks();
+  if (memory != nullptr) {
+    memory->candidates = candidates;
+    memory->groupOf = std::move(groups.of);
+    memory->triangles = mesh_.triangles;
+    memory->alive = mesh_.alive;
+  }
   return compact();
+}
+
+// The same triangles, joined alike, with the same vertices that may go: all in the same order, by which every choice is
+// made.
+bool Simplifier::isKnown(std::span<const Index> triangles, std::span<const Index> vertices,
+                         const std::vector<char>& candidates) const {
+  const std::vector<Index>& then = relation_->triangleBefore;
+  const Index first = then[triangles[0]];
+  const Index group = first < 0 ? -1 : before_->groupOf[first];
+  if (group < 0 || sizeBefore_[group] != static_cast<Index>(triangles.size())) return false;
+  Index last = -1;
+  for (const Index t : triangles) {
+    if (then[t] <= last || before_->groupOf[then[t]] != group) return false;
+    last = then[t];
+    for (int k = 0; k < 3; ++k) {
+      const Index v = mesh_.triangles[t].corners[k], side = mesh_.neighbors[3 * t + k];
+      if (candidates[v] != before_->candidates[relation_->vertexBefore[v]]) return false;
+      const Index sideThen = before_->neighbors[3 * then[t] + k];
+      if (side < 0 ? sideThen >= 0 : sideThen != 3 * then[side / 3] + side % 3) return false;
+    }
+  }
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+    if (relation_->vertexBefore[vertices[i]] < relation_->vertexBefore[vertices[i - 1]]) return false;
+  return true;
+}
+
+void Simplifier::takeOver(std::span<const Index> triangles) {
+  for (const Index t : triangles) {
+    const Index then = relation_->triangleBefore[t];
+    mesh_.alive[t] = before_->alive[then];
+    MeshTriangle triangle = before_->triangles[then];
+    for (Index& v : triangle.corners) v = relation_->vertexNow[v];
+    triangle.face = earlier_->faceNow(triangle.face);
+    mesh_.triangles[t] = triangle;
+  }
 }
 
 bool Simplifier::mayJoin(Index face, Index other) {
@@ -178,11 +226,14 @@ Simplifier::Groups Simplifier::findGroups(const std::vector<char>& candidates) c
       groups.firstOfTask.push_back(static_cast<Index>(g) + 1);
   }
   groups.triangles.resize(groups.firstTriangle.back());
+  groups.of.resize(count);
   std::vector<Index> next = groups.firstTriangle;
-  for (Index t = 0; t < count; ++t)
-    if (const Index g = groupOf[sets.find(t)]; g >= 0) groups.triangles[next[g]++] = t;
+  for (Index t = 0; t < count; ++t) {
+    const Index g = groups.of[t] = groupOf[sets.find(t)];
+    if (g >= 0) groups.triangles[next[g]++] = t;
+  }
   context_.checkCancelled();
-  const auto groupAt = [&](std::size_t v) { return triangleAt[v] < 0 ? -1 : groupOf[sets.find(triangleAt[v])]; };
+  const auto groupAt = [&](std::size_t v) { return triangleAt[v] < 0 ? -1 : groups.of[triangleAt[v]]; };
   groups.firstVertex.assign(roots.size() + 1, 0);
   for (std::size_t v = 0; v < candidates.size(); ++v)
     if (const Index g = groupAt(v); g >= 0) ++groups.firstVertex[g + 1];

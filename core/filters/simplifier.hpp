@@ -12,11 +12,22 @@
 
 #include <vector>
 
+#include "core/filters/mesh_relation.hpp"
 #include "core/filters/mesh_topology.hpp"
 #include "core/filters/region_simplifier.hpp"
 #include "core/pipeline/run_context.hpp"
 
 namespace footfall {
+
+/// What a simplification was made of, so that a later one can take groups over that did not change.
+struct SimplifierMemory {
+  std::shared_ptr<const WalkableMesh> given;
+  std::vector<Index> neighbors;         ///< as in SimplifiedMesh, before anything went
+  std::vector<char> candidates;         ///< for each vertex: it may go
+  std::vector<Index> groupOf;           ///< for each triangle, or -1
+  std::vector<MeshTriangle> triangles;  ///< after all, before they moved together
+  std::vector<char> alive;
+};
 
 class Simplifier {
  public:
@@ -30,7 +41,15 @@ class Simplifier {
         context_(context),
         mesh_{mesh.vertices, mesh.triangles, {}, {}, {}, {}} {}
 
-  WalkableMesh run();
+  /// Groups whose triangles are all related to those of one earlier group, joined alike, become what that one became.
+  void reuse(const SimplifierMemory& before, const EarlierResult& earlier, const MeshRelation& relation) {
+    before_ = &before;
+    earlier_ = &earlier;
+    relation_ = &relation;
+  }
+
+  /// `memory` (may be null) receives what reuse() needs, except the given mesh.
+  WalkableMesh run(SimplifierMemory* memory = nullptr);
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
@@ -40,6 +59,14 @@ class Simplifier {
     std::vector<Index> firstTriangle{0}, triangles;  ///< ascending within a group
     std::vector<Index> firstVertex{0}, vertices;     ///< that may go; ascending within a group
     std::vector<Index> firstOfTask{0};               ///< groups that one task works on
+    std::vector<Index> of;                           ///< for each triangle its group, or -1
+
+    [[nodiscard]] std::span<const Index> trianglesOf(Index group) const {
+      return {triangles.data() + firstTriangle[group], triangles.data() + firstTriangle[group + 1]};
+    }
+    [[nodiscard]] std::span<const Index> verticesOf(Index group) const {
+      return {vertices.data() + firstVertex[group], vertices.data() + firstVertex[group + 1]};
+    }
   };
 
   void findInnerEdges();
@@ -49,6 +76,10 @@ class Simplifier {
   /// neither: a straight piece stays straight when its ends move along it.
   std::vector<char> findCandidates();
   Groups findGroups(const std::vector<char>& candidates) const;
+  /// Whether the group is what an earlier one was.
+  [[nodiscard]] bool isKnown(std::span<const Index> triangles, std::span<const Index> vertices,
+                             const std::vector<char>& candidates) const;
+  void takeOver(std::span<const Index> triangles);
   WalkableMesh compact() const;
 
   const PlanKernel& kernel_;
@@ -57,6 +88,10 @@ class Simplifier {
   ApproximateSimplification approximate_;
   RunContext& context_;
   SimplifiedMesh mesh_;
+  const SimplifierMemory* before_ = nullptr;
+  const EarlierResult* earlier_ = nullptr;
+  const MeshRelation* relation_ = nullptr;
+  std::vector<Index> sizeBefore_;  ///< of each earlier group
   ExactFallbacks fallbacks_;
 };
 

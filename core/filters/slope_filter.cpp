@@ -12,11 +12,17 @@ namespace footfall {
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context) {
   const SourceMesh& source = state->kernel->mesh();
   auto result = std::make_shared<WalkableState>(*state);
+  const SlopeLimit limit(degrees);
   std::atomic<std::uint64_t> fallbacks{0};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, source.triangles.size(), 1024), [&](const auto& range) {
     context.checkCancelled();
     for (std::size_t t = range.begin(); t != range.end(); ++t) {
       if (result->walkable[t] == 0) continue;
+      const int sign = limit.compare(source.normals[t], state->kernel->sign());
+      if (sign != kUnknownSign) {
+        result->walkable[t] = static_cast<char>(sign > 0);
+        continue;
+      }
       const auto& f = source.triangles[t];
       bool beyondDoubles = false;
       result->walkable[t] = static_cast<char>(

@@ -136,8 +136,8 @@ class KnownCuts {
     return earlier_->isTouched(clearanceBox(state_.kernel->mesh(), face, std::max(height_, clearance())));
   }
   /// All that may stand above a face within clearance().
-  [[nodiscard]] std::vector<Index> standing(Index faceBefore) const {
-    const auto known = earlier_->candidates(faceBefore);
+  [[nodiscard]] std::vector<Index> standing(Index faceBefore, const CopyMemory& copies) const {
+    const auto known = earlier_->candidates(faceBefore, copies);
     std::vector<Index> result = earlier_->added();
     if (known) result.insert(result.end(), known->begin(), known->end());
     return result;
@@ -172,7 +172,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
     memory = std::make_shared<AssemblyMemory>();
     memory->candidates.resize(count);
     memory->clearance = height;
-    earlier = EarlierResult::relate(recall.before, kernel);
+    if (recall.before && recall.before->memory) earlier = EarlierResult::relate(recall.before, kernel);
   }
   const KnownCuts known(earlier, *result, height);
 
@@ -180,8 +180,10 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
   large.hold(cuts);
   std::vector<char> isChanged(count, 0);
   tbb::enumerable_thread_specific<std::unique_ptr<ClearanceClipper>> clippers;
+  tbb::enumerable_thread_specific<CopyMemory> copies(makeCopyMemory);
   std::atomic<Index> done{0};
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kFacesPerTask), [&](const auto& range) {
+    const CopyMemory& ownCopies = copies.local();
     auto& clipper = clippers.local();
     if (!clipper)
       clipper =
@@ -191,15 +193,16 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
       if (state->walkable[t] == 0) continue;
       const Index then = known.before(t);
       if (then >= 0 && known.sameClearance() && !known.isTouched(t)) {
-        cuts->set(t, earlier->cuts(then));
-        memory->candidates[t] = earlier->candidates(then);
+        cuts->set(t, earlier->cuts(then, ownCopies));
+        memory->candidates[t] = earlier->candidates(then, ownCopies);
         continue;
       }
       isChanged[t] = 1;
-      cuts->set(t, known.knowsAll(then) ? clipper->clip(t, known.standing(then), known.clearance())
+      cuts->set(t, known.knowsAll(then) ? clipper->clip(t, known.standing(then, ownCopies), known.clearance())
                                         : clipper->clip(t, state->cuts ? &(*state->cuts)[t] : nullptr));
-      if (memory && !clipper->candidates().empty())
-        memory->candidates[t] = std::make_shared<const std::vector<Index>>(clipper->candidates());
+      if (!memory) continue;
+      if (const std::vector<Index> found = clipper->candidates(); !found.empty())
+        memory->candidates[t] = std::make_shared<const std::pmr::vector<Index>>(found.begin(), found.end());
     }
     const Index finished = done.fetch_add(range.end() - range.begin(), std::memory_order_relaxed);
     context.progress(0.5 * finished / count);

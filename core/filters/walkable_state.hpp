@@ -38,7 +38,8 @@ struct WalkableMesh {
   std::uint32_t layerCount = 0;
 };
 
-struct AssemblyMemory;  // core/filters/assembly_memory.hpp
+struct AssemblyMemory;    // core/filters/assembly_memory.hpp
+struct SimplifierMemory;  // core/filters/simplifier.hpp
 
 struct MeshTopology;  // core/filters/mesh_topology.hpp
 
@@ -62,6 +63,10 @@ struct WalkableState {
   std::shared_ptr<const WalkableMesh> dropped;
   /// How the mesh of the last clearance filter came about, for later runs to take over; null when nobody asked for it.
   std::shared_ptr<const AssemblyMemory> memory;
+  /// The same of the last SimplificationFilter.
+  std::shared_ptr<const SimplifierMemory> simplifierMemory;
+  /// Pairs of triangles that the last LayerSubdivisionFilter found above one another; null when nobody asked for it.
+  std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
 };
 
 }  // namespace footfall
