@@ -11,7 +11,7 @@ namespace {
 /// Faces of the environment, by index.
 class FaceSet {
  public:
-  explicit FaceSet(const std::vector<std::uint32_t>& faces) {
+  void add(const std::vector<std::uint32_t>& faces) {
     for (const std::uint32_t face : faces) {
       if (face >= has_.size()) has_.resize(face + 1);
       has_[face] = true;
@@ -85,10 +85,11 @@ std::vector<std::shared_ptr<const MeshGeometry>> changedTriangles(const Navigati
   return changes;
 }
 
-ViewContent withPieces(const ShownResult& shown, const std::vector<std::shared_ptr<const MeshGeometry>>& pieces,
-                       const std::vector<std::uint32_t>& faces) {
-  ViewContent content = shownWithout(shown, FaceSet(faces));
-  content.walkable.insert(content.walkable.end(), pieces.begin(), pieces.end());
+ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces) {
+  FaceSet faces;
+  for (const RunEventBuffer::Part& piece : pieces) faces.add(piece.mesh->sourceTriangles);
+  ViewContent content = shownWithout(shown, faces);
+  for (const RunEventBuffer::Part& piece : pieces) content.walkable.push_back(piece.geometry);
   return content;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/render_geometry.hpp"
+#include "ui/run_event_buffer.hpp"
 
 namespace footfall {
 
@@ -22,8 +23,7 @@ std::vector<std::shared_ptr<const MeshGeometry>> changedTriangles(const Navigati
                                                                   const NavigationMesh& after, const Paint& removed,
                                                                   const Vec3& centre);
 
-/// The result with pieces in place of whatever lies on the same faces. `faces` are the pieces' source triangles.
-ViewContent withPieces(const ShownResult& shown, const std::vector<std::shared_ptr<const MeshGeometry>>& pieces,
-                       const std::vector<std::uint32_t>& faces);
+/// The result with pieces, each with its geometry, in place of whatever lies on the same faces.
+ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces);
 
 }  // namespace footfall

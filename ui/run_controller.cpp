@@ -66,9 +66,8 @@ struct RunController::Job {
   std::vector<const PipelineStep*> steps;  // the enabled ones, inside `pipeline`
   std::vector<std::string> prefixes;       // prefixes[i]: steps before the enabled step i, and one more for all
   RunEventBuffer::Clock::time_point begun = RunEventBuffer::Clock::now();
+  bool follows = false;  // there is an earlier result, which is shown until more is known
   // What the window shows of it while it runs; the window's own.
-  std::vector<std::shared_ptr<const MeshGeometry>> pieces;
-  std::vector<std::uint32_t> pieceFaces;
   std::size_t shownStep = static_cast<std::size_t>(-1), shownParts = 0;
   std::optional<RunEventBuffer::Clock::time_point> lastPicture;
   // Over the last result: known from the edit itself, or else from the first step that differs once it has run.
@@ -90,7 +89,10 @@ struct RunController::Outcome {
 };
 
 RunController::RunController(QObject* parent)
-    : QObject(parent), previews_(std::make_shared<PreviewCache>()), cache_(std::make_shared<ResultCache>()) {
+    : QObject(parent),
+      previews_(std::make_shared<PreviewCache>()),
+      cache_(std::make_shared<ResultCache>()),
+      preparing_(std::make_shared<RunContext>()) {
   drainTimer_.setSingleShot(true);
   connect(&drainTimer_, &QTimer::timeout, this, &RunController::drain);
   frameTimer_.setSingleShot(true);
@@ -99,7 +101,7 @@ RunController::RunController(QObject* parent)
 
 RunController::~RunController() {
   if (job_) job_->context->cancel();
-  if (preparing_) preparing_->cancel();
+  preparing_->cancel();
 }
 
 void RunController::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
@@ -113,7 +115,10 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   statuses_.clear();
   cache_ = std::make_shared<ResultCache>();  // a run that is still ending keeps the old ones
   previews_ = std::make_shared<PreviewCache>();
+  preparing_->cancel();
+  preparing_ = std::make_shared<RunContext>();
   editPreviews_.clear();
+  missing_.clear();
   refreshStatuses();
   emit statusChanged();
   start();
@@ -246,6 +251,7 @@ void RunController::start() {
   job->environment = environment_;
   job->centre = centre_;
   job->previews = previews_;
+  job->follows = shown_.mesh != nullptr;
   for (const FilterEntry& entry : filters_) job->pipeline.steps.push_back(entry.step);
   job->prefixes.emplace_back();
   for (std::size_t i = 0; i < filters_.size(); ++i) {
@@ -272,7 +278,11 @@ void RunController::start() {
           if (event.step == raw->firstChanged && raw->changes.empty() && raw->changedBefore && style)
             raw->changesOfStep = changedTriangles(*raw->changedBefore, *event.part, style->paint, raw->centre);
         }
-        raw->events->add(event);
+        // Pictures are made here and not on the window's thread, which would wait for them.
+        std::shared_ptr<const MeshGeometry> geometry;
+        if (event.part && (event.kind == RunEvent::Kind::PartReady || !raw->follows))
+          geometry = makeMeshGeometry(*event.part, raw->centre);
+        raw->events->add(event, std::move(geometry));
       },
       true);
   job_ = job;
@@ -283,7 +293,8 @@ void RunController::start() {
         if (job == job_) emit started();
       },
       Qt::QueuedConnection);
-  if (preparing_) preparing_->cancel();
+  preparing_->cancel();
+  preparing_ = std::make_shared<RunContext>();
   if (job->changes.empty()) {
     work(job);
     return;
@@ -298,9 +309,12 @@ void RunController::start() {
 }
 
 void RunController::frameShown() {
-  if (!job_ || !std::exchange(job_->waiting, false)) return;
   frameTimer_.stop();
-  work(job_);
+  if (!job_) {
+    preparePreviews();
+  } else if (std::exchange(job_->waiting, false)) {
+    work(job_);
+  }
 }
 
 void RunController::work(const std::shared_ptr<Job>& job) {
@@ -326,43 +340,46 @@ void RunController::preview(Job& job) const {
                   [](const PipelineStep* a, const PipelineStep* b) { return *a == *b; }))
     return;
   const auto found = editPreviews_.find(job.prefixes[i] + std::string(before[i]->filter->name));
-  if (found == editPreviews_.end() || !found->second) return;
+  if (found == editPreviews_.end()) return;
   job.changes = found->second->changes(before[i]->values[0], job.steps[i]->values[0]);
 }
 
-// In the background, as long as no run wants the processors.
-void RunController::preparePreviews(const Job& job) {
-  preparing_ = std::make_shared<RunContext>();
-  std::vector<std::pair<std::string, EditedStep>> wanted;
+// What depends on nothing that is new in this run is still true; the rest is made anew, once the result is seen.
+void RunController::keepPreviews(const Job& job) {
   EditPreviews kept;
+  missing_.clear();
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
     const PipelineStep& step = *job.steps[i];
     if (step.values.size() != 1) continue;
     const std::string key = job.prefixes[i] + std::string(step.filter->name);
     const EditedStep edited{step.filter->name, step.values[0], job.previews->find(job.prefixes[i]),
                             finished_->result.mesh};
-    // What depends on nothing but the steps before is still true.
     const auto known = editPreviews_.find(key);
-    if (known != editPreviews_.end() && known->second && known->second->suits(edited))
+    if (known != editPreviews_.end() && known->second->suits(edited)) {
       kept.insert(*known);
-    else
-      wanted.emplace_back(key, edited);
+    } else {
+      missing_.emplace_back(key, edited);
+    }
   }
   editPreviews_ = std::move(kept);
-  for (auto& [key, step] : wanted) {
-    queue_.post([this, key, step, context = preparing_, environment = job.environment, centre = job.centre] {
+  frameTimer_.start(kFrameWait);
+}
+
+// In the background, as long as no run wants the processors.
+void RunController::preparePreviews() {
+  for (auto& [key, step] : std::exchange(missing_, {})) {
+    queue_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
+      std::shared_ptr<const EditPreview> made;
       try {
         context->checkCancelled();
-        const auto made = makeEditPreview(step, environment, centre, [&] { context->checkCancelled(); });
-        QMetaObject::invokeMethod(
-            this,
-            [this, key, context, made] {
-              if (context == preparing_) editPreviews_[key] = made;
-            },
-            Qt::QueuedConnection);
+        made = makeEditPreview(step, environment, centre, [&] { context->checkCancelled(); });
       } catch (const std::exception&) {
-        // Cancelled, or without memory: then the run shows the first change.
+        return;  // cancelled, or memory ran out: then a run shows the first change
       }
+      const auto keep = [this, key, context, made] {
+        if (made && context == preparing_) editPreviews_[key] = made;
+      };
+      QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
     });
   }
 }
@@ -452,9 +469,9 @@ void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps)
     if (current && status.prefix == job_->prefixes[i + 1]) continue;
     status.state = StepState::Done;
     status.prefix = job_->prefixes[i + 1];
-    if (step.whole) {
+    if (step.whole.mesh) {
       status.wallMs = milliseconds(step.ended - step.started);
-      status.trianglesOut = step.whole->triangles.size();
+      status.trianglesOut = step.whole.mesh->triangles.size();
     }
   }
   if (drained_ - job_->begun > kProgressAfter) {
@@ -470,14 +487,14 @@ bool RunController::waitsForPicture() const { return shown_.mesh && !job_->lastP
 void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
   for (std::size_t i = steps.size(); i-- > 0;) {
     const bool pieces = !steps[i].parts.empty();
-    if (!pieces && !steps[i].whole) continue;
+    if (!pieces && !steps[i].whole.mesh) continue;
     const std::size_t parts = pieces ? steps[i].parts.size() + 1 : 0;
     if (job_->shownStep == i && job_->shownParts == parts) return;
     job_->shownStep = i;
     job_->shownParts = parts;
     // In front of an earlier result, only what changes it is worth showing, and that once.
     if (!pieces && shown_.mesh && (job_->changes.empty() || job_->lastPicture)) return;
-    const ViewContent content = contentOfStep(i, steps[i]);
+    const ViewContent content = contentOfStep(steps[i]);
     job_->lastPicture = RunEventBuffer::Clock::now();
     provisional_ = true;
     emit contentReady(content);  // last: who hears it may cancel
@@ -487,33 +504,15 @@ void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
 
 // In front of the last finished run where there is one, its pieces and what has changed; else its pieces or its whole
 // result alone.
-ViewContent RunController::contentOfStep(std::size_t index, const RunEventBuffer::Step& step) {
+ViewContent RunController::contentOfStep(const RunEventBuffer::Step& step) const {
   const bool pieces = !step.parts.empty();
-  // Pieces that have been converted stay as they are.
-  if (job_->shownStep != index || job_->shownParts == 0) {
-    job_->pieces.clear();
-    job_->pieceFaces.clear();
-  }
-  const auto add = [&](const MeshPtr& mesh) {
-    job_->pieces.push_back(makeMeshGeometry(*mesh, job_->centre));
-    job_->pieceFaces.insert(job_->pieceFaces.end(), mesh->sourceTriangles.begin(), mesh->sourceTriangles.end());
-  };
-  if (pieces) {
-    for (std::size_t p = job_->pieces.size(); p < step.parts.size(); ++p) add(step.parts[p]);
-    if (shown_.mesh) {
-      ViewContent content = withPieces(shown_, job_->pieces, job_->pieceFaces);
-      content.changes = job_->changes;
-      return content;
-    }
-  } else if (shown_.mesh) {
-    ViewContent content = shown_.content;
-    content.changes = job_->changes;
-    return content;
-  } else {
-    add(step.whole);
-  }
   ViewContent content = shown_.content;
-  content.walkable = job_->pieces;
+  if (pieces && shown_.mesh) content = withPieces(shown_, step.parts);
+  content.changes = job_->changes;
+  if (shown_.mesh) return content;
+  content.walkable.clear();
+  for (const RunEventBuffer::Part& part : step.parts) content.walkable.push_back(part.geometry);
+  if (!pieces) content.walkable.push_back(step.whole.geometry);
   return content;
 }
 
@@ -539,7 +538,7 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
     }
     provisional_ = false;
     emit statusChanged();
-    preparePreviews(*job);
+    keepPreviews(*job);
     emit contentReady(outcome.content);
     emit finished();
     return;

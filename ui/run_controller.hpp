@@ -77,14 +77,15 @@ class RunController : public QObject {
   static ViewContent makeContent(const Job& job, const RunResult& result);
   void findFirstChange(Job& job) const;
   void preview(Job& job) const;
-  void preparePreviews(const Job& job);
+  void keepPreviews(const Job& job);
+  void preparePreviews();
   void start();
   void work(const std::shared_ptr<Job>& job);
   void scheduleDrain();
   void drain();
   void takeStatuses(const std::vector<RunEventBuffer::Step>& steps);
   void showParts(const std::vector<RunEventBuffer::Step>& steps);
-  ViewContent contentOfStep(std::size_t index, const RunEventBuffer::Step& step);
+  [[nodiscard]] ViewContent contentOfStep(const RunEventBuffer::Step& step) const;
   [[nodiscard]] bool waitsForPicture() const;
   void showLastResult();
   void complete(const std::shared_ptr<Job>& job, const Outcome& outcome);
@@ -108,13 +109,14 @@ class RunController : public QObject {
   class PreviewCache;
   std::shared_ptr<PreviewCache> previews_;
   std::shared_ptr<ResultCache> cache_;
-  /// What to show at once of edits of the finished run's steps, by steps so far and filter; null where there is
-  /// nothing.
+  /// What to show at once of edits of the finished run's steps, by steps so far and filter.
   using EditPreviews = std::map<std::string, std::shared_ptr<const EditPreview>>;
   EditPreviews editPreviews_;
-  std::shared_ptr<RunContext> preparing_;  ///< of more of them
-  QTimer frameTimer_;                      ///< ends waiting for a frame that does not come
-  BackgroundQueue queue_;                  // last: its thread ends before the rest goes
+  std::vector<std::pair<std::string, EditedStep>>
+      missing_;  ///< of them, to be prepared once the result is on the screen
+  std::shared_ptr<RunContext> preparing_;
+  QTimer frameTimer_;      ///< ends waiting for a frame that does not come
+  BackgroundQueue queue_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall
