@@ -10,8 +10,9 @@
 
 namespace footfall {
 
-/// post() never waits. The destructor waits for the job under way (cancel it first) and then drops the jobs that have
-/// not begun, or does them too. Jobs must not throw.
+/// Its thread, and the workers that it starts, give way to the window's where the system can tell threads apart: the
+/// picture of software OpenGL is made on the same processors. post() never waits. The destructor waits for the job
+/// under way (cancel it first) and then drops the jobs that have not begun, or does them too. Jobs must not throw.
 class BackgroundQueue {
  public:
   enum class AtEnd { DropJobs, FinishJobs };

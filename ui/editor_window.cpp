@@ -91,6 +91,7 @@ void EditorWindow::connectParts() {
     legend_->describe(content);
     placeOverlays();
   });
+  connect(view_, &QOpenGLWidget::frameSwapped, &controller_, &RunController::frameShown);
   connect(&controller_, &RunController::finished, this, &EditorWindow::showResult);
   connect(&controller_, &RunController::cancelled, this, [this] {
     hideProgress();

@@ -3,7 +3,6 @@
 
 #include <QGLViewer/manipulatedCameraFrame.h>
 
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
@@ -111,8 +110,7 @@ void LevelView::resizeGL(int width, int height) {
 
 void LevelView::draw() {
   if (!ready_) return;
-  QElapsedTimer timer;
-  timer.start();
+  lastFrameBegun_ = std::chrono::steady_clock::now();
   GLdouble modelView[16];
   GLdouble projection[16];
   camera()->getModelViewMatrix(modelView);
@@ -144,7 +142,7 @@ void LevelView::draw() {
   if (hurried) parts.outlines = false;
   renderer_.draw(scene, parts, rest_.isActive());
   context()->functions()->glFinish();  // software OpenGL works on after the call
-  lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  lastFrameMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - lastFrameBegun_).count();
   if (!hurried) wholeFrameMs_ = lastFrameMs_;
 }
 

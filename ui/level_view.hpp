@@ -6,6 +6,7 @@
 
 #include <QTimer>
 #include <array>
+#include <chrono>
 #include <memory>
 
 #include "ui/scene_renderer.hpp"
@@ -53,6 +54,8 @@ class LevelView : public QGLViewer {
   /// Of the last frame, until OpenGL had finished it; 0 before the first. While the camera moves and whole frames take
   /// long, frames leave out outlines and creases; the whole picture follows when it rests.
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
+  /// When OpenGL got the first command of it.
+  [[nodiscard]] std::chrono::steady_clock::time_point lastFrameBegun() const { return lastFrameBegun_; }
 
  signals:
   /// OpenGL cannot show the scene; once.
@@ -79,6 +82,7 @@ class LevelView : public QGLViewer {
   bool fitWhenSized_ = false;
   QTimer rest_;  ///< runs while the camera moves
   double lastFrameMs_ = 0;
+  std::chrono::steady_clock::time_point lastFrameBegun_;
   double wholeFrameMs_ = 0;
 };
 

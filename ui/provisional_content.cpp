@@ -1,33 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/provisional_content.hpp"
 
+#include <array>
+#include <bit>
+#include <unordered_set>
+
 namespace footfall {
 namespace {
 
 /// Faces of the environment, by index.
 class FaceSet {
  public:
-  explicit FaceSet(const std::vector<std::uint32_t>& faces) {
+  void add(const std::vector<std::uint32_t>& faces) {
     for (const std::uint32_t face : faces) {
       if (face >= has_.size()) has_.resize(face + 1);
-      repeats_ = repeats_ || has_[face];
       has_[face] = true;
     }
   }
   [[nodiscard]] bool contains(std::uint32_t face) const { return face < has_.size() && has_[face]; }
-  [[nodiscard]] bool repeats() const { return repeats_; }
 
  private:
   std::vector<bool> has_;
-  bool repeats_ = false;
 };
 
-// The triangles of a mesh on faces that are not in `faces`.
-NavigationMesh without(const NavigationMesh& mesh, const FaceSet& faces) {
+using Corners = std::array<Vec3, 3>;
+
+struct CornersHash {
+  std::size_t operator()(const Corners& corners) const {
+    std::uint64_t h = 0;
+    for (const Vec3& p : corners) {
+      for (const double d : {p.x, p.y, p.z}) h = (h ^ std::bit_cast<std::uint64_t>(d + 0.0)) * 0x9E3779B97F4A7C15ULL;
+      h ^= h >> 29U;
+    }
+    return static_cast<std::size_t>(h);
+  }
+};
+
+Corners cornersOf(const NavigationMesh& mesh, std::size_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+// The triangles of a mesh that another one does not have.
+NavigationMesh without(const NavigationMesh& mesh, const NavigationMesh& other) {
+  std::unordered_set<Corners, CornersHash> known;
+  known.reserve(other.triangles.size());
+  for (std::size_t t = 0; t < other.triangles.size(); ++t) known.insert(cornersOf(other, t));
   NavigationMesh rest;
-  rest.vertices = mesh.vertices;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!faces.contains(mesh.sourceTriangles[t])) rest.triangles.push_back(mesh.triangles[t]);
+    const Corners corners = cornersOf(mesh, t);
+    if (known.contains(corners)) continue;
+    const auto base = static_cast<std::uint32_t>(rest.vertices.size());
+    rest.vertices.insert(rest.vertices.end(), corners.begin(), corners.end());
+    rest.triangles.push_back({base, base + 1, base + 2});
   }
   return rest;
 }
@@ -49,30 +74,22 @@ ViewContent shownWithout(const ShownResult& shown, const FaceSet& faces) {
 
 }  // namespace
 
-bool holdsWholeFaces(const NavigationMesh& mesh) { return !FaceSet(mesh.sourceTriangles).repeats(); }
-
-std::optional<ViewContent> withChangedFaces(const ShownResult& shown, const NavigationMesh& before,
-                                            const NavigationMesh& after, const RemovalStyle* style,
-                                            const Vec3& centre) {
-  const FaceSet old(before.sourceTriangles);
-  const FaceSet now(after.sourceTriangles);
-  const NavigationMesh gone = without(before, now);
-  const NavigationMesh added = without(after, old);
-  if (gone.triangles.empty() && added.triangles.empty()) return std::nullopt;
-  std::vector<std::uint32_t> goneFaces;
-  for (const std::uint32_t face : before.sourceTriangles) {
-    if (!now.contains(face)) goneFaces.push_back(face);
-  }
-  ViewContent content = shownWithout(shown, FaceSet(goneFaces));
-  if (style) content.removed.push_back({style, makeMeshGeometry(gone, centre, style->paint)});
-  content.walkable.push_back(makeMeshGeometry(added, centre));
-  return content;
+std::vector<std::shared_ptr<const MeshGeometry>> changedTriangles(const NavigationMesh& before,
+                                                                  const NavigationMesh& after, const Paint& removed,
+                                                                  const Vec3& centre) {
+  std::vector<std::shared_ptr<const MeshGeometry>> changes;
+  const NavigationMesh gone = without(before, after);
+  if (!gone.triangles.empty()) changes.push_back(makeMeshGeometry(gone, centre, removed));
+  const NavigationMesh come = without(after, before);
+  if (!come.triangles.empty()) changes.push_back(makeMeshGeometry(come, centre, walkablePaint()));
+  return changes;
 }
 
-ViewContent withPieces(const ShownResult& shown, const std::vector<std::shared_ptr<const MeshGeometry>>& pieces,
-                       const std::vector<std::uint32_t>& faces) {
-  ViewContent content = shownWithout(shown, FaceSet(faces));
-  content.walkable.insert(content.walkable.end(), pieces.begin(), pieces.end());
+ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces) {
+  FaceSet faces;
+  for (const RunEventBuffer::Part& piece : pieces) faces.add(piece.mesh->sourceTriangles);
+  ViewContent content = shownWithout(shown, faces);
+  for (const RunEventBuffer::Part& piece : pieces) content.walkable.push_back(piece.geometry);
   return content;
 }
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "ui/render_geometry.hpp"
+#include "ui/run_event_buffer.hpp"
 
 namespace footfall {
 
@@ -16,17 +16,14 @@ struct ShownResult {
   ViewContent content;
 };
 
-/// No two triangles lie on the same face of the environment, as before anything is cut out of floors.
-bool holdsWholeFaces(const NavigationMesh& mesh);
+/// What to draw over the last result (ViewContent::changes) when one of its filters leaves `after` where it left
+/// `before`: triangles that are in `before` only, in the filter's paint, and over them those that are in `after` only.
+/// Triangles are the same when their corners are, so filters that only take away or leave cost what they change.
+std::vector<std::shared_ptr<const MeshGeometry>> changedTriangles(const NavigationMesh& before,
+                                                                  const NavigationMesh& after, const Paint& removed,
+                                                                  const Vec3& centre);
 
-/// A filter has taken away or brought back whole faces (SlopeFilter does): the result without what lies on faces that
-/// are in `before` only, drawn in the filter's style where it has one, and with the faces that are in `after` only.
-/// Empty when nothing changes.
-std::optional<ViewContent> withChangedFaces(const ShownResult& shown, const NavigationMesh& before,
-                                            const NavigationMesh& after, const RemovalStyle* style, const Vec3& centre);
-
-/// The result with pieces in place of whatever lies on the same faces. `faces` are the pieces' source triangles.
-ViewContent withPieces(const ShownResult& shown, const std::vector<std::shared_ptr<const MeshGeometry>>& pieces,
-                       const std::vector<std::uint32_t>& faces);
+/// The result with pieces, each with its geometry, in place of whatever lies on the same faces.
+ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces);
 
 }  // namespace footfall

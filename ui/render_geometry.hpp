@@ -65,6 +65,8 @@ struct ViewContent {
   /// Upward facing parts of the environment are what nothing was walkable of; shown so when set.
   const RemovalStyle* firstRemoval = nullptr;
   std::vector<std::shared_ptr<const MeshGeometry>> walkable;  ///< the result, or its parts while a run goes on
+  /// What is not as in all of the above any more: surfaces that are drawn over it, each over the ones before.
+  std::vector<std::shared_ptr<const MeshGeometry>> changes;
 };
 
 }  // namespace footfall

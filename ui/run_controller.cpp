@@ -17,6 +17,8 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, befo
 constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
 // What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
 constexpr auto kProgressAfter = std::chrono::milliseconds(150);
+// A hidden view shows no frames.
+constexpr auto kFrameWait = std::chrono::milliseconds(60);
 constexpr double kSameArea = 1 - 1e-9;  // areas in summaries are rounded
 constexpr std::size_t kPreviews = 32;   // as many as ResultCache keeps states
 
@@ -64,14 +66,17 @@ struct RunController::Job {
   std::vector<const PipelineStep*> steps;  // the enabled ones, inside `pipeline`
   std::vector<std::string> prefixes;       // prefixes[i]: steps before the enabled step i, and one more for all
   RunEventBuffer::Clock::time_point begun = RunEventBuffer::Clock::now();
+  bool follows = false;  // there is an earlier result, which is shown until more is known
   // What the window shows of it while it runs; the window's own.
-  std::vector<std::shared_ptr<const MeshGeometry>> pieces;
-  std::vector<std::uint32_t> pieceFaces;
   std::size_t shownStep = static_cast<std::size_t>(-1), shownParts = 0;
   std::optional<RunEventBuffer::Clock::time_point> lastPicture;
-  // The step of the last finished run in the place of the first one that is not the same.
+  // Over the last result: known from the edit itself, or else from the first step that differs once it has run.
+  EditPreview::Surfaces changes;
+  bool waiting = false;  // for the frame that shows what is known from the edit
+  // The first step that is not the same as in the last finished run, and what it gave there.
   std::size_t firstChanged = 0;
-  std::string changedPrefix;
+  MeshPtr changedBefore;
+  EditPreview::Surfaces changesOfStep;  // written by the thread that computes, before the event of that step
   std::shared_ptr<PreviewCache> previews;
   std::unique_ptr<RunEventBuffer> events;
   std::unique_ptr<RunContext> context;
@@ -84,13 +89,19 @@ struct RunController::Outcome {
 };
 
 RunController::RunController(QObject* parent)
-    : QObject(parent), previews_(std::make_shared<PreviewCache>()), cache_(std::make_shared<ResultCache>()) {
+    : QObject(parent),
+      previews_(std::make_shared<PreviewCache>()),
+      cache_(std::make_shared<ResultCache>()),
+      preparing_(std::make_shared<RunContext>()) {
   drainTimer_.setSingleShot(true);
   connect(&drainTimer_, &QTimer::timeout, this, &RunController::drain);
+  frameTimer_.setSingleShot(true);
+  connect(&frameTimer_, &QTimer::timeout, this, &RunController::frameShown);
 }
 
 RunController::~RunController() {
   if (job_) job_->context->cancel();
+  preparing_->cancel();
 }
 
 void RunController::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
@@ -104,6 +115,10 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   statuses_.clear();
   cache_ = std::make_shared<ResultCache>();  // a run that is still ending keeps the old ones
   previews_ = std::make_shared<PreviewCache>();
+  preparing_->cancel();
+  preparing_ = std::make_shared<RunContext>();
+  editPreviews_.clear();
+  missing_.clear();
   refreshStatuses();
   emit statusChanged();
   start();
@@ -236,6 +251,7 @@ void RunController::start() {
   job->environment = environment_;
   job->centre = centre_;
   job->previews = previews_;
+  job->follows = shown_.mesh != nullptr;
   for (const FilterEntry& entry : filters_) job->pipeline.steps.push_back(entry.step);
   job->prefixes.emplace_back();
   for (std::size_t i = 0; i < filters_.size(); ++i) {
@@ -249,6 +265,7 @@ void RunController::start() {
   }
   job->key = job->prefixes.back();
   findFirstChange(*job);
+  preview(*job);
   job->events = std::make_unique<RunEventBuffer>(
       [this] { QMetaObject::invokeMethod(this, &RunController::scheduleDrain, Qt::QueuedConnection); });
   // The events are told to the job that they belong to; it outlives the context that it owns.
@@ -257,8 +274,15 @@ void RunController::start() {
       [raw](const RunEvent& event) {
         if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < raw->prefixes.size()) {
           raw->previews->store(raw->prefixes[event.step + 1], event.part);
+          const RemovalStyle* style = removalStyle(raw->steps[event.step]->filter->name);
+          if (event.step == raw->firstChanged && raw->changes.empty() && raw->changedBefore && style)
+            raw->changesOfStep = changedTriangles(*raw->changedBefore, *event.part, style->paint, raw->centre);
         }
-        raw->events->add(event);
+        // Pictures are made here and not on the window's thread, which would wait for them.
+        std::shared_ptr<const MeshGeometry> geometry;
+        if (event.part && (event.kind == RunEvent::Kind::PartReady || !raw->follows))
+          geometry = makeMeshGeometry(*event.part, raw->centre);
+        raw->events->add(event, std::move(geometry));
       },
       true);
   job_ = job;
@@ -269,11 +293,95 @@ void RunController::start() {
         if (job == job_) emit started();
       },
       Qt::QueuedConnection);
+  preparing_->cancel();
+  preparing_ = std::make_shared<RunContext>();
+  if (job->changes.empty()) {
+    work(job);
+    return;
+  }
+  job->waiting = true;
+  frameTimer_.start(kFrameWait);
+  job->lastPicture = RunEventBuffer::Clock::now();
+  provisional_ = true;
+  ViewContent content = shown_.content;
+  content.changes = job->changes;
+  emit contentReady(content);  // last: who hears it may cancel
+}
+
+void RunController::frameShown() {
+  frameTimer_.stop();
+  if (!job_) {
+    preparePreviews();
+  } else if (std::exchange(job_->waiting, false)) {
+    work(job_);
+  }
+}
+
+void RunController::work(const std::shared_ptr<Job>& job) {
   queue_.post([this, job, cache = cache_] {
     const auto outcome = std::make_shared<Outcome>(compute(*job, *cache));
     QMetaObject::invokeMethod(
         this, [this, job, outcome] { complete(job, *outcome); }, Qt::QueuedConnection);
   });
+}
+
+// An edit of one parameter, which stands for most of what somebody does here while looking at the view.
+void RunController::preview(Job& job) const {
+  if (!finished_ || !shown_.mesh) return;
+  std::vector<const PipelineStep*> before;
+  for (const PipelineStep& step : finished_->pipeline.steps) {
+    if (step.enabled) before.push_back(&step);
+  }
+  const std::size_t i = job.firstChanged;
+  const auto rest = static_cast<std::ptrdiff_t>(i + 1);
+  if (i >= before.size() || before.size() != job.steps.size() || before[i]->filter != job.steps[i]->filter ||
+      before[i]->values.size() != 1 ||
+      !std::equal(before.begin() + rest, before.end(), job.steps.begin() + rest,
+                  [](const PipelineStep* a, const PipelineStep* b) { return *a == *b; }))
+    return;
+  const auto found = editPreviews_.find(job.prefixes[i] + std::string(before[i]->filter->name));
+  if (found == editPreviews_.end()) return;
+  job.changes = found->second->changes(before[i]->values[0], job.steps[i]->values[0]);
+}
+
+// What depends on nothing that is new in this run is still true; the rest is made anew, once the result is seen.
+void RunController::keepPreviews(const Job& job) {
+  EditPreviews kept;
+  missing_.clear();
+  for (std::size_t i = 0; i < job.steps.size(); ++i) {
+    const PipelineStep& step = *job.steps[i];
+    if (step.values.size() != 1) continue;
+    const std::string key = job.prefixes[i] + std::string(step.filter->name);
+    const EditedStep edited{step.filter->name, step.values[0], job.previews->find(job.prefixes[i]),
+                            finished_->result.mesh};
+    const auto known = editPreviews_.find(key);
+    if (known != editPreviews_.end() && known->second->suits(edited)) {
+      kept.insert(*known);
+    } else {
+      missing_.emplace_back(key, edited);
+    }
+  }
+  editPreviews_ = std::move(kept);
+  frameTimer_.start(kFrameWait);
+}
+
+// In the background, as long as no run wants the processors.
+void RunController::preparePreviews() {
+  for (auto& [key, step] : std::exchange(missing_, {})) {
+    queue_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
+      std::shared_ptr<const EditPreview> made;
+      try {
+        context->checkCancelled();
+        made = makeEditPreview(step, environment, centre, [&] { context->checkCancelled(); });
+      } catch (const std::exception&) {
+        return;  // cancelled, or memory ran out: then a run shows the first change
+      }
+      const auto keep = [this, key, context, made] {
+        if (made && context == preparing_) editPreviews_[key] = made;
+      };
+      QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
+    });
+  }
 }
 
 void RunController::findFirstChange(Job& job) const {
@@ -284,7 +392,7 @@ void RunController::findFirstChange(Job& job) const {
   }
   std::size_t& i = job.firstChanged;
   while (i < before.size() && i < job.steps.size() && *before[i] == *job.steps[i]) ++i;
-  if (i < before.size()) job.changedPrefix = extendPrefix(job.prefixes[i], *before[i]);
+  if (shown_.mesh && i < before.size()) job.changedBefore = previews_->find(extendPrefix(job.prefixes[i], *before[i]));
 }
 
 RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
@@ -337,6 +445,8 @@ void RunController::drain() {
   const std::vector<RunEventBuffer::Step> steps = job_->events->fetch();
   takeStatuses(steps);
   if (!job_) return;  // somebody who heard of them has cancelled
+  const std::size_t changed = job_->firstChanged;
+  if (job_->changes.empty() && changed < steps.size() && steps[changed].finished) job_->changes = job_->changesOfStep;
   const auto last = job_->lastPicture ? *job_->lastPicture : job_->begun;
   if (waitsForPicture() || RunEventBuffer::Clock::now() - last > kPicturePeriod) showParts(steps);
 }
@@ -359,9 +469,9 @@ void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps)
     if (current && status.prefix == job_->prefixes[i + 1]) continue;
     status.state = StepState::Done;
     status.prefix = job_->prefixes[i + 1];
-    if (step.whole) {
+    if (step.whole.mesh) {
       status.wallMs = milliseconds(step.ended - step.started);
-      status.trianglesOut = step.whole->triangles.size();
+      status.trianglesOut = step.whole.mesh->triangles.size();
     }
   }
   if (drained_ - job_->begun > kProgressAfter) {
@@ -377,46 +487,32 @@ bool RunController::waitsForPicture() const { return shown_.mesh && !job_->lastP
 void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
   for (std::size_t i = steps.size(); i-- > 0;) {
     const bool pieces = !steps[i].parts.empty();
-    if (!pieces && !steps[i].whole) continue;
+    if (!pieces && !steps[i].whole.mesh) continue;
     const std::size_t parts = pieces ? steps[i].parts.size() + 1 : 0;
     if (job_->shownStep == i && job_->shownParts == parts) return;
-    const auto content = contentOfStep(i, steps[i]);
     job_->shownStep = i;
     job_->shownParts = parts;
-    if (!content) return;
+    // In front of an earlier result, only what changes it is worth showing, and that once.
+    if (!pieces && shown_.mesh && (job_->changes.empty() || job_->lastPicture)) return;
+    const ViewContent content = contentOfStep(steps[i]);
     job_->lastPicture = RunEventBuffer::Clock::now();
     provisional_ = true;
-    emit contentReady(*content);  // last: who hears it may cancel
+    emit contentReady(content);  // last: who hears it may cancel
     return;
   }
 }
 
-// Its pieces, or else its whole result, in front of the last finished run where there is one.
-std::optional<ViewContent> RunController::contentOfStep(std::size_t index, const RunEventBuffer::Step& step) {
+// In front of the last finished run where there is one, its pieces and what has changed; else its pieces or its whole
+// result alone.
+ViewContent RunController::contentOfStep(const RunEventBuffer::Step& step) const {
   const bool pieces = !step.parts.empty();
-  if (!pieces && shown_.mesh && holdsWholeFaces(*step.whole)) {
-    // Nothing has been cut out of the floors yet: only what has changed is worth showing.
-    const MeshPtr before = index == job_->firstChanged ? job_->previews->find(job_->changedPrefix) : nullptr;
-    if (!before || !holdsWholeFaces(*before)) return std::nullopt;
-    return withChangedFaces(shown_, *before, *step.whole, removalStyle(job_->steps[index]->filter->name), job_->centre);
-  }
-  // Pieces that have been converted stay as they are.
-  if (job_->shownStep != index || job_->shownParts == 0) {
-    job_->pieces.clear();
-    job_->pieceFaces.clear();
-  }
-  const auto add = [&](const MeshPtr& mesh) {
-    job_->pieces.push_back(makeMeshGeometry(*mesh, job_->centre));
-    job_->pieceFaces.insert(job_->pieceFaces.end(), mesh->sourceTriangles.begin(), mesh->sourceTriangles.end());
-  };
-  if (pieces) {
-    for (std::size_t p = job_->pieces.size(); p < step.parts.size(); ++p) add(step.parts[p]);
-    if (shown_.mesh) return withPieces(shown_, job_->pieces, job_->pieceFaces);
-  } else {
-    add(step.whole);
-  }
   ViewContent content = shown_.content;
-  content.walkable = job_->pieces;
+  if (pieces && shown_.mesh) content = withPieces(shown_, step.parts);
+  content.changes = job_->changes;
+  if (shown_.mesh) return content;
+  content.walkable.clear();
+  for (const RunEventBuffer::Part& part : step.parts) content.walkable.push_back(part.geometry);
+  if (!pieces) content.walkable.push_back(step.whole.geometry);
   return content;
 }
 
@@ -442,6 +538,7 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
     }
     provisional_ = false;
     emit statusChanged();
+    keepPreviews(*job);
     emit contentReady(outcome.content);
     emit finished();
     return;

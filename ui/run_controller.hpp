@@ -14,6 +14,7 @@
 #include "core/pipeline/runner.hpp"
 #include "ui/background_queue.hpp"
 #include "ui/document.hpp"
+#include "ui/edit_preview.hpp"
 #include "ui/provisional_content.hpp"
 #include "ui/render_geometry.hpp"
 #include "ui/run_event_buffer.hpp"
@@ -28,9 +29,10 @@ struct FinishedRun {
   RunResult result;
 };
 
-/// Lives on the window's thread and never waits there. Every change cancels the run under way and starts another as
-/// soon as the events that led to it are done; a change that leaves the same enabled steps starts none. Signals come on
-/// the window's thread, at most about ten times a second once it has shown something.
+/// Lives on the window's thread and never waits there. Every change cancels the run under way and starts another; a
+/// change that leaves the same enabled steps starts none. What can be told of an edit without a run is told at once,
+/// and the run then begins after the frame that shows it (frameShown()), as both want the same processors. Signals come
+/// on the window's thread, at most about ten times a second once it has shown something.
 class RunController : public QObject {
   Q_OBJECT
 
@@ -44,6 +46,8 @@ class RunController : public QObject {
   /// Starts at once, even when nothing has changed (results of steps are still taken from the cache).
   void runNow();
   void cancel();
+  /// The view has brought a frame to the screen.
+  void frameShown();
 
   [[nodiscard]] StepStatus status(int id) const;
   /// A run is under way.
@@ -72,12 +76,16 @@ class RunController : public QObject {
   static Outcome compute(Job& job, ResultCache& cache);
   static ViewContent makeContent(const Job& job, const RunResult& result);
   void findFirstChange(Job& job) const;
+  void preview(Job& job) const;
+  void keepPreviews(const Job& job);
+  void preparePreviews();
   void start();
+  void work(const std::shared_ptr<Job>& job);
   void scheduleDrain();
   void drain();
   void takeStatuses(const std::vector<RunEventBuffer::Step>& steps);
   void showParts(const std::vector<RunEventBuffer::Step>& steps);
-  std::optional<ViewContent> contentOfStep(std::size_t index, const RunEventBuffer::Step& step);
+  [[nodiscard]] ViewContent contentOfStep(const RunEventBuffer::Step& step) const;
   [[nodiscard]] bool waitsForPicture() const;
   void showLastResult();
   void complete(const std::shared_ptr<Job>& job, const Outcome& outcome);
@@ -101,6 +109,13 @@ class RunController : public QObject {
   class PreviewCache;
   std::shared_ptr<PreviewCache> previews_;
   std::shared_ptr<ResultCache> cache_;
+  /// What to show at once of edits of the finished run's steps, by steps so far and filter.
+  using EditPreviews = std::map<std::string, std::shared_ptr<const EditPreview>>;
+  EditPreviews editPreviews_;
+  std::vector<std::pair<std::string, EditedStep>>
+      missing_;  ///< of them, to be prepared once the result is on the screen
+  std::shared_ptr<RunContext> preparing_;
+  QTimer frameTimer_;      ///< ends waiting for a frame that does not come
   BackgroundQueue queue_;  // last: its thread ends before the rest goes
 };
 

@@ -2,10 +2,11 @@
 #include "ui/run_event_buffer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace footfall {
 
-void RunEventBuffer::add(const RunEvent& event) {
+void RunEventBuffer::add(const RunEvent& event, std::shared_ptr<const MeshGeometry> geometry) {
   bool notify = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -22,12 +23,12 @@ void RunEventBuffer::add(const RunEvent& event) {
         step.fraction = std::max(step.fraction, event.fraction);
         break;
       case RunEvent::Kind::PartReady:
-        if (event.part) step.parts.push_back(event.part);
+        if (event.part) step.parts.push_back({event.part, std::move(geometry)});
         break;
       case RunEvent::Kind::StepFinished:
         step.finished = true;
         step.ended = Clock::now();
-        step.whole = event.part;
+        step.whole = {event.part, std::move(geometry)};
         step.parts.clear();
         break;
     }

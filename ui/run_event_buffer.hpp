@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/pipeline/run_context.hpp"
+#include "ui/render_geometry.hpp"
 
 namespace footfall {
 
@@ -18,18 +19,22 @@ class RunEventBuffer {
  public:
   using Clock = std::chrono::steady_clock;
 
+  struct Part {
+    std::shared_ptr<const NavigationMesh> mesh;
+    std::shared_ptr<const MeshGeometry> geometry;  ///< of the mesh, where the thread that told of it has made it
+  };
   struct Step {
     bool finished = false;
     Clock::time_point started, ended;
     double fraction = 0;
-    std::shared_ptr<const NavigationMesh> whole;               ///< its result; empty for cached steps
-    std::vector<std::shared_ptr<const NavigationMesh>> parts;  ///< pieces, while it runs
+    Part whole;               ///< its result; empty for cached steps
+    std::vector<Part> parts;  ///< pieces, while it runs
   };
 
   /// `notify` is called from the threads of the run and must be quick and thread-safe.
   explicit RunEventBuffer(std::function<void()> notify) : notify_(std::move(notify)) {}
 
-  void add(const RunEvent& event);
+  void add(const RunEvent& event, std::shared_ptr<const MeshGeometry> geometry = nullptr);
   /// All steps so far, in order; the last one may be running.
   std::vector<Step> fetch();
 

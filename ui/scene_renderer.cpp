@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene_renderer.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "ui/appearance.hpp"
@@ -20,6 +21,13 @@ QString buildProgram(QOpenGLShaderProgram& program, const QString& name) {
   }
   return QStringLiteral("shader %1: %2; update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1")
       .arg(name, program.log().simplified());
+}
+
+// Returns whether the picture is new.
+bool preparePicture(std::unique_ptr<QOpenGLFramebufferObject>& picture, const QSize& size) {
+  if (picture && picture->isValid() && picture->size() == size) return false;
+  picture = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+  return true;
 }
 
 QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
@@ -44,7 +52,9 @@ void SceneRenderer::release() {
   environmentCreases_.reset();
   removed_.clear();
   walkable_.clear();
+  changes_.clear();
   still_.reset();
+  picture_.reset();
   emptyArray_.destroy();
   for (QOpenGLShaderProgram* program : {&surfaceProgram_, &lineProgram_, &backgroundProgram_}) {
     program->removeAllShaders();
@@ -62,7 +72,7 @@ void SceneRenderer::setContent(ViewContent content) {
 }
 
 SceneRenderer::BatchPtr SceneRenderer::makeSurface(const std::vector<SurfaceVertex>& vertices) {
-  auto batch = std::make_unique<Batch>();
+  auto batch = std::make_shared<Batch>();
   batch->count = static_cast<int>(vertices.size());
   if (vertices.empty()) return batch;
   batch->array.create();
@@ -81,7 +91,7 @@ SceneRenderer::BatchPtr SceneRenderer::makeSurface(const std::vector<SurfaceVert
 }
 
 SceneRenderer::BatchPtr SceneRenderer::makeLines(const std::vector<LineSegment>& segments) {
-  auto batch = std::make_unique<Batch>();
+  auto batch = std::make_shared<Batch>();
   batch->count = static_cast<int>(segments.size());
   if (segments.empty()) return batch;
   batch->array.create();
@@ -99,23 +109,36 @@ SceneRenderer::BatchPtr SceneRenderer::makeLines(const std::vector<LineSegment>&
   return batch;
 }
 
+// The same geometry comes again and again while a run goes on: what is there already stays.
+SceneRenderer::MeshBatches SceneRenderer::takeBatches(const GeometryPtr& geometry, bool withLines,
+                                                      const std::vector<MeshBatches>& known) {
+  const auto found = std::ranges::find(known, geometry, &MeshBatches::geometry);
+  if (found != known.end()) return *found;
+  MeshBatches batches{geometry, makeSurface(geometry->surface), {}, {}, {}, {}};
+  if (withLines) {
+    batches.creases = makeLines(geometry->creases);
+    batches.outline = makeLines(geometry->outline);
+    batches.obstacleEdges = makeLines(geometry->obstacleEdges);
+    batches.connections = makeLines(geometry->connections);
+  }
+  return batches;
+}
+
 void SceneRenderer::uploadPending() {
   if (environmentPending_) {
     environmentPending_ = false;
     environmentSurface_ = environment_ ? makeSurface(environment_->surface) : nullptr;
     environmentCreases_ = environment_ ? makeLines(environment_->creases) : nullptr;
   }
-  if (contentPending_) {
-    contentPending_ = false;
-    removed_.clear();
-    walkable_.clear();
-    for (const ViewContent::Removed& removed : content_.removed)
-      removed_.push_back(makeSurface(removed.before->surface));
-    for (const auto& mesh : content_.walkable) {
-      walkable_.push_back({makeSurface(mesh->surface), makeLines(mesh->creases), makeLines(mesh->outline),
-                           makeLines(mesh->obstacleEdges), makeLines(mesh->connections)});
-    }
-  }
+  if (!contentPending_) return;
+  contentPending_ = false;
+  std::vector<MeshBatches> removed, walkable, changes;
+  for (const ViewContent::Removed& r : content_.removed) removed.push_back(takeBatches(r.before, false, removed_));
+  for (const GeometryPtr& mesh : content_.walkable) walkable.push_back(takeBatches(mesh, true, walkable_));
+  for (const GeometryPtr& mesh : content_.changes) changes.push_back(takeBatches(mesh, false, changes_));
+  removed_ = std::move(removed);
+  walkable_ = std::move(walkable);
+  changes_ = std::move(changes);
 }
 
 void SceneRenderer::drawBackground() {
@@ -157,12 +180,7 @@ void SceneRenderer::drawStill(const StillKey& key) {
   drawBackground();
   glEnable(GL_CLIP_DISTANCE0);
   if (key.surface) {
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    useCamera(surfaceProgram_, key.camera);
-    surfaceProgram_.setUniformValue("eye", key.camera.eye);
-    surfaceProgram_.setUniformValue("viewDirection", key.camera.viewDirection);
-    surfaceProgram_.setUniformValue("orthographic", key.camera.orthographic);
-    surfaceProgram_.setUniformValue("patternScale", key.camera.devicePixelRatio);
+    beginSurfaces(key.camera);
     surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
     drawSurface(environmentSurface_, key.offset);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -175,23 +193,18 @@ void SceneRenderer::drawStill(const StillKey& key) {
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-// Into the frame, from the picture that is kept, which is made first where it is another. False: it cannot be kept.
-bool SceneRenderer::copyStill(const StillKey& key) {
-  GLint frame = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
-  const QSize size = key.camera.viewport;
-  const bool made = still_ && still_->isValid() && still_->size() == size;
-  if (!made) {
-    still_ = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
-    if (!still_->isValid()) return false;
+SceneRenderer::ContentKey SceneRenderer::contentKey(const StillKey& still, const SceneParts& parts) const {
+  ContentKey key{still, parts, {}};
+  for (const auto* batches : {&removed_, &walkable_}) {
+    for (const MeshBatches& mesh : *batches) key.surfaces.push_back(mesh.geometry);
+    key.surfaces.push_back(nullptr);  // where one list ends
   }
-  if (!made || !(stillKey_ == key)) {
-    still_->bind();
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawStill(key);
-    stillKey_ = key;
-  }
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, still_->handle());
+  return key;
+}
+
+bool SceneRenderer::copyToFrame(const QOpenGLFramebufferObject& picture, GLint frame) {
+  const QSize size = picture.size();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.handle());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(frame));
   while (glGetError() != GL_NO_ERROR) {
   }
@@ -202,22 +215,77 @@ bool SceneRenderer::copyStill(const StillKey& key) {
   return copied;
 }
 
-void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
+// Into the frame, from the picture that is kept, which is made first where it is another. False: it cannot be kept.
+bool SceneRenderer::copyStill(const StillKey& key) {
+  GLint frame = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
+  const bool made = preparePicture(still_, key.camera.viewport);
+  if (!still_->isValid()) return false;
+  if (made || !(stillKey_ == key)) {
+    still_->bind();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    drawStill(key);
+    stillKey_ = key;
+  }
+  return copyToFrame(*still_, frame);
+}
+
+// The same with what is on the environment.
+bool SceneRenderer::copyContent(const ContentKey& key) {
+  GLint frame = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
+  const bool made = preparePicture(picture_, key.still.camera.viewport);
+  if (!picture_->isValid()) return false;
+  if (made || !(pictureKey_ == key)) {
+    pictureKey_ = {};  // until it is there
+    picture_->bind();
+    const bool copied = copyStill(key.still);
+    if (copied) drawContent(key.still.camera, key.parts);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(frame));
+    if (!copied) return false;
+    pictureKey_ = key;
+  }
+  return copyToFrame(*picture_, frame);
+}
+
+void SceneRenderer::beginSurfaces(const SceneCamera& camera) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   useCamera(surfaceProgram_, camera);
   surfaceProgram_.setUniformValue("eye", camera.eye);
   surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
   surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
+}
+
+void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
+  beginSurfaces(camera);
   if (parts.walkable) {
     for (const MeshBatches& mesh : walkable_) drawSurface(mesh.surface, 0);
   }
   // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each. The
   // nearest come first, so that what they hide is not painted.
   for (std::size_t i = removed_.size(); i-- > 0;) {
-    if (parts.removed && parts.environment) drawSurface(removed_[i], static_cast<float>(removed_.size() - i));
+    if (parts.removed && parts.environment) drawSurface(removed_[i].surface, static_cast<float>(removed_.size() - i));
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
+  glEnable(GL_CLIP_DISTANCE0);
+  drawSurfaces(camera, parts);
+  drawAllLines(camera, parts);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
+// Nearer than everything that they change, each nearer than the one before.
+void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& parts) {
+  if (changes_.empty() || !parts.walkable) return;
+  glEnable(GL_CLIP_DISTANCE0);
+  beginSurfaces(camera);
+  float offset = 0;
+  for (const MeshBatches& mesh : changes_) drawSurface(mesh.surface, offset -= 1);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_CLIP_DISTANCE0);
 }
 
 void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& parts) {
@@ -267,11 +335,11 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, boo
                      parts.environment && parts.outlines,
                      QVector4D(toVector(floor.colour), static_cast<float>(floor.pattern) / 127.0F),
                      offset};
-  if (moving || !copyStill(key)) drawStill(key);
-  glEnable(GL_CLIP_DISTANCE0);
-  drawSurfaces(camera, parts);
-  drawAllLines(camera, parts);
-  glDisable(GL_CLIP_DISTANCE0);
+  if (moving || !copyContent(contentKey(key, parts))) {
+    drawStill(key);
+    drawContent(camera, parts);
+  }
+  drawChanges(camera, parts);
 }
 
 }  // namespace footfall

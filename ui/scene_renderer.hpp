@@ -25,6 +25,7 @@ struct SceneParts {
   bool obstacleEdges = true;
   bool connections = true;
   bool outlines = true;  ///< creases of the environment and outlines of the walkable area
+  bool operator==(const SceneParts&) const = default;
 };
 
 struct SceneCamera {
@@ -48,8 +49,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
   void setContent(ViewContent content);
 
-  /// `moving`: the camera will be elsewhere in the next frame. While it rests, what does not depend on the content is
-  /// drawn once and kept: frames after that cost only what the content costs.
+  /// `moving`: the camera will be elsewhere in the next frame. While it rests, pictures of the environment alone and of
+  /// it with the content, but without its changes, are drawn once and kept: frames after that cost only what is new.
   void draw(const SceneCamera& camera, const SceneParts& parts, bool moving);
 
  private:
@@ -59,8 +60,10 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     QOpenGLBuffer buffer{QOpenGLBuffer::VertexBuffer};
     int count = 0;  ///< vertices of a surface, instances of lines
   };
-  using BatchPtr = std::unique_ptr<Batch>;
+  using BatchPtr = std::shared_ptr<Batch>;
+  using GeometryPtr = std::shared_ptr<const MeshGeometry>;
   struct MeshBatches {
+    GeometryPtr geometry;  ///< what they were made of, which may come again with other content
     BatchPtr surface, creases, outline, obstacleEdges, connections;
   };
 
@@ -73,11 +76,28 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     float offset = 0;
     bool operator==(const StillKey&) const = default;
   };
+  /// All that the picture with the content depends on.
+  struct ContentKey {
+    StillKey still;
+    SceneParts parts;
+    std::vector<GeometryPtr> surfaces;
+    bool operator==(const ContentKey&) const = default;
+  };
+  /// Colour and depth of a frame.
+  using Picture = std::unique_ptr<QOpenGLFramebufferObject>;
 
   void uploadPending();
+  MeshBatches takeBatches(const GeometryPtr& geometry, bool withLines, const std::vector<MeshBatches>& known);
+  [[nodiscard]] ContentKey contentKey(const StillKey& still, const SceneParts& parts) const;
+
   void useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera);
   void drawStill(const StillKey& key);
+  void drawContent(const SceneCamera& camera, const SceneParts& parts);
+  void drawChanges(const SceneCamera& camera, const SceneParts& parts);
   bool copyStill(const StillKey& key);
+  bool copyContent(const ContentKey& key);
+  bool copyToFrame(const QOpenGLFramebufferObject& picture, GLint frame);
+  void beginSurfaces(const SceneCamera& camera);
   void drawSurfaces(const SceneCamera& camera, const SceneParts& parts);
   void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
   BatchPtr makeSurface(const std::vector<SurfaceVertex>& vertices);
@@ -96,10 +116,11 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   bool environmentPending_ = false, contentPending_ = false;
 
   BatchPtr environmentSurface_, environmentCreases_;
-  std::unique_ptr<QOpenGLFramebufferObject> still_;  ///< colour and depth of the picture that belongs to stillKey_
+  Picture still_;  ///< belongs to stillKey_
   StillKey stillKey_;
-  std::vector<BatchPtr> removed_;
-  std::vector<MeshBatches> walkable_;
+  Picture picture_;  ///< belongs to pictureKey_
+  ContentKey pictureKey_;
+  std::vector<MeshBatches> removed_, walkable_, changes_;
 };
 
 }  // namespace footfall

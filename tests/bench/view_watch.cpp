@@ -24,7 +24,7 @@ void ViewWatch::begin() {
   resultReady_ = done_ = false;
   watching_ = true;
   cpuBefore_ = processCpuMs();
-  clock_.start();
+  begun_ = std::chrono::steady_clock::now();
   sinceTick_.start();
   pulse_.start();
 }
@@ -37,12 +37,13 @@ void ViewWatch::tick() {
 
 void ViewWatch::frameShown() {
   if (!watching_) return;
-  const double now = elapsedMs();
+  const double now = msUntil(std::chrono::steady_clock::now());
   const double cpu = processCpuMs() - cpuBefore_;
   times_.slowestFrame = std::max(times_.slowestFrame, window_.view().lastFrameMs());
   tick();
   if (!times_.visible && pixels() != before_) {
     times_.visible = now;
+    times_.begun = msUntil(window_.view().lastFrameBegun());
     times_.visibleCpu = cpu;
   }
   sinceTick_.start();  // reading the pixels is the measurement's own pause

@@ -14,6 +14,7 @@ namespace footfall::bench {
 /// Milliseconds since an edit.
 struct EditTimes {
   std::optional<double> visible;  ///< the first frame with other pixels was on its way to the screen
+  double begun = 0;               ///< OpenGL got the first command of that frame
   double visibleCpu = 0;    ///< processor time of all threads until then, which others on the machine cannot stretch
   double finished = 0;      ///< the frame with the finished result was
   double longestPause = 0;  ///< in which the window could do nothing else
@@ -34,10 +35,13 @@ class ViewWatch : public QObject {
   void frameShown();
   void tick();
   [[nodiscard]] std::size_t pixels();
-  [[nodiscard]] double elapsedMs() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-6; }
+  [[nodiscard]] double msUntil(std::chrono::steady_clock::time_point time) const {
+    return std::chrono::duration<double, std::milli>(time - begun_).count();
+  }
 
   EditorWindow& window_;
-  QElapsedTimer clock_, sinceTick_;
+  std::chrono::steady_clock::time_point begun_;
+  QElapsedTimer sinceTick_;
   double cpuBefore_ = 0;
   QTimer pulse_;
   EditTimes times_;
