@@ -179,6 +179,16 @@ StepStatus RunController::status(int id) const {
   return found == statuses_.end() ? StepStatus{} : found->second;
 }
 
+bool RunController::previews(int id) const {
+  std::string prefix;
+  for (const FilterEntry& entry : filters_) {
+    if (!entry.step.enabled) continue;
+    if (entry.id == id) return editPreviews_.contains(prefix + std::string(entry.step.filter->name));
+    prefix = extendPrefix(prefix, entry.step);
+  }
+  return false;
+}
+
 void RunController::stopJob(StepState unfinished) {
   if (!job_) return;
   job_->context->cancel();  // it ends by itself, soon; nobody waits

@@ -54,6 +54,8 @@ class RunController : public QObject {
   [[nodiscard]] bool busy() const { return job_ != nullptr; }
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
+  /// Whether an edit of the one parameter of a filter would be shown before the run: it is prepared after each run.
+  [[nodiscard]] bool previews(int id) const;
   /// Whether finishedRun() belongs to the filter list as it is.
   [[nodiscard]] bool upToDate() const;
 
