@@ -15,6 +15,8 @@ constexpr auto kDrainPeriod = std::chrono::milliseconds(100);  // between two up
 constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
 // What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
 constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
+// The same where the change itself is on the screen already: pieces tell little more, and their frames are long ones.
+constexpr auto kDetailPeriod = std::chrono::milliseconds(400);
 // What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
 constexpr auto kProgressAfter = std::chrono::milliseconds(150);
 // A hidden view shows no frames.
@@ -458,7 +460,8 @@ void RunController::drain() {
   const std::size_t changed = job_->firstChanged;
   if (job_->changes.empty() && changed < steps.size() && steps[changed].finished) job_->changes = job_->changesOfStep;
   const auto last = job_->lastPicture ? *job_->lastPicture : job_->begun;
-  if (waitsForPicture() || RunEventBuffer::Clock::now() - last > kPicturePeriod) showParts(steps);
+  const auto period = job_->changes.empty() ? kPicturePeriod : kDetailPeriod;
+  if (waitsForPicture() || RunEventBuffer::Clock::now() - last > period) showParts(steps);
 }
 
 void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps) {

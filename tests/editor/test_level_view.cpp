@@ -156,6 +156,12 @@ class TestLevelView : public QObject {
     // Nothing of it is left in the picture that the view keeps.
     window.view().setContent(result);
     QCOMPARE(window.view().grabFramebuffer(), finished);
+    // The same content made anew is drawn anew, onto the picture of the environment that is kept.
+    ViewContent copied = result;
+    for (auto& mesh : copied.walkable) mesh = std::make_shared<MeshGeometry>(*mesh);
+    for (auto& removed : copied.removed) removed.before = std::make_shared<MeshGeometry>(*removed.before);
+    window.view().setContent(copied);
+    QCOMPARE(window.view().grabFramebuffer(), finished);
     // Once it has come back it lies over what took it away.
     edited.changes.push_back(makeMeshGeometry(ramp, centre, walkablePaint()));
     window.view().setContent(edited);
