@@ -380,7 +380,7 @@ void RunController::keepPreviews(const Job& job) {
 // In the background, as long as no run wants the processors.
 void RunController::preparePreviews() {
   for (auto& [key, step] : std::exchange(missing_, {})) {
-    queue_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
+    preparations_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
       std::shared_ptr<const EditPreview> made;
       try {
         context->checkCancelled();

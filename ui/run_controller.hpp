@@ -117,8 +117,8 @@ class RunController : public QObject {
   std::vector<std::pair<std::string, EditedStep>>
       missing_;  ///< of them, to be prepared once the result is on the screen
   std::shared_ptr<RunContext> preparing_;
-  QTimer frameTimer_;      ///< ends waiting for a frame that does not come
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  QTimer frameTimer_;                     ///< ends waiting for a frame that does not come
+  BackgroundQueue queue_, preparations_;  // last: their threads end before the rest goes
 };
 
 }  // namespace footfall

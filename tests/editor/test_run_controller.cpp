@@ -138,13 +138,13 @@ class TestRunController : public QObject {
     QCOMPARE(last.walkable[0]->surface.size() / 3, controller_->finishedRun()->result.mesh->triangles.size());
   }
 
-  void theRunWaitsForTheFrame() {
+  void theRunGivesWayToTheFrameButNotForEver() {
     waitForPreviews();
+    QElapsedTimer clock;
+    clock.start();
     document_->setValue(document_->filters()[1].id, 0, 10, 1);
-    const StepStatus before = controller_->status(document_->filters()[1].id);
-    QVERIFY(before.state != StepState::Running);
-    controller_->frameShown();
-    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);  // here no frame is ever shown
+    QVERIFY(clock.elapsed() >= 50);
   }
 
   void goingAwayInTheMiddleIsSafe() {
