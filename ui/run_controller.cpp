@@ -16,7 +16,7 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, befo
 // What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
 constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
 // The same where the change itself is on the screen already: pieces tell little more, and their frames are long ones.
-constexpr auto kDetailPeriod = std::chrono::milliseconds(400);
+constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
 // What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
 constexpr auto kProgressAfter = std::chrono::milliseconds(150);
 // A hidden view shows no frames.
