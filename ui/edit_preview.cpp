@@ -30,12 +30,13 @@ class ThresholdOrder {
     std::sort(order_.begin(), order_.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   }
 
-  /// The triangles whose value is above `low` and not above `high`.
+  /// The triangles whose value is above `low` and not above `high`; none when they are too many to be previewed.
   [[nodiscard]] NavigationMesh between(double low, double high) const {
     const auto above = [](double limit, const ThresholdTriangle& t) { return limit < t.value; };
     const auto first = std::upper_bound(order_.begin(), order_.end(), low, above);
     const auto last = std::upper_bound(first, order_.end(), high, above);
     NavigationMesh soup;
+    if (last - first > static_cast<std::ptrdiff_t>(kMostPreviewed)) return soup;
     for (auto it = first; it != last; ++it) {
       const auto base = static_cast<std::uint32_t>(soup.vertices.size());
       for (const std::uint32_t corner : mesh_->triangles[it->triangle])

@@ -28,11 +28,14 @@ class EditPreview {
 
   virtual ~EditPreview() = default;
   /// To be drawn over the last result (ViewContent::changes) when the threshold goes from one value to another. Empty
-  /// when it changes nothing, or when only the run can tell what.
+  /// when it changes nothing, when only the run can tell what, or when that is more than kMostPreviewed triangles.
   [[nodiscard]] virtual Surfaces changes(double from, double to) const = 0;
   /// Whether it serves after a later run too, of the same steps before this one.
   [[nodiscard]] virtual bool suits(const EditedStep& step) const = 0;
 };
+
+/// The window's thread makes what is drawn of an edit: a few milliseconds for so many.
+inline constexpr std::size_t kMostPreviewed = 100'000;
 
 /// Null for filters of which only a run tells anything. `poll` is called now and then and may throw.
 std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,

@@ -153,28 +153,24 @@ bool HeadroomPreview::suits(const EditedStep& step) const {
 EditPreview::Surfaces HeadroomPreview::changes(double from, double to) const {
   const auto [low, high] = std::minmax(from, to);
   if (high > limit_) return {};
-  const auto forPairsBelow = [this](double height, const auto& visit) {
+  // Adds the shadows of pairs that are in sight between two heights, on floors of which `wanted` says so; false when
+  // they are too many.
+  const auto addShadows = [this](NavigationMesh& mesh, double above, double below, const auto& wanted) {
     for (const Pair& pair : pairs_) {
-      if (pair.low > height) break;
-      visit(pair);
+      if (pair.low > below || mesh.triangles.size() > kMostPreviewed) break;
+      if (pair.high > above && wanted(pair.floor)) addShadow(mesh, pair, above, below);
     }
+    return mesh.triangles.size() <= kMostPreviewed;
   };
   NavigationMesh between;
   std::vector<bool> changed(floors_->triangles.size(), false);
-  forPairsBelow(high, [&](const Pair& pair) {
-    if (pair.high <= low) return;
-    const std::size_t before = between.triangles.size();
-    addShadow(between, pair, low, high);
-    if (between.triangles.size() > before) changed[pair.floor] = true;
-  });
-  if (between.triangles.empty()) return {};
+  const auto noted = [&](std::uint32_t floor) { return changed[floor] = true; };
+  if (!addShadows(between, low, high, noted) || between.triangles.empty()) return {};
   const Paint removed = removalStyle("VerticalClearanceFilter")->paint;
   if (to > from) return {makeMeshGeometry(between, {}, removed)};
   // What comes back does so only where nothing lower stands over it.
   NavigationMesh below;
-  forPairsBelow(low, [&](const Pair& pair) {
-    if (changed[pair.floor]) addShadow(below, pair, kTouching * limit_, low);
-  });
+  if (!addShadows(below, kTouching * limit_, low, [&](std::uint32_t floor) { return changed[floor]; })) return {};
   return {makeMeshGeometry(between, {}, walkablePaint()), makeMeshGeometry(below, {}, removed)};
 }
 

@@ -10,8 +10,8 @@
 namespace footfall {
 
 /// VerticalClearanceFilter: a floor loses what lies under the parts of obstacles between the old and the new height
-/// above it, or gets it back where nothing lower stands in the way. Knows the heights up to twice the clearance that
-/// the run had.
+/// above it, or gets it back where nothing lower stands in the way. Obstacles are where the file has them. Knows the
+/// heights up to twice the clearance that the run had.
 class HeadroomPreview : public EditPreview {
  public:
   HeadroomPreview(const EditedStep& step, std::shared_ptr<const Environment> environment, const Vec3& centre,

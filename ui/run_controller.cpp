@@ -15,6 +15,8 @@ constexpr auto kDrainPeriod = std::chrono::milliseconds(100);  // between two up
 constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
 // What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
 constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
+// The same where the change itself is on the screen already: pieces tell little more, and their frames are long ones.
+constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
 // What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
 constexpr auto kProgressAfter = std::chrono::milliseconds(150);
 // A hidden view shows no frames.
@@ -177,6 +179,16 @@ void RunController::showLastResult() {
 StepStatus RunController::status(int id) const {
   const auto found = statuses_.find(id);
   return found == statuses_.end() ? StepStatus{} : found->second;
+}
+
+bool RunController::previews(int id) const {
+  std::string prefix;
+  for (const FilterEntry& entry : filters_) {
+    if (!entry.step.enabled) continue;
+    if (entry.id == id) return editPreviews_.contains(prefix + std::string(entry.step.filter->name));
+    prefix = extendPrefix(prefix, entry.step);
+  }
+  return false;
 }
 
 void RunController::stopJob(StepState unfinished) {
@@ -368,7 +380,7 @@ void RunController::keepPreviews(const Job& job) {
 // In the background, as long as no run wants the processors.
 void RunController::preparePreviews() {
   for (auto& [key, step] : std::exchange(missing_, {})) {
-    queue_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
+    preparations_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
       std::shared_ptr<const EditPreview> made;
       try {
         context->checkCancelled();
@@ -448,7 +460,8 @@ void RunController::drain() {
   const std::size_t changed = job_->firstChanged;
   if (job_->changes.empty() && changed < steps.size() && steps[changed].finished) job_->changes = job_->changesOfStep;
   const auto last = job_->lastPicture ? *job_->lastPicture : job_->begun;
-  if (waitsForPicture() || RunEventBuffer::Clock::now() - last > kPicturePeriod) showParts(steps);
+  const auto period = job_->changes.empty() ? kPicturePeriod : kDetailPeriod;
+  if (waitsForPicture() || RunEventBuffer::Clock::now() - last > period) showParts(steps);
 }
 
 void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps) {

@@ -54,6 +54,8 @@ class RunController : public QObject {
   [[nodiscard]] bool busy() const { return job_ != nullptr; }
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
+  /// Whether an edit of the one parameter of a filter would be shown before the run: it is prepared after each run.
+  [[nodiscard]] bool previews(int id) const;
   /// Whether finishedRun() belongs to the filter list as it is.
   [[nodiscard]] bool upToDate() const;
 
@@ -115,8 +117,8 @@ class RunController : public QObject {
   std::vector<std::pair<std::string, EditedStep>>
       missing_;  ///< of them, to be prepared once the result is on the screen
   std::shared_ptr<RunContext> preparing_;
-  QTimer frameTimer_;      ///< ends waiting for a frame that does not come
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  QTimer frameTimer_;                     ///< ends waiting for a frame that does not come
+  BackgroundQueue queue_, preparations_;  // last: their threads end before the rest goes
 };
 
 }  // namespace footfall

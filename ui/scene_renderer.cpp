@@ -324,6 +324,7 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, boo
   uploadPending();
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
+  glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   const Paint floor = content_.firstRemoval && parts.removed ? content_.firstRemoval->paint : undecidedPaint();
   // Behind everything that may come on top: a step for each of it, but the same for a few more or less.

@@ -143,18 +143,29 @@ class TestLevelView : public QObject {
     window.view().viewOblique();
     const QColor brown = removalStyle("SlopeFilter")->paint.colour;
     QVERIFY(shareOf(window.view().grabFramebuffer(), brown) < 0.001);
-    NavigationMesh before;
-    before.vertices = window.environment()->vertices;
-    before.triangles = window.environment()->triangles;
-    before.sourceTriangles = {0, 1, 2, 3, 4, 5};
-    NavigationMesh after = before;
-    after.triangles.resize(4);  // not the ramp
-    after.sourceTriangles.resize(4);
-    const ShownResult shown{window.controller().finishedRun()->result.mesh, window.view().content()};
-    const auto content = withChangedFaces(shown, before, after, removalStyle("SlopeFilter"), {});
-    QVERIFY(content.has_value());
-    window.view().setContent(*content);
+    const ViewContent result = window.view().content();
+    const QImage finished = window.view().grabFramebuffer();
+    NavigationMesh ramp;
+    ramp.vertices = window.environment()->vertices;
+    ramp.triangles = {window.environment()->triangles[4], window.environment()->triangles[5]};
+    const Vec3 centre = makeEnvironmentGeometry(*window.environment())->centre;
+    ViewContent edited = result;
+    edited.changes = changedTriangles(ramp, {}, removalStyle("SlopeFilter")->paint, centre);
+    window.view().setContent(edited);
     QVERIFY(shareOf(window.view().grabFramebuffer(), brown) > 0.005);
+    // Nothing of it is left in the picture that the view keeps.
+    window.view().setContent(result);
+    QCOMPARE(window.view().grabFramebuffer(), finished);
+    // The same content made anew is drawn anew, onto the picture of the environment that is kept.
+    ViewContent copied = result;
+    for (auto& mesh : copied.walkable) mesh = std::make_shared<MeshGeometry>(*mesh);
+    for (auto& removed : copied.removed) removed.before = std::make_shared<MeshGeometry>(*removed.before);
+    window.view().setContent(copied);
+    QCOMPARE(window.view().grabFramebuffer(), finished);
+    // Once it has come back it lies over what took it away.
+    edited.changes.push_back(makeMeshGeometry(ramp, centre, walkablePaint()));
+    window.view().setContent(edited);
+    QVERIFY(shareOf(window.view().grabFramebuffer(), brown) < 0.001);
   }
 
   void mapCoordinatesDoNotTremble() {

@@ -41,37 +41,30 @@ class TestProvisionalContent : public QObject {
   Q_OBJECT
 
  private slots:
-  void wholeFacesAreTold() {
-    QVERIFY(holdsWholeFaces(trianglesOn({0, 3, 1})));
-    QVERIFY(!holdsWholeFaces(trianglesOn({0, 3, 0})));
+  void onlyWhatChangesIsDrawn() {
+    const Paint brown = removalStyle("SlopeFilter")->paint;
+    const auto changes = changedTriangles(trianglesOn({0, 1, 2, 3}), trianglesOn({3, 2, 7, 1}), brown, {});
+    QCOMPARE(changes.size(), std::size_t{2});
+    QCOMPARE(facesOf(*changes[0]), (std::vector<int>{0}));
+    QCOMPARE(int{changes[0]->surface[0].colour[0]}, brown.colour.red());
+    QCOMPARE(facesOf(*changes[1]), (std::vector<int>{7}));
+    QCOMPARE(int{changes[1]->surface[0].colour[0]}, walkablePaint().colour.red());
   }
 
-  void facesGoAndComeAlone() {
-    // 1 is cut in two in the result, and nothing is left of 2: neither is touched.
-    const ShownResult shown = show({0, 1, 1, 3});
-    const RemovalStyle* slope = removalStyle("SlopeFilter");
-    const auto content = withChangedFaces(shown, trianglesOn({0, 1, 2, 3}), trianglesOn({1, 2, 3, 7}), slope, {});
-    QVERIFY(content.has_value());
-    QCOMPARE(content->walkable.size(), std::size_t{2});
-    QCOMPARE(facesOf(*content->walkable[0]), (std::vector<int>{1, 1, 3}));
-    QCOMPARE(facesOf(*content->walkable[1]), (std::vector<int>{7}));
-    QCOMPARE(content->removed.size(), std::size_t{1});
-    QVERIFY(content->removed[0].style == slope);
-    QCOMPARE(facesOf(*content->removed[0].before), (std::vector<int>{0}));
-    // What was shown stays what it was.
-    QCOMPARE(facesOf(*shown.content.walkable[0]), (std::vector<int>{0, 1, 1, 3}));
-  }
-
-  void sameFacesChangeNothing() {
-    QVERIFY(!withChangedFaces(show({0}), trianglesOn({0, 4}), trianglesOn({4, 0}), nullptr, {}));
+  void sameTrianglesChangeNothing() {
+    QVERIFY(changedTriangles(trianglesOn({0, 4}), trianglesOn({4, 0}), walkablePaint(), {}).empty());
   }
 
   void piecesTakeThePlaceOfTheirFaces() {
-    const auto piece = makeMeshGeometry(trianglesOn({1, 1, 1}), {});
-    const ViewContent content = withPieces(show({0, 1, 1, 2}), {piece}, {1, 1, 1});
+    const auto mesh = std::make_shared<const NavigationMesh>(trianglesOn({1, 1, 1}));
+    const RunEventBuffer::Part piece{mesh, makeMeshGeometry(*mesh, {})};
+    const ShownResult shown = show({0, 1, 1, 2});
+    const ViewContent content = withPieces(shown, {piece});
     QCOMPARE(content.walkable.size(), std::size_t{2});
     QCOMPARE(facesOf(*content.walkable[0]), (std::vector<int>{0, 2}));
-    QCOMPARE(content.walkable[1], piece);
+    QCOMPARE(content.walkable[1], piece.geometry);
+    // What was shown stays what it was.
+    QCOMPARE(facesOf(*shown.content.walkable[0]), (std::vector<int>{0, 1, 1, 2}));
   }
 };
 

@@ -90,36 +90,61 @@ class TestRunController : public QObject {
     QCOMPARE(last.walkable.size(), std::size_t{1});
   }
 
-  void whatARunShowsFirstIsTheResultWithItsChange() {
-    // The waves slope by 19 or 47 degrees: 10 takes away all that slopes, before anything else is computed.
-    QSignalSpy finished(controller_.get(), &RunController::finished);
+  void anEditShowsItsChangeAtOnceAndCancellingTakesItBack() {
     std::vector<ViewContent> contents;
     connect(controller_.get(), &RunController::contentReady, this,
             [&](const ViewContent& content) { contents.push_back(content); });
+    waitForPreviews();
+    // The waves slope by 19 or 47 degrees: 10 takes away all that slopes, before anything is computed.
     document_->setValue(document_->filters()[1].id, 0, 10, 1);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
+    QCOMPARE(contents.size(), std::size_t{1});  // at once, in the edit
+    QVERIFY(controller_->busy());
+    QCOMPARE(contents[0].changes.size(), std::size_t{1});
+    QCOMPARE(contents[0].walkable.size(), std::size_t{1});  // the result before, as it was
+    const std::size_t gone = contents[0].changes[0]->surface.size();
+    QVERIFY(gone > 0);
+    QCOMPARE(int{contents[0].changes[0]->surface[0].colour[0]}, removalStyle("SlopeFilter")->paint.colour.red());
+
+    controller_->cancel();
+    QCOMPARE(contents.size(), std::size_t{2});
+    QVERIFY(contents[1].changes.empty());
+    QVERIFY(contents[1].walkable == contents[0].walkable);
+    QVERIFY(!controller_->busy());
+    QCOMPARE(controller_->finishedRun()->pipeline.steps[1].values[0], 45.0);
+
+    // What it promised is what the run gives.
+    const std::size_t before = controller_->finishedRun()->result.mesh->triangles.size();
+    controller_->runNow();
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QVERIFY(contents.back().changes.empty());
+    QCOMPARE(controller_->finishedRun()->result.mesh->triangles.size() + gone / 3, before);
+  }
+
+  void withoutAPreviewTheFirstStepShowsTheChange() {
+    std::vector<ViewContent> contents;
+    connect(controller_.get(), &RunController::contentReady, this,
+            [&](const ViewContent& content) { contents.push_back(content); });
+    // Two edits at once: no preview tells of both.
+    document_->replacePipeline(
+        parsePipeline("DegeneracyFilter\nSlopeFilter 10\nVerticalClearanceFilter 1\nAreaFilter 0\n", "test"), "");
+    QVERIFY(contents.empty());
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
     QVERIFY(!contents.empty());
-    const auto shownTriangles = [](const ViewContent& content) {
-      std::size_t count = 0;
-      for (const auto& mesh : content.walkable) count += mesh->surface.size() / 3;
-      return count;
-    };
-    QCOMPARE(shownTriangles(contents.back()), controller_->finishedRun()->result.mesh->triangles.size());
-    // Cancelling in the middle puts the finished result back.
-    const std::size_t before = shownTriangles(contents.back());
-    contents.clear();
-    const QSignalSpy cancelled(controller_.get(), &RunController::cancelled);
-    const auto cancel = connect(controller_.get(), &RunController::contentReady, this, [&](const ViewContent&) {
-      if (contents.size() == 1) controller_->cancel();
-    });
-    document_->setValue(document_->filters()[1].id, 0, 50, 2);
-    QTRY_VERIFY_WITH_TIMEOUT(!controller_->busy(), 20000);
-    disconnect(cancel);
-    // A machine may be so fast that nothing was shown before the end: then there was nothing to put back.
-    if (cancelled.count() == 1) {
-      QCOMPARE(contents.size(), std::size_t{2});
-      QCOMPARE(shownTriangles(contents.back()), before);
-    }
+    const ViewContent last = contents.back();
+    QVERIFY(last.changes.empty());
+    // What came before it was the result before with its change, however much of that there was time for.
+    contents.pop_back();
+    for (const ViewContent& content : contents) QVERIFY(!content.changes.empty() || content.walkable.size() > 1);
+    QCOMPARE(last.walkable[0]->surface.size() / 3, controller_->finishedRun()->result.mesh->triangles.size());
+  }
+
+  void theRunGivesWayToTheFrameButNotForEver() {
+    waitForPreviews();
+    QElapsedTimer clock;
+    clock.start();
+    document_->setValue(document_->filters()[1].id, 0, 10, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);  // here no frame is ever shown
+    QVERIFY(clock.elapsed() >= 50);
   }
 
   void goingAwayInTheMiddleIsSafe() {
@@ -150,6 +175,9 @@ class TestRunController : public QObject {
   }
 
  private:
+  // They are made one after the other in the background, once the result has been shown; here nobody shows it.
+  void waitForPreviews() { QTRY_VERIFY_WITH_TIMEOUT(controller_->previews(document_->filters()[1].id), 20000); }
+
   QTemporaryDir folder_;
   std::shared_ptr<const Environment> environment_;
   std::unique_ptr<Document> document_;
