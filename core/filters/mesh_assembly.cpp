@@ -103,6 +103,17 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   const auto ownedJoiner = std::make_shared<MeshJoiner>(kernel);
   large.hold(ownedJoiner);
   MeshJoiner& joiner = *ownedJoiner;
+  std::size_t wholeFaces = 0, partTriangles = 0, partPoints = 0;
+  for (Index t = 0; t < count; ++t) {
+    if ((t & 4095) == 0) context.checkCancelled();
+    if (state.cuts && meshes[t]) {
+      partTriangles += meshes[t]->cells.size();
+      partPoints += meshes[t]->points.size();
+    } else if (state.walkable[t] != 0) {
+      ++wholeFaces;
+    }
+  }
+  joiner.reserve(wholeFaces, partTriangles, partPoints);
   for (Index t = 0; t < count; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
     if (state.walkable[t] == 0) continue;

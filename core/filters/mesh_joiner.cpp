@@ -53,6 +53,15 @@ MeshJoiner::MeshJoiner(const PlanKernel& kernel)
   onSourceEdges_.clear();
 }
 
+// What is reserved and never written costs no memory.
+void MeshJoiner::reserve(std::size_t wholeFaces, std::size_t partTriangles, std::size_t partPoints) {
+  triangles_.reserve(wholeFaces + partTriangles);
+  outlines_.reserve(3 * (wholeFaces + partTriangles));
+  vertices_.reserve(std::min(mesh_.vertices.size(), 3 * wholeFaces + partPoints) + partPoints);
+  memory_.vertexOf.reserve(3 * wholeFaces + partPoints);
+  memory_.entries.reserve(wholeFaces + partPoints / 3 + 1);
+}
+
 void MeshJoiner::beginFace(Index face) {
   memory_.entries.push_back({face, static_cast<Index>(memory_.vertexOf.size()), static_cast<Index>(outlines_.size())});
 }
@@ -415,6 +424,7 @@ WalkableMesh MeshJoiner::join(RunContext& context) {
 
   WalkableMesh mesh;
   mesh.triangles.reserve(triangles_.size() + 2 * between.size());
+  mesh.vertices.reserve(vertices_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     for (Index& v : triangles_[t].corners) v = sets.find(v);
     EdgeVertices on{};

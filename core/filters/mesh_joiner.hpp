@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -20,6 +21,9 @@ namespace footfall {
 class MeshJoiner {
  public:
   explicit MeshJoiner(const PlanKernel& kernel);
+
+  /// Makes room for at most so many faces that nothing cuts, and triangles and points of parts.
+  void reserve(std::size_t wholeFaces, std::size_t partTriangles, std::size_t partPoints);
 
   /// A face that nothing cuts.
   void addWholeFace(Index face, std::uint8_t obstacleEdges);

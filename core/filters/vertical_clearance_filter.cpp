@@ -170,6 +170,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
   std::optional<EarlierResult> earlier;
   if (!state->cuts && recall.keep) {
     memory = std::make_shared<AssemblyMemory>();
+    large.hold(memory);
     memory->candidates.resize(count);
     memory->clearance = height;
     if (recall.before && recall.before->memory) earlier = EarlierResult::relate(recall.before, kernel);

@@ -194,7 +194,7 @@ class Benchmark {
       Json entry{{"name", subject.name}};
       entry.update(
           runIsolated([&] { return measureCancelling(subject, options_.threads.back(), options_.cancelMoments); },
-                      {options_.limits.time, 0}));
+                      {options_.limits.time * (options_.cancelMoments + 1), 0}));
       entries.push_back(std::move(entry));
     };
     const auto addGenerated = [&](const char* series, Make make, std::uint32_t size) {
