@@ -64,6 +64,7 @@ class Report {
       text += "### Threads, memory, exact fall-backs\n\n" + totals();
     }
     if (!results_["growth"].empty()) text += "### Growth, " + threadText() + "\n\n" + growth();
+    if (!results_["live"].empty()) text += "### Edits, " + threadText() + "\n\n" + edits();
     return text;
   }
 
@@ -242,6 +243,26 @@ class Report {
       table.addRow(row);
     }
     return table.text();
+  }
+
+  std::string edits() const {
+    Table table({"environment", "triangles", "from nothing", "obstacle", "most", "slope", "clearance"});
+    for (const Json& entry : results_["live"]) {
+      std::vector<std::string> row{entry["name"]};
+      if (entry.contains("fails")) {
+        row.insert(row.end(), {"", "fails: " + entry["fails"].get<std::string>(), "", "", "", ""});
+      } else {
+        row.push_back(grouped(entry["triangles"]));
+        for (const char* figure : {"full_ms", "obstacle_ms", "obstacle_most_ms", "slope_ms", "clearance_ms"})
+          row.push_back(number(entry[figure]));
+      }
+      table.addRow(row);
+    }
+    return table.text() +
+           "*obstacle*: from the call that moves 100 triangles to a random place of the walkable area to the "
+           "navigation "
+           "mesh; *slope*, *clearance*: the whole run after the slope went up by a degree, the clearance by 5 %. The "
+           "results are those of a run from nothing, byte for byte.\n\n";
   }
 
   static constexpr std::size_t kCells = 3;
