@@ -78,15 +78,19 @@ StateSummary summarize(const WalkableState& state) {
   StateSummary summary;
   const SourceMesh& source = state.kernel->mesh();
   const bool hasMesh = state.mesh != nullptr;
-  const CutTable* const cuts = hasMesh ? state.cuts.get() : nullptr;
   // Without branches: no two neighbours are alike.
   std::uint64_t faces = 0, floors = 0;
-  for (std::size_t t = 0; t < source.triangles.size(); ++t) {
-    const unsigned isThere = state.removed[t] == 0 ? 1 : 0;
-    const unsigned isFloor = state.walkable[t] != 0 && (cuts == nullptr || !cuts->isRemoved(t)) ? 1 : 0;
-    faces += isThere;
-    floors += isThere & isFloor;
-  }
+  const auto count = [&](const auto& isCovered) {
+    for (std::size_t t = 0; t < source.triangles.size(); ++t) {
+      const unsigned isThere = static_cast<unsigned>(state.removed[t] == 0);
+      faces += isThere;
+      floors += isThere & static_cast<unsigned>(state.walkable[t] != 0) & static_cast<unsigned>(!isCovered(t));
+    }
+  };
+  if (hasMesh && state.cuts)
+    count([&cuts = *state.cuts](std::size_t t) { return cuts.isRemoved(t); });
+  else
+    count([](std::size_t) { return false; });
   summary.rejected = faces - floors;
   const int unscale = -2 * source.grid.scaleExponent();
   if (!hasMesh) {

@@ -34,7 +34,7 @@ struct OutlineEnds {
 
 WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   findInnerEdges();
-  const std::vector<char> candidates = findCandidates();
+  std::vector<char> candidates = findCandidates();
   mesh_.around.build(mesh_.triangles, candidates);
   context_.checkCancelled();
   mesh_.alive.assign(mesh_.triangles.size(), 1);
@@ -67,13 +67,14 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   };
   tbb::parallel_for(std::size_t{0}, groups.firstOfTask.size() - 1, runTask);
   for (const RegionSimplifier& simplifier : simplifiers) fallbacks_ += simplifier.fallbacks();
+  WalkableMesh result = compact();
   if (memory != nullptr) {
-    memory->candidates = candidates;
+    memory->candidates = std::move(candidates);
     memory->groupOf = std::move(groups.of);
-    memory->triangles = mesh_.triangles;
-    memory->alive = mesh_.alive;
+    memory->triangles = std::move(mesh_.triangles);
+    memory->alive = std::move(mesh_.alive);
   }
-  return compact();
+  return result;
 }
 
 // The same triangles, joined alike, with the same vertices that may go: all in the same order, by which every choice is
