@@ -68,11 +68,13 @@ class TestLiveEdits : public QObject {
   void obstaclesInRandomBuildings() {
     QVERIFY(check("obstacles in random buildings", 300, [] {
       const auto level = buildingOf(*buildingParts(12)).environment(*below(4) == 0);
-      const std::array<std::string, 4> pipelines{
+      const std::array<std::string, 6> pipelines{
           "SlopeFilter 45\nVerticalClearanceFilter 2\n", defaultFilters(45, 1),
           "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\nSlopeFilter 30\n",
-          "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n"};
-      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(4))];
+          "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n",
+          "VerticalClearanceFilter 1\nLayerSubdivisionFilter\nSimplificationFilter\nLayerSubdivisionFilter\n",
+          "SimplificationFilter\nVerticalClearanceFilter 1\nSimplificationFilter true 0.01\nLayerSubdivisionFilter\n"};
+      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(6))];
       EditableEnvironment editable(level);
       ResultCache cache;
       RC_ASSERT(agrees(level, pipeline, cache));
