@@ -46,7 +46,9 @@ bool agrees(const std::shared_ptr<const Environment>& environment, const std::st
   const RunResult live = run(environment, pipeline, &cache);
   const RunResult fresh = run(environment, pipeline, nullptr);
   return exported(live, *environment) == exported(fresh, *environment) &&
-         live.mesh->sourceTriangles == fresh.mesh->sourceTriangles;
+         live.mesh->sourceTriangles == fresh.mesh->sourceTriangles &&
+         live.mesh->obstacleEdges == fresh.mesh->obstacleEdges &&
+         live.summary.obstacleEdges == fresh.summary.obstacleEdges;
 }
 
 std::string defaultFilters(double slope, double clearance) {
