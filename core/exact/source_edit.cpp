@@ -113,20 +113,17 @@ class Editor {
 
     mesh_.triangles.resize(count);
     mesh_.inputTriangles.resize(count);
-    mesh_.normals.resize(count);
-    mesh_.facing.resize(count);
-    mesh_.degenerate.resize(count);
     forRanges(count, kTrianglesPerTask, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         const Index then = changes_->baseOf[t];
         if (then < 0) continue;
         for (int k = 0; k < 3; ++k) mesh_.triangles[t][k] = changes_->vertexOf[base_.triangles[then][k]];
         mesh_.inputTriangles[t] = static_cast<std::uint32_t>(numberOf[base_.inputTriangles[then]]);
-        mesh_.normals[t] = base_.normals[then];
-        mesh_.facing[t] = base_.facing[then];
-        mesh_.degenerate[t] = base_.degenerate[then];
       }
     });
+    appendKept(base_.normals, mesh_.normals);
+    appendKept(base_.facing, mesh_.facing);
+    appendKept(base_.degenerate, mesh_.degenerate);
     const SignRule sign = mesh_.grid.signRule(mesh_.grid.scaleExponent());
     for (Index t = 0; t < static_cast<Index>(count); ++t) {
       if (changes_->baseOf[t] >= 0) continue;
@@ -137,6 +134,23 @@ class Editor {
       classifyTriangle(mesh_, t, sign);
       if (mesh_.degenerate[t] == 0) changes_->addedTriangles.push_back(t);
       changes_->added.push_back(boxOf(mesh_, t));
+    }
+  }
+
+  // What stays the same, run by run; added triangles get a default.
+  template <class T>
+  void appendKept(const std::vector<T>& before, std::vector<T>& now) const {
+    const std::vector<Index>& from = changes_->baseOf;
+    now.reserve(from.size());
+    for (std::size_t first = 0; first < from.size();) {
+      std::size_t last = first + 1;
+      if (from[first] < 0) {
+        now.emplace_back();
+      } else {
+        while (last < from.size() && from[last] == from[last - 1] + 1) ++last;
+        now.insert(now.end(), before.begin() + from[first], before.begin() + from[last - 1] + 1);
+      }
+      first = last;
     }
   }
 

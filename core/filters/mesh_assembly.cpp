@@ -62,10 +62,15 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   large.hold(ownedMeshes);
   // Only faces with segments need a triangulation; largest first, so that no thread is left with a giant at the end.
   std::vector<Index> faces, known;
+  std::vector<char> isChanged(earlier != nullptr ? count : 0, 0);
+  if (earlier != nullptr)
+    for (const Index t : changed) isChanged[t] = 1;
   for (Index t = 0; t < count && state.cuts; ++t) {
-    const FaceCuts& cuts = (*state.cuts)[t];
-    if (state.walkable[t] == 0 || cuts.removed || cuts.segments.empty()) continue;
-    (earlier != nullptr && !std::binary_search(changed.begin(), changed.end(), t) ? known : faces).push_back(t);
+    if (state.walkable[t] == 0 || !state.cuts->shared(t) || state.cuts->isRemoved(t)) continue;
+    if (earlier != nullptr && isChanged[t] == 0)
+      known.push_back(t);
+    else if (!(*state.cuts)[t].segments.empty())
+      faces.push_back(t);
   }
   std::stable_sort(faces.begin(), faces.end(), [&](Index a, Index b) {
     return (*state.cuts)[a].segments.size() > (*state.cuts)[b].segments.size();
@@ -117,14 +122,14 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   for (Index t = 0; t < count; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
     if (state.walkable[t] == 0) continue;
-    if (state.cuts && (*state.cuts)[t].removed) continue;
+    if (state.cuts && state.cuts->isRemoved(t)) continue;
     if (state.cuts && meshes[t]) {
       joiner.addParts(t, *meshes[t]);
       continue;
     }
     std::uint8_t walls = state.cuts ? (*state.cuts)[t].edgeWalls : std::uint8_t{0};
     const auto& f = kernel.mesh().triangles[t];
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3 && !kernel.mesh().obstacleEdges.empty(); ++k)
       if (kernel.mesh().hasObstacleEdge(f[k], f[(k + 1) % 3])) walls |= static_cast<std::uint8_t>(1 << k);
     joiner.addWholeFace(t, walls);
   }

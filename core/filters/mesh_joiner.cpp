@@ -233,13 +233,15 @@ void MeshJoiner::takeOver() {
   std::vector<Index> entryBefore(earlier_->state().walkable.size(), -1);
   for (std::size_t i = 0; i + 1 < before.entries.size(); ++i)
     entryBefore[before.entries[i].face] = static_cast<Index>(i);
+  std::vector<char> isChanged(mesh_.triangles.size(), 0);
+  for (const Index face : changed_) isChanged[face] = 1;
   std::vector<Index> vertexNow(before.vertexCount, -1);
   std::vector<Index> outlineNow(before.entries.back().firstOutline, -1);
   knownVertices_.assign(vertices_.size(), 0);
   knownOutlines_.assign(outlines_.size(), 0);
   for (std::size_t i = 0; i + 1 < memory_.entries.size(); ++i) {
     const JoinMemory::Entry &now = memory_.entries[i], &end = memory_.entries[i + 1];
-    if (std::binary_search(changed_.begin(), changed_.end(), now.face)) continue;
+    if (isChanged[now.face] != 0) continue;
     const JoinMemory::Entry& then = before.entries[entryBefore[earlier_->faceBefore(now.face)]];
     for (Index p = now.firstPoint; p < end.firstPoint; ++p) {
       const Index vertex = memory_.vertexOf[p];

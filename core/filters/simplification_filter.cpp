@@ -27,12 +27,7 @@ StatePtr simplify(const StatePtr& state, const ApproximateSimplification& approx
   const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
   Simplifier simplifier(*state->kernel, *state->mesh, *topology, approximate, context);
   const auto earlier = EarlierResult::relate(recall.before, *state->kernel);
-  MeshRelation relation;
-  if (earlier && recall.before->simplifierMemory) {
-    relation = relateMeshes(*earlier, *recall.before->simplifierMemory->given, *state->mesh);
-    simplifier.reuse(*recall.before->simplifierMemory, *earlier, relation);
-    context.checkCancelled();
-  }
+  if (earlier && recall.before->simplifierMemory) simplifier.reuse(*recall.before->simplifierMemory, *earlier);
   auto result = std::make_shared<WalkableState>(*state);
   std::shared_ptr<SimplifierMemory> memory;
   if (recall.keep) {

@@ -3,6 +3,7 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -33,14 +34,22 @@ struct OutlineEnds {
 }  // namespace
 
 WalkableMesh Simplifier::run(SimplifierMemory* memory) {
-  findInnerEdges();
-  const std::vector<char> candidates = findCandidates();
-  mesh_.around.build(mesh_.triangles, candidates);
-  context_.checkCancelled();
+  std::vector<char> candidates;
+  Groups groups;
+  const auto prepare = [&] {
+    findInnerEdges();
+    candidates = findCandidates();
+    mesh_.around.build(mesh_.triangles, candidates);
+    context_.checkCancelled();
+    groups = findGroups(candidates);
+    context_.checkCancelled();
+  };
+  if (before_ != nullptr)
+    tbb::parallel_invoke(prepare, [&] { relation_ = relateMeshes(*earlier_, *before_->given, given_); });
+  else
+    prepare();
   mesh_.alive.assign(mesh_.triangles.size(), 1);
   if (approximate_.enabled) mesh_.standsFor.resize(mesh_.triangles.size());
-  Groups groups = findGroups(candidates);
-  context_.checkCancelled();
   if (memory != nullptr) memory->neighbors = mesh_.neighbors;
   if (before_ != nullptr)
     for (const Index g : before_->groupOf) {
@@ -67,20 +76,21 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   };
   tbb::parallel_for(std::size_t{0}, groups.firstOfTask.size() - 1, runTask);
   for (const RegionSimplifier& simplifier : simplifiers) fallbacks_ += simplifier.fallbacks();
+  WalkableMesh result = compact();
   if (memory != nullptr) {
-    memory->candidates = candidates;
+    memory->candidates = std::move(candidates);
     memory->groupOf = std::move(groups.of);
-    memory->triangles = mesh_.triangles;
-    memory->alive = mesh_.alive;
+    memory->triangles = std::move(mesh_.triangles);
+    memory->alive = std::move(mesh_.alive);
   }
-  return compact();
+  return result;
 }
 
 // The same triangles, joined alike, with the same vertices that may go: all in the same order, by which every choice is
 // made.
 bool Simplifier::isKnown(std::span<const Index> triangles, std::span<const Index> vertices,
                          const std::vector<char>& candidates) const {
-  const std::vector<Index>& then = relation_->triangleBefore;
+  const std::vector<Index>& then = relation_.triangleBefore;
   const Index first = then[triangles[0]];
   const Index group = first < 0 ? -1 : before_->groupOf[first];
   if (group < 0 || sizeBefore_[group] != static_cast<Index>(triangles.size())) return false;
@@ -90,22 +100,22 @@ bool Simplifier::isKnown(std::span<const Index> triangles, std::span<const Index
     last = then[t];
     for (int k = 0; k < 3; ++k) {
       const Index v = mesh_.triangles[t].corners[k], side = mesh_.neighbors[3 * t + k];
-      if (candidates[v] != before_->candidates[relation_->vertexBefore[v]]) return false;
+      if (candidates[v] != before_->candidates[relation_.vertexBefore[v]]) return false;
       const Index sideThen = before_->neighbors[3 * then[t] + k];
       if (side < 0 ? sideThen >= 0 : sideThen != 3 * then[side / 3] + side % 3) return false;
     }
   }
   for (std::size_t i = 1; i < vertices.size(); ++i)
-    if (relation_->vertexBefore[vertices[i]] < relation_->vertexBefore[vertices[i - 1]]) return false;
+    if (relation_.vertexBefore[vertices[i]] < relation_.vertexBefore[vertices[i - 1]]) return false;
   return true;
 }
 
 void Simplifier::takeOver(std::span<const Index> triangles) {
   for (const Index t : triangles) {
-    const Index then = relation_->triangleBefore[t];
+    const Index then = relation_.triangleBefore[t];
     mesh_.alive[t] = before_->alive[then];
     MeshTriangle triangle = before_->triangles[then];
-    for (Index& v : triangle.corners) v = relation_->vertexNow[v];
+    for (Index& v : triangle.corners) v = relation_.vertexNow[v];
     triangle.face = earlier_->faceNow(triangle.face);
     mesh_.triangles[t] = triangle;
   }

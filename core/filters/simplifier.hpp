@@ -42,10 +42,10 @@ class Simplifier {
         mesh_{mesh.vertices, mesh.triangles, {}, {}, {}, {}} {}
 
   /// Groups whose triangles are all related to those of one earlier group, joined alike, become what that one became.
-  void reuse(const SimplifierMemory& before, const EarlierResult& earlier, const MeshRelation& relation) {
+  /// Both must outlive this.
+  void reuse(const SimplifierMemory& before, const EarlierResult& earlier) {
     before_ = &before;
     earlier_ = &earlier;
-    relation_ = &relation;
   }
 
   /// `memory` (may be null) receives what reuse() needs, except the given mesh.
@@ -90,7 +90,7 @@ class Simplifier {
   SimplifiedMesh mesh_;
   const SimplifierMemory* before_ = nullptr;
   const EarlierResult* earlier_ = nullptr;
-  const MeshRelation* relation_ = nullptr;
+  MeshRelation relation_;          ///< with the earlier mesh
   std::vector<Index> sizeBefore_;  ///< of each earlier group
   ExactFallbacks fallbacks_;
 };

@@ -34,13 +34,20 @@ StatePtr PrefixCache::findEarlier(const EnvironmentPtr& environment, const std::
                                   std::size_t count) {
   const EnvironmentPtr base = environment->edit ? environment->edit->base.lock() : nullptr;
   const std::lock_guard lock(mutex_);
-  const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
+  StatePtr any;
+  for (const Entry& entry : entries_) {
     const EnvironmentPtr of = entry.environment.lock();
-    return of && (of == environment || of == base) && entry.prefix.steps.size() == count &&
-           std::equal(entry.prefix.steps.begin(), entry.prefix.steps.end(), steps.begin(),
-                      [](const StepStatistics& s, const PipelineStep* step) { return s.name == step->filter->name; });
-  });
-  return found == entries_.end() ? nullptr : found->prefix.state;
+    const auto& known = entry.prefix.steps;
+    if (!of || (of != environment && of != base) || known.size() != count) continue;
+    bool sameFilters = true, sameValues = true;
+    for (std::size_t i = 0; i < count && sameFilters; ++i) {
+      sameFilters = known[i].name == steps[i]->filter->name;
+      sameValues = sameValues && known[i].parameters == steps[i]->values;
+    }
+    if (sameFilters && sameValues) return entry.prefix.state;
+    if (sameFilters && !any) any = entry.prefix.state;
+  }
+  return any;
 }
 
 void PrefixCache::store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix) {

@@ -31,8 +31,9 @@ class PrefixCache {
 
   /// `key` is prefixKey() of the steps. Touches the entry.
   std::optional<CachedPrefix> find(const EnvironmentPtr& environment, const std::string& key);
-  /// The state that the most recent run had after the same filters as the first `count` of `steps`, whatever their
-  /// parameters, on this environment or on the one that it is an edit of; null when there is none.
+  /// The state that a run had after the same filters as the first `count` of `steps` on this environment or on the one
+  /// that it is an edit of; null when there is none. The most recent one with the same parameters, else the most recent
+  /// one with any.
   StatePtr findEarlier(const EnvironmentPtr& environment, const std::vector<const PipelineStep*>& steps,
                        std::size_t count);
   /// Replaces an entry with the same environment and key; the least recently used goes when there are too many.

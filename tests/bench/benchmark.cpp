@@ -9,6 +9,7 @@
 
 #include "tests/bench/cancel_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
+#include "tests/bench/live_measurement.hpp"
 #include "tests/bench/prototype_measurement.hpp"
 #if FOOTFALL_BENCH_RECAST
 #include "tests/bench/recast_measurement.hpp"
@@ -69,6 +70,7 @@ class Benchmark {
     for (const Subject& subject : options_.samples) results["environments"].push_back(measure(subject, "sample"));
     results["growth"] = options_.growth ? measureGrowth() : Json::array();
     results["cancelling"] = options_.cancelMoments > 0 ? measureCancellings() : Json::array();
+    results["live"] = options_.live ? measureEdits() : Json::array();
     return results;
   }
 
@@ -169,6 +171,27 @@ class Benchmark {
       writeEnvironment(subject.path, make(size));
       return Json::object();
     });
+  }
+
+  Json measureEdits() const {
+    constexpr std::uint32_t kTerrainSize = 50'000;
+    std::vector<Subject> subjects = options_.given;
+    subjects.insert(subjects.end(), options_.samples.begin(), options_.samples.end());
+    const Subject terrain{"terrain", scratch_.file("terrain.obj"), 2};
+    runIsolated([&] {
+      writeEnvironment(terrain.path, makeTerrain(kTerrainSize));
+      return Json::object();
+    });
+    subjects.push_back(terrain);
+    Json entries = Json::array();
+    for (const Subject& subject : subjects) {
+      tell(subject.name, "edits, " + threadText(options_.threads.back()));
+      Json entry{{"name", subject.name}};
+      entry.update(runIsolated([&] { return measureLive(subject, options_.threads.back(), options_.repetition); },
+                               {options_.limits.time, 0}));
+      entries.push_back(std::move(entry));
+    }
+    return entries;
   }
 
   Json measureGrowth() const {

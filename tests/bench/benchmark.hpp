@@ -15,6 +15,7 @@ struct BenchmarkOptions {
   std::vector<Subject> samples;
   bool growth = false;
   int cancelMoments = 0;           ///< of each file, and with `growth` of the largest generated environments
+  bool live = false;               ///< edits of each environment too, and of a generated terrain
   std::vector<int> threads{1, 2};  ///< ascending; the last is what the report compares with the peers
   Repetition repetition;
   bool recast = true;                                                 ///< where the program was built with it
@@ -32,7 +33,8 @@ struct BenchmarkOptions {
 ///   area in the plan is from ours), `prototype` (one entry a thread count, of measurePrototype(), with `ours_ms`: from
 ///   the same file to the walkable environment), `thesis_s` (an environment of the same size in the thesis);
 /// - `growth`: a list of `series`, `size` and what measurePipeline() says with most threads;
-/// - `cancelling`: a list of `name` and what measureCancelling() says with most threads.
+/// - `cancelling`: a list of `name` and what measureCancelling() says with most threads;
+/// - `live`: a list of `name` and what measureLive() says with most threads.
 /// Whatever cannot be measured has `fails` with the reason in the place of its figures.
 Json runBenchmark(const BenchmarkOptions& options);
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
-execute_process(COMMAND "${PROGRAM}" "${HOUSE}:2" --runs 1 --threads 1,2 --cancel 3 --json "${SCRATCH}/bench.json" --markdown
+execute_process(COMMAND "${PROGRAM}" "${HOUSE}:2" --runs 1 --threads 1,2 --cancel 3 --live --json "${SCRATCH}/bench.json" --markdown
                         "${SCRATCH}/bench.md" RESULT_VARIABLE code)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "exit code ${code}")
@@ -33,6 +33,14 @@ string(JSON value GET "${json}" cancelling 0 name)
 if(NOT value STREQUAL "house")
   message(FATAL_ERROR "cancelled: ${value}")
 endif()
+foreach(entry 0 1) # the house, the terrain
+  foreach(figure triangles full_ms obstacle_ms obstacle_most_ms slope_ms clearance_ms edits)
+    string(JSON value GET "${json}" live ${entry} ${figure})
+    if(NOT value GREATER 0)
+      message(FATAL_ERROR "${figure} of an edit is ${value}")
+    endif()
+  endforeach()
+endforeach()
 string(JSON targets LENGTH "${json}" targets)
 if(targets EQUAL 0)
   message(FATAL_ERROR "no targets")
@@ -51,7 +59,8 @@ foreach(peer recast embree)
 endforeach()
 
 file(READ "${SCRATCH}/bench.md" markdown)
-foreach(part "### Targets" "### Beside others, 2 threads" "| house | 820 |" "### Step by step" "### Cancelling, 2 threads")
+foreach(part "### Targets" "### Beside others, 2 threads" "| house | 820 |" "### Step by step" "### Cancelling, 2 threads"
+        "### Edits, 2 threads")
   string(FIND "${markdown}" "${part}" found)
   if(found EQUAL -1)
     message(FATAL_ERROR "the tables have no '${part}'")

@@ -64,6 +64,7 @@ void runProgramWith(int argc, char** argv) {
                  "Cancel runs of each environment (of the generated ones the largest) at so many moments")
       ->check(CLI::Range(1, 1000))
       ->type_name("MOMENTS");
+  app.add_flag("--live", options.live, "Edits of each environment and of a generated terrain too");
   app.add_option("--runs", options.repetition.runs, "Runs of each measurement after one warm-up")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -100,8 +101,8 @@ void runProgramWith(int argc, char** argv) {
   options.limits.time = std::chrono::seconds(timeout);
   for (const std::string& file : files) options.given.push_back(parseSubject(file, clearance));
   if (samples) options.samples = sampleSubjects();
-  if (options.given.empty() && options.samples.empty() && !options.growth)
-    throw InputError("nothing to measure; give files, --samples or --growth");
+  if (options.given.empty() && options.samples.empty() && !options.growth && !options.live)
+    throw InputError("nothing to measure; give files, --samples, --growth or --live");
 
   Json results = runBenchmark(options);
   results["targets"] = judgeTargets(results);

@@ -65,6 +65,7 @@ class Report {
     }
     if (!results_["growth"].empty()) text += "### Growth, " + threadText() + "\n\n" + growth();
     if (!results_["cancelling"].empty()) text += "### Cancelling, " + threadText() + "\n\n" + cancelling();
+    if (!results_["live"].empty()) text += "### Edits, " + threadText() + "\n\n" + edits();
     return text;
   }
 
@@ -260,6 +261,26 @@ class Report {
            "From telling a run to stop until its caller knows, memory freed. *most CPU*: the most processor time of "
            "all "
            "threads in between. *late*: how many took longer than 50 ms.\n\n";
+  }
+
+  std::string edits() const {
+    Table table({"environment", "triangles", "from nothing", "obstacle", "most", "slope", "clearance"});
+    for (const Json& entry : results_["live"]) {
+      std::vector<std::string> row{entry["name"]};
+      if (entry.contains("fails")) {
+        row.insert(row.end(), {"", "fails: " + entry["fails"].get<std::string>(), "", "", "", ""});
+      } else {
+        row.push_back(grouped(entry["triangles"]));
+        for (const char* figure : {"full_ms", "obstacle_ms", "obstacle_most_ms", "slope_ms", "clearance_ms"})
+          row.push_back(number(entry[figure]));
+      }
+      table.addRow(row);
+    }
+    return table.text() +
+           "*obstacle*: from the call that moves 100 triangles to a random place of the walkable area to the "
+           "navigation "
+           "mesh; *slope*, *clearance*: the whole run after the slope went up by a degree, the clearance by 5 %. The "
+           "results are those of a run from nothing, byte for byte.\n\n";
   }
 
   static constexpr std::size_t kCells = 3;

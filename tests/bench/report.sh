@@ -14,7 +14,7 @@ document="${repository}/docs/performance.md"
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "${scratch}"' EXIT
 
-arguments=("$@" --samples --growth --cancel 60 --json "${build}/bench.json" --markdown "${scratch}/bench.md")
+arguments=("$@" --samples --growth --live --cancel 60 --json "${build}/bench.json" --markdown "${scratch}/bench.md")
 # The clearance of each file: 2 m in its units.
 environment() {
   if [ -f "${shared}/envs/$1" ]; then arguments+=("${shared}/envs/$1:$2"); fi

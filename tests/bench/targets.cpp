@@ -33,6 +33,7 @@ class Judge {
     mean("the floor", "time, geometric mean", overEnvironments([&](const Json& e) { return ratioTo(e, "floor"); }), 5,
          "times");
     worst("town", "time", overEnvironments([&](const Json& e) { return townMs(e); }), 100, "ms");
+    judgeEdits();
     judgeGrowth();
     worst("cancelling", "until the caller knows, longest", cancelFigures(), 50, "ms");
     worst("memory", "a triangle above 60 MB, worst", memoryFigures(), 1024, "bytes");
@@ -92,6 +93,23 @@ class Judge {
     return (*own)["run_ms"].get<double>();
   }
 
+  // On levels of about 60,000 triangles.
+  void judgeEdits() {
+    constexpr const char* kObstacleMoves = "an obstacle of 100 triangles moves, worst";
+    constexpr int kSmallest = 40'000, kLargest = 65'000;
+    Figures obstacle;
+    for (const Json& entry : results_["live"]) {
+      if (entry.contains("fails")) {
+        addFailure("live", kObstacleMoves, 16, "ms",
+                   entry["name"].get<std::string>() + ": " + entry["fails"].get<std::string>());
+        continue;
+      }
+      if (const int triangles = entry["triangles"]; triangles >= kSmallest && triangles <= kLargest)
+        obstacle.push_back({entry["name"], entry["obstacle_ms"]});
+    }
+    worst("live", kObstacleMoves, obstacle, 16, "ms");
+  }
+
   void judgeGrowth() {
     Figures time, memory, large, largest;
     for (const Json& step : growthExponents(results_)) {
@@ -102,14 +120,7 @@ class Judge {
     for (const Json& entry : results_["growth"]) {
       if (entry["size"] != 1'000'000) continue;
       if (entry.contains("fails")) {
-        targets_.push_back({{"against", "growth"},
-                            {"what", "time for 1 M"},
-                            {"due", 3},
-                            {"measured", nullptr},
-                            {"unit", "s"},
-                            {"at_least", false},
-                            {"met", false},
-                            {"where", entry["fails"]}});
+        addFailure("growth", "time for 1 M", 3, "s", entry["fails"]);
         continue;
       }
       large.push_back({entry["series"], entry["run_ms"].get<double>() / 1e3});
@@ -177,6 +188,17 @@ class Judge {
                         {"at_least", atLeast},
                         {"met", atLeast ? figure.value >= due : figure.value <= due},
                         {"where", figure.where}});
+  }
+
+  void addFailure(const char* against, const char* what, double due, const char* unit, const std::string& where) {
+    targets_.push_back({{"against", against},
+                        {"what", what},
+                        {"due", due},
+                        {"measured", nullptr},
+                        {"unit", unit},
+                        {"at_least", false},
+                        {"met", false},
+                        {"where", where}});
   }
 
   const Json& results_;

@@ -46,7 +46,9 @@ bool agrees(const std::shared_ptr<const Environment>& environment, const std::st
   const RunResult live = run(environment, pipeline, &cache);
   const RunResult fresh = run(environment, pipeline, nullptr);
   return exported(live, *environment) == exported(fresh, *environment) &&
-         live.mesh->sourceTriangles == fresh.mesh->sourceTriangles;
+         live.mesh->sourceTriangles == fresh.mesh->sourceTriangles &&
+         live.mesh->obstacleEdges == fresh.mesh->obstacleEdges &&
+         live.summary.obstacleEdges == fresh.summary.obstacleEdges;
 }
 
 std::string defaultFilters(double slope, double clearance) {
@@ -68,11 +70,14 @@ class TestLiveEdits : public QObject {
   void obstaclesInRandomBuildings() {
     QVERIFY(check("obstacles in random buildings", 300, [] {
       const auto level = buildingOf(*buildingParts(12)).environment(*below(4) == 0);
-      const std::array<std::string, 4> pipelines{
-          "SlopeFilter 45\nVerticalClearanceFilter 2\n", defaultFilters(45, 1),
+      const std::array<std::string, 6> pipelines{
+          "SlopeFilter 45\nVerticalClearanceFilter 2\n",
+          defaultFilters(45, 1),
           "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\nSlopeFilter 30\n",
-          "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n"};
-      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(4))];
+          "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n",
+          "VerticalClearanceFilter 1\nLayerSubdivisionFilter\nSimplificationFilter\nLayerSubdivisionFilter\n",
+          "SimplificationFilter\nVerticalClearanceFilter 1\nSimplificationFilter true 0.01\nLayerSubdivisionFilter\n"};
+      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(6))];
       EditableEnvironment editable(level);
       ResultCache cache;
       RC_ASSERT(agrees(level, pipeline, cache));
@@ -131,6 +136,46 @@ class TestLiveEdits : public QObject {
     ResultCache cache;
     for (const char* smallest : {"0.5", "2", "7", "0.5", "7"})
       QVERIFY(agrees(level, std::string("AreaFilter ") + smallest + "\nVerticalClearanceFilter 1\n", cache));
+  }
+
+  // No triangle of a floor changes, but one of its vertices has to stay: what came touches the floor there.
+  void floorTouchedAtOnePoint() {
+    const std::string pipeline = "VerticalClearanceFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n";
+    EditableEnvironment editable(Soup()
+                                     .triangle({0, 0, 0}, {4, 0, 0}, {2, 4, 0})
+                                     .triangle({0, 0, 0}, {2, 4, 0}, {0, 4, 0})
+                                     .triangle({4, 0, 0}, {4, 4, 0}, {2, 4, 0})
+                                     .environment());
+    ResultCache cache;
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    const ObstacleId id = editable.add(soupFor(Soup().triangle({2, 4, 0}, {3, 6, 0}, {1, 6, 0})));
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    QCOMPARE(run(editable.environment(), pipeline, &cache).mesh->triangles.size(), std::size_t{4});
+    editable.remove(id);
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+  }
+
+  // No triangle of a floor changes, and all still are one region, but two of them are not joined any more: a ramp meets
+  // their edge, which would be flipped else.
+  void rampAtAnEdgeOfARing() {
+    const Vec3 a{0, 0, 0}, b{8, 0, 0}, c{4, 2, 0}, d{2, 2, 0}, e{8, 8, 0}, f{4, 4, 0}, g{0, 8, 0}, h{2, 4, 0};
+    const std::string pipeline = "SlopeFilter 60\nSimplificationFilter\n";
+    EditableEnvironment editable(Soup()
+                                     .triangle(a, b, d)
+                                     .triangle(b, c, d)
+                                     .triangle(b, e, f)
+                                     .triangle(b, f, c)
+                                     .triangle(e, g, h)
+                                     .triangle(e, h, f)
+                                     .triangle(g, a, d)
+                                     .triangle(g, d, h)
+                                     .environment());
+    ResultCache cache;
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    const ObstacleId id = editable.add(soupFor(Soup().triangle(b, d, {2, -2, -1})));
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    editable.remove(id);
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
   }
 
   void parametersAndObstaclesInSamples_data() {
