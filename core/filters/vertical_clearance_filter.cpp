@@ -112,7 +112,9 @@ class KnownCuts {
       : earlier_(earlier), state_(state), height_(height) {
     if (!earlier_) return;
     const WalkableState& before = earlier_->state();
-    sameClearance_ = before.memory->clearance == height && before.kernel->heights() == state.kernel->heights();
+    // On a grid with another slack doubles may know less, or more, of the same points, and round them otherwise.
+    sameClearance_ = before.memory->clearance == height && before.kernel->heights() == state.kernel->heights() &&
+                     before.kernel->sign().slack == state.kernel->sign().slack;
     for (std::size_t t = 0; t < state.walkable.size() && !floorsDiffer_; ++t) {
       const Index then = earlier_->faceBefore(static_cast<Index>(t));
       floorsDiffer_ = then >= 0 && before.walkable[then] != state.walkable[t];
