@@ -35,7 +35,8 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
   const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
                                                [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
   const double extent = high->z - low->z;
-  if (!(extent > 0) || !std::isfinite(extent)) return height;
+  if (!std::isfinite(extent) || mesh.grid.empty()) return height;
+  if (extent == 0) return std::min(height, std::ldexp(1.0, mesh.grid.top));  // any would do
   int exponent = 0;
   std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
   return std::min(height, std::ldexp(1.0, exponent));
