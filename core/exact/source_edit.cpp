@@ -13,6 +13,8 @@ namespace {
 // Everything that a visit to a rebuilt tree costs less than.
 constexpr std::size_t kMostAddedShare = 8;
 
+constexpr std::size_t kPolled = 1 << 15;
+
 /// A triangle and its number in the environment: the order of a source mesh.
 struct SortedTriangle {
   std::array<Index, 3> corners;
@@ -22,12 +24,16 @@ struct SortedTriangle {
 
 class Editor {
  public:
-  Editor(const SourceMesh& base, const Environment& environment)
-      : base_(base), environment_(environment), edit_(*environment.edit), changes_(std::make_shared<SourceEdit>()) {}
+  Editor(const SourceMesh& base, const Environment& environment, const std::function<void()>& poll)
+      : base_(base),
+        environment_(environment),
+        edit_(*environment.edit),
+        poll_(poll),
+        changes_(std::make_shared<SourceEdit>()) {}
 
   std::shared_ptr<SourceMesh> run() {
     mergeVertices();
-    chooseGrid(mesh_, [] {});
+    chooseGrid(mesh_, poll_);
     if (mesh_.grid.scaleExponent() != base_.grid.scaleExponent()) return nullptr;
     mergeTriangles();
     makeTree();
@@ -66,6 +72,7 @@ class Editor {
       ++next;
     };
     for (std::size_t v = 0; v < base_.vertices.size(); ++v) {
+      if (v % kPolled == 0) poll_();
       if (used[v] == 0) continue;
       while (next < added.size() && isBefore(place(added[next]), base_.vertices[v])) appendAdded();
       const Index index = append(base_.vertices[v]);
@@ -110,6 +117,7 @@ class Editor {
       ++next;
     };
     for (std::size_t t = 0; t < base_.triangles.size(); ++t) {
+      if (t % kPolled == 0) poll_();
       const Index number = numberOf[base_.inputTriangles[t]];
       if (number < 0) {
         changes_->removed.push_back(boxOf(base_, static_cast<Index>(t)));
@@ -148,12 +156,13 @@ class Editor {
       mesh_.tree = SourceTree::edited(base_.tree, changes_->triangleOf, boxes, ids);
       return;
     }
-    buildTree(mesh_, [] {});
+    buildTree(mesh_, poll_);
   }
 
   const SourceMesh& base_;
   const Environment& environment_;
   const EnvironmentEdit& edit_;
+  const std::function<void()>& poll_;
   std::shared_ptr<SourceEdit> changes_;
   SourceMesh mesh_;
 };
@@ -161,9 +170,9 @@ class Editor {
 }  // namespace
 
 std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base,
-                                                 const Environment& environment) {
+                                                 const Environment& environment, const std::function<void()>& poll) {
   if (!environment.edit || base->welded.empty() || !base->obstacleEdges.empty()) return nullptr;
-  Editor editor(*base, environment);
+  Editor editor(*base, environment, poll);
   auto mesh = editor.run();
   if (mesh) editor.changes()->base = base;
   return mesh;
