@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMostAddedShare = 8;
 
 constexpr std::size_t kTrianglesPerTask = 8192;
+constexpr std::size_t kPolled = 1 << 15;
 
 /// A triangle and its number in the environment: the order of a source mesh.
 struct SortedTriangle {
@@ -25,12 +26,16 @@ struct SortedTriangle {
 
 class Editor {
  public:
-  Editor(const SourceMesh& base, const Environment& environment)
-      : base_(base), environment_(environment), edit_(*environment.edit), changes_(std::make_shared<SourceEdit>()) {}
+  Editor(const SourceMesh& base, const Environment& environment, const std::function<void()>& poll)
+      : base_(base),
+        environment_(environment),
+        edit_(*environment.edit),
+        poll_(poll),
+        changes_(std::make_shared<SourceEdit>()) {}
 
   std::shared_ptr<SourceMesh> run() {
     mergeVertices();
-    chooseGrid(mesh_, [] {});
+    chooseGrid(mesh_, poll_);
     if (mesh_.grid.scaleExponent() != base_.grid.scaleExponent()) return nullptr;
     mergeTriangles();
     makeTree();
@@ -69,6 +74,7 @@ class Editor {
       ++next;
     };
     for (std::size_t v = 0; v < base_.vertices.size(); ++v) {
+      if (v % kPolled == 0) poll_();
       if (used[v] == 0) continue;
       while (next < added.size() && isBefore(place(added[next]), base_.vertices[v])) appendAdded();
       const Index index = append(base_.vertices[v]);
@@ -96,6 +102,7 @@ class Editor {
     std::size_t next = 0;
     const auto appendAdded = [&] { changes_->baseOf.push_back(-1 - static_cast<Index>(next++)); };
     for (std::size_t t = 0; t < base_.triangles.size(); ++t) {
+      if (t % kPolled == 0) poll_();
       const Index number = numberOf[base_.inputTriangles[t]];
       if (number < 0) {
         changes_->removed.push_back(boxOf(base_, static_cast<Index>(t)));
@@ -173,12 +180,13 @@ class Editor {
       mesh_.tree = SourceTree::edited(base_.tree, changes_->triangleOf, boxes, ids);
       return;
     }
-    buildTree(mesh_, [] {});
+    buildTree(mesh_, poll_);
   }
 
   const SourceMesh& base_;
   const Environment& environment_;
   const EnvironmentEdit& edit_;
+  const std::function<void()>& poll_;
   std::shared_ptr<SourceEdit> changes_;
   SourceMesh mesh_;
 };
@@ -186,9 +194,9 @@ class Editor {
 }  // namespace
 
 std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base,
-                                                 const Environment& environment) {
+                                                 const Environment& environment, const std::function<void()>& poll) {
   if (!environment.edit || base->welded.empty() || !base->obstacleEdges.empty()) return nullptr;
-  Editor editor(*base, environment);
+  Editor editor(*base, environment, poll);
   auto mesh = editor.run();
   if (mesh) editor.changes()->base = base;
   return mesh;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct SourceEdit {
 };
 
 /// The mesh that makeSourceMesh() makes of `environment`, which is an edit of the environment that `base` was made of.
-/// Null when they do not fit together, or when the edit changes the scale of the grid.
+/// Null when they do not fit together, or when the edit changes the scale of the grid. `poll` is called now and then
+/// and may throw to cancel.
 std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base,
-                                                 const Environment& environment);
+                                                 const Environment& environment, const std::function<void()>& poll);
 
 }  // namespace footfall

@@ -16,13 +16,13 @@ namespace footfall {
 
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context, const Recall& recall) {
   context.checkCancelled();
+  const auto poll = [&context] { context.checkCancelled(); };
   std::shared_ptr<const SourceMesh> mesh;
   if (recall.before && environment->edit && recall.before->environment == environment->edit->base.lock())
-    mesh = editSourceMesh(recall.before->kernel->sharedMesh(), *environment);
+    mesh = editSourceMesh(recall.before->kernel->sharedMesh(), *environment, poll);
   if (!mesh)
-    mesh = std::make_shared<SourceMesh>(makeSourceMesh({environment->vertices, environment->triangles},
-                                                       environment->bothSides, nullptr,
-                                                       [&context] { context.checkCancelled(); }));
+    mesh = std::make_shared<SourceMesh>(
+        makeSourceMesh({environment->vertices, environment->triangles}, environment->bothSides, nullptr, poll));
   context.checkCancelled();
   auto state = std::make_shared<WalkableState>();
   state->environment = std::move(environment);

@@ -45,6 +45,8 @@ Box boxAround(const MeshVertex& v) {
   const auto high = [&](double c) { return c + v.error + std::fabs(c) * kRounding; };
   return {{low(v.x), low(v.y), low(v.z)}, {high(v.x), high(v.y), high(v.z)}};
 }
+// As in PlanKernel: what is known worse than this share of the coordinates is computed exactly.
+constexpr double kCoarse = 0x1p-26;
 
 }  // namespace
 
@@ -97,7 +99,17 @@ Index MeshJoiner::constructedVertex(Index face, const PlanPoint& point, const Ap
   const ErrorDouble gx = x + ErrorDouble(origin.x), gy = y + ErrorDouble(origin.y);
   const ErrorDouble gz = ErrorDouble(origin.z) - (n[0] * x + n[1] * y) / n[2];
   MeshVertex vertex{point, face, -1, gx.value, gy.value, gz.value, 0};
-  vertex.error = std::max({gx.error, gy.error, gz.error}) + kernel_.sign().slack;
+  vertex.error = std::max({gx.error, gy.error, gz.error});
+  const auto size = [&] { return std::max({std::fabs(vertex.x), std::fabs(vertex.y), std::fabs(vertex.z)}); };
+  if (!(vertex.error < kCoarse * (size() + 1))) {
+    // On a sliver, doubles may know next to nothing of the normal. Half a unit in the last place, doubled, and what
+    // subnormal numbers lose.
+    const int scale = mesh_.grid.scaleExponent();
+    const Vec3 place = kernel_.roundedPosition(point, face);
+    vertex.x = std::ldexp(place.x, scale), vertex.y = std::ldexp(place.y, scale), vertex.z = std::ldexp(place.z, scale);
+    vertex.error = size() * 0x1p-52 + std::ldexp(1.0, scale - 1074);
+  }
+  vertex.error += kernel_.sign().slack;
   vertices_.push_back(vertex);
   return static_cast<Index>(vertices_.size()) - 1;
 }

@@ -36,7 +36,8 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
   const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
                                                [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
   const double extent = high->z - low->z;
-  if (!(extent > 0) || !std::isfinite(extent)) return height;
+  if (!std::isfinite(extent) || mesh.grid.empty()) return height;
+  if (extent == 0) return std::min(height, std::ldexp(1.0, mesh.grid.top));  // any would do
   int exponent = 0;
   std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
   return std::min(height, std::ldexp(1.0, exponent));
@@ -113,7 +114,9 @@ class KnownCuts {
       : earlier_(earlier), state_(state), height_(height) {
     if (!earlier_) return;
     const WalkableState& before = earlier_->state();
-    sameClearance_ = before.memory->clearance == height && before.kernel->heights() == state.kernel->heights();
+    // On a grid with another slack doubles may know less, or more, of the same points, and round them otherwise.
+    sameClearance_ = before.memory->clearance == height && before.kernel->heights() == state.kernel->heights() &&
+                     before.kernel->sign().slack == state.kernel->sign().slack;
     for (std::size_t t = 0; t < state.walkable.size() && !floorsDiffer_; ++t) {
       const Index then = earlier_->faceBefore(static_cast<Index>(t));
       floorsDiffer_ = then >= 0 && before.walkable[then] != state.walkable[t];

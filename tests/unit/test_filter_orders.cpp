@@ -139,14 +139,17 @@ class TestFilterOrders : public QObject {
     }
   }
 
-  // Also around z = 0, where the extent is larger than all coordinates, doubles decide nearly everything.
+  // Also around z = 0, where the extent is larger than all coordinates, and where all is flat, doubles decide nearly
+  // everything.
   void heightAboveTheExtentStaysOnTheGrid() {
     const Soup centred = room().mapped([](const Vec3& v) { return Vec3{v.x - 8, v.y - 8, (v.z - 2) * 4}; });
-    RunContext context;
-    const StatePtr state = makeInitialState(centred.environment(), context);
-    const PipelineStep step = parsePipeline("VerticalClearanceFilter 1000", "test").steps[0];
-    const FilterOutcome outcome = applyFilter(*step.filter, step.values, state, context);
-    QVERIFY(std::isfinite(outcome.state->kernel->sign().slack));
+    for (const Soup& soup : {centred, Soup().floor(0, 0, 8, 8, 0), Soup().floor(0, 0, 8, 8, 2)}) {
+      RunContext context;
+      const StatePtr state = makeInitialState(soup.environment(), context);
+      const PipelineStep step = parsePipeline("VerticalClearanceFilter 1000", "test").steps[0];
+      const FilterOutcome outcome = applyFilter(*step.filter, step.values, state, context);
+      QVERIFY(std::isfinite(outcome.state->kernel->sign().slack));
+    }
   }
 
   void bothSidesSurviveANewGeneration() {

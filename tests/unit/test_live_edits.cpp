@@ -3,8 +3,10 @@
 #include <rapidcheck.h>
 
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -48,7 +50,9 @@ bool agrees(const std::shared_ptr<const Environment>& environment, const std::st
   return exported(live, *environment) == exported(fresh, *environment) &&
          live.mesh->sourceTriangles == fresh.mesh->sourceTriangles &&
          live.mesh->obstacleEdges == fresh.mesh->obstacleEdges &&
-         live.summary.obstacleEdges == fresh.summary.obstacleEdges;
+         live.summary.obstacleEdges == fresh.summary.obstacleEdges &&
+         std::equal(live.steps.begin(), live.steps.end(), fresh.steps.begin(), fresh.steps.end(),
+                    [](const StepStatistics& a, const StepStatistics& b) { return a.out.area == b.out.area; });
 }
 
 std::string defaultFilters(double slope, double clearance) {
@@ -216,6 +220,30 @@ class TestLiveEdits : public QObject {
     QVERIFY(agrees(editable.environment(), defaultFilters(45, 2), cache));
     editable.replace(id, soupFor(Soup().box({1, 1, 1e-12}, {2, 2, 1})));
     QVERIFY(agrees(editable.environment(), defaultFilters(45, 2), cache));
+  }
+
+  // A finer coordinate far away changes what doubles are worth for small floors.
+  void obstacleOnAFinerGrid() {
+    std::mt19937_64 random(3);
+    const auto below = [&](int count) { return static_cast<double>(random() % static_cast<unsigned>(count)); };
+    const auto corner = [&](int storey) {
+      constexpr int kSize = 1 << 27;
+      const double x = below(kSize), y = below(kSize), z = storey * kSize + below(kSize / 4);
+      return Vec3{x * 0x1p-72, y * 0x1p-72, z * 0x1p-72};
+    };
+    for (int round = 0; round < 20; ++round) {
+      Soup soup = Soup().triangle({0.5, 0, 0}, {0.75, 0, 0}, {0.5, 0, 0.5});
+      for (int i = 0; i < 24; ++i) {
+        const Vec3 a = corner(i % 2), b = corner(i % 2), c = corner(i % 2);
+        soup.triangle(a, b, c);
+      }
+      const auto level = soup.environment();
+      ResultCache cache;
+      QVERIFY(agrees(level, "VerticalClearanceFilter 0.001\n", cache));
+      const Soup fine = Soup().triangle({0.625, 0.5, 0x1p-80}, {0.75, 0.5, 0}, {0.625, 0.5, 0.25});
+      const auto edited = editEnvironment(level, {}, soupFor(fine));
+      QVERIFY(agrees(edited, "VerticalClearanceFilter 0.001\n", cache));
+    }
   }
 
   // The environment that an edit was made of may be gone by the time of the run.
