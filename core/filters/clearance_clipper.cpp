@@ -11,64 +11,52 @@ namespace {
 
 int next(int k) { return k == 2 ? 0 : k + 1; }
 
-// A difference of numbers of `bits` bits has bits + 1, and so on: while the largest sum of a predicate keeps within the
-// 53 bits of a double, every step of it is exact, whatever the order, and so is its sign.
-constexpr int kDoubleBits = 53;
-bool areOrientationsExact(int bits) { return 2 * (bits + 1) + 1 <= kDoubleBits; }
-// A component of a normal has 2 (bits + 1) + 1 bits; three products with a difference and one with the height are
-// added.
-bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
-
 }  // namespace
-
-Box clearanceBox(const SourceMesh& mesh, Index face, double height) {
-  Box box = boxOf(mesh, face);
-  box.upper[2] = std::nextafter(box.upper[2] + height, std::numeric_limits<double>::infinity());
-  return box;
-}
 
 ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
                                    std::function<void()> poll)
-    : kernel_(kernel),
-      mesh_(kernel.mesh()),
-      walkable_(walkable),
-      level_(level),
-      height_(kernel.heights()[level - 1]),
-      scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
-      poll_(std::move(poll)),
-      geometry_(kernel) {
-  Grid grid = mesh_.grid;
-  exactOrientations_ = !grid.empty() && areOrientationsExact(grid.top - grid.low) && kernel.sign().zeroValid;
-  grid.include(height_);
-  exactHeights_ = areHeightsExact(grid.top - grid.low) && kernel.sign().zeroValid;
-}
+    : mesh_(kernel.mesh()), level_(level), poll_(poll), geometry_(kernel), candidates_(kernel, walkable, level, poll) {}
 
 FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
-  prepareFloor(face);
+  begin(face);
   if (earlier != nullptr) {
     if (earlier->removed) return *earlier;
     addEarlier(*earlier);
   }
-  findCandidates();
-  return cut();
+  return cut(candidates_.find(face));
 }
 
 FaceCuts ClearanceClipper::clip(Index face, const std::vector<Index>& known, double knownHeight) {
-  prepareFloor(face);
-  findCandidates(known, knownHeight);
-  return cut();
+  begin(face);
+  return cut(candidates_.find(face, known, knownHeight));
 }
 
 std::vector<Index> ClearanceClipper::candidates() const {
   std::vector<Index> result;
-  result.reserve(candidates_.size());
-  for (const Candidate& c : candidates_) result.push_back(c.obstacle);
+  result.reserve(candidates_.found().size());
+  for (const ClearanceCandidate& c : candidates_.found()) result.push_back(c.obstacle);
   return result;
 }
 
-FaceCuts ClearanceClipper::cut() {
+ExactFallbacks ClearanceClipper::fallbacks() const {
+  ExactFallbacks sum = geometry_.fallbacks;
+  sum += candidates_.fallbacks;
+  return sum;
+}
+
+void ClearanceClipper::begin(Index face) {
+  face_ = face;
+  started_ = false;
+  segments_.clear();
+  edgeWalls_ = 0;
+  const auto& f = mesh_.triangles[face];
+  for (int k = 0; k < 3; ++k)
+    if (mesh_.hasObstacleEdge(f[k], f[next(k)])) edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
+}
+
+FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
   bool removed = false;
-  for (const Candidate& candidate : candidates_) {
+  for (const ClearanceCandidate& candidate : candidates) {
     if ((++polls_ & 255) == 0) poll_();
     if (mesh_.facing[candidate.obstacle] == 0 && isWallOfEdge(candidate)) continue;
     if (!started_) {
@@ -87,220 +75,11 @@ FaceCuts ClearanceClipper::cut() {
     cuts = collect();
   }
   cuts.removed = removed;
-  cuts.dependsOnFloors = dependsOnFloors_;
+  cuts.dependsOnFloors = candidates_.dependsOnFloors();
   return cuts;
 }
 
-void ClearanceClipper::prepareFloor(Index face) {
-  face_ = face;
-  started_ = false;
-  dependsOnFloors_ = false;
-  segments_.clear();
-  edgeWalls_ = 0;
-  const auto& f = mesh_.triangles[face];
-  for (int k = 0; k < 3; ++k)
-    if (mesh_.hasObstacleEdge(f[k], f[next(k)])) edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
-  const auto& n = mesh_.normals[face];
-  nx_ = n[0].value, ny_ = n[1].value, nz_ = n[2].value;
-  ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
-  floorZ_ = mesh_.vertices[f[0]].z;
-  isLevel_ = mesh_.vertices[f[1]].z == floorZ_ && mesh_.vertices[f[2]].z == floorZ_;
-}
-
-void ClearanceClipper::findCandidates() {
-  candidates_.clear();
-  box_ = clearanceBox(mesh_, face_, height_);
-  search(box_);
-}
-
-// What is not known and overlaps a level floor in the plan begins above the known clearance. Above other floors its
-// corners can be anywhere.
-void ClearanceClipper::findCandidates(const std::vector<Index>& known, double knownHeight) {
-  if (knownHeight < height_ && !isLevel_) {
-    findCandidates();
-    return;
-  }
-  candidates_.clear();
-  box_ = clearanceBox(mesh_, face_, height_);
-  for (const Index obstacle : known) consider(obstacle);
-  if (knownHeight >= height_) {
-    sortCandidates();
-    return;
-  }
-  Box box = box_;
-  box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
-  search(box);
-  const auto isSame = [](const Candidate& x, const Candidate& y) { return x.obstacle == y.obstacle; };
-  candidates_.erase(std::unique(candidates_.begin(), candidates_.end(), isSame), candidates_.end());
-}
-
-void ClearanceClipper::search(const Box& box) {
-  mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
-    consider(obstacle);
-    return true;
-  });
-  sortCandidates();
-}
-
-// Points and lines are numbered as they come, so the order of the tree must not show.
-void ClearanceClipper::sortCandidates() {
-  std::sort(candidates_.begin(), candidates_.end(),
-            [](const Candidate& x, const Candidate& y) { return x.obstacle < y.obstacle; });
-}
-
-void ClearanceClipper::consider(Index obstacle) {
-  if ((++polls_ & 255) == 0) poll_();
-  if (obstacle == face_ || (mesh_.facing[obstacle] != 0 && onlyTouchesBox(obstacle))) return;
-  Candidate candidate;
-  candidate.obstacle = obstacle;
-  if (!findHeights(candidate)) return;
-  if (candidate.coplanar) {
-    if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || !findOverlap(candidate)) return;
-    dependsOnFloors_ = true;
-    if (walkable_[obstacle] == 0) return;
-  } else if (!findOverlap(candidate)) {
-    return;
-  }
-  candidates_.push_back(candidate);
-}
-
-// Exact: a rounded difference on one side of the clearance is on that side before rounding, as the clearance is a
-// double; when they are equal, the residual tells.
-int ClearanceClipper::compareToCeiling(double z) const {
-  const double difference = z - floorZ_;
-  if (difference != height_) return difference > height_ ? 1 : -1;
-  const double part = difference - z;
-  const double residual = (z - (difference - part)) - (floorZ_ + part);
-  return residual > 0 ? 1 : residual < 0 ? -1 : 0;
-}
-
-bool ClearanceClipper::findHeights(Candidate& candidate) {
-  const auto& f = mesh_.triangles[face_];
-  const auto& o = mesh_.triangles[candidate.obstacle];
-  bool above = false, below = false, on = true;
-  const auto note = [&](int j, int floor, int ceiling) {
-    candidate.floor[j] = static_cast<std::int8_t>(floor);
-    candidate.ceiling[j] = static_cast<std::int8_t>(ceiling);
-    above = above || floor > 0;
-    below = below || ceiling < 0;
-    on = on && floor == 0;
-  };
-  if (isLevel_) {
-    const std::array<double, 3> z{mesh_.vertices[o[0]].z, mesh_.vertices[o[1]].z, mesh_.vertices[o[2]].z};
-    const auto [lowest, highest] = std::minmax({z[0], z[1], z[2]});
-    candidate.coplanar = lowest == floorZ_ && highest == floorZ_;
-    if (!candidate.coplanar && (highest <= floorZ_ || (lowest > floorZ_ && compareToCeiling(lowest) >= 0)))
-      return false;
-    for (int j = 0; j < 3; ++j) {
-      const int floor = z[j] > floorZ_ ? 1 : z[j] < floorZ_ ? -1 : 0;
-      note(j, floor, floor > 0 ? compareToCeiling(z[j]) : -1);
-    }
-    return true;
-  }
-  const Vec3& base = mesh_.scaled[f[0]];
-  const double slack = kernel_.sign().slack;
-  for (int j = 0; j < 3; ++j) {
-    const Index v = o[j];
-    if (v == f[0] || v == f[1] || v == f[2]) {
-      note(j, 0, -1);
-      continue;
-    }
-    const Vec3& p = mesh_.scaled[v];
-    const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
-    const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
-    const double value = tx + ty + tz;
-    if (exactHeights_) {
-      const double over = value - th;
-      note(j, value > 0 ? 1 : value < 0 ? -1 : 0, over > 0 ? 1 : over < 0 ? -1 : 0);
-      continue;
-    }
-    // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
-    const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
-                          ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
-                             kInflate +
-                         slack;
-    const int floor = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, geometry_.fallbacks);
-    int ceiling = -1;
-    if (floor > 0)
-      ceiling = value - th > bound    ? 1
-                : value - th < -bound ? -1
-                                      : kernel_.heightSign(face_, v, level_, geometry_.fallbacks);
-    note(j, floor, ceiling);
-  }
-  candidate.coplanar = on;
-  return on || (above && below);
-}
-
-// The kernel's orientation of a, b and p, which doubles decide at once on a grid of few bits. A point above one of the
-// ends is on the line.
-int ClearanceClipper::sideOf(Index a, Index b, Index p) {
-  const Vec3 &from = mesh_.scaled[a], &to = mesh_.scaled[b], &at = mesh_.scaled[p];
-  const double left = (to.x - from.x) * (at.y - from.y), right = (to.y - from.y) * (at.x - from.x);
-  const double value = left - right;
-  // As in PlanKernel::orientation.
-  const double bound =
-      exactOrientations_ ? 0 : (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + kernel_.sign().slack;
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
-  if (exactOrientations_ || mesh_.planIds[p] == mesh_.planIds[a] || mesh_.planIds[p] == mesh_.planIds[b]) return 0;
-  return kernel_.orientation(a, b, p, geometry_.fallbacks);
-}
-
-bool ClearanceClipper::findOverlap(Candidate& candidate) {
-  const Index obstacle = candidate.obstacle;
-  const auto& f = mesh_.triangles[face_];
-  const auto& o = mesh_.triangles[obstacle];
-  const bool isWall = mesh_.facing[obstacle] == 0;
-  // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
-  for (int k = 0; k < 3; ++k) {
-    auto& sides = candidate.sides[k];
-    int most = -1, zeros = 0;
-    for (int j = 0; j < 3; ++j) {
-      const int side = sideOf(f[k], f[next(k)], o[j]);
-      sides[j] = static_cast<std::int8_t>(side);
-      most = std::max(most, side);
-      zeros += side == 0;
-    }
-    if (most <= 0 && !(isWall && zeros >= 2)) return false;
-  }
-  return !isSeparated(obstacle);
-}
-
-// Most neighbours of a floor meet it along an edge at most.
-bool ClearanceClipper::onlyTouchesBox(Index obstacle) const {
-  const auto& o = mesh_.triangles[obstacle];
-  const Vec3 &a = mesh_.vertices[o[0]], &b = mesh_.vertices[o[1]], &c = mesh_.vertices[o[2]];
-  return std::max({a.x, b.x, c.x}) <= box_.lower[0] || std::min({a.x, b.x, c.x}) >= box_.upper[0] ||
-         std::max({a.y, b.y, c.y}) <= box_.lower[1] || std::min({a.y, b.y, c.y}) >= box_.upper[1];
-}
-
-// Whether an edge of the obstacle, or the line of a wall, has the whole face on its outer side.
-bool ClearanceClipper::isSeparated(Index obstacle) {
-  const auto& f = mesh_.triangles[face_];
-  const auto& o = mesh_.triangles[obstacle];
-  const int facing = mesh_.facing[obstacle];
-  if (facing != 0) {
-    for (int k = 0; k < 3; ++k) {
-      const Index a = facing > 0 ? o[k] : o[next(k)];
-      const Index b = facing > 0 ? o[next(k)] : o[k];
-      if (sideOf(a, b, f[0]) <= 0 && sideOf(a, b, f[1]) <= 0 && sideOf(a, b, f[2]) <= 0) return true;
-    }
-    return false;
-  }
-  // A wall must not have the whole face strictly on one side, nor touch it in a corner only.
-  Index a = -1, b = -1;
-  for (int k = 0; k < 3 && a < 0; ++k)
-    if (mesh_.planIds[o[k]] != mesh_.planIds[o[next(k)]]) a = o[k], b = o[next(k)];
-  int left = 0, right = 0;
-  for (int j = 0; j < 3; ++j) {
-    const int s = sideOf(a, b, f[j]);
-    left += s > 0;
-    right += s < 0;
-  }
-  return left == 3 || right == 3 || (left == 2 && right == 0) || (right == 2 && left == 0);
-}
-
-bool ClearanceClipper::addArea(const Candidate& candidate) {
+bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
   const Index obstacle = candidate.obstacle;
   const auto& o = mesh_.triangles[obstacle];
   const auto& plan = mesh_.planIds;
@@ -430,12 +209,12 @@ void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
 }
 
 // The most common wall stands on a whole edge of the face: between its ends, and in the clearance at both.
-bool ClearanceClipper::isWallOfEdge(const Candidate& candidate) {
+bool ClearanceClipper::isWallOfEdge(const ClearanceCandidate& candidate) {
   const auto& f = mesh_.triangles[face_];
   const auto& o = mesh_.triangles[candidate.obstacle];
   const auto& plan = mesh_.planIds;
   for (int k = 0; k < 3; ++k) {
-    if (candidate.sides[k] != Candidate::Signs{0, 0, 0}) continue;
+    if (candidate.sides[k] != ClearanceCandidate::Signs{0, 0, 0}) continue;
     const Index from = plan[f[k]], to = plan[f[next(k)]];
     bool atFrom = false, atTo = false;
     for (int j = 0; j < 3; ++j) {
@@ -455,7 +234,7 @@ bool ClearanceClipper::isWallOfEdge(const Candidate& candidate) {
   return false;
 }
 
-void ClearanceClipper::addWall(const Candidate& candidate) {
+void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
   const auto& o = mesh_.triangles[candidate.obstacle];
   const auto& plan = mesh_.planIds;
   // Where the wall reaches into the clearance: its corners there, and where its edges pass floor and ceiling.

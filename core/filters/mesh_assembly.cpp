@@ -16,6 +16,8 @@ namespace {
 
 // Faces that one task triangulates, and that one part for display shows.
 constexpr std::size_t kFacesPerTask = 32;
+// Few faces are spread over so many tasks at least: they may be giants.
+constexpr std::size_t kLeastTasks = 16;
 constexpr std::size_t kMeshesFreedPerTask = 8192;
 constexpr std::size_t kCopiesPerTask = 512;
 
@@ -86,13 +88,15 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
   std::atomic<std::size_t> done{0};
   // Threads take the next face that is left, so a giant at the front keeps one thread while the others go on.
-  const std::size_t tasks = (faces.size() + kFacesPerTask - 1) / kFacesPerTask;
+  const std::size_t tasks =
+      std::max((faces.size() + kFacesPerTask - 1) / kFacesPerTask, std::min(faces.size(), kLeastTasks));
+  const std::size_t facesPerTask = tasks == 0 ? 0 : (faces.size() + tasks - 1) / tasks;
   std::atomic<std::size_t> nextFace{0};
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t) {
     auto& mesher = meshers.local();
     if (!mesher) mesher = std::make_unique<FaceMesher>(kernel, [&context] { context.checkCancelled(); });
     std::vector<Index> mine;
-    for (std::size_t k = 0; k < kFacesPerTask; ++k) {
+    for (std::size_t k = 0; k < facesPerTask; ++k) {
       const std::size_t i = nextFace.fetch_add(1, std::memory_order_relaxed);
       if (i >= faces.size()) break;
       context.checkCancelled();

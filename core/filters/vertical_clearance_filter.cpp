@@ -156,6 +156,28 @@ class KnownCuts {
   bool floorsDiffer_ = false;
 };
 
+// Floors that are a large share of all, largest first. They carry most of the obstacles, and neighbours among them have
+// neighbouring numbers: each is a task of its own, begun before all others.
+std::vector<Index> findGiants(const SourceMesh& mesh, const std::vector<char>& walkable) {
+  constexpr double kShare = 1.0 / 64;
+  const auto planArea = [&](Index t) {
+    const Box box = boxOf(mesh, t);
+    return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]);
+  };
+  const auto count = static_cast<Index>(walkable.size());
+  double sum = 0;
+  for (Index t = 0; t < count; ++t)
+    if (walkable[t] != 0) sum += planArea(t);
+  std::vector<std::pair<double, Index>> giants;
+  for (Index t = 0; t < count; ++t)
+    if (walkable[t] != 0)
+      if (const double area = planArea(t); area > sum * kShare) giants.emplace_back(-area, t);
+  std::sort(giants.begin(), giants.end());
+  std::vector<Index> result;
+  for (const auto& [area, t] : giants) result.push_back(t);
+  return result;
+}
+
 }  // namespace
 
 FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const Recall& recall, RunContext& context) {
@@ -186,15 +208,24 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
   tbb::enumerable_thread_specific<std::unique_ptr<ClearanceClipper>> clippers;
   tbb::enumerable_thread_specific<CopyMemory> copies(makeCopyMemory);
   std::atomic<Index> done{0};
-  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kFacesPerTask), [&](const auto& range) {
+  const std::vector<Index> giants = findGiants(kernel.mesh(), state->walkable);
+  std::vector<char> isGiant(count, 0);
+  for (const Index t : giants) isGiant[t] = 1;
+  const auto giantCount = static_cast<Index>(giants.size());
+  std::atomic<Index> nextTask{0};
+  tbb::parallel_for(Index{0}, giantCount + (count + kFacesPerTask - 1) / kFacesPerTask, [&](Index) {
+    const Index task = nextTask.fetch_add(1, std::memory_order_relaxed);
+    const bool isOne = task < giantCount;
+    const Index first = isOne ? giants[task] : (task - giantCount) * kFacesPerTask;
+    const Index last = isOne ? first + 1 : std::min(first + kFacesPerTask, count);
     const CopyMemory& ownCopies = copies.local();
     auto& clipper = clippers.local();
     if (!clipper)
       clipper =
           std::make_unique<ClearanceClipper>(kernel, state->walkable, level, [&context] { context.checkCancelled(); });
-    for (Index t = range.begin(); t != range.end(); ++t) {
+    for (Index t = first; t != last; ++t) {
       context.checkCancelled();
-      if (state->walkable[t] == 0) continue;
+      if (state->walkable[t] == 0 || (isGiant[t] != 0 && !isOne)) continue;
       const Index then = known.before(t);
       if (then >= 0 && known.sameClearance() && !known.isTouched(t)) {
         cuts->set(t, earlier->cuts(then, ownCopies));
@@ -208,7 +239,8 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double given, const 
       if (const std::vector<Index> found = clipper->candidates(); !found.empty())
         memory->candidates[t] = std::make_shared<const std::pmr::vector<Index>>(found.begin(), found.end());
     }
-    const Index finished = done.fetch_add(range.end() - range.begin(), std::memory_order_relaxed);
+    if (isOne) return;
+    const Index finished = done.fetch_add(last - first, std::memory_order_relaxed);
     context.progress(0.5 * finished / count);
   });
   for (const auto& clipper : clippers) outcome.fallbacks += clipper->fallbacks();
