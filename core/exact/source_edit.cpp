@@ -11,7 +11,7 @@
 namespace footfall {
 namespace {
 
-// Everything that a visit to a rebuilt tree costs less than.
+// The tree is built anew when more than one triangle in so many came after it.
 constexpr std::size_t kMostAddedShare = 8;
 
 constexpr std::size_t kTrianglesPerTask = 8192;
