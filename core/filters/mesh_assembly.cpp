@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t kFacesPerTask = 32;
 // Few faces are spread over so many tasks at least: they may be giants.
 constexpr std::size_t kLeastTasks = 16;
+// So many segments make a face that is worth beginning early.
+constexpr std::size_t kSegmentsOfGiants = 128;
 constexpr std::size_t kMeshesFreedPerTask = 8192;
 constexpr std::size_t kCopiesPerTask = 512;
 
@@ -62,21 +64,23 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   const auto ownedMeshes = std::make_shared<std::vector<std::shared_ptr<const FaceMesh>>>(state.cuts ? count : 0);
   auto& meshes = *ownedMeshes;
   large.hold(ownedMeshes);
-  // Only faces with segments need a triangulation; largest first, so that no thread is left with a giant at the end.
-  std::vector<Index> faces, known;
+  // Only faces with segments need a triangulation; giants first, so that no thread is left with one at the end.
+  std::vector<Index> faces, giants, known;
   std::vector<char> isChanged(earlier != nullptr ? count : 0, 0);
   if (earlier != nullptr)
     for (const Index t : changed) isChanged[t] = 1;
   for (Index t = 0; t < count && state.cuts; ++t) {
+    if ((t & 4095) == 0) context.checkCancelled();
     if (state.walkable[t] == 0 || !state.cuts->shared(t) || state.cuts->isRemoved(t)) continue;
     if (earlier != nullptr && isChanged[t] == 0)
       known.push_back(t);
-    else if (!(*state.cuts)[t].segments.empty())
-      faces.push_back(t);
+    else if (const std::size_t segments = (*state.cuts)[t].segments.size(); segments > 0)
+      (segments < kSegmentsOfGiants ? faces : giants).push_back(t);
   }
-  std::stable_sort(faces.begin(), faces.end(), [&](Index a, Index b) {
+  std::stable_sort(giants.begin(), giants.end(), [&](Index a, Index b) {
     return (*state.cuts)[a].segments.size() > (*state.cuts)[b].segments.size();
   });
+  faces.insert(faces.begin(), giants.begin(), giants.end());
 
   tbb::enumerable_thread_specific<CopyMemory> copies(makeCopyMemory);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, known.size(), kCopiesPerTask), [&](const auto& range) {
