@@ -60,15 +60,24 @@ std::uint64_t plyTypeSize(std::string_view type) {
   return isOneOf({"double", "float64"}) ? 8 : 0;
 }
 
+struct PlyProperty {
+  std::uint64_t size = 0;      ///< in a binary file; of a list its count's
+  std::uint64_t itemSize = 0;  ///< 0: no list
+  bool isSigned = false;       ///< of a list: its count's type
+};
+
 struct PlyElement {
   std::uint64_t count = 0;
   std::uint64_t leastBytes = 0;  ///< of one element in a binary file
   std::size_t leastWords = 0;    ///< of one element in an ASCII file
   bool firstIsList = false;
+  bool hasLists = false;
+  std::vector<PlyProperty> properties;
 };
 
 struct PlyHeader {
   bool ascii = true;
+  bool bigEndian = false;
   bool complete = false;
   std::vector<PlyElement> elements;
 };
@@ -81,11 +90,12 @@ bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& hea
   if (keyword == "format") {
     if (line.size() != 3) return false;
     header.ascii = line[1] == "ascii";
-    return header.ascii || line[1] == "binary_little_endian" || line[1] == "binary_big_endian";
+    header.bigEndian = line[1] == "binary_big_endian";
+    return header.ascii || header.bigEndian || line[1] == "binary_little_endian";
   }
   if (keyword == "element") {
     if (line.size() != 3 || line[2].find_first_not_of("0123456789") != std::string_view::npos) return false;
-    header.elements.push_back({toCount(line[2]), 0, 0, false});
+    header.elements.emplace_back().count = toCount(line[2]);
     return true;
   }
   const bool list = line.size() == 5 && line[1] == "list";
@@ -95,7 +105,10 @@ bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& hea
   if (element.leastWords == 0) element.firstIsList = list;
   element.leastBytes += size;
   ++element.leastWords;
-  return size > 0 && (!list || plyTypeSize(line[3]) > 0);
+  element.hasLists = element.hasLists || list;
+  element.properties.push_back({size, list ? plyTypeSize(line[3]) : 0, list && line[2][0] != 'u'});
+  const bool isFraction = list && (line[2][0] == 'f' || line[2][0] == 'd');  // no count
+  return size > 0 && !isFraction && (!list || plyTypeSize(line[3]) > 0);
 }
 
 /// Leaves `text` behind the header.
@@ -133,12 +146,39 @@ void checkAsciiPly(const std::string& path, const PlyHeader& header, std::string
   }
 }
 
+/// The number of entries of a list, taken from the front of `text`.
+std::uint64_t takeListCount(const std::string& path, const PlyProperty& list, bool bigEndian, std::string_view& text) {
+  std::uint64_t count = 0;
+  for (std::uint64_t i = 0; i < list.size; ++i) {
+    const auto byte = static_cast<unsigned char>(text[bigEndian ? i : list.size - 1 - i]);
+    count = count << 8 | byte;
+  }
+  text.remove_prefix(list.size);
+  if (list.isSigned && (count >> (8 * list.size - 1)) != 0)
+    failInput(path, 0, "a list in the PLY file has fewer than no entries", "correct it or export the file again");
+  return count;
+}
+
 void checkBinaryPly(const std::string& path, const PlyHeader& header, std::string_view text) {
-  std::uint64_t left = text.size();
   for (const PlyElement& element : header.elements) {
     if (element.leastBytes == 0) continue;
-    if (element.count > left / element.leastBytes) failShortPly(path);
-    left -= element.count * element.leastBytes;
+    if (element.count > text.size() / element.leastBytes) failShortPly(path);
+    if (!element.hasLists) {
+      text.remove_prefix(element.count * element.leastBytes);
+      continue;
+    }
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (const PlyProperty& property : element.properties) {
+        if (property.size > text.size()) failShortPly(path);
+        if (property.itemSize == 0) {
+          text.remove_prefix(property.size);
+          continue;
+        }
+        const std::uint64_t count = takeListCount(path, property, header.bigEndian, text);
+        if (count > text.size() / property.itemSize) failShortPly(path);
+        text.remove_prefix(count * property.itemSize);
+      }
+    }
   }
 }
 

@@ -175,6 +175,11 @@ class TestImportFormats : public QObject {
     // found by fuzzing: Assimp asked for 20 GB, never returned, or wrote where it must not
     QTest::newRow("ply that announces more than any number")
         << "a.ply" << with(ply, "element vertex 7", "element vertex 99999999999999999999") << "truncated";
+    QByteArray longList = binaryPly();
+    longList[longList.size() - 13] = '\xEB';  // before three indices
+    QTest::newRow("ply with a list longer than the file") << "a.ply" << longList << "truncated";
+    QTest::newRow("ply with a list of negative length")
+        << "a.ply" << with(longList, "list uchar", "list char") << "fewer than no entries";
     QTest::newRow("ply that announces less than nothing")
         << "a.ply" << with(ply, "element vertex 7", "element vertex -7") << "line 4 of the PLY header";
     QTest::newRow("cut ply with another extension") << "a.gltf" << ply.left(100) << "end_header";
