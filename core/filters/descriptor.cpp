@@ -340,6 +340,43 @@ FilterDescriptor sortedRecursiveStrategy() {
   };
 }
 
+FilterDescriptor heightAwareStrategy() {
+  return {
+      .name = "HeightAwareStrategy",
+      .aliases = {},
+      .label = "Height-aware strategy",
+      .help =
+          "Divides the floors, across the plan and between storeys, into cells of about equal work, each with only the "
+          "obstacles that can stand in the clearance above its floors, and begins a parallel block. Good for towers "
+          "and buildings with storeys.",
+      .precondition = "A Collapse follows, with only local filters in between.",
+      .effect = "The filters up to Collapse run on each cell on its own.",
+      .source = "ours; thesis 6.1, first item of future work",
+      .parameters = {kMinimumTriangles, kMaximumDepth, optional(kRoundCuts)},
+      .kind = FilterKind::Strategy,
+      .scope = Scope::Global,
+      .runs = false,
+  };
+}
+
+FilterDescriptor autoStrategy() {
+  return {
+      .name = "AutoStrategy",
+      .aliases = {"Auto"},
+      .label = "Automatic strategy",
+      .help =
+          "Picks a strategy and its depth from the environment and the number of threads, says what it picked and why, "
+          "and begins a parallel block. Small environments stay in one cell.",
+      .precondition = "A Collapse follows, with only local filters in between.",
+      .effect = "The filters up to Collapse run on each cell on its own.",
+      .source = "ours",
+      .parameters = {},
+      .kind = FilterKind::Strategy,
+      .scope = Scope::Global,
+      .runs = false,
+  };
+}
+
 FilterDescriptor collapse() {
   return {
       .name = "Collapse",
@@ -373,6 +410,8 @@ std::span<const FilterDescriptor> filterDescriptors() {
       gridStrategy(),
       recursiveStrategy(),
       sortedRecursiveStrategy(),
+      heightAwareStrategy(),
+      autoStrategy(),
       collapse(),
   };
   return descriptors;

@@ -13,18 +13,26 @@
 
 namespace footfall {
 
+struct BlockReport;  // core/pipeline/run_report.hpp
+struct CellReport;
+
 struct RunEvent {
   enum class Kind {
     StepStarted,  ///< `step`, `text` = filter name
     Progress,     ///< `step`, `fraction` in [0, 1] of that step
     PartReady,    ///< `step`, `part` = a piece of the step's result, good enough to be shown while the rest is computed
     StepFinished,  ///< `step`; `part` may hold the step's whole result for display
+    CellsMade,     ///< `block`: the cells of a parallel block that is about to run; nothing in them has run yet
+    CellFinished,  ///< `cell` and its `cellReport`; `part` may hold what its filters left, for display
   };
   Kind kind = Kind::Progress;
   std::size_t step = 0;
   double fraction = 0;
   std::string text;
   std::shared_ptr<const NavigationMesh> part;
+  std::shared_ptr<const BlockReport> block;
+  std::size_t cell = 0;  ///< of the block that ran last
+  std::shared_ptr<const CellReport> cellReport;
 };
 
 /// Shared by the thread that started a run and all threads that work on it; every member may be called from any
@@ -48,15 +56,26 @@ class RunContext {
   /// The step that the following progress() and part() calls belong to; set by the runner.
   void beginStep(std::size_t step, const std::string& name) {
     step_ = step;
-    publish({RunEvent::Kind::StepStarted, step, 0, name, nullptr});
+    publish({.kind = RunEvent::Kind::StepStarted, .step = step, .text = name});
   }
   void endStep(std::shared_ptr<const NavigationMesh> result = nullptr) {
-    publish({RunEvent::Kind::StepFinished, step_, 1, {}, std::move(result)});
+    publish({.kind = RunEvent::Kind::StepFinished, .step = step_, .fraction = 1, .part = std::move(result)});
   }
-  void progress(double fraction) { publish({RunEvent::Kind::Progress, step_, fraction, {}, nullptr}); }
+  void progress(double fraction) { publish({.kind = RunEvent::Kind::Progress, .step = step_, .fraction = fraction}); }
   [[nodiscard]] bool wantsParts() const noexcept { return wantsParts_; }
   void part(std::shared_ptr<const NavigationMesh> mesh) {
-    publish({RunEvent::Kind::PartReady, step_, 0, {}, std::move(mesh)});
+    publish({.kind = RunEvent::Kind::PartReady, .step = step_, .part = std::move(mesh)});
+  }
+  void cellsMade(std::shared_ptr<const BlockReport> block) {
+    publish({.kind = RunEvent::Kind::CellsMade, .step = step_, .block = std::move(block)});
+  }
+  void cellFinished(std::size_t cell, std::shared_ptr<const CellReport> report,
+                    std::shared_ptr<const NavigationMesh> mesh) {
+    publish({.kind = RunEvent::Kind::CellFinished,
+             .step = step_,
+             .part = std::move(mesh),
+             .cell = cell,
+             .cellReport = std::move(report)});
   }
 
  private:

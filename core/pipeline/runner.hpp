@@ -9,6 +9,7 @@
 
 #include "core/filters/filter.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "core/pipeline/run_report.hpp"
 
 namespace footfall {
 
@@ -31,6 +32,8 @@ struct RunResult {
   double finishMs = 0;  ///< making the navigation mesh from the last state
   double totalMs = 0;
   int threads = 1;
+  std::vector<BlockReport> blocks;  ///< that ran, in order; none from the cache
+  RunTimes times;
 };
 
 /// States of earlier runs by environment, filters and parameters: changing the last filter re-runs only the last.
@@ -55,5 +58,10 @@ class ResultCache {
 /// after the last step has finished belongs to making the navigation mesh.
 RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
                       ResultCache* cache = nullptr, int threads = 0);
+
+/// The cells that the parallel block of `step` (a strategy; index into Pipeline::steps) would have, without running any
+/// filter: all triangles that face up count as floors. Throws Cancelled or InputError.
+Partition previewPartition(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
+                           std::size_t step, RunContext& context, int threads = 0);
 
 }  // namespace footfall

@@ -1,0 +1,39 @@
+// The strategies: where the cuts between cells go (thesis 4.3.1 to 4.3.3; height-aware and Auto are ours).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/partitioning/partition.hpp"
+
+namespace footfall {
+
+/// What a strategy looks at.
+struct StrategyInput {
+  const SourceMesh& mesh;
+  std::span<const char> walkable;  ///< for each triangle: it is a floor
+  std::span<const char> removed;   ///< for each triangle: it is not there any more
+  double clearance = 0;            ///< of the block's first clearance filter, in the environment's units; 0: none
+  int threads = 1;                 ///< that will work on the cells
+  std::function<void()> poll = [] {};
+};
+
+/// The cells of a strategy, by its descriptor's name and one value for each of its parameters. Deterministic: depends
+/// on nothing but the arguments (and only AutoStrategy on the threads).
+Partition makePartition(std::string_view strategy, const std::vector<double>& values, const StrategyInput& input);
+
+/// Which floors have a part in which cell: for cell c, floors[first[c]] to floors[first[c + 1] - 1], ascending.
+/// Conservative: a floor may be listed where it has no area.
+struct CellFloors {
+  std::vector<std::size_t> first;
+  std::vector<Index> floors;
+  /// For each triangle: in how many cells it is listed.
+  std::vector<Index> cellCount;
+};
+/// Lists all triangles with walkable[t] != 0, and counts Cell::floors and Cell::obstacles.
+CellFloors assignFloors(Partition& partition, const StrategyInput& input);
+
+}  // namespace footfall
