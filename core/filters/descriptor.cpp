@@ -38,8 +38,8 @@ constexpr ParameterDescriptor kRoundCuts{
     .name = "round",
     .label = "Round the cuts",
     .help =
-        "Whether points on a cut are rounded. The thesis does so to keep its numbers small; here cut points are "
-        "exact and vanish in Collapse, so both values give the same result.",
+        "Whether points on a cut are rounded to doubles where a cell's triangles are shown or handed on. In the thesis "
+        "that keeps numbers small; here they vanish in Collapse, so both values give the same result.",
     .type = ParameterType::Boolean,
     .unit = Unit::None,
     .defaultValue = 1,

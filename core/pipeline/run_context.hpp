@@ -28,11 +28,11 @@ struct RunEvent {
   Kind kind = Kind::Progress;
   std::size_t step = 0;
   double fraction = 0;
-  std::string text;
-  std::shared_ptr<const NavigationMesh> part;
-  std::shared_ptr<const BlockReport> block;
+  std::string text = {};
+  std::shared_ptr<const NavigationMesh> part = nullptr;
+  std::shared_ptr<const BlockReport> block = nullptr;
   std::size_t cell = 0;  ///< of the block that ran last
-  std::shared_ptr<const CellReport> cellReport;
+  std::shared_ptr<const CellReport> cellReport = nullptr;
 };
 
 /// Shared by the thread that started a run and all threads that work on it; every member may be called from any
