@@ -37,6 +37,8 @@ void ProgressBar::show(const RunEvent& event) {
       draw(false);
       break;
     case RunEvent::Kind::PartReady:
+    case RunEvent::Kind::CellsMade:
+    case RunEvent::Kind::CellFinished:
       break;
   }
 }

@@ -22,7 +22,10 @@ void RunEventBuffer::add(const RunEvent& event, std::shared_ptr<const MeshGeomet
       case RunEvent::Kind::Progress:
         step.fraction = std::max(step.fraction, event.fraction);
         break;
+      case RunEvent::Kind::CellsMade:
+        break;
       case RunEvent::Kind::PartReady:
+      case RunEvent::Kind::CellFinished:
         if (event.part) step.parts.push_back({event.part, std::move(geometry)});
         break;
       case RunEvent::Kind::StepFinished:

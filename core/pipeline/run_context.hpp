@@ -61,6 +61,10 @@ class RunContext {
   void endStep(std::shared_ptr<const NavigationMesh> result = nullptr) {
     publish({.kind = RunEvent::Kind::StepFinished, .step = step_, .fraction = 1, .part = std::move(result)});
   }
+  /// Ends one of several steps that run at the same time, as those of a parallel block do.
+  void endStep(std::size_t step, std::shared_ptr<const NavigationMesh> result) {
+    publish({.kind = RunEvent::Kind::StepFinished, .step = step, .fraction = 1, .part = std::move(result)});
+  }
   void progress(double fraction) { publish({.kind = RunEvent::Kind::Progress, .step = step_, .fraction = fraction}); }
   [[nodiscard]] bool wantsParts() const noexcept { return wantsParts_; }
   void part(std::shared_ptr<const NavigationMesh> mesh) {
