@@ -26,11 +26,11 @@ Box clearanceBox(const SourceMesh& mesh, Index face, double height) {
   return box;
 }
 
-ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
+ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
                                          std::function<void()> poll)
     : kernel_(kernel),
       mesh_(kernel.mesh()),
-      walkable_(walkable),
+      isFloor_(std::move(isFloor)),
       level_(level),
       height_(kernel.heights()[level - 1]),
       scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
@@ -57,6 +57,17 @@ void ClearanceCandidates::begin(Index face) {
 std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face) {
   begin(face);
   search(box_);
+  return candidates_;
+}
+
+std::span<const ClearanceCandidate> ClearanceCandidates::findWithin(Index face, const Box& box) {
+  begin(face);
+  Box part = box_;
+  for (int axis = 0; axis < 2; ++axis) {
+    part.lower[axis] = std::max(part.lower[axis], box.lower[axis]);
+    part.upper[axis] = std::min(part.upper[axis], box.upper[axis]);
+  }
+  search(part);
   return candidates_;
 }
 
@@ -105,7 +116,7 @@ void ClearanceCandidates::consider(Index obstacle) {
   if (candidate.coplanar) {
     if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || !findOverlap(candidate)) return;
     dependsOnFloors_ = true;
-    if (walkable_[obstacle] == 0) return;
+    if (!isFloor_(obstacle)) return;
   } else if (!findOverlap(candidate)) {
     return;
   }

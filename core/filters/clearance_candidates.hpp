@@ -28,9 +28,9 @@ struct ClearanceCandidate {
 /// One for each thread; reused from face to face.
 class ClearanceCandidates {
  public:
-  /// `walkable[t]`: triangle t takes part as a floor (coplanar walkable triangles are kept once). `level` is the
-  /// clearance's level in the kernel. `poll` is called now and then and may throw to cancel.
-  ClearanceCandidates(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
+  /// `isFloor(t)`: triangle t takes part as a floor (coplanar floors are kept once). `level` is the clearance's level
+  /// in the kernel. `poll` is called now and then and may throw to cancel.
+  ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
                       std::function<void()> poll);
 
   /// All triangles that reach into the clearance and overlap the face in the plan, and of those in its plane the floors
@@ -39,6 +39,9 @@ class ClearanceCandidates {
 
   /// The same, when all that may stand above the face in the plan within `knownHeight` is known.
   std::span<const ClearanceCandidate> find(Index face, const std::vector<Index>& known, double knownHeight);
+
+  /// The same as the first, of what overlaps `box` in the plan.
+  std::span<const ClearanceCandidate> findWithin(Index face, const Box& box);
 
   [[nodiscard]] std::span<const ClearanceCandidate> found() const { return candidates_; }
   /// Whether some other triangle in the face's plane would be among them if it was a floor, or is because it is one.
@@ -63,7 +66,7 @@ class ClearanceCandidates {
 
   const PlanKernel& kernel_;
   const SourceMesh& mesh_;
-  const std::vector<char>& walkable_;
+  std::function<bool(Index)> isFloor_;
   Index level_;
   double height_;
   double scaledHeight_;

@@ -5,6 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+
+#include "core/filters/insertion_order.hpp"
 
 namespace footfall {
 namespace {
@@ -13,15 +18,21 @@ int next(int k) { return k == 2 ? 0 : k + 1; }
 
 }  // namespace
 
-ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
+ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
                                    std::function<void()> poll)
-    : mesh_(kernel.mesh()), level_(level), poll_(poll), geometry_(kernel), candidates_(kernel, walkable, level, poll) {}
+    : mesh_(kernel.mesh()),
+      level_(level),
+      poll_(poll),
+      geometry_(kernel),
+      candidates_(kernel, std::move(isFloor), level, poll) {}
 
 FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
   begin(face);
   if (earlier != nullptr) {
     if (earlier->removed) return *earlier;
-    addEarlier(*earlier);
+    edgeWalls_ |= earlier->edgeWalls;
+    std::vector<Index> points, lines;
+    if (!earlier->segments.empty()) addCuts(*earlier, points, lines);
   }
   return cut(candidates_.find(face));
 }
@@ -29,6 +40,72 @@ FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
 FaceCuts ClearanceClipper::clip(Index face, const std::vector<Index>& known, double knownHeight) {
   begin(face);
   return cut(candidates_.find(face, known, knownHeight));
+}
+
+FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> sides) {
+  begin(face);
+  sides_ = sides;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box box{{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+  for (const auto& [border, keep] : sides) {
+    const double coordinate = geometry_.kernel().borders()[border.a][border.b];
+    (keep > 0 ? box.lower : box.upper)[border.a] = coordinate;
+  }
+  FaceShare share;
+  share.removed = !clipAll(candidates_.findWithin(face, box));
+  if (!share.removed) {
+    cancelSegments();
+    collect(share);
+  }
+  share.edgeWalls = edgeWalls_;
+  share.dependsOnFloors = candidates_.dependsOnFloors();
+  share.candidates = candidates();
+  sides_ = {};
+  return share;
+}
+
+FaceCuts ClearanceClipper::joinShares(Index face, std::span<const FaceShare> shares) {
+  begin(face);
+  FaceCuts cuts;
+  for (const FaceShare& share : shares) {
+    cuts.removed = cuts.removed || share.removed;
+    cuts.dependsOnFloors = cuts.dependsOnFloors || share.dependsOnFloors;
+    edgeWalls_ |= share.edgeWalls;
+  }
+  if (cuts.removed) return cuts;
+  std::vector<FaceShare::Piece> pieces;
+  std::vector<Index> points, lines;
+  for (const FaceShare& share : shares) {
+    poll_();
+    if (share.segments.empty() && share.pieces.empty()) continue;
+    addCuts(share, points, lines);
+    for (FaceShare::Piece piece : share.pieces) {
+      CutSegment& s = piece.segment;
+      if (s.from >= 0) s.from = points[s.from];
+      if (s.to >= 0) s.to = points[s.to];
+      s.line = lines[s.line];
+      pieces.push_back(piece);
+    }
+  }
+  const auto isSame = [](const FaceShare::Piece& x, const FaceShare::Piece& y) {
+    return x.obstacle == y.obstacle && x.segment.line == y.segment.line;
+  };
+  std::sort(pieces.begin(), pieces.end(), [](const FaceShare::Piece& x, const FaceShare::Piece& y) {
+    return x.obstacle != y.obstacle ? x.obstacle < y.obstacle : x.segment.line < y.segment.line;
+  });
+  for (std::size_t i = 0, j = 0; i < pieces.size(); i = j) {
+    CutSegment whole = pieces[i].segment;
+    for (j = i; j < pieces.size() && isSame(pieces[i], pieces[j]); ++j) {
+      if (pieces[j].segment.from >= 0) whole.from = pieces[j].segment.from;
+      if (pieces[j].segment.to >= 0) whole.to = pieces[j].segment.to;
+    }
+    if (whole.from < 0 || whole.to < 0) throw std::logic_error("a segment lost an end between two cells");
+    addSegment(whole.from, whole.to, whole.line, 1, whole.winding, whole.wall);
+  }
+  cancelSegments();
+  collect(cuts);
+  cuts.edgeWalls = edgeWalls_;
+  return cuts;
 }
 
 std::vector<Index> ClearanceClipper::candidates() const {
@@ -48,33 +125,45 @@ void ClearanceClipper::begin(Index face) {
   face_ = face;
   started_ = false;
   segments_.clear();
+  pieces_.clear();
+  cellBorders_.clear();
   edgeWalls_ = 0;
   const auto& f = mesh_.triangles[face];
   for (int k = 0; k < 3; ++k)
     if (mesh_.hasObstacleEdge(f[k], f[next(k)])) edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
 }
 
-FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
-  bool removed = false;
+void ClearanceClipper::startGeometry() {
+  if (started_) return;
+  started_ = true;
+  geometry_.start(face_);
+  sideLines_.clear();
+  for (const CellSide& side : sides_) sideLines_.push_back(geometry_.line(side.border));
+}
+
+bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates) {
   for (const ClearanceCandidate& candidate : candidates) {
     if ((++polls_ & 255) == 0) poll_();
-    if (mesh_.facing[candidate.obstacle] == 0 && isWallOfEdge(candidate)) continue;
-    if (!started_) {
-      geometry_.start(face_);
-      started_ = true;
-    }
-    if (mesh_.facing[candidate.obstacle] == 0)
+    const bool isWall = mesh_.facing[candidate.obstacle] == 0;
+    if (isWall && isWallOfEdge(candidate)) continue;
+    startGeometry();
+    obstacle_ = candidate.obstacle;
+    if (isWall)
       addWall(candidate);
-    else
-      removed = addArea(candidate);
-    if (removed) break;
+    else if (addArea(candidate))
+      return false;
   }
+  return true;
+}
+
+FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
   FaceCuts cuts;
-  if (!removed) {
+  cuts.removed = !clipAll(candidates);
+  if (!cuts.removed) {
     cancelSegments();
-    cuts = collect();
+    collect(cuts);
+    cuts.edgeWalls = edgeWalls_;
   }
-  cuts.removed = removed;
   cuts.dependsOnFloors = candidates_.dependsOnFloors();
   return cuts;
 }
@@ -120,6 +209,8 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
     for (int i = 0; i < 3; ++i) corners += polygon.corners[i].point < 3;  // the face's corners are points 0, 1, 2
     if (corners == 3) return true;
   }
+  for (std::size_t side = 0; side < sides_.size() && polygon.size > 0; ++side)
+    if (!isInside(side, obstacle)) clipToSide(polygon, side);
   for (int i = 0; i < polygon.size; ++i) {
     const Corner& c = polygon.corners[i];
     addSegment(c.point, polygon.corners[(i + 1) % polygon.size].point, c.line, c.direction, 1, false);
@@ -172,13 +263,11 @@ void ClearanceClipper::clipToLevel(Polygon& polygon, Index obstacle, bool ceilin
   polygon = result;
 }
 
-void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
-  std::array<int, 12> side{};
+template <class Crossing>
+void ClearanceClipper::keepPositive(Polygon& polygon, const std::array<int, 12>& signs, Index line, int direction,
+                                    const Crossing& crossingOf) {
   bool any = false;
-  for (int i = 0; i < polygon.size; ++i) {
-    side[i] = geometry_.sideOfEdge(k, polygon.corners[i].point);
-    any = any || side[i] > 0;
-  }
+  for (int i = 0; i < polygon.size; ++i) any = any || signs[i] > 0;
   if (!any) {
     polygon.size = 0;
     return;
@@ -186,26 +275,72 @@ void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
   Polygon result;
   for (int i = 0; i < polygon.size; ++i) {
     Corner c = polygon.corners[i];
-    const int a = side[i], b = side[(i + 1) % polygon.size];
+    const int a = signs[i], b = signs[(i + 1) % polygon.size];
     if (a == 0 && b < 0) {
-      c.line = k;  // FaceGeometry: the face's edges are the lines 0, 1, 2
-      c.direction = geometry_.edgeDirection(k);
+      c.line = line;
+      c.direction = direction;
       result.push(c);
     } else if (a >= 0) {
       result.push(c);
     }
     if (a * b < 0) {
       Corner cut = polygon.corners[i];
-      cut.point = geometry_.crossing(cut.line, k);
-      geometry_.addBorder(cut.point, static_cast<std::uint8_t>(1 << k));
+      cut.point = crossingOf(cut.line);
       if (a > 0) {
-        cut.line = k;
-        cut.direction = geometry_.edgeDirection(k);
+        cut.line = line;
+        cut.direction = direction;
       }
       result.push(cut);
     }
   }
   polygon = result;
+}
+
+void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
+  std::array<int, 12> signs{};
+  for (int i = 0; i < polygon.size; ++i) signs[i] = geometry_.sideOfEdge(k, polygon.corners[i].point);
+  // FaceGeometry: the face's edges are the lines 0, 1, 2
+  keepPositive(polygon, signs, k, geometry_.edgeDirection(k), [&](Index line) {
+    const Index point = geometry_.crossing(line, k);
+    geometry_.addBorder(point, static_cast<std::uint8_t>(1 << k));
+    return point;
+  });
+}
+
+int ClearanceClipper::sideOfCell(std::size_t side, Index point) {
+  const int s = geometry_.side(sideLines_[side], point) * sides_[side].keep;
+  if (s == 0) {
+    if (cellBorders_.size() <= static_cast<std::size_t>(point)) cellBorders_.resize(geometry_.pointCount(), 0);
+    cellBorders_[point] |= static_cast<std::uint8_t>(1U << side);
+  }
+  return s;
+}
+
+bool ClearanceClipper::isInside(std::size_t side, Index triangle) const {
+  const auto& [border, keep] = sides_[side];
+  const double coordinate = geometry_.kernel().borders()[border.a][border.b];
+  for (const Index v : mesh_.triangles[triangle]) {
+    const double c = border.a == 0 ? mesh_.vertices[v].x : mesh_.vertices[v].y;
+    if (keep > 0 ? c <= coordinate : c >= coordinate) return false;
+  }
+  return true;
+}
+
+void ClearanceClipper::clipToSide(Polygon& polygon, std::size_t side) {
+  std::array<int, 12> signs{};
+  for (int i = 0; i < polygon.size; ++i) signs[i] = sideOfCell(side, polygon.corners[i].point);
+  keepPositive(polygon, signs, sideLines_[side], 1,
+               [&](Index line) { return geometry_.crossing(line, sideLines_[side]); });
+}
+
+bool ClearanceClipper::isCut(Index point) const {
+  const PlanPoint& p = geometry_[point];
+  return !sides_.empty() && p.kind == PlanPoint::Crossing &&
+         (p.firstLine().kind == PlanLine::Border || p.secondLine().kind == PlanLine::Border);
+}
+
+std::uint8_t ClearanceClipper::cellBorders(Index point) const {
+  return static_cast<std::size_t>(point) < cellBorders_.size() ? cellBorders_[point] : std::uint8_t{0};
 }
 
 // The most common wall stands on a whole edge of the face: between its ends, and in the clearance at both.
@@ -280,36 +415,56 @@ void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
       return;
     }
   }
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
+    const int a = sideOfCell(side, first), b = sideOfCell(side, last);
+    if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return;
+    if (a * b < 0) (a < 0 ? first : last) = geometry_.crossing(line, sideLines_[side]);
+  }
   addSegment(first, last, line, 1, 0, true);
 }
 
 void ClearanceClipper::addSegment(Index from, Index to, Index line, int direction, int winding, bool wall) {
   if (from == to) return;
   CutSegment s{from, to, line, static_cast<std::int8_t>(direction), winding, wall};
-  if (s.from > s.to) {
+  const auto turn = [&s] {
     std::swap(s.from, s.to);
     s.direction = static_cast<std::int8_t>(-s.direction);
     s.winding = -s.winding;
+  };
+  if (!sides_.empty()) {
+    if (geometry_.lineAt(line).kind == PlanLine::Border) return;  // the seam
+    if (isCut(from) || isCut(to)) {
+      if (direction < 0) turn();
+      pieces_.push_back({obstacle_, s});
+      return;
+    }
   }
+  if (s.from > s.to) turn();
   segments_.push_back(s);
 }
 
-void ClearanceClipper::addEarlier(const FaceCuts& earlier) {
-  edgeWalls_ |= earlier.edgeWalls;
-  if (earlier.segments.empty()) return;
-  geometry_.start(face_);
-  started_ = true;
-  std::vector<Index> points, lines;
-  for (std::size_t i = 0; i < earlier.points.size(); ++i) {
-    points.push_back(geometry_.point(earlier.points[i]));
-    geometry_.addBorder(points.back(), earlier.borders[i]);
+/// Adds the segments of FaceCuts or of a FaceShare, and tells what its points and lines are called here.
+template <class Cuts>
+void ClearanceClipper::addCuts(const Cuts& cuts, std::vector<Index>& points, std::vector<Index>& lines) {
+  startGeometry();
+  points.clear();
+  lines.clear();
+  for (std::size_t i = 0; i < cuts.points.size(); ++i) {
+    points.push_back(geometry_.point(cuts.points[i]));
+    geometry_.addBorder(points.back(), cuts.borders[i]);
   }
-  for (const PlanLine& l : earlier.lines) lines.push_back(geometry_.line(l));
-  for (const CutSegment& s : earlier.segments)
+  for (const PlanLine& l : cuts.lines) lines.push_back(geometry_.line(l));
+  for (const CutSegment& s : cuts.segments)
     addSegment(points[s.from], points[s.to], lines[s.line], s.direction, s.winding, s.wall);
 }
 
+bool ClearanceClipper::precedes(Index line, Index other) const {
+  const PlanLine l = geometry_.lineAt(line), m = geometry_.lineAt(other);
+  return std::tie(l.kind, l.a, l.b) < std::tie(m.kind, m.a, m.b);
+}
+
 // Two obstacles that share an edge and lie on either side of it in the plan cover it: their windings cancel.
+// What lies on a cell's border may meet its opposite in another cell, so it is kept there.
 void ClearanceClipper::cancelSegments() {
   sortSegments();
   std::size_t kept = 0;
@@ -317,14 +472,14 @@ void ClearanceClipper::cancelSegments() {
     CutSegment sum = segments_[i];
     std::size_t j = i + 1;
     for (; j < segments_.size() && segments_[j].from == sum.from && segments_[j].to == sum.to; ++j) {
-      if (segments_[j].line < sum.line) {
+      if (segments_[j].line != sum.line && precedes(segments_[j].line, sum.line)) {
         sum.line = segments_[j].line;
         sum.direction = segments_[j].direction;
       }
       sum.winding += segments_[j].winding;
       sum.wall = sum.wall || segments_[j].wall;
     }
-    if (sum.winding != 0 || sum.wall) segments_[kept++] = sum;
+    if (sum.winding != 0 || sum.wall || (cellBorders(sum.from) & cellBorders(sum.to)) != 0) segments_[kept++] = sum;
     i = j;
   }
   segments_.resize(kept);
@@ -343,38 +498,78 @@ void ClearanceClipper::sortSegments() {
   sorted_.resize(segments_.size());
   for (const auto end : {&CutSegment::to, &CutSegment::from}) {
     poll_();
-    numbers_.assign(geometry_.pointCount() + 1, 0);
-    for (const CutSegment& s : segments_) ++numbers_[s.*end + 1];
-    std::partial_sum(numbers_.begin(), numbers_.end(), numbers_.begin());
-    for (const CutSegment& s : segments_) sorted_[numbers_[s.*end]++] = s;
+    counts_.assign(geometry_.pointCount() + 1, 0);
+    for (const CutSegment& s : segments_) ++counts_[s.*end + 1];
+    std::partial_sum(counts_.begin(), counts_.end(), counts_.begin());
+    for (const CutSegment& s : segments_) sorted_[counts_[s.*end]++] = s;
     segments_.swap(sorted_);
   }
 }
 
-FaceCuts ClearanceClipper::collect() {
-  FaceCuts cuts;
-  cuts.edgeWalls = edgeWalls_;
-  if (segments_.empty()) return cuts;
-  const auto number = [&](std::size_t slot, std::size_t count) {
-    const bool isNew = numbers_[slot] < 0;
-    if (isNew) numbers_[slot] = static_cast<Index>(count);
-    return isNew;
-  };
+// In an order that depends on nothing but what they are: points along a curve, segments by their points, lines as they
+// come.
+template <class Cuts>
+void ClearanceClipper::collect(Cuts& cuts) {
+  if (segments_.empty() && pieces_.empty()) return;
   const std::size_t lineSlots = geometry_.pointCount();
   numbers_.assign(lineSlots + geometry_.lineCount(), -1);
-  cuts.segments.assign(segments_.begin(), segments_.end());
-  for (CutSegment& s : cuts.segments) {
-    for (Index* p : {&s.from, &s.to}) {
-      if (number(*p, cuts.points.size())) {
-        cuts.points.push_back(geometry_[*p]);
-        cuts.borders.push_back(geometry_.border(*p));
-      }
-      *p = numbers_[*p];
-    }
-    if (number(lineSlots + s.line, cuts.lines.size())) cuts.lines.push_back(geometry_.lineAt(s.line));
-    s.line = numbers_[lineSlots + s.line];
+  std::vector<Index> order;
+  const auto need = [&](Index point) {
+    if (numbers_[point] >= 0) return;
+    numbers_[point] = 0;
+    order.push_back(point);
+  };
+  for (const CutSegment& s : segments_) {
+    need(s.from);
+    need(s.to);
   }
-  return cuts;
+  constexpr bool kIsShare = std::is_same_v<Cuts, FaceShare>;
+  if constexpr (kIsShare) {
+    for (FaceShare::Piece& piece : pieces_)
+      for (Index* end : {&piece.segment.from, &piece.segment.to}) {
+        if (isCut(*end))
+          *end = -1;
+        else
+          need(*end);
+      }
+  } else {
+    sortAlongCurve(geometry_, order);
+  }
+  cuts.points.reserve(order.size());
+  cuts.borders.reserve(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    numbers_[order[i]] = static_cast<Index>(i);
+    cuts.points.push_back(geometry_[order[i]]);
+    cuts.borders.push_back(geometry_.border(order[i]));
+  }
+  for (CutSegment& s : segments_) {
+    s.from = numbers_[s.from];
+    s.to = numbers_[s.to];
+    if (s.from < s.to) continue;
+    std::swap(s.from, s.to);
+    s.direction = static_cast<std::int8_t>(-s.direction);
+    s.winding = -s.winding;
+  }
+  if (!kIsShare) sortSegments();
+  const auto numberLine = [&](Index& line) {
+    Index& number = numbers_[lineSlots + line];
+    if (number < 0) {
+      number = static_cast<Index>(cuts.lines.size());
+      cuts.lines.push_back(geometry_.lineAt(line));
+    }
+    line = number;
+  };
+  for (CutSegment& s : segments_) numberLine(s.line);
+  cuts.segments.assign(segments_.begin(), segments_.end());
+  if constexpr (kIsShare) {
+    for (FaceShare::Piece& piece : pieces_) {
+      for (Index* end : {&piece.segment.from, &piece.segment.to})
+        if (*end >= 0) *end = numbers_[*end];
+      numberLine(piece.segment.line);
+    }
+    cuts.pieces = std::move(pieces_);
+    pieces_.clear();
+  }
 }
 
 }  // namespace footfall

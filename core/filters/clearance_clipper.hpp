@@ -11,6 +11,7 @@
 #include "core/exact/face_geometry.hpp"
 #include "core/filters/clearance_candidates.hpp"
 #include "core/filters/face_cuts.hpp"
+#include "core/filters/face_share.hpp"
 
 namespace footfall {
 
@@ -18,7 +19,7 @@ namespace footfall {
 class ClearanceClipper {
  public:
   /// As ClearanceCandidates.
-  ClearanceClipper(const PlanKernel& kernel, const std::vector<char>& walkable, Index level,
+  ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
                    std::function<void()> poll);
 
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null).
@@ -27,7 +28,13 @@ class ClearanceClipper {
   /// The same without earlier cuts, when all that may stand above the face in the plan within `knownHeight` is known.
   FaceCuts clip(Index face, const std::vector<Index>& known, double knownHeight);
 
-  /// What the last clip() found in the clearance, ascending.
+  /// The cuts on the part of a face that lies on the cell's sides, for a kernel that has their borders.
+  FaceShare clipShare(Index face, std::span<const CellSide> sides);
+
+  /// The cuts on a face of which the shares of all cells that it has a part in are given: those that clip() finds.
+  FaceCuts joinShares(Index face, std::span<const FaceShare> shares);
+
+  /// What the last clip() or clipShare() found in the clearance, ascending.
   [[nodiscard]] std::vector<Index> candidates() const;
 
   [[nodiscard]] ExactFallbacks fallbacks() const;
@@ -48,17 +55,33 @@ class ClearanceClipper {
   };
 
   void begin(Index face);
+  void startGeometry();
+  /// False when one obstacle covers the whole face.
+  bool clipAll(std::span<const ClearanceCandidate> candidates);
   FaceCuts cut(std::span<const ClearanceCandidate> candidates);
   bool addArea(const ClearanceCandidate& candidate);
   bool isWallOfEdge(const ClearanceCandidate& candidate);
   void addWall(const ClearanceCandidate& candidate);
   void clipToLevel(Polygon& polygon, Index obstacle, bool ceiling);
   void clipToEdge(Polygon& polygon, int k);
+  void clipToSide(Polygon& polygon, std::size_t side);
+  /// Keeps the corners at which `signs` is positive or 0; new ones come from `crossingOf(line)` and lie on `line`.
+  template <class Crossing>
+  static void keepPositive(Polygon& polygon, const std::array<int, 12>& signs, Index line, int direction,
+                           const Crossing& crossingOf);
+  /// Whether the whole triangle lies beyond the border, strictly.
+  [[nodiscard]] bool isInside(std::size_t side, Index triangle) const;
+  int sideOfCell(std::size_t side, Index point);
+  [[nodiscard]] bool isCut(Index point) const;
+  [[nodiscard]] std::uint8_t cellBorders(Index point) const;
   void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall);
-  void addEarlier(const FaceCuts& earlier);
+  template <class Cuts>
+  void addCuts(const Cuts& cuts, std::vector<Index>& points, std::vector<Index>& lines);
   void cancelSegments();
   void sortSegments();
-  FaceCuts collect();
+  template <class Cuts>
+  void collect(Cuts& cuts);
+  [[nodiscard]] bool precedes(Index line, Index other) const;
 
   const SourceMesh& mesh_;
   Index level_;
@@ -71,7 +94,15 @@ class ClearanceClipper {
   bool started_ = false;
   std::uint8_t edgeWalls_ = 0;
   std::vector<CutSegment> segments_, sorted_;
+  std::vector<Index> counts_;
   std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
+
+  // Of the cell whose share is being cut.
+  std::span<const CellSide> sides_;
+  std::vector<Index> sideLines_;
+  std::vector<std::uint8_t> cellBorders_;  ///< for each point, bit i: it lies on side i
+  Index obstacle_ = -1;
+  std::vector<FaceShare::Piece> pieces_;
 };
 
 }  // namespace footfall

@@ -1,30 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/face_mesh.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace footfall {
 namespace {
 
 int previous(int k) { return k == 0 ? 2 : k - 1; }
-
-// Place along a Hilbert curve of 2^16 x 2^16 cells, so that points are inserted near their predecessors.
-std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
-  std::uint64_t index = 0;
-  for (std::uint32_t s = 1U << 15; s > 0; s >>= 1) {
-    const std::uint32_t rx = (x & s) != 0 ? 1 : 0, ry = (y & s) != 0 ? 1 : 0;
-    index += static_cast<std::uint64_t>(s) * s * ((3 * rx) ^ ry);
-    if (ry == 0) {
-      if (rx == 1) {
-        x = 65535 - x;
-        y = 65535 - y;
-      }
-      std::swap(x, y);
-    }
-  }
-  return index;
-}
 
 }  // namespace
 
@@ -36,21 +16,7 @@ void FaceMesher::insertCuts(const FaceCuts& cuts) {
   }
   for (const PlanLine& l : cuts.lines) lines.push_back(geometry_.line(l));
 
-  double left = 0, right = 0, bottom = 0, top = 0;
-  for (int k = 0; k < 3; ++k) {
-    const ApproximatePoint& p = geometry_.approximate(k);
-    left = std::min(left, p.x), right = std::max(right, p.x);
-    bottom = std::min(bottom, p.y), top = std::max(top, p.y);
-  }
-  const double scale = 65535 / std::max(right - left, top - bottom);  // a floor has an area in the plan
-  const auto cell = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, 65535.0)); };
-  std::vector<std::pair<std::uint64_t, Index>> order;
-  for (const Index p : points) {
-    const ApproximatePoint& a = geometry_.approximate(p);
-    order.emplace_back(hilbertIndex(cell((a.x - left) * scale), cell((a.y - bottom) * scale)), p);
-  }
-  std::sort(order.begin(), order.end());
-  for (const auto& [place, p] : order) triangulation_.insertPoint(p);
+  for (const Index p : points) triangulation_.insertPoint(p);
   for (const CutSegment& s : cuts.segments)
     triangulation_.insertSegment(triangulation_.insertPoint(points[s.from]), triangulation_.insertPoint(points[s.to]),
                                  lines[s.line], s.direction, s.winding, s.wall);

@@ -4,31 +4,21 @@
 
 #include <atomic>
 
-#include "core/exact/source_predicates.hpp"
+#include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
 
 namespace footfall {
 
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context) {
-  const SourceMesh& source = state->kernel->mesh();
+  const FaceTest isWithin = makeFaceTest(*findFilter("SlopeFilter"), {degrees}, state->kernel);
   auto result = std::make_shared<WalkableState>(*state);
-  const SlopeLimit limit(degrees);
   std::atomic<std::uint64_t> fallbacks{0};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, source.triangles.size(), 1024), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, result->walkable.size(), 1024), [&](const auto& range) {
     context.checkCancelled();
-    for (std::size_t t = range.begin(); t != range.end(); ++t) {
-      if (result->walkable[t] == 0) continue;
-      const int sign = limit.compare(source.normals[t], state->kernel->sign());
-      if (sign != kUnknownSign) {
-        result->walkable[t] = static_cast<char>(sign > 0);
-        continue;
-      }
-      const auto& f = source.triangles[t];
-      bool beyondDoubles = false;
-      result->walkable[t] = static_cast<char>(
-          isWithinSlope(source.vertices[f[0]], source.vertices[f[1]], source.vertices[f[2]], degrees, &beyondDoubles));
-      if (beyondDoubles) fallbacks.fetch_add(1, std::memory_order_relaxed);
-    }
+    ExactFallbacks count;
+    for (std::size_t t = range.begin(); t != range.end(); ++t)
+      if (result->walkable[t] != 0) result->walkable[t] = static_cast<char>(isWithin(static_cast<Index>(t), count));
+    fallbacks.fetch_add(count.slope, std::memory_order_relaxed);
   });
   if (state->mesh) {
     // Parts keep the plane of the face that they were cut from.

@@ -1,0 +1,46 @@
+// Filters that look at one triangle at a time: they need no environment around it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/exact/exact_fallbacks.hpp"
+#include "core/filters/descriptor.hpp"
+#include "core/filters/walkable_state.hpp"
+
+namespace footfall {
+
+/// Whether a triangle that is a floor stays one; counts where doubles cannot tell.
+using FaceTest = std::function<bool(Index face, ExactFallbacks& count)>;
+
+/// The test of DegeneracyFilter or SlopeFilter on the triangles of a kernel's mesh, which it keeps; empty for all other
+/// filters. Thread-safe.
+FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>& values,
+                      const std::shared_ptr<const PlanKernel>& kernel);
+
+/// Which triangles are floors while the filters before the clearance go from cell to cell. One for each thread: what is
+/// asked for before its cell's turn is tested on demand, with the same answer.
+class FloorFlags {
+ public:
+  FloorFlags(const std::vector<char>& walkable, const std::vector<FaceTest>& tests);
+
+  [[nodiscard]] bool isFloor(Index face) {
+    if (flags_[face] == kUnknown) flags_[face] = static_cast<char>(passesAll(face));
+    return flags_[face] != 0;
+  }
+  /// The same, when all tests are known to have been passed, or one not to.
+  void set(Index face, bool isFloor) { flags_[face] = static_cast<char>(isFloor); }
+
+  ExactFallbacks fallbacks;
+
+ private:
+  static constexpr char kUnknown = 2;
+  [[nodiscard]] bool passesAll(Index face);
+
+  const std::vector<FaceTest>& tests_;
+  std::vector<char> flags_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/insertion_order.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+
+namespace footfall {
+namespace {
+
+// Place along a Hilbert curve of 2^16 x 2^16 cells.
+std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
+  std::uint64_t index = 0;
+  for (std::uint32_t s = 1U << 15; s > 0; s >>= 1) {
+    const std::uint32_t rx = (x & s) != 0 ? 1 : 0, ry = (y & s) != 0 ? 1 : 0;
+    index += static_cast<std::uint64_t>(s) * s * ((3 * rx) ^ ry);
+    if (ry == 0) {
+      if (rx == 1) {
+        x = 65535 - x;
+        y = 65535 - y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return index;
+}
+
+bool isBefore(const PlanPoint& p, const PlanPoint& q) {
+  const auto key = [](const PlanPoint& v) { return std::tie(v.kind, v.a, v.b, v.c, v.d, v.e, v.f, v.face); };
+  return key(p) < key(q);
+}
+
+}  // namespace
+
+void sortAlongCurve(const FaceGeometry& geometry, std::vector<Index>& points) {
+  double left = 0, right = 0, bottom = 0, top = 0;
+  for (int k = 0; k < 3; ++k) {
+    const ApproximatePoint& p = geometry.approximate(k);
+    left = std::min(left, p.x), right = std::max(right, p.x);
+    bottom = std::min(bottom, p.y), top = std::max(top, p.y);
+  }
+  const double scale = 65535 / std::max(right - left, top - bottom);
+  const auto cell = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, 65535.0)); };
+  std::vector<std::pair<std::uint64_t, Index>> order;
+  order.reserve(points.size());
+  for (const Index p : points) {
+    const ApproximatePoint& a = geometry.approximate(p);
+    order.emplace_back(hilbertIndex(cell((a.x - left) * scale), cell((a.y - bottom) * scale)), p);
+  }
+  std::sort(order.begin(), order.end(), [&](const auto& p, const auto& q) {
+    return p.first != q.first ? p.first < q.first
+                              : p.second != q.second && isBefore(geometry[p.second], geometry[q.second]);
+  });
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = order[i].second;
+}
+
+}  // namespace footfall
