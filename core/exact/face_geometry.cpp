@@ -82,6 +82,7 @@ Index FaceGeometry::crossing(Index line1, Index line2) {
     if (m.a < l.a || (m.a == l.a && m.b < l.b)) std::swap(l, m);
     return point({PlanPoint::Crossing, l.kind, l.a, l.b, m.kind, m.a, m.b, -1});
   }
+  if (l.kind == PlanLine::Border || m.kind == PlanLine::Border) return borderCrossing(l, m);
   if (l.kind == PlanLine::Trace) std::swap(l, m);
   if (l.kind == PlanLine::Edge) {
     const SourceMesh& mesh = kernel_.mesh();
@@ -101,6 +102,17 @@ Index FaceGeometry::crossing(Index line1, Index line2) {
     std::swap(l, m);
   }
   return point({PlanPoint::Crossing, l.kind, l.a, l.b, m.kind, m.a, m.b, face_});
+}
+
+// Without a trace, the same on every face.
+Index FaceGeometry::borderCrossing(PlanLine l, PlanLine m) {
+  if (m.kind != PlanLine::Border || (l.kind == PlanLine::Border && m.a < l.a)) std::swap(l, m);
+  if (l.kind == PlanLine::Edge) {
+    const double c = kernel_.borderCoordinate(m);
+    for (const Index end : {l.a, l.b})
+      if (coordinate(kernel_.mesh().vertices[end], m.a) == c) return point({PlanPoint::Source, end});
+  }
+  return point({PlanPoint::Crossing, l.kind, l.a, l.b, m.kind, m.a, m.b, l.kind == PlanLine::Trace ? face_ : -1});
 }
 
 const Homogeneous<ErrorDouble>& FaceGeometry::homogeneous(Index point) {
@@ -145,7 +157,11 @@ int FaceGeometry::side(Index line, Index point) {
       kernel_.sign().slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  if (kernel_.isKnownOn(lines_[line], face_, points_[point])) return 0;
+  if (lines_[line].kind == PlanLine::Border) {
+    if (const auto known = kernel_.knownSide(lines_[line], points_[point])) return *known;
+  } else if (kernel_.isKnownOn(lines_[line], face_, points_[point])) {
+    return 0;
+  }
   const int s = kernel_.sign()(lineAtPoint<ErrorDouble>(values.coefficients, homogeneous(point)));
   if (s != kUnknownSign) return s;
   ++fallbacks.side;

@@ -66,6 +66,7 @@ class FaceGeometry {
     Index exact = -1;                         ///< in exact_
     bool hasCoefficients = false;
   };
+  Index borderCrossing(PlanLine l, PlanLine m);
   const Homogeneous<ErrorDouble>& homogeneous(Index point);
   /// Their numbers in exact_.
   Index exact(Index point);

@@ -1,12 +1,12 @@
 // Whole numbers on the stack, as wide as the exact predicates can need; they never allocate.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Proof of the widths. All coordinates and heights are integers below 2^W in size (Grid::width()), and x < y bits
+// Proof of the widths. All coordinates, heights and borders are integers below 2^W in size (Grid::width()), and x < y bits
 // stands for |x| < 2^y. With D = W + 1:
 //   difference of two coordinates      D
 //   normal (two products)              2D + 1
 //   height over a plane                three products of 3D + 1 and one of 2D + 1 + W: 3D + 3
-//   edge line (a, b, c)                D, D, 2D + 1
+//   edge line (a, b, c)                D, D, 2D + 1; a border (1, 0, c) or (0, 1, c) is narrower: 1, 1, D
 //   trace line (a, b, c)               4D + 3, 4D + 3; c: 2 * 3 * 2^(5D + 2) + 2^(5D + 1) < 2^(5D + 5)
 //   point (X and Y, w)
 //     edge x edge                      3D + 2, 2D + 1

@@ -33,16 +33,35 @@ IntegerView viewOf(const mpz_class& x) {
   return {mpz_limbs_read(x.get_mpz_t()), static_cast<int>(mpz_size(x.get_mpz_t())) * sgn(x)};
 }
 
+// A border as doubles compute with it. The sign rule is that of the mesh and the heights, so that borders change
+// nothing where none takes part. So the value must keep within what the rule was proven for, whatever the border: a
+// multiple of 2^-38, below 2^37 (and a difference to a coordinate below 2^38). Otherwise the error says how far it is
+// off.
+ErrorDouble scaledBorder(double coordinate, int scale) {
+  const double scaled = std::ldexp(coordinate, scale);
+  if (!(std::fabs(scaled) < 0x1p37)) return {0, std::numeric_limits<double>::infinity()};
+  const double onGrid = std::nearbyint(scaled * 0x1p38) * 0x1p-38;
+  // A scaled coordinate that underflowed becomes 0 here.
+  const bool exact = onGrid == scaled && (onGrid != 0 || coordinate == 0);
+  return {onGrid, exact ? 0 : 0x1p-38};
+}
+
 }  // namespace
 
-PlanKernel::PlanKernel(std::shared_ptr<const SourceMesh> mesh, std::vector<double> heights)
-    : mesh_(std::move(mesh)), heights_(std::move(heights)), grid_(mesh_->grid) {
+PlanKernel::PlanKernel(std::shared_ptr<const SourceMesh> mesh, std::vector<double> heights, BorderCoordinates borders)
+    : mesh_(std::move(mesh)), heights_(std::move(heights)), borders_(std::move(borders)), grid_(mesh_->grid) {
   const int scale = mesh_->grid.scaleExponent();
   for (const double h : heights_) {
     grid_.include(h);
     scaledHeights_.push_back(std::ldexp(h, scale));
   }
   sign_ = grid_.signRule(scale);
+  for (const std::size_t axis : {0, 1})
+    for (double& c : borders_[axis]) {
+      c += 0.0;  // no negative zero, as in the mesh
+      grid_.include(c);
+      scaledBorders_[axis].push_back(scaledBorder(c, scale));
+    }
 }
 
 std::optional<Index> PlanKernel::levelOf(double height) const {
@@ -51,9 +70,18 @@ std::optional<Index> PlanKernel::levelOf(double height) const {
   return std::nullopt;
 }
 
+std::optional<Index> PlanKernel::borderOf(int axis, double coordinate) const {
+  const auto& borders = borders_[axis];
+  const auto it = std::lower_bound(borders.begin(), borders.end(), coordinate);
+  if (it == borders.end() || *it != coordinate) return std::nullopt;
+  return static_cast<Index>(it - borders.begin());
+}
+
+DoubleContext PlanKernel::doubleContext(Index origin) const { return {*mesh_, scaledHeights_, scaledBorders_, origin}; }
+
 template <class Integer>
 GridContext<Integer> PlanKernel::gridContext(Index origin) const {
-  return {*mesh_, heights_, grid_.low, grid_.width() <= kNarrowGrid, origin, {}, 0};
+  return {*mesh_, heights_, borders_, grid_.low, grid_.width() <= kNarrowGrid, origin, {}, 0};
 }
 
 template <class Evaluate>
@@ -63,14 +91,14 @@ int PlanKernel::exactSign(Index origin, const Evaluate& evaluate) const {
 }
 
 int PlanKernel::heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const {
-  const int s = sign_(heightValue(DoubleContext{*mesh_, scaledHeights_, 0}, face, vertex, level));
+  const int s = sign_(heightValue(doubleContext(0), face, vertex, level));
   if (s != kUnknownSign) return s;
   ++count.height;
   return exactSign(0, [&](const auto& c) { return heightValue(c, face, vertex, level); });
 }
 
 int PlanKernel::orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const {
-  const int s = sign_(planArea(DoubleContext{*mesh_, scaledHeights_, 0}, a, b, c));
+  const int s = sign_(planArea(doubleContext(0), a, b, c));
   if (s != kUnknownSign) return s;
   ++count.orientation;
   return exactSign(0, [&](const auto& context) { return planArea(context, a, b, c); });
@@ -87,14 +115,25 @@ bool PlanKernel::isKnownOn(const PlanLine& line, Index face, const PlanPoint& p)
   if (line.kind == PlanLine::Edge) {
     if (p.kind == PlanPoint::Source) return p.a == line.a || p.a == line.b;
     if (p.kind == PlanPoint::EdgePlane) return edgeLineOf(p) == line;
-    return p.firstLine() == line || p.secondLine() == line;
+    if (p.firstLine() == line || p.secondLine() == line) return true;
+    // the second of two lines, if any, is a border: the edge may lie along it
+    return p.secondLine().kind == PlanLine::Border && isKnownAlong(line, p);
   }
+  if (line.kind == PlanLine::Border) return knownCoordinate(p, line.a) == borderCoordinate(line);
   if (p.kind == PlanPoint::EdgePlane) {
     // an edge of the obstacle at the level, or an edge of the face in the obstacle's lowered plane
     return (p.c == face && p.d == line.b && hasCorners(*mesh_, line.a, p.a, p.b)) ||
            (p.c == line.a && p.d == -line.b && hasCorners(*mesh_, face, p.a, p.b));
   }
   return p.kind == PlanPoint::Crossing && p.face == face && (p.firstLine() == line || p.secondLine() == line);
+}
+
+bool PlanKernel::isKnownAlong(const PlanLine& edge, const PlanPoint& p) const {
+  for (const int axis : {0, 1}) {
+    const double c = coordinate(mesh_->vertices[edge.a], axis);
+    if (c == coordinate(mesh_->vertices[edge.b], axis) && knownCoordinate(p, axis) == c) return true;
+  }
+  return false;
 }
 
 PlanLine PlanKernel::edgeLineOf(const PlanPoint& p) const {
@@ -109,8 +148,10 @@ std::optional<double> PlanKernel::knownCoordinate(const PlanPoint& p, int axis) 
     if (at(p.a) == at(p.b)) return at(p.a);
     return std::nullopt;
   }
-  for (const PlanLine& l : {p.firstLine(), p.secondLine()})
+  for (const PlanLine& l : {p.firstLine(), p.secondLine()}) {
     if (l.kind == PlanLine::Edge && at(l.a) == at(l.b)) return at(l.a);
+    if (l.kind == PlanLine::Border && l.a == axis) return borderCoordinate(l);
+  }
   return std::nullopt;
 }
 
@@ -120,6 +161,13 @@ std::optional<int> PlanKernel::compareKnown(const PlanPoint& a, const PlanPoint&
   const auto y = knownCoordinate(b, axis);
   if (!y) return std::nullopt;
   return (*x > *y) - (*x < *y);
+}
+
+std::optional<int> PlanKernel::knownSide(const PlanLine& border, const PlanPoint& point) const {
+  const auto x = knownCoordinate(point, border.a);
+  if (!x) return std::nullopt;
+  const double c = borderCoordinate(border);
+  return (*x > c) - (*x < c);
 }
 
 bool PlanKernel::areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) const {
@@ -152,7 +200,7 @@ bool PlanKernel::isKnownLevel(const PlanPoint& point, Index f, Index g) const {
 }
 
 Homogeneous<ErrorDouble> PlanKernel::homogeneous(const PlanPoint& point, Index origin) const {
-  auto h = rawHomogeneous(DoubleContext{*mesh_, scaledHeights_, origin}, point);
+  auto h = rawHomogeneous(doubleContext(origin), point);
   const int s = sign_(h[2]);
   if (s == 1) return h;
   if (s == -1) return {-h[0], -h[1], -h[2]};
@@ -169,7 +217,7 @@ Homogeneous<FixedInteger> PlanKernel::fixedHomogeneous(const PlanPoint& point, I
 }
 
 std::array<ErrorDouble, 3> PlanKernel::coefficients(const PlanLine& line, Index face, Index origin) const {
-  return lineCoefficients(DoubleContext{*mesh_, scaledHeights_, origin}, line, face);
+  return lineCoefficients(doubleContext(origin), line, face);
 }
 
 std::array<mpz_class, 3> PlanKernel::exactCoefficients(const PlanLine& line, Index face, Index origin) const {
@@ -181,7 +229,7 @@ std::array<FixedInteger, 3> PlanKernel::fixedCoefficients(const PlanLine& line, 
 }
 
 ApproximatePoint PlanKernel::approximateSource(Index planId, Index origin) const {
-  const DoubleContext context{*mesh_, scaledHeights_, origin};
+  const DoubleContext context = doubleContext(origin);
   const ErrorDouble x = context.local(planId, 0), y = context.local(planId, 1);
   return {x.value, y.value, std::max(x.error, y.error) + sign_.slack};
 }
@@ -311,8 +359,7 @@ int PlanKernel::compareHeight(const PlanPoint& point, Index f, Index g, ExactFal
   if (f == g || isKnownLevel(point, f, g)) return 0;
   const Index origin = mesh_->triangles[f][0];
   const int flip = mesh_->facing[f] * mesh_->facing[g];
-  const int s =
-      sign_(heightDifference(DoubleContext{*mesh_, scaledHeights_, origin}, homogeneous(point, origin), f, g));
+  const int s = sign_(heightDifference(doubleContext(origin), homogeneous(point, origin), f, g));
   if (s != kUnknownSign) return s * flip;
   ++count.height;
   return flip * exactSign(origin, [&](const auto& context) {
@@ -322,7 +369,11 @@ int PlanKernel::compareHeight(const PlanPoint& point, Index f, Index g, ExactFal
 
 int PlanKernel::side(const PlanLine& line, Index face, const PlanPoint& point, Index origin,
                      ExactFallbacks& count) const {
-  if (isKnownOn(line, face, point)) return 0;
+  if (line.kind == PlanLine::Border) {
+    if (const auto known = knownSide(line, point)) return *known;
+  } else if (isKnownOn(line, face, point)) {
+    return 0;
+  }
   const int s = sign_(lineAtPoint<ErrorDouble>(coefficients(line, face, origin), homogeneous(point, origin)));
   if (s != kUnknownSign) return s;
   ++count.side;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A new vertex is always the crossing, in the plan, of two lines of a closed family, lifted to a floor's plane: edges
-// of source triangles, and traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane.
+// of source triangles, traces of an obstacle's plane at a level (height 0 or a clearance) above the floor's plane, and
+// borders between cells, which are parallel to an axis.
 // What a point *is* is kept; its value is computed when needed. A decision goes through up to four stages: rounded
 // coordinates with a bound, provenance, doubles with a running error (ErrorDouble), exact integers: on the stack
 // (FixedInteger) or, on a grid too wide for the proof of their widths, GMP's.
@@ -23,10 +24,11 @@ namespace footfall {
 
 /// A directed line in the plan; positive is its left side.
 struct PlanLine {
-  enum Kind : Index { Edge, Trace };
+  enum Kind : Index { Edge, Trace, Border };
   Index kind = Edge;
-  Index a = -1;  ///< Edge: smaller plan id, from here ... Trace: the obstacle
-  Index b = -1;  ///< ... to the larger plan id. Trace: the level; positive where the obstacle is above floor + level
+  Index a = -1;  ///< Edge: smaller plan id, from here ... Trace: the obstacle. Border: the axis of its coordinate
+  Index b = -1;  ///< ... to the larger plan id. Trace: the level; positive where the obstacle is above floor + level.
+                 ///< Border: the number of the coordinate; positive where coordinates are larger
   bool operator==(const PlanLine&) const = default;
 };
 
@@ -55,21 +57,32 @@ struct ApproximatePoint {
   double error = 0;
 };
 
+struct DoubleContext;
 template <class Integer>
 struct GridContext;
 
-/// Predicates over one generation of source geometry and a set of levels. Immutable; shared by all threads.
+/// Coordinates of borders between cells, in x and in y (environment units, finite).
+using BorderCoordinates = std::array<std::vector<double>, 2>;
+
+/// Predicates over one generation of source geometry, a set of levels and a set of borders. Immutable; shared by all
+/// threads.
 class PlanKernel {
  public:
   /// `heights[i]` is level i + 1 (environment units, > 0); level -i is its negative, level 0 is the plane itself.
-  PlanKernel(std::shared_ptr<const SourceMesh> mesh, std::vector<double> heights);
+  /// `borders[axis]` are distinct and ascending. Borders change nothing for points and lines that were made without
+  /// them: same approximations, same rounded places, same fallbacks. Only the exact integers may be wider.
+  PlanKernel(std::shared_ptr<const SourceMesh> mesh, std::vector<double> heights, BorderCoordinates borders = {});
 
   [[nodiscard]] const SourceMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const std::shared_ptr<const SourceMesh>& sharedMesh() const { return mesh_; }
   [[nodiscard]] const std::vector<double>& heights() const { return heights_; }
+  [[nodiscard]] const BorderCoordinates& borders() const { return borders_; }
   [[nodiscard]] const SignRule& sign() const { return sign_; }
   /// The level of a height, if it is one of heights().
   [[nodiscard]] std::optional<Index> levelOf(double height) const;
+  /// The number of a border by its coordinate, if it is one of borders()[axis].
+  [[nodiscard]] std::optional<Index> borderOf(int axis, double coordinate) const;
+  [[nodiscard]] double borderCoordinate(const PlanLine& border) const { return borders_[border.a][border.b]; }
 
   /// Sign of z(vertex) - z_face(vertex) - height(level); the face must face up.
   int heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const;
@@ -89,6 +102,8 @@ class PlanKernel {
 
   /// Sign of a's minus b's coordinate where knownCoordinate() tells both.
   [[nodiscard]] std::optional<int> compareKnown(const PlanPoint& a, const PlanPoint& b, int axis) const;
+  /// Side of a border at a point where knownCoordinate() tells.
+  [[nodiscard]] std::optional<int> knownSide(const PlanLine& border, const PlanPoint& point) const;
   /// True when the points' making says that they lie on one line. False says nothing.
   [[nodiscard]] bool areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) const;
 
@@ -125,6 +140,7 @@ class PlanKernel {
 
  private:
   [[nodiscard]] int orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const;
+  [[nodiscard]] DoubleContext doubleContext(Index origin) const;
   template <class Integer>
   [[nodiscard]] GridContext<Integer> gridContext(Index origin) const;
   /// Sign of what `evaluate` computes over a GridContext of the integers that this grid needs.
@@ -132,11 +148,15 @@ class PlanKernel {
   [[nodiscard]] int exactSign(Index origin, const Evaluate& evaluate) const;
   /// The line of the edge of an EdgePlane point.
   [[nodiscard]] PlanLine edgeLineOf(const PlanPoint& point) const;
+  /// The edge is parallel to an axis, and the point is known to share the other coordinate with it.
+  [[nodiscard]] bool isKnownAlong(const PlanLine& edge, const PlanPoint& point) const;
   [[nodiscard]] bool isKnownLevel(const PlanPoint& point, Index f, Index g) const;
 
   std::shared_ptr<const SourceMesh> mesh_;
   std::vector<double> heights_;
   std::vector<double> scaledHeights_;
+  BorderCoordinates borders_;
+  std::array<std::vector<ErrorDouble>, 2> scaledBorders_;
   Grid grid_;
   SignRule sign_;
 };

@@ -22,6 +22,7 @@ struct DoubleContext {
   using T = ErrorDouble;
   const SourceMesh& mesh;
   const std::vector<double>& scaledHeights;
+  const std::array<std::vector<ErrorDouble>, 2>& scaledBorders;
   Index origin;
 
   T difference(Index a, Index b, int axis) const {
@@ -29,6 +30,9 @@ struct DoubleContext {
   }
   T local(Index v, int axis) const { return difference(v, origin, axis); }
   T height(Index level) const { return level > 0 ? T(scaledHeights[level - 1]) : T(-scaledHeights[-level - 1]); }
+  T localBorder(const PlanLine& border) const {
+    return scaledBorders[border.a][border.b] - T(coordinate(mesh.scaled[origin], border.a));
+  }
   T one() const { return 1.0; }
   const std::array<T, 3>& normal(Index t) const { return mesh.normals[t]; }
 };
@@ -39,6 +43,7 @@ struct GridContext {
   using T = Integer;
   const SourceMesh& mesh;
   const std::vector<double>& heights;
+  const BorderCoordinates& borders;
   int gridExponent;
   bool narrow;  ///< Grid::width() <= kNarrowGrid
   Index origin;
@@ -50,6 +55,10 @@ struct GridContext {
   T local(Index v, int axis) const { return difference(v, origin, axis); }
   T height(Index level) const {
     return gridInteger<T>(level > 0 ? heights[level - 1] : -heights[-level - 1], gridExponent);
+  }
+  T localBorder(const PlanLine& border) const {
+    return gridDifference<T>(borders[border.a][border.b], coordinate(mesh.vertices[origin], border.a), gridExponent,
+                             narrow);
   }
   T one() const { return T(1); }
   /// Good until the second next one is asked for: the last two are kept, as lines on one face have its normal in
@@ -101,6 +110,11 @@ std::array<typename C::T, 3> lineCoefficients(const C& c, const PlanLine& line, 
   if (line.kind == PlanLine::Edge) {
     std::array<T, 3> r{c.difference(line.a, line.b, 1), c.difference(line.b, line.a, 0), T()};
     r[2] = -(r[0] * c.local(line.a, 0) + r[1] * c.local(line.a, 1));
+    return r;
+  }
+  if (line.kind == PlanLine::Border) {
+    std::array<T, 3> r{T(), T(), -c.localBorder(line)};
+    r[line.a] = c.one();
     return r;
   }
   const auto& n = c.normal(line.a);

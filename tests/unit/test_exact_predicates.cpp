@@ -4,6 +4,8 @@
 #include <gmpxx.h>
 
 #include <QtTest>
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <random>
 
@@ -103,7 +105,8 @@ mpq_class orientation(const Rational3& a, const Rational3& b, const Rational3& c
 /// What the points and lines of the family are, straight from their definition and in the environment's coordinates.
 class Reference {
  public:
-  Reference(const SourceMesh& mesh, const std::vector<double>& heights) : mesh_(mesh), heights_(heights) {}
+  explicit Reference(const PlanKernel& kernel)
+      : mesh_(kernel.mesh()), heights_(kernel.heights()), borders_(kernel.borders()) {}
 
   [[nodiscard]] Rational3 vertex(Index v) const { return rational(mesh_.vertices[v]); }
   [[nodiscard]] Rational3 normal(Index t) const {
@@ -126,9 +129,10 @@ class Reference {
     const Rational3 n = normal(t), a = vertex(mesh_.triangles[t][0]);
     return a[2] - (n[0] * (x - a[0]) + n[1] * (y - a[1])) / n[2];
   }
-  /// A line at a place: positive on its left, or where the obstacle is above floor + level.
+  /// A line at a place: positive on its left, where the obstacle is above floor + level, or above a border.
   [[nodiscard]] mpq_class lineAt(const PlanLine& line, Index face, const mpq_class& x, const mpq_class& y) const {
     if (line.kind == PlanLine::Edge) return orientation(vertex(line.a), vertex(line.b), {x, y, 0});
+    if (line.kind == PlanLine::Border) return (line.a == 0 ? x : y) - mpq_class(borders_[line.a][line.b]);
     return planeHeight(line.a, x, y) - planeHeight(face, x, y) - level(line.b);
   }
   [[nodiscard]] bool parallel(const PlanLine& l, const PlanLine& m, Index face) const {
@@ -160,7 +164,55 @@ class Reference {
   }
   const SourceMesh& mesh_;
   const std::vector<double>& heights_;
+  const BorderCoordinates& borders_;
 };
+
+/// Borders that pass through vertices and through crossings of lines of the family, or just beside; or anywhere,
+/// in the numbers of any soup.
+BorderCoordinates randomBorders(Random& random, Numbers numbers, const PlanKernel& kernel, FaceGeometry& geometry) {
+  const SourceMesh& mesh = kernel.mesh();
+  const Reference reference(kernel);
+  BorderCoordinates borders;
+  const auto number = [&](std::size_t count) { return integer(random, 0, static_cast<int>(count) - 1); };
+  for (const int axis : {0, 1}) {
+    const auto vertex = [&] {
+      const Vec3& v = mesh.vertices[number(mesh.vertices.size())];
+      return axis == 0 ? v.x : v.y;
+    };
+    for (int i = 0; i < 4; ++i) borders[axis].push_back(vertex());
+    borders[axis].push_back(std::nextafter(vertex(), vertex()));
+    borders[axis].push_back(vertex() / 2 + vertex() / 2);
+    borders[axis].push_back(randomCoordinate(random, numbers));
+    // now and then wider than the grid, finer than doubles can follow, or far away
+    if (integer(random, 0, 2) == 0) borders[axis].push_back(randomCoordinate(random, Numbers(integer(random, 0, 8))));
+    if (integer(random, 0, 4) == 0) borders[axis].push_back(std::ldexp(integer(random, -3, 3), -1074));
+    // through traces' crossings that doubles hold
+    for (int i = 0; i < 30; ++i) {
+      const auto face = static_cast<Index>(number(mesh.triangles.size()));
+      const auto other = static_cast<Index>(number(mesh.triangles.size()));
+      if (mesh.facing[face] <= 0 || mesh.facing[other] == 0 || face == other) continue;
+      geometry.start(face);
+      const PlanLine trace{PlanLine::Trace, other, integer(random, 0, 1)};
+      const int edge = integer(random, 0, 2);
+      if (reference.parallel(trace, geometry.lineAt(edge), face)) continue;
+      const mpq_class c = reference.point(geometry[geometry.crossing(geometry.line(trace), edge)])[axis];
+      if (std::isfinite(nearestDouble(c)) && mpq_class(nearestDouble(c)) == c)
+        borders[axis].push_back(nearestDouble(c));
+    }
+    auto& b = borders[axis];
+    std::erase_if(b, [&](double c) {
+      Grid grid;
+      grid.include(c);
+      return !std::isfinite(c) || (numbers == Numbers::WidestFixed && !grid.empty() &&
+                                   (grid.low < kWidestTop - kWidestFixedGrid || grid.top > kWidestTop));
+    });
+    std::sort(b.begin(), b.end());
+    b.erase(std::unique(b.begin(), b.end()), b.end());
+  }
+  return borders;
+}
+
+bool identical(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 }  // namespace
 
@@ -216,7 +268,87 @@ class TestExactPredicates : public QObject {
       FaceGeometry geometry(kernel);
       for (Index face = 0; face < static_cast<Index>(mesh->triangles.size()); ++face)
         if (mesh->facing[face] > 0) checkFace(random, kernel, geometry, face);
+      const PlanKernel withBorders(mesh, {height}, randomBorders(random, Numbers(numbers), kernel, geometry));
+      if (Numbers(numbers) == Numbers::WidestFixed) QVERIFY(withBorders.fitsFixedIntegers());
+      FaceGeometry divided(withBorders);
+      for (Index face = 0; face < static_cast<Index>(mesh->triangles.size()); ++face)
+        if (mesh->facing[face] > 0) checkFace(random, withBorders, divided, face);
     }
+  }
+
+  void borders_data() { singleTriangles_data(); }
+  void borders() {
+    // what does not meet them does not notice them
+    QFETCH(int, numbers);
+    Random random(test::seed() + 200 + static_cast<std::uint64_t>(numbers));
+    for (int i = 0; i < test::rounds(Numbers(numbers) == Numbers::Extreme ? 2 : 12); ++i) {
+      const auto mesh = randomMesh(random, Numbers(numbers), 7);
+      const PlanKernel without(mesh, {1.1});
+      FaceGeometry plain(without);
+      BorderCoordinates borders = randomBorders(random, Numbers(numbers), without, plain);
+      const auto addBorder = [&](double c) {
+        for (auto& b : borders)
+          if (std::find(b.begin(), b.end(), c) == b.end()) b.insert(std::upper_bound(b.begin(), b.end(), c), c);
+      };
+      if (i % 4 == 1) addBorder(1e300);
+      if (i % 4 == 2) addBorder(1e-300);
+      if (i % 4 == 3) addBorder(5e-324);
+      const PlanKernel with(mesh, {1.1}, borders);
+      QVERIFY(with.borders() == borders);
+      for (const int axis : {0, 1})
+        for (std::size_t b = 0; b < borders[axis].size(); ++b)
+          QCOMPARE(with.borderOf(axis, borders[axis][b]), std::optional(static_cast<Index>(b)));
+      QVERIFY(!with.borderOf(0, -1.5e300));
+      QVERIFY(identical(with.sign().slack, without.sign().slack) && with.sign().zeroValid == without.sign().zeroValid);
+      FaceGeometry divided(with);
+      for (Index face = 0; face < static_cast<Index>(mesh->triangles.size()); ++face)
+        if (mesh->facing[face] > 0) compareFaces(random, plain, divided, face);
+      QCOMPARE(divided.fallbacks.total(), plain.fallbacks.total());
+    }
+  }
+
+  void borderCrossings() {
+    // canonical forms: a vertex where a border passes through it, else lines in order, and a face only with a trace
+    SourceSoup soup;
+    soup.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {3, 1, 1}, {1, 3, -1}};
+    soup.triangles = {{0, 1, 2}, {3, 4, 5}};
+    const auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup, false));
+    const PlanKernel kernel(mesh, {}, {std::vector<double>{-0.0, 2}, {1.5}});
+    QVERIFY(!std::signbit(kernel.borders()[0][0]));
+    FaceGeometry geometry(kernel);
+    const Index face = mesh->vertices[mesh->triangles[0][0]].z == 0 ? 0 : 1;
+    geometry.start(face);
+    const Index origin = geometry.line({PlanLine::Border, 0, 0}), x = geometry.line({PlanLine::Border, 0, 1}),
+                y = geometry.line({PlanLine::Border, 1, 0}), trace = geometry.line({PlanLine::Trace, 1 - face, 0});
+    const auto is = [&](Index p, double px, double py) {
+      const auto place = kernel.exactPosition(geometry[p], face);
+      return place[0] == px && place[1] == py;
+    };
+    for (int k = 0; k < 3; ++k) {
+      const auto& f = mesh->triangles[face];
+      const Vec3 &a = mesh->vertices[f[k]], &b = mesh->vertices[f[(k + 1) % 3]];
+      if (a.x == b.x) continue;  // parallel
+      const Index corner = geometry.crossing(origin, k);
+      QCOMPARE(Index(geometry[corner].kind), Index(PlanPoint::Source));
+      const Index inner = geometry.crossing(k, x);
+      QCOMPARE(inner, geometry.crossing(x, k));
+      QVERIFY(geometry[inner].firstLine() == geometry.lineAt(k));
+      QVERIFY(geometry[inner].secondLine() == (PlanLine{PlanLine::Border, 0, 1}));
+      QCOMPARE(geometry[inner].face, -1);
+      QVERIFY(is(inner, 2, a.y == b.y ? 0 : 2));
+    }
+    const Index both = geometry.crossing(y, x);
+    QCOMPARE(both, geometry.crossing(x, y));
+    QVERIFY(geometry[both] == (PlanPoint{PlanPoint::Crossing, PlanLine::Border, 0, 1, PlanLine::Border, 1, 0, -1}));
+    QVERIFY(is(both, 2, 1.5));
+    const Index onTrace = geometry.crossing(y, trace);
+    QCOMPARE(onTrace, geometry.crossing(trace, y));
+    QCOMPARE(geometry[onTrace].face, face);
+    QVERIFY(is(onTrace, 2, 1.5));
+    QCOMPARE(geometry.side(x, onTrace), 0);
+    QCOMPARE(geometry.side(y, onTrace), 0);
+    QCOMPARE(geometry.compare(onTrace, both, 0), 0);
+    QCOMPARE(geometry.compare(onTrace, both, 1), 0);
   }
 
   void widestGridIsReached() {
@@ -228,9 +360,50 @@ class TestExactPredicates : public QObject {
   }
 
  private:
+  static void compareFaces(Random& random, FaceGeometry& plain, FaceGeometry& divided, Index face) {
+    const SourceMesh& mesh = plain.kernel().mesh();
+    const Reference reference(plain.kernel());
+    const auto number = [&](std::size_t count) { return integer(random, 0, static_cast<int>(count) - 1); };
+    plain.start(face);
+    divided.start(face);
+    // on the side of the borders only, in between: the others must not notice
+    const auto triangles = static_cast<int>(mesh.triangles.size());
+    for (int i = 0; i < 20; ++i) {
+      const Index o = integer(random, 0, triangles - 1);
+      const auto& f = mesh.triangles[o];
+      for (int k = 0; k < 3; ++k)
+        if (mesh.planIds[f[k]] != mesh.planIds[f[(k + 1) % 3]]) {
+          QCOMPARE(divided.edgeLine(mesh.planIds[f[k]], mesh.planIds[f[(k + 1) % 3]]),
+                   plain.edgeLine(mesh.planIds[f[k]], mesh.planIds[f[(k + 1) % 3]]));
+        }
+      const PlanLine trace{PlanLine::Trace, o, integer(random, 0, 1)};
+      if (o == face || mesh.facing[o] == 0) continue;
+      const auto c = plain.kernel().exactCoefficients(trace, face, plain.origin());
+      if (c[0] != 0 || c[1] != 0) QCOMPARE(divided.line(trace), plain.line(trace));
+    }
+    for (int i = 0; i < 40; ++i) {
+      const Index l = number(plain.lineCount()), m = number(plain.lineCount());
+      if (reference.parallel(plain.lineAt(l), plain.lineAt(m), face)) continue;
+      const Index p = plain.crossing(l, m);
+      QCOMPARE(divided.crossing(l, m), p);
+      QVERIFY(divided[p] == plain[p]);
+      const ApproximatePoint &a = plain.approximate(p), &b = divided.approximate(p);
+      QVERIFY(identical(a.x, b.x) && identical(a.y, b.y) && identical(a.error, b.error));
+      bool exactA = false, exactB = false;
+      const Vec3 roundedA = plain.kernel().roundedPosition(plain[p], face, &exactA);
+      const Vec3 roundedB = divided.kernel().roundedPosition(plain[p], face, &exactB);
+      QVERIFY(identical(roundedA.x, roundedB.x) && identical(roundedA.y, roundedB.y) &&
+              identical(roundedA.z, roundedB.z) && exactA == exactB);
+      const Index q = number(plain.pointCount()), r = number(plain.pointCount());
+      QCOMPARE(divided.orientation(p, q, r), plain.orientation(p, q, r));
+      QCOMPARE(divided.compare(p, q, 0), plain.compare(p, q, 0));
+      QCOMPARE(divided.side(l, q), plain.side(l, q));
+    }
+  }
+
   static void checkFace(Random& random, const PlanKernel& kernel, FaceGeometry& geometry, Index face) {
     const SourceMesh& mesh = kernel.mesh();
-    const Reference reference(mesh, kernel.heights());
+    const Reference reference(kernel);
     const auto triangles = static_cast<Index>(mesh.triangles.size());
     ExactFallbacks count;
     geometry.start(face);
@@ -258,11 +431,15 @@ class TestExactPredicates : public QObject {
           lines.push_back(geometry.line(trace));
       }
     }
+    for (const int axis : {0, 1})
+      for (std::size_t b = 0; b < kernel.borders()[axis].size(); ++b)
+        lines.push_back(geometry.line({PlanLine::Border, axis, static_cast<Index>(b)}));
     const auto any = [&](const std::vector<Index>& of) {
       return of[integer(random, 0, static_cast<int>(of.size()) - 1)];
     };
-    for (int i = 0; i < 25; ++i) {
-      const Index l = any(lines), m = any(lines);
+    const bool hasBorders = !kernel.borders()[0].empty();
+    for (int i = 0; i < (hasBorders ? 50 : 25); ++i) {
+      const Index l = any(lines), m = i % 5 == 1 && hasBorders ? lines.back() : any(lines);
       if (!reference.parallel(geometry.lineAt(l), geometry.lineAt(m), face)) points.push_back(geometry.crossing(l, m));
     }
     std::vector<Rational3> places;
@@ -289,6 +466,11 @@ class TestExactPredicates : public QObject {
       QCOMPARE(geometry.side(l, points[a]), side);
       QCOMPARE(kernel.side(geometry.lineAt(l), face, p, geometry.origin(), count), side);
       QVERIFY(side == 0 || !kernel.isKnownOn(geometry.lineAt(l), face, p));
+      if (geometry.lineAt(l).kind == PlanLine::Border) {
+        const auto known = kernel.knownSide(geometry.lineAt(l), p);
+        QVERIFY(!known || *known == side);
+        QVERIFY(p.kind != PlanPoint::Source || known);
+      }
       const Index other = integer(random, 0, triangles - 1);
       if (mesh.facing[other] != 0)
         QCOMPARE(kernel.compareHeight(p, face, other, count),
@@ -318,6 +500,14 @@ class TestExactPredicates : public QObject {
     const PlanPoint& p = geometry[point];
     for (const int axis : {0, 1})
       if (const auto known = kernel.knownCoordinate(p, axis)) QVERIFY(mpq_class(*known) == place[axis]);
+    if (p.kind == PlanPoint::Crossing) {
+      QVERIFY(kernel.isKnownOn(p.firstLine(), p.face, p) && kernel.isKnownOn(p.secondLine(), p.face, p));
+      for (const PlanLine& line : {p.firstLine(), p.secondLine()})
+        if (line.kind == PlanLine::Border) {
+          const auto known = kernel.knownCoordinate(p, line.a);
+          QVERIFY(known && mpq_class(*known) == place[line.a]);
+        }
+    }
     // the rounded coordinates, relative to the face's first corner and scaled, enclose the exact ones
     const ApproximatePoint& approximate = geometry.approximate(point);
     const Rational3 origin = reference.vertex(geometry.origin());
