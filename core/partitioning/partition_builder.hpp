@@ -1,0 +1,71 @@
+// What all strategies share: the tree of cuts that they grow, and the partition that it becomes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/partitioning/partition.hpp"
+#include "core/partitioning/strategies.hpp"
+
+namespace footfall {
+
+/// Cuts as a strategy makes them, on several threads.
+struct CutTree {
+  int axis = 0;
+  double coordinate = 0;
+  std::unique_ptr<CutTree> below, above;  ///< none in a cell
+};
+
+/// A rectangle in the plan; empty while lower > upper.
+struct PlanBox {
+  std::array<double, 2> lower{CellBounds::kInfinity, CellBounds::kInfinity};
+  std::array<double, 2> upper{-CellBounds::kInfinity, -CellBounds::kInfinity};
+
+  [[nodiscard]] bool empty() const { return !(lower[0] <= upper[0]); }
+  /// A cut there leaves width on both sides.
+  [[nodiscard]] bool isInside(int axis, double coordinate) const {
+    return lower[axis] < coordinate && coordinate < upper[axis];
+  }
+};
+
+/// Of a triangle.
+PlanBox planBoxOf(const SourceMesh& mesh, Index triangle);
+/// Of all triangles that are not removed.
+PlanBox planBoxOf(const StrategyInput& input);
+
+/// Refuses parameters that make more cells than anyone can use.
+class CellLimit {
+ public:
+  static constexpr std::int64_t kMostCells = 65536;
+
+  /// `strategy` with its parameters, and `advice` on what to change, for the message.
+  CellLimit(std::string strategy, std::string advice) : strategy_(std::move(strategy)), advice_(std::move(advice)) {}
+  /// Throws InputError when there are too many now. Called by any thread.
+  void add(std::int64_t cells);
+
+ private:
+  std::string strategy_, advice_;
+  std::atomic<std::int64_t> cells_{0};
+};
+
+/// Numbers nodes, cells and borders of a tree, in the tree's order: below before above.
+Partition partitionOf(const CutTree& tree);
+
+// One function for each strategy. `name` is the strategy with its parameters, for messages.
+std::unique_ptr<CutTree> growGrid(double columns, double rows, const std::string& name, const StrategyInput& input);
+/// Parameters of the strategies that cut again and again.
+struct RecursionLimits {
+  double triangles = 0;  ///< parts with fewer are not cut
+  double depth = 0;      ///< cuts on the way to a cell
+};
+std::unique_ptr<CutTree> growRecursive(const RecursionLimits& limits, const std::string& name,
+                                       const StrategyInput& input);
+std::unique_ptr<CutTree> growSortedRecursive(const RecursionLimits& limits, const std::string& name,
+                                             const StrategyInput& input);
+
+}  // namespace footfall
