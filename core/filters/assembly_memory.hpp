@@ -33,7 +33,7 @@ struct JoinMemory {
 
 struct AssemblyMemory {
   /// For each source triangle that something cuts; else null.
-  std::vector<std::shared_ptr<const FaceMesh>> meshes;
+  FaceMeshes meshes;
   /// For each source triangle what stands in the clearance above it and overlaps it in the plan, ascending; null:
   /// nothing, or no floor.
   std::vector<std::shared_ptr<const std::pmr::vector<Index>>> candidates;

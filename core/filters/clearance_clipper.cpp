@@ -48,7 +48,7 @@ FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> side
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box box{{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
   for (const auto& [border, keep] : sides) {
-    const double coordinate = geometry_.kernel().borders()[border.a][border.b];
+    const double coordinate = geometry_.kernel().borderCoordinate(border);
     (keep > 0 ? box.lower : box.upper)[border.a] = coordinate;
   }
   FaceShare share;
@@ -318,7 +318,7 @@ int ClearanceClipper::sideOfCell(std::size_t side, Index point) {
 
 bool ClearanceClipper::isInside(std::size_t side, Index triangle) const {
   const auto& [border, keep] = sides_[side];
-  const double coordinate = geometry_.kernel().borders()[border.a][border.b];
+  const double coordinate = geometry_.kernel().borderCoordinate(border);
   for (const Index v : mesh_.triangles[triangle]) {
     const double c = border.a == 0 ? mesh_.vertices[v].x : mesh_.vertices[v].y;
     if (keep > 0 ? c <= coordinate : c >= coordinate) return false;

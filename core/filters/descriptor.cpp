@@ -300,7 +300,6 @@ FilterDescriptor gridStrategy() {
       .parameters = {count("n", "Columns", "Number of cells along x."), count("m", "Rows", "Number of cells along y.")},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
-      .runs = false,
   };
 }
 
@@ -318,7 +317,6 @@ FilterDescriptor recursiveStrategy() {
       .parameters = {kMinimumTriangles, kMaximumDepth, optional(kRoundCuts)},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
-      .runs = false,
   };
 }
 
@@ -336,7 +334,6 @@ FilterDescriptor sortedRecursiveStrategy() {
       .parameters = {kMinimumTriangles, kMaximumDepth, kRoundCuts},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
-      .runs = false,
   };
 }
 
@@ -355,7 +352,6 @@ FilterDescriptor heightAwareStrategy() {
       .parameters = {kMinimumTriangles, kMaximumDepth, optional(kRoundCuts)},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
-      .runs = false,
   };
 }
 
@@ -373,7 +369,6 @@ FilterDescriptor autoStrategy() {
       .parameters = {},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
-      .runs = false,
   };
 }
 
@@ -391,7 +386,6 @@ FilterDescriptor collapse() {
       .parameters = {},
       .kind = FilterKind::Collapse,
       .scope = Scope::Global,
-      .runs = false,
   };
 }
 

@@ -28,7 +28,8 @@ FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>&
 FloorFlags::FloorFlags(const std::vector<char>& walkable, const std::vector<FaceTest>& tests)
     : tests_(tests), flags_(walkable) {
   if (tests.empty()) return;
-  std::replace_if(flags_.begin(), flags_.end(), [](char flag) { return flag != 0; }, kUnknown);
+  std::replace_if(
+      flags_.begin(), flags_.end(), [](char flag) { return flag != 0; }, kUnknown);
 }
 
 bool FloorFlags::passesAll(Index face) {

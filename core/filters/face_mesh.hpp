@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <memory_resource>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct FaceMesh {
   std::pmr::vector<PlanLine> lines;
   std::pmr::vector<Cell> cells;
 };
+
+/// For each source triangle what its cuts leave; null where nothing cuts it.
+using FaceMeshes = std::vector<std::shared_ptr<const FaceMesh>>;
 
 /// Triangulates a face by its cuts. `covered` chooses the covered parts instead of the walkable ones.
 class FaceMesher {

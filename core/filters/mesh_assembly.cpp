@@ -23,14 +23,27 @@ constexpr std::size_t kSegmentsOfGiants = 128;
 constexpr std::size_t kMeshesFreedPerTask = 8192;
 constexpr std::size_t kCopiesPerTask = 512;
 
-std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel,
-                                          const std::vector<std::shared_ptr<const FaceMesh>>& meshes,
-                                          const std::vector<Index>& faces) {
+}  // namespace
+
+std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, const CutTable& cuts,
+                                                     const FaceMeshes& meshes, std::span<const Index> faces) {
   const SourceMesh& source = kernel.mesh();
   const int scale = -source.grid.scaleExponent();
   auto part = std::make_shared<NavigationMesh>();
   for (const Index face : faces) {
+    if (cuts.isRemoved(face)) continue;
     const auto base = static_cast<std::uint32_t>(part->vertices.size());
+    const auto addTriangle = [&](const std::array<Index, 3>& corners) {
+      part->triangles.push_back({base + static_cast<std::uint32_t>(corners[0]),
+                                 base + static_cast<std::uint32_t>(corners[1]),
+                                 base + static_cast<std::uint32_t>(corners[2])});
+      part->sourceTriangles.push_back(source.inputTriangles[face]);
+    };
+    if (!meshes[face]) {
+      for (const Index v : source.triangles[face]) part->vertices.push_back(source.vertices[v]);
+      addTriangle({0, 1, 2});
+      continue;
+    }
     const Vec3& origin = source.vertices[source.triangles[face][0]];
     const auto& n = source.normals[face];
     for (const ApproximatePoint& p : meshes[face]->approximate) {
@@ -38,30 +51,24 @@ std::shared_ptr<NavigationMesh> previewOf(const PlanKernel& kernel,
       part->vertices.push_back(
           {origin.x + std::ldexp(p.x, scale), origin.y + std::ldexp(p.y, scale), origin.z + std::ldexp(z, scale)});
     }
-    for (const FaceMesh::Cell& c : meshes[face]->cells) {
-      part->triangles.push_back({base + static_cast<std::uint32_t>(c.corners[0]),
-                                 base + static_cast<std::uint32_t>(c.corners[1]),
-                                 base + static_cast<std::uint32_t>(c.corners[2])});
-      part->sourceTriangles.push_back(source.inputTriangles[face]);
-    }
+    for (const FaceMesh::Cell& c : meshes[face]->cells) addTriangle(c.corners);
   }
   return part;
 }
 
-}  // namespace
-
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
                                                  ExactFallbacks& fallbacks) {
-  return assembleMesh(state, nullptr, {}, nullptr, context, fallbacks);
+  const auto meshes = std::make_shared<FaceMeshes>(state.walkable.size());
+  return assembleMesh(state, nullptr, {}, meshes, nullptr, context, fallbacks);
 }
 
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, const EarlierResult* earlier,
-                                                 const std::vector<Index>& changed, AssemblyMemory* memory,
+                                                 const std::vector<Index>& changed,
+                                                 const std::shared_ptr<FaceMeshes>& ownedMeshes, AssemblyMemory* memory,
                                                  RunContext& context, ExactFallbacks& fallbacks) {
   const PlanKernel& kernel = *state.kernel;
   const auto count = static_cast<Index>(kernel.mesh().triangles.size());
   ReleaseOnException large(state.walkable.size() >= kLargeRelease);
-  const auto ownedMeshes = std::make_shared<std::vector<std::shared_ptr<const FaceMesh>>>(state.cuts ? count : 0);
   auto& meshes = *ownedMeshes;
   large.hold(ownedMeshes);
   // Only faces with segments need a triangulation; giants first, so that no thread is left with one at the end.
@@ -71,7 +78,7 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
     for (const Index t : changed) isChanged[t] = 1;
   for (Index t = 0; t < count && state.cuts; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
-    if (state.walkable[t] == 0 || !state.cuts->shared(t) || state.cuts->isRemoved(t)) continue;
+    if (state.walkable[t] == 0 || meshes[t] || !state.cuts->shared(t) || state.cuts->isRemoved(t)) continue;
     if (earlier != nullptr && isChanged[t] == 0)
       known.push_back(t);
     else if (const std::size_t segments = (*state.cuts)[t].segments.size(); segments > 0)
@@ -109,7 +116,7 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
       if (finished % 256 == 0) context.progress(0.5 + 0.4 * static_cast<double>(finished) / faces.size());
       mine.push_back(faces[i]);
     }
-    if (context.wantsParts()) context.part(previewOf(kernel, meshes, mine));
+    if (context.wantsParts()) context.part(previewOfFaces(kernel, *state.cuts, meshes, mine));
   });
   for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
 

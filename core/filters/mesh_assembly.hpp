@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "core/filters/assembly_memory.hpp"
 #include "core/filters/earlier_result.hpp"
@@ -18,10 +19,16 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, Run
                                                  ExactFallbacks& fallbacks);
 
 /// The same, taking from `earlier` (may be null) what concerns no face in `changed` (ascending; all walkable faces that
-/// differ), and leaving in `memory` (may be null) what the next run can take.
+/// differ), and leaving in `memory` (may be null) what the next run can take. `meshes` has one entry for each face:
+/// those that are not null are taken as they are.
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, const EarlierResult* earlier,
-                                                 const std::vector<Index>& changed, AssemblyMemory* memory,
+                                                 const std::vector<Index>& changed,
+                                                 const std::shared_ptr<FaceMeshes>& meshes, AssemblyMemory* memory,
                                                  RunContext& context, ExactFallbacks& fallbacks);
+
+/// What cuts left of faces, for display: rounded, not joined.
+std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, const CutTable& cuts,
+                                                     const FaceMeshes& meshes, std::span<const Index> faces);
 
 /// The state with its mesh assembled (the same state when it is already).
 std::shared_ptr<const WalkableState> withMesh(const std::shared_ptr<const WalkableState>& state, RunContext& context,

@@ -7,10 +7,12 @@
 
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "core/environment/background_release.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/pipeline/block_structure.hpp"
+#include "core/pipeline/parallel_block.hpp"
 #include "core/pipeline/result_cache.hpp"
 
 namespace footfall {
@@ -34,14 +36,6 @@ void checkRunnable(const Pipeline& pipeline) {
   if (const auto error = findStructureError(pipeline)) {
     throw InputError(placeOfStep(pipeline, error->step) + ": " + error->message);
   }
-  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
-    const PipelineStep& step = pipeline.steps[i];
-    if (step.enabled && !step.filter->runs) {
-      throw InputError(placeOfStep(pipeline, i) + ": " + std::string(step.filter->name) +
-                       " is understood but does not run yet; remove the strategy and its Collapse, the result is the "
-                       "same without them");
-    }
-  }
 }
 
 // Runs `work`; whatever goes wrong in it that is not the user's doing becomes a RunError that says where.
@@ -64,8 +58,14 @@ auto guarded(const std::string& where, Work&& work) {
 
 class Run {
  public:
-  Run(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context, PrefixCache* cache)
-      : environment_(std::move(environment)), pipeline_(pipeline), context_(context), cache_(cache) {
+  Run(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context, PrefixCache* cache,
+      int threads, const Stopwatch& clock)
+      : environment_(std::move(environment)),
+        pipeline_(pipeline),
+        context_(context),
+        cache_(cache),
+        threads_(threads),
+        clock_(clock) {
     for (const PipelineStep& step : pipeline.steps) {
       if (step.enabled) steps_.push_back(&step);
     }
@@ -82,7 +82,13 @@ class Run {
     context_.checkCancelled();
     takeFromCache();
     const double startMs = current_.state ? 0 : makeStart();
-    for (std::size_t i = current_.steps.size(); i < steps_.size(); ++i) runStep(i);
+    while (current_.steps.size() < steps_.size()) {
+      const std::size_t next = current_.steps.size();
+      if (steps_[next]->filter->kind == FilterKind::Strategy)
+        runBlockAt(next);
+      else
+        runStep(next);
+    }
     const Stopwatch finishing;
     context_.checkCancelled();
     if (!current_.mesh) {
@@ -95,6 +101,8 @@ class Run {
     result.steps = std::move(current_.steps);
     result.mesh = current_.mesh;
     result.summary = current_.summary;
+    result.blocks = std::move(blocks_);
+    result.times = times_;
     return result;
   }
 
@@ -130,8 +138,7 @@ class Run {
     statistics.name = step.filter->name;
     statistics.parameters = step.values;
     statistics.in = current_.summary;
-    const auto position = static_cast<std::size_t>(&step - pipeline_.steps.data());
-    guarded(placeOfStep(pipeline_, position) + ", " + statistics.name, [&] {
+    guarded(placeOf(index) + ", " + statistics.name, [&] {
       context_.beginStep(index, statistics.name);
       const Stopwatch watch;
       FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1));
@@ -146,7 +153,41 @@ class Run {
       current_.steps.push_back(std::move(statistics));
       remember();
       context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
+      (blocks_.empty() ? times_.preprocessing : times_.postprocessing) += watch.wallMs();
     });
+  }
+
+  void runBlockAt(std::size_t first) {
+    context_.checkCancelled();
+    std::size_t last = first;
+    while (steps_[last]->filter->kind != FilterKind::Collapse) ++last;
+    BlockRequest request;
+    request.steps.assign(steps_.begin() + static_cast<std::ptrdiff_t>(first),
+                         steps_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    request.firstStep = first;
+    request.state = current_.state;
+    request.summary = current_.summary;
+    request.recall = recall(last + 1);
+    request.threads = threads_;
+    guarded(placeOf(first) + ", parallel block of " + std::string(steps_[first]->filter->name), [&] {
+      BlockOutcome outcome = runBlock(request, clock_, context_);
+      current_.state = std::move(outcome.state);
+      current_.summary = outcome.summary;
+      current_.mesh = nullptr;
+      for (StepStatistics& step : outcome.steps) current_.steps.push_back(std::move(step));
+      remember();
+      // What was post-processing lies between two blocks.
+      times_.preprocessing += std::exchange(times_.postprocessing, 0);
+      times_.partitioning += outcome.report.partitioningMs;
+      times_.parallel += outcome.report.parallelMs;
+      times_.merging += outcome.report.mergingMs;
+      blocks_.push_back(std::move(outcome.report));
+    });
+  }
+
+  // For messages: steps_ are pointers into the pipeline's steps.
+  [[nodiscard]] std::string placeOf(std::size_t index) const {
+    return placeOfStep(pipeline_, static_cast<std::size_t>(steps_[index] - pipeline_.steps.data()));
   }
 
   // What earlier runs had after the first `count` steps.
@@ -165,7 +206,21 @@ class Run {
   PrefixCache* cache_;
   std::vector<const PipelineStep*> steps_;  // the enabled ones
   CachedPrefix current_;
+  int threads_;
+  const Stopwatch& clock_;
+  std::vector<BlockReport> blocks_;
+  RunTimes times_;
 };
+
+// Runs `work` on at most `threads` threads (0: as many as the machine has); gives it their number.
+template <typename Work>
+auto onThreads(int threads, Work&& work) {
+  const int workers = threads > 0 ? threads : tbb::info::default_concurrency();
+  // The arena bounds this run, however many others there are; the control lets it have more threads than processors.
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(workers));
+  tbb::task_arena arena(workers);
+  return arena.execute([&] { return work(workers); });
+}
 
 }  // namespace
 
@@ -173,15 +228,39 @@ RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipe
                       ResultCache* cache, int threads) {
   checkRunnable(pipeline);
   const Stopwatch watch;
-  const int workers = threads > 0 ? threads : tbb::info::default_concurrency();
-  // The arena bounds this run, however many others there are; the control lets it have more threads than processors.
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(workers));
-  tbb::task_arena arena(workers);
-  RunResult result = arena.execute(
-      [&] { return Run(std::move(environment), pipeline, context, cache ? cache->impl_.get() : nullptr).execute(); });
-  result.threads = workers;
+  RunResult result = onThreads(threads, [&](int workers) {
+    Run run(std::move(environment), pipeline, context, cache ? cache->impl_.get() : nullptr, workers, watch);
+    RunResult made = run.execute();
+    made.threads = workers;
+    return made;
+  });
   result.totalMs = watch.wallMs();
+  RunTimes& times = result.times;
+  times.total = result.totalMs;
+  times.overhead =
+      times.total - times.preprocessing - times.partitioning - times.parallel - times.merging - times.postprocessing;
   return result;
+}
+
+Partition previewPartition(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
+                           std::size_t step, RunContext& context, int threads) {
+  checkRunnable(pipeline);
+  std::vector<const PipelineStep*> steps;
+  for (std::size_t i = step; i < pipeline.steps.size(); ++i) {
+    if (pipeline.steps[i].enabled) steps.push_back(&pipeline.steps[i]);
+    if (pipeline.steps[i].enabled && pipeline.steps[i].filter->kind == FilterKind::Collapse) break;
+  }
+  if (steps.empty() || steps[0]->filter->kind != FilterKind::Strategy)
+    throw InputError("step " + std::to_string(step + 1) + " is no strategy that is switched on; choose one that is");
+  return guarded(placeOfStep(pipeline, step), [&] {
+    return onThreads(threads, [&](int workers) {
+      const StatePtr state = makeInitialState(environment, context);
+      const StrategyInput input = strategyInput(*state, steps, workers, context);
+      Partition partition = makePartition(steps[0]->filter->name, steps[0]->values, input);
+      assignFloors(partition, input);
+      return partition;
+    });
+  });
 }
 
 }  // namespace footfall

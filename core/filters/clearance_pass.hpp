@@ -1,0 +1,79 @@
+// One run of VerticalClearanceFilter, face by face in any order and on any threads: over the whole environment, or cell
+// by cell in a parallel block.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/environment/background_release.hpp"
+#include "core/filters/clearance_clipper.hpp"
+#include "core/filters/face_filter.hpp"
+#include "core/filters/filter.hpp"
+#include "core/filters/known_cuts.hpp"
+
+namespace footfall {
+
+/// Faces that are given to clip() or mesh() at the same time must be different ones.
+class ClearancePass {
+ public:
+  /// `tests` are filters that come before, not yet in the state's flags (none when there is something to recall).
+  /// `borders` are those between cells that share faces.
+  ClearancePass(const StatePtr& state, double height, std::vector<FaceTest> tests, const BorderCoordinates& borders,
+                const Recall& recall, RunContext& context);
+
+  /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance.
+  [[nodiscard]] bool canShare(Index face) const;
+  [[nodiscard]] const std::vector<FaceTest>& tests() const { return tests_; }
+  /// The flags of the calling thread.
+  FloorFlags& floors() { return worker().floors; }
+
+  /// Finds the cuts of a floor.
+  void clip(Index face);
+  /// The part of a floor's cuts that one cell finds.
+  FaceShare clipShare(Index face, std::span<const CellSide> sides);
+  /// All parts of a floor's cuts.
+  void joinShares(Index face, std::span<const FaceShare> shares);
+  /// Triangulates what the cuts of a floor leave, to be taken by finish(). Returns its number of triangles.
+  std::size_t mesh(Index face);
+  /// What the floors have become, for display.
+  [[nodiscard]] std::shared_ptr<const NavigationMesh> preview(std::span<const Index> faces) const;
+
+  /// The filter's outcome, when every floor is done. Floors that were not meshed are meshed now. `walkable` and
+  /// `removed`: the flags after the filters before.
+  FilterOutcome finish(std::vector<char> walkable, std::vector<char> removed);
+
+ private:
+  struct Worker {
+    Worker(const ClearancePass& pass, RunContext& context);
+    FloorFlags floors;
+    ClearanceClipper clipper;
+    std::unique_ptr<ClearanceClipper> shareClipper;  ///< on the kernel with borders; made when needed
+    FaceMesher mesher;
+    CopyMemory copies;
+  };
+  Worker& worker();
+  void keepCandidates(Index face, std::vector<Index> found);
+
+  StatePtr state_;
+  RunContext& context_;
+  ReleaseOnException large_;
+  std::vector<FaceTest> tests_;
+  std::shared_ptr<WalkableState> result_;
+  std::shared_ptr<const PlanKernel> borderKernel_;
+  Index level_ = -1;
+  std::shared_ptr<AssemblyMemory> memory_;
+  std::optional<EarlierResult> earlier_;
+  std::optional<KnownCuts> known_;
+  std::shared_ptr<CutTable> cuts_;
+  std::shared_ptr<FaceMeshes> meshes_;  ///< made by mesh()
+  std::vector<char> isChanged_;
+  tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
+};
+
+}  // namespace footfall

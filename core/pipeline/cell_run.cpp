@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/cell_run.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "core/partitioning/load_balancing.hpp"
+
+namespace footfall {
+namespace {
+
+// Small faces that a thread takes at once.
+constexpr std::size_t kFacesPerTake = 16;
+// Fewer floors than this are not worth waking a thread for.
+constexpr std::size_t kFloorsPerThread = 128;
+// How long an idle thread sleeps before it looks whether the run was cancelled.
+constexpr std::chrono::milliseconds kIdle{2};
+constexpr double kShareOfProgress = 0.9;
+
+std::vector<CellSide> sidesOf(const CellBounds& bounds) {
+  std::vector<CellSide> sides;
+  for (Index axis = 0; axis < 2; ++axis) {
+    if (bounds.lowerBorder[axis] >= 0) sides.push_back({{PlanLine::Border, axis, bounds.lowerBorder[axis]}, 1});
+    if (bounds.upperBorder[axis] >= 0) sides.push_back({{PlanLine::Border, axis, bounds.upperBorder[axis]}, -1});
+  }
+  return sides;
+}
+
+std::vector<std::size_t> orderOf(const Partition& partition) {
+  std::vector<double> costs;
+  for (const Cell& cell : partition.cells) costs.push_back(cell.cost);
+  return longestFirst(costs);
+}
+
+}  // namespace
+
+CellRun::CellRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
+                 const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
+                 const Stopwatch& clock, RunContext& context)
+    : partition_(partition),
+      floors_(floors),
+      mesh_(mesh),
+      walkable_(walkable),
+      filters_(std::move(filters)),
+      reports_(reports),
+      clock_(clock),
+      context_(context),
+      order_(orderOf(partition)),
+      cells_(partition.cells.size()),
+      passed_(filters_.tests.empty() ? 0 : walkable.size(), 0),
+      itemsExpected_(floors.floors.size()),
+      current_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
+      cellsLeft_(partition.cells.size()) {
+  for (auto& cell : current_) cell = -1;
+  if (filters_.clearance == nullptr) return;
+  for (const Cell& cell : partition.cells) sides_.push_back(sidesOf(cell.bounds));
+  Index count = 0;
+  sharesOf_.assign(walkable.size(), -1);
+  for (std::size_t t = 0; t < walkable.size(); ++t)
+    if (floors.cellCount[t] > 1) sharesOf_[t] = count++;
+  shares_ = std::vector<Shares>(static_cast<std::size_t>(count));
+  for (std::size_t t = 0; t < walkable.size(); ++t)
+    if (sharesOf_[t] >= 0) shares_[sharesOf_[t]].shares.resize(floors.cellCount[t]);
+}
+
+void CellRun::run() {
+  const std::size_t useful = std::max<std::size_t>(1, floors_.floors.size() / kFloorsPerThread);
+  const auto threads = static_cast<int>(std::min(current_.size(), useful));
+  if (threads == 1) {
+    work();
+    return;
+  }
+  tbb::parallel_for(
+      0, threads, [&](int) { work(); }, tbb::simple_partitioner());
+}
+
+void CellRun::work() {
+  const int thread = tbb::this_task_arena::current_thread_index();
+  try {
+    for (Join next;;) {
+      if (takeJoin(next)) {
+        join(next, thread);
+      } else if (const std::size_t n = nextCell_.fetch_add(1); n < order_.size()) {
+        begin(static_cast<Index>(order_[n]), thread);
+      } else if (const Index cell = cellToHelp(); cell >= 0) {
+        runItems(cell, thread);
+      } else {
+        std::unique_lock lock(mutex_);
+        if (cellsLeft_ == 0 || failed_) return;
+        if (joins_.empty()) changed_.wait_for(lock, kIdle);
+        context_.checkCancelled();
+      }
+    }
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    failed_ = true;
+    changed_.notify_all();
+    throw;
+  }
+}
+
+// The filters that look at single faces, one after the other; then the cell is open to all.
+void CellRun::begin(Index cell, int thread) {
+  CellWork& work = cells_[cell];
+  {
+    const std::lock_guard lock(work.mutex);
+    reports_[cell].thread = thread;
+    reports_[cell].startMs = clock_.wallMs();
+  }
+  current_[thread] = cell;
+  const auto first = floors_.floors.begin();
+  work.floors.assign(first + static_cast<std::ptrdiff_t>(floors_.first[cell]),
+                     first + static_cast<std::ptrdiff_t>(floors_.first[cell + 1]));
+  ExactFallbacks count;
+  for (std::size_t i = 0; i < filters_.tests.size(); ++i) {
+    const double startMs = clock_.wallMs();
+    context_.checkCancelled();
+    const auto passes = [&](Index face) {
+      if (!filters_.tests[i](face, count)) {
+        if (filters_.clearance != nullptr) filters_.clearance->floors().set(face, false);
+        return false;
+      }
+      // Cells that share a face find the same.
+      std::atomic_ref(passed_[face]).store(static_cast<std::uint8_t>(i + 1), std::memory_order_relaxed);
+      return true;
+    };
+    std::erase_if(work.floors, [&](Index face) { return !passes(face); });
+    record(cell, i, thread, startMs);
+  }
+  if (!filters_.tests.empty()) {
+    const std::lock_guard lock(mutex_);
+    fallbacks_ += count;
+  }
+  if (filters_.clearance == nullptr) {
+    work.trianglesOut = work.floors.size();
+    done(cell, 1);
+    return;
+  }
+  if (!filters_.tests.empty()) {
+    FloorFlags& flags = filters_.clearance->floors();
+    for (const Index face : work.floors) flags.set(face, true);
+  }
+  sortOut(work);
+  work.left += work.floors.size();
+  {
+    const std::lock_guard lock(mutex_);
+    work.open = true;
+  }
+  changed_.notify_all();
+  runItems(cell, thread);
+  done(cell, 1);
+}
+
+// Shared floors and those that are a large share of the cell come first, each to be taken on its own.
+void CellRun::sortOut(CellWork& work) const {
+  constexpr double kLargeShare = 1.0 / 64;
+  const auto planArea = [&](Index face) {
+    const Box box = boxOf(mesh_, face);
+    return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]);
+  };
+  double sum = 0;
+  for (const Index face : work.floors) sum += planArea(face);
+  const auto isLarge = [&](Index face) { return sharesOf_[face] >= 0 || planArea(face) > sum * kLargeShare; };
+  work.large = static_cast<std::size_t>(std::stable_partition(work.floors.begin(), work.floors.end(), isLarge) -
+                                        work.floors.begin());
+}
+
+void CellRun::runItems(Index cell, int thread) {
+  CellWork& work = cells_[cell];
+  const std::size_t count = work.floors.size();
+  while (work.next.load(std::memory_order_relaxed) < count) {
+    const double startMs = clock_.wallMs();
+    // Where others were quicker, some small ones are taken alone, or a large one with small ones: no harm.
+    const std::size_t take = work.next.load(std::memory_order_relaxed) < work.large ? 1 : kFacesPerTake;
+    const std::size_t first = work.next.fetch_add(take);
+    const std::size_t last = std::min(first + take, count);
+    if (first >= last) return;
+    for (std::size_t i = first; i < last; ++i) {
+      context_.checkCancelled();
+      runItem(cell, i);
+    }
+    record(cell, filters_.tests.size(), thread, startMs);
+    const std::size_t finished = itemsDone_.fetch_add(last - first, std::memory_order_relaxed);
+    context_.progress(kShareOfProgress * static_cast<double>(finished) / static_cast<double>(itemsExpected_));
+    done(cell, last - first);
+    Join next;
+    while (takeJoin(next)) join(next, thread);
+  }
+}
+
+void CellRun::runItem(Index cell, std::size_t item) {
+  const Index face = cells_[cell].floors[item];
+  ClearancePass& pass = *filters_.clearance;
+  const Index number = sharesOf_[face];
+  if (number < 0) {
+    pass.clip(face);
+    cells_[cell].trianglesOut += pass.mesh(face);
+    return;
+  }
+  Shares& all = shares_[number];
+  const auto count = static_cast<Index>(all.shares.size());
+  const Index slot = all.begun.fetch_add(1);
+  const bool isCut = pass.canShare(face);
+  if (isCut) {
+    all.shares[slot] = pass.clipShare(face, sides_[cell]);
+    if (all.arrived.fetch_add(1) + 1 < count) return;
+  } else if (slot > 0) {
+    return;  // the first cell takes it as a whole
+  }
+  ++cells_[cell].left;
+  const std::lock_guard lock(mutex_);
+  joins_.push_back({face, cell});
+  changed_.notify_one();
+}
+
+bool CellRun::takeJoin(Join& join) {
+  const std::lock_guard lock(mutex_);
+  if (joins_.empty()) return false;
+  join = joins_.front();
+  joins_.pop_front();
+  return true;
+}
+
+// All shares of a face are there, or it was not to be cut.
+void CellRun::join(const Join& join, int thread) {
+  context_.checkCancelled();
+  const double startMs = clock_.wallMs();
+  ClearancePass& pass = *filters_.clearance;
+  Shares& all = shares_[sharesOf_[join.face]];
+  if (all.arrived.load() > 0)
+    pass.joinShares(join.face, all.shares);
+  else
+    pass.clip(join.face);
+  all.shares = {};
+  cells_[join.cell].trianglesOut += pass.mesh(join.face);
+  if (context_.wantsParts()) context_.part(pass.preview(std::array{join.face}));
+  record(join.cell, filters_.tests.size(), thread, startMs);
+  done(join.cell, 1);
+}
+
+// Where most is left; only cells that some thread began last can have anything left.
+Index CellRun::cellToHelp() const {
+  Index best = -1;
+  std::size_t most = 0;
+  for (const auto& current : current_) {
+    const Index cell = current;
+    if (cell < 0 || !cells_[cell].open) continue;
+    const std::size_t begun = cells_[cell].next.load(std::memory_order_relaxed), count = cells_[cell].floors.size();
+    if (begun + most >= count) continue;
+    most = count - begun;
+    best = cell;
+  }
+  return best;
+}
+
+void CellRun::done(Index cell, std::size_t items) {
+  if (cells_[cell].left.fetch_sub(items) == items) finish(cell);
+}
+
+// Joins what one thread does on one cell without a break.
+void CellRun::record(Index cell, std::size_t filter, int thread, double startMs) {
+  constexpr double kBreakMs = 0.02;
+  const double endMs = clock_.wallMs();
+  const std::lock_guard lock(cells_[cell].mutex);
+  std::vector<CellSpan>& spans = reports_[cell].spans;
+  const auto same = std::find_if(spans.rbegin(), spans.rend(), [&](const CellSpan& s) { return s.thread == thread; });
+  if (same != spans.rend() && same->filter == filters_.names[filter] && startMs - same->endMs < kBreakMs)
+    same->endMs = endMs;
+  else
+    spans.push_back({filters_.names[filter], thread, startMs, endMs});
+}
+
+void CellRun::finish(Index cell) {
+  std::shared_ptr<const NavigationMesh> mesh;
+  if (context_.wantsParts() && filters_.clearance != nullptr) {
+    std::vector<Index> whole = cells_[cell].floors;
+    std::erase_if(whole, [&](Index face) { return sharesOf_[face] >= 0; });
+    mesh = filters_.clearance->preview(whole);
+  }
+  std::shared_ptr<const CellReport> report;
+  {
+    const std::lock_guard lock(cells_[cell].mutex);
+    reports_[cell].trianglesOut = cells_[cell].trianglesOut;
+    reports_[cell].endMs = clock_.wallMs();
+    report = std::make_shared<const CellReport>(reports_[cell]);
+  }
+  context_.cellFinished(static_cast<std::size_t>(cell), std::move(report), std::move(mesh));
+  const std::lock_guard lock(mutex_);
+  if (--cellsLeft_ == 0) changed_.notify_all();
+}
+
+}  // namespace footfall

@@ -1,0 +1,107 @@
+// The cells of a parallel block at work: as tasks, largest first, with idle threads helping where work is left (thesis
+// 4.1 and 4.3.4).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/filters/clearance_pass.hpp"
+#include "core/metrics/process_usage.hpp"
+#include "core/partitioning/strategies.hpp"
+#include "core/pipeline/run_context.hpp"
+#include "core/pipeline/run_report.hpp"
+
+namespace footfall {
+
+/// What runs on every cell: tests of single faces, then perhaps a clearance.
+struct CellFilters {
+  std::vector<std::string> names;  ///< of the tests, then of the clearance
+  std::vector<FaceTest> tests;
+  ClearancePass* clearance = nullptr;
+};
+
+/// One phase of a block. Reports are those of the block's cells and grow with each phase.
+class CellRun {
+ public:
+  /// `walkable`: which triangles are floors before the first test. `clock` runs since the run began.
+  CellRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
+          const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
+          const Stopwatch& clock, RunContext& context);
+
+  /// Runs all cells on the threads of the present arena.
+  void run();
+
+  /// For each triangle, how many tests it passed in a row.
+  [[nodiscard]] const std::vector<std::uint8_t>& passed() const { return passed_; }
+  [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
+
+ private:
+  struct CellWork {
+    std::vector<Index> floors;  ///< that passed all tests
+    std::size_t large = 0;      ///< how many of them, at the front, are to be taken one by one
+    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> left{1};  ///< items that are not done, and 1 until all are known
+    std::atomic<bool> open{false};     ///< others may help
+    std::atomic<std::uint64_t> trianglesOut{0};
+    std::mutex mutex;  ///< of the report
+  };
+  /// The shares of one face.
+  struct Shares {
+    std::vector<FaceShare> shares;
+    std::atomic<Index> begun{0};
+    std::atomic<Index> arrived{0};
+  };
+  struct Join {
+    Index face = -1;
+    Index cell = -1;
+  };
+
+  void work();
+  void begin(Index cell, int thread);
+  void sortOut(CellWork& work) const;
+  void runItems(Index cell, int thread);
+  void runItem(Index cell, std::size_t item);
+  void runShare(Index cell, Index face);
+  void join(const Join& join, int thread);
+  bool takeJoin(Join& join);
+  [[nodiscard]] Index cellToHelp() const;
+  void done(Index cell, std::size_t items);
+  void record(Index cell, std::size_t filter, int thread, double startMs);
+  void finish(Index cell);
+
+  const Partition& partition_;
+  const CellFloors& floors_;
+  const SourceMesh& mesh_;
+  const std::vector<char>& walkable_;
+  CellFilters filters_;
+  std::vector<CellReport>& reports_;
+  const Stopwatch& clock_;
+  RunContext& context_;
+
+  std::vector<std::size_t> order_;
+  std::vector<CellWork> cells_;
+  std::vector<Index> sharesOf_;  ///< for each face its number in shares_, or -1
+  std::vector<Shares> shares_;
+  std::vector<std::vector<CellSide>> sides_;  ///< of each cell
+  std::vector<std::uint8_t> passed_;
+  ExactFallbacks fallbacks_;
+
+  std::atomic<std::size_t> nextCell_{0};
+  std::atomic<std::size_t> itemsDone_{0};
+  std::size_t itemsExpected_ = 0;
+  std::vector<std::atomic<Index>> current_;  ///< for each thread the cell that it began last, or -1
+  std::mutex mutex_;                         ///< of the following
+  std::condition_variable changed_;
+  std::deque<Join> joins_;
+  std::size_t cellsLeft_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace footfall

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/parallel_block.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/filters/face_filter.hpp"
+#include "core/filters/filter_registry.hpp"
+#include "core/pipeline/cell_run.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr std::string_view kClearance = "VerticalClearanceFilter";
+
+class Block {
+ public:
+  Block(const BlockRequest& request, const Stopwatch& clock, RunContext& context)
+      : request_(request), clock_(clock), context_(context), state_(request.state) {
+    outcome_.summary = request.summary;
+    outcome_.report.firstStep = request.firstStep;
+    outcome_.report.lastStep = request.firstStep + request.steps.size() - 1;
+    outcome_.report.startMs = clock.wallMs();
+  }
+
+  BlockOutcome run() {
+    makeCells();
+    const std::size_t last = request_.steps.size() - 1;
+    for (std::size_t k = 1; k < last; ++k) context_.beginStep(request_.firstStep + k, nameOf(k));
+    for (std::size_t k = 1; k < last;) k = runPhase(k);
+    collapse();
+    outcome_.state = std::move(state_);
+    return std::move(outcome_);
+  }
+
+ private:
+  [[nodiscard]] std::string nameOf(std::size_t k) const { return std::string(request_.steps[k]->filter->name); }
+
+  StepStatistics& addStep(std::size_t k, double wallMs, double cpuMs) {
+    StepStatistics step;
+    step.name = nameOf(k);
+    step.parameters = request_.steps[k]->values;
+    step.wallMs = wallMs;
+    step.cpuMs = cpuMs;
+    step.in = outcome_.summary;
+    step.out = outcome_.summary;
+    outcome_.steps.push_back(std::move(step));
+    return outcome_.steps.back();
+  }
+
+  void makeCells() {
+    const Stopwatch watch;
+    context_.beginStep(request_.firstStep, nameOf(0));
+    const StrategyInput input = strategyInput(*state_, request_.steps, request_.threads, context_);
+    partition_ = makePartition(request_.steps[0]->filter->name, request_.steps[0]->values, input);
+    floors_ = assignFloors(partition_, input);
+    mesh_ = state_->kernel->sharedMesh();
+    BlockReport& report = outcome_.report;
+    report.strategy = partition_.strategy;
+    report.reason = partition_.reason;
+    for (const Cell& cell : partition_.cells) {
+      CellReport& entry = report.cells.emplace_back();
+      entry.bounds = cell.bounds;
+      entry.cost = cell.cost;
+      entry.trianglesIn = cell.floors + cell.obstacles;
+    }
+    report.partitioningMs = watch.wallMs();
+    StepStatistics& step = addStep(0, report.partitioningMs, watch.cpuMs());
+    step.note = std::to_string(partition_.cells.size()) + (partition_.cells.size() == 1 ? " cell" : " cells");
+    if (!partition_.reason.empty()) step.note += "; " + partition_.strategy + ": " + partition_.reason;
+    context_.cellsMade(std::make_shared<const BlockReport>(report));
+    context_.endStep(request_.firstStep, nullptr);
+  }
+
+  // As many filters as one pass over the cells can run: tests of single faces, then a clearance. Returns the step after
+  // them.
+  std::size_t runPhase(std::size_t k) {
+    std::vector<FaceTest> tests;
+    const std::size_t end = request_.steps.size() - 1;
+    std::size_t next = k;
+    // Where there is a mesh, each filter has to cut it; where there is something to recall, it must know all floors.
+    const bool canTest = !state_->mesh && !request_.recall.before;
+    for (; canTest && next < end; ++next) {
+      const PipelineStep& step = *request_.steps[next];
+      FaceTest test = makeFaceTest(*step.filter, step.values, state_->kernel);
+      if (!test) break;
+      tests.push_back(std::move(test));
+    }
+    const bool hasClearance = next < end && request_.steps[next]->filter->name == kClearance;
+    if (tests.empty() && !hasClearance) return runShared(k);
+    runCells(k, std::move(tests), hasClearance ? request_.steps[next] : nullptr);
+    return next + (hasClearance ? 1 : 0);
+  }
+
+  void runCells(std::size_t k, std::vector<FaceTest> tests, const PipelineStep* clearance) {
+    const double startMs = clock_.wallMs();
+    const Stopwatch watch;
+    const StrategyInput input = strategyInput(*state_, request_.steps, request_.threads, context_);
+    if (mesh_ != state_->kernel->sharedMesh()) {  // a filter of the block moved vertices
+      floors_ = assignFloors(partition_, input);
+      mesh_ = state_->kernel->sharedMesh();
+    }
+    CellFilters filters{{}, tests, nullptr};
+    for (std::size_t i = 0; i < tests.size() + (clearance != nullptr ? 1 : 0); ++i)
+      filters.names.push_back(nameOf(k + i));
+    std::optional<ClearancePass> pass;
+    if (clearance != nullptr) {
+      pass.emplace(state_, clearance->values[0], tests, partition_.borders, request_.recall, context_);
+      filters.clearance = &*pass;
+    }
+    CellRun cells(partition_, floors_, *mesh_, state_->walkable, std::move(filters), outcome_.report.cells, clock_,
+                  context_);
+    cells.run();
+    const double wallMs = watch.wallMs();
+    outcome_.report.parallelMs += wallMs;
+
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      applyTest(k + i, i + 1, cells);
+      finishCellStep(k + i, startMs, wallMs);
+    }
+    if (tests.size() > 0) outcome_.steps.back().fallbacks = cells.fallbacks();
+    if (!pass) return;
+    const Stopwatch merging;
+    FilterOutcome outcome = pass->finish(state_->walkable, state_->removed);
+    outcome_.report.mergingMs += merging.wallMs();
+    state_ = std::move(outcome.state);
+    finishCellStep(k + tests.size(), startMs, wallMs);
+    outcome_.steps.back().fallbacks = outcome.fallbacks;
+  }
+
+  // What the cells found, as the filter's own state.
+  void applyTest(std::size_t k, std::size_t passed, const CellRun& cells) {
+    if (request_.steps[k]->filter->name == "DegeneracyFilter") {
+      FilterOutcome outcome = applyDegeneracy(state_, context_);
+      state_ = std::move(outcome.state);
+      note_ = std::move(outcome.note);
+      return;
+    }
+    auto result = std::make_shared<WalkableState>(*state_);
+    for (std::size_t t = 0; t < result->walkable.size(); ++t)
+      result->walkable[t] = static_cast<char>(result->walkable[t] != 0 && cells.passed()[t] >= passed);
+    state_ = std::move(result);
+  }
+
+  // A step that ran on all cells: its share of the time is the one that it had of the threads.
+  void finishCellStep(std::size_t k, double startMs, double wallMs) {
+    double own = 0, all = 0;
+    for (const CellReport& cell : outcome_.report.cells)
+      for (const CellSpan& span : cell.spans) {
+        if (span.startMs < startMs) continue;
+        all += span.endMs - span.startMs;
+        if (span.filter == request_.steps[k]->filter->name) own += span.endMs - span.startMs;
+      }
+    StepStatistics& step = addStep(k, all > 0 ? wallMs * own / all : 0, own);
+    step.note = std::exchange(note_, {});
+    outcome_.summary = summarize(*state_);
+    step.out = outcome_.summary;
+    context_.endStep(request_.firstStep + k, context_.wantsParts() ? makePreviewMesh(*state_) : nullptr);
+  }
+
+  // A filter that needs to see over the borders of cells: on the whole environment, with all threads.
+  std::size_t runShared(std::size_t k) {
+    const PipelineStep& step = *request_.steps[k];
+    const double startMs = clock_.wallMs();
+    const Stopwatch watch;
+    FilterOutcome outcome = applyFilter(*step.filter, step.values, state_, context_);
+    const double wallMs = watch.wallMs();
+    outcome_.report.shared.push_back({nameOf(k), 0, startMs, startMs + wallMs});
+    outcome_.report.parallelMs += wallMs;
+    state_ = std::move(outcome.state);
+    StepStatistics& statistics = addStep(k, wallMs, watch.cpuMs());
+    statistics.note = std::move(outcome.note);
+    statistics.fallbacks = outcome.fallbacks;
+    outcome_.summary = summarize(*state_);
+    statistics.out = outcome_.summary;
+    context_.endStep(request_.firstStep + k, context_.wantsParts() ? makePreviewMesh(*state_) : nullptr);
+    return k + 1;
+  }
+
+  // The cells were put together behind each phase; what is left is to say so.
+  void collapse() {
+    const std::size_t k = request_.steps.size() - 1;
+    context_.beginStep(request_.firstStep + k, nameOf(k));
+    addStep(k, outcome_.report.mergingMs, outcome_.report.mergingMs);
+    context_.endStep(request_.firstStep + k, nullptr);
+  }
+
+  const BlockRequest& request_;
+  const Stopwatch& clock_;
+  RunContext& context_;
+  StatePtr state_;
+  Partition partition_;
+  CellFloors floors_;
+  std::shared_ptr<const SourceMesh> mesh_;  ///< that floors_ is about
+  std::string note_;
+  BlockOutcome outcome_;
+};
+
+}  // namespace
+
+StrategyInput strategyInput(const WalkableState& state, const std::vector<const PipelineStep*>& steps, int threads,
+                            RunContext& context) {
+  double clearance = 0;
+  for (const PipelineStep* step : steps)
+    if (clearance == 0 && step->filter->name == kClearance) clearance = step->values[0];
+  return {state.kernel->mesh(),
+          state.walkable,
+          state.removed,
+          clearance,
+          threads,
+          [&context] { context.checkCancelled(); }};
+}
+
+BlockOutcome runBlock(const BlockRequest& request, const Stopwatch& clock, RunContext& context) {
+  return Block(request, clock, context).run();
+}
+
+}  // namespace footfall
