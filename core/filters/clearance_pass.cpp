@@ -35,11 +35,11 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
 
 ClearancePass::Worker::Worker(const ClearancePass& pass, RunContext& context)
     : floors(pass.state_->walkable, pass.tests_),
-      clipper(
+      clipper_(
           *pass.result_->kernel, [this](Index face) { return floors.isFloor(face); }, pass.level_,
           [&context] { context.checkCancelled(); }),
-      mesher(*pass.result_->kernel, [&context] { context.checkCancelled(); }),
-      copies(makeCopyMemory()) {}
+      mesher_(*pass.result_->kernel, [&context] { context.checkCancelled(); }),
+      copies_(makeCopyMemory()) {}
 
 ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<FaceTest> tests,
                              const BorderCoordinates& borders, const Recall& recall, RunContext& context)
@@ -81,19 +81,18 @@ ClearancePass::Worker& ClearancePass::worker() {
 
 bool ClearancePass::canShare(Index face) const { return !state_->cuts && known_->before(face) < 0; }
 
-void ClearancePass::clip(Index face) {
-  Worker& own = worker();
+void ClearancePass::clip(Index face, Worker& own) {
   const Index then = known_->before(face);
   if (then >= 0 && known_->sameClearance() && !known_->isTouched(face)) {
-    cuts_->set(face, earlier_->cuts(then, own.copies));
-    memory_->candidates[face] = earlier_->candidates(then, own.copies);
+    cuts_->set(face, earlier_->cuts(then, own.copies_));
+    memory_->candidates[face] = earlier_->candidates(then, own.copies_);
     return;
   }
   isChanged_[face] = 1;
   cuts_->set(face, known_->knowsAll(then)
-                       ? own.clipper.clip(face, known_->standing(then, own.copies), known_->clearance())
-                       : own.clipper.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr));
-  if (memory_) keepCandidates(face, own.clipper.candidates());
+                       ? own.clipper_.clip(face, known_->standing(then, own.copies_), known_->clearance())
+                       : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr));
+  if (memory_) keepCandidates(face, own.clipper_.candidates());
 }
 
 void ClearancePass::keepCandidates(Index face, std::vector<Index> found) {
@@ -101,18 +100,17 @@ void ClearancePass::keepCandidates(Index face, std::vector<Index> found) {
     memory_->candidates[face] = std::make_shared<const std::pmr::vector<Index>>(found.begin(), found.end());
 }
 
-FaceShare ClearancePass::clipShare(Index face, std::span<const CellSide> sides) {
-  Worker& own = worker();
-  if (!own.shareClipper)
-    own.shareClipper = std::make_unique<ClearanceClipper>(
+FaceShare ClearancePass::clipShare(Index face, std::span<const CellSide> sides, Worker& own) {
+  if (!own.shareClipper_)
+    own.shareClipper_ = std::make_unique<ClearanceClipper>(
         *borderKernel_, [&own](Index f) { return own.floors.isFloor(f); }, level_,
         [this] { context_.checkCancelled(); });
-  return own.shareClipper->clipShare(face, sides);
+  return own.shareClipper_->clipShare(face, sides);
 }
 
-void ClearancePass::joinShares(Index face, std::span<const FaceShare> shares) {
+void ClearancePass::joinShares(Index face, std::span<const FaceShare> shares, Worker& own) {
   isChanged_[face] = 1;
-  cuts_->set(face, worker().clipper.joinShares(face, shares));
+  cuts_->set(face, own.clipper_.joinShares(face, shares));
   if (!memory_) return;
   std::vector<Index> found;
   for (const FaceShare& share : shares) found.insert(found.end(), share.candidates.begin(), share.candidates.end());
@@ -121,16 +119,15 @@ void ClearancePass::joinShares(Index face, std::span<const FaceShare> shares) {
   keepCandidates(face, std::move(found));
 }
 
-std::size_t ClearancePass::mesh(Index face) {
+std::size_t ClearancePass::mesh(Index face, Worker& own) {
   if (!cuts_->shared(face)) return 1;
   if (cuts_->isRemoved(face)) return 0;
-  Worker& own = worker();
   auto& mesh = (*meshes_)[face];
   const bool isKnown = earlier_ && known_->sameClearance() && isChanged_[face] == 0;
   if (isKnown)
-    mesh = earlier_->mesh(earlier_->faceBefore(face), own.copies);
+    mesh = earlier_->mesh(earlier_->faceBefore(face), own.copies_);
   else if (!(*cuts_)[face].segments.empty())
-    mesh = std::make_shared<const FaceMesh>(own.mesher.mesh(face, &(*cuts_)[face]));
+    mesh = std::make_shared<const FaceMesh>(own.mesher_.mesh(face, &(*cuts_)[face]));
   return mesh ? mesh->cells.size() : 1;
 }
 
@@ -141,10 +138,10 @@ std::shared_ptr<const NavigationMesh> ClearancePass::preview(std::span<const Ind
 FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char> removed) {
   FilterOutcome outcome;
   for (const auto& worker : workers_) {
-    outcome.fallbacks += worker->clipper.fallbacks();
-    outcome.fallbacks += worker->mesher.fallbacks();
+    outcome.fallbacks += worker->clipper_.fallbacks();
+    outcome.fallbacks += worker->mesher_.fallbacks();
     outcome.fallbacks += worker->floors.fallbacks;
-    if (worker->shareClipper) outcome.fallbacks += worker->shareClipper->fallbacks();
+    if (worker->shareClipper_) outcome.fallbacks += worker->shareClipper_->fallbacks();
   }
   result_->walkable = std::move(walkable);
   result_->removed = std::move(removed);

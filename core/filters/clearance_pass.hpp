@@ -22,25 +22,39 @@ namespace footfall {
 /// Faces that are given to clip() or mesh() at the same time must be different ones.
 class ClearancePass {
  public:
+  /// What one thread works with.
+  class Worker {
+   public:
+    Worker(const ClearancePass& pass, RunContext& context);
+
+    FloorFlags floors;
+
+   private:
+    friend ClearancePass;
+    ClearanceClipper clipper_;
+    std::unique_ptr<ClearanceClipper> shareClipper_;  ///< on the kernel with borders; made when needed
+    FaceMesher mesher_;
+    CopyMemory copies_;
+  };
+
   /// `tests` are filters that come before, not yet in the state's flags (none when there is something to recall).
   /// `borders` are those between cells that share faces.
   ClearancePass(const StatePtr& state, double height, std::vector<FaceTest> tests, const BorderCoordinates& borders,
                 const Recall& recall, RunContext& context);
 
-  /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance.
+  /// The calling thread's own, for as long as the pass.
+  Worker& worker();
+  /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance, or known ones.
   [[nodiscard]] bool canShare(Index face) const;
-  [[nodiscard]] const std::vector<FaceTest>& tests() const { return tests_; }
-  /// The flags of the calling thread.
-  FloorFlags& floors() { return worker().floors; }
 
   /// Finds the cuts of a floor.
-  void clip(Index face);
+  void clip(Index face, Worker& own);
   /// The part of a floor's cuts that one cell finds.
-  FaceShare clipShare(Index face, std::span<const CellSide> sides);
+  FaceShare clipShare(Index face, std::span<const CellSide> sides, Worker& own);
   /// All parts of a floor's cuts.
-  void joinShares(Index face, std::span<const FaceShare> shares);
+  void joinShares(Index face, std::span<const FaceShare> shares, Worker& own);
   /// Triangulates what the cuts of a floor leave, to be taken by finish(). Returns its number of triangles.
-  std::size_t mesh(Index face);
+  std::size_t mesh(Index face, Worker& own);
   /// What the floors have become, for display.
   [[nodiscard]] std::shared_ptr<const NavigationMesh> preview(std::span<const Index> faces) const;
 
@@ -49,15 +63,6 @@ class ClearancePass {
   FilterOutcome finish(std::vector<char> walkable, std::vector<char> removed);
 
  private:
-  struct Worker {
-    Worker(const ClearancePass& pass, RunContext& context);
-    FloorFlags floors;
-    ClearanceClipper clipper;
-    std::unique_ptr<ClearanceClipper> shareClipper;  ///< on the kernel with borders; made when needed
-    FaceMesher mesher;
-    CopyMemory copies;
-  };
-  Worker& worker();
   void keepCandidates(Index face, std::vector<Index> found);
 
   StatePtr state_;

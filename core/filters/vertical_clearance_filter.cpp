@@ -50,9 +50,10 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
     const bool isOne = task < giantCount;
     const Index first = isOne ? giants[task] : (task - giantCount) * kFacesPerTask;
     const Index last = isOne ? first + 1 : std::min(first + kFacesPerTask, count);
+    ClearancePass::Worker& own = pass.worker();
     for (Index t = first; t != last; ++t) {
       context.checkCancelled();
-      if (state->walkable[t] != 0 && (isGiant[t] == 0 || isOne)) pass.clip(t);
+      if (state->walkable[t] != 0 && (isGiant[t] == 0 || isOne)) pass.clip(t, own);
     }
     if (isOne) return;
     const Index finished = done.fetch_add(last - first, std::memory_order_relaxed);

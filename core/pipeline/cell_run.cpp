@@ -54,6 +54,7 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
       passed_(filters_.tests.empty() ? 0 : walkable.size(), 0),
       itemsExpected_(floors.floors.size()),
       current_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
+      workers_(current_.size(), nullptr),
       cellsLeft_(partition.cells.size()) {
   for (auto& cell : current_) cell = -1;
   if (filters_.clearance == nullptr) return;
@@ -80,6 +81,7 @@ void CellRun::run() {
 
 void CellRun::work() {
   const int thread = tbb::this_task_arena::current_thread_index();
+  if (filters_.clearance != nullptr) workers_[thread] = &filters_.clearance->worker();
   try {
     for (Join next;;) {
       if (takeJoin(next)) {
@@ -121,7 +123,7 @@ void CellRun::begin(Index cell, int thread) {
     context_.checkCancelled();
     const auto passes = [&](Index face) {
       if (!filters_.tests[i](face, count)) {
-        if (filters_.clearance != nullptr) filters_.clearance->floors().set(face, false);
+        if (filters_.clearance != nullptr) workers_[thread]->floors.set(face, false);
         return false;
       }
       // Cells that share a face find the same.
@@ -141,7 +143,7 @@ void CellRun::begin(Index cell, int thread) {
     return;
   }
   if (!filters_.tests.empty()) {
-    FloorFlags& flags = filters_.clearance->floors();
+    FloorFlags& flags = workers_[thread]->floors;
     for (const Index face : work.floors) flags.set(face, true);
   }
   sortOut(work);
@@ -181,7 +183,7 @@ void CellRun::runItems(Index cell, int thread) {
     if (first >= last) return;
     for (std::size_t i = first; i < last; ++i) {
       context_.checkCancelled();
-      runItem(cell, i);
+      runItem(cell, i, thread);
     }
     record(cell, filters_.tests.size(), thread, startMs);
     const std::size_t finished = itemsDone_.fetch_add(last - first, std::memory_order_relaxed);
@@ -192,13 +194,14 @@ void CellRun::runItems(Index cell, int thread) {
   }
 }
 
-void CellRun::runItem(Index cell, std::size_t item) {
+void CellRun::runItem(Index cell, std::size_t item, int thread) {
   const Index face = cells_[cell].floors[item];
   ClearancePass& pass = *filters_.clearance;
+  ClearancePass::Worker& own = *workers_[thread];
   const Index number = sharesOf_[face];
   if (number < 0) {
-    pass.clip(face);
-    cells_[cell].trianglesOut += pass.mesh(face);
+    pass.clip(face, own);
+    cells_[cell].trianglesOut.fetch_add(pass.mesh(face, own), std::memory_order_relaxed);
     return;
   }
   Shares& all = shares_[number];
@@ -206,7 +209,7 @@ void CellRun::runItem(Index cell, std::size_t item) {
   const Index slot = all.begun.fetch_add(1);
   const bool isCut = pass.canShare(face);
   if (isCut) {
-    all.shares[slot] = pass.clipShare(face, sides_[cell]);
+    all.shares[slot] = pass.clipShare(face, sides_[cell], own);
     if (all.arrived.fetch_add(1) + 1 < count) return;
   } else if (slot > 0) {
     return;  // the first cell takes it as a whole
@@ -230,13 +233,14 @@ void CellRun::join(const Join& join, int thread) {
   context_.checkCancelled();
   const double startMs = clock_.wallMs();
   ClearancePass& pass = *filters_.clearance;
+  ClearancePass::Worker& own = *workers_[thread];
   Shares& all = shares_[sharesOf_[join.face]];
   if (all.arrived.load() > 0)
-    pass.joinShares(join.face, all.shares);
+    pass.joinShares(join.face, all.shares, own);
   else
-    pass.clip(join.face);
+    pass.clip(join.face, own);
   all.shares = {};
-  cells_[join.cell].trianglesOut += pass.mesh(join.face);
+  cells_[join.cell].trianglesOut += pass.mesh(join.face, own);
   if (context_.wantsParts()) context_.part(pass.preview(std::array{join.face}));
   record(join.cell, filters_.tests.size(), thread, startMs);
   done(join.cell, 1);

@@ -67,8 +67,7 @@ class CellRun {
   void begin(Index cell, int thread);
   void sortOut(CellWork& work) const;
   void runItems(Index cell, int thread);
-  void runItem(Index cell, std::size_t item);
-  void runShare(Index cell, Index face);
+  void runItem(Index cell, std::size_t item, int thread);
   void join(const Join& join, int thread);
   bool takeJoin(Join& join);
   [[nodiscard]] Index cellToHelp() const;
@@ -96,8 +95,9 @@ class CellRun {
   std::atomic<std::size_t> nextCell_{0};
   std::atomic<std::size_t> itemsDone_{0};
   std::size_t itemsExpected_ = 0;
-  std::vector<std::atomic<Index>> current_;  ///< for each thread the cell that it began last, or -1
-  std::mutex mutex_;                         ///< of the following
+  std::vector<std::atomic<Index>> current_;      ///< for each thread the cell that it began last, or -1
+  std::vector<ClearancePass::Worker*> workers_;  ///< of each thread
+  std::mutex mutex_;                             ///< of the following
   std::condition_variable changed_;
   std::deque<Join> joins_;
   std::size_t cellsLeft_ = 0;
