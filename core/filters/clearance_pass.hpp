@@ -53,6 +53,10 @@ class ClearancePass {
   FaceShare clipShare(Index face, std::span<const CellSide> sides, Worker& own);
   /// All parts of a floor's cuts.
   void joinShares(Index face, std::span<const FaceShare> shares, Worker& own);
+  /// How many segments a clipped floor has to be triangulated with; 0: it stays whole or is covered.
+  [[nodiscard]] std::size_t segments(Index face) const {
+    return cuts_->isRemoved(face) ? 0 : (*cuts_)[face].segments.size();
+  }
   /// Triangulates what the cuts of a floor leave, to be taken by finish(). Returns its number of triangles.
   std::size_t mesh(Index face, Worker& own);
   /// What the floors have become, for display.

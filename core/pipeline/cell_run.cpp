@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <span>
 
 #include "core/partitioning/load_balancing.hpp"
 
@@ -14,7 +15,9 @@ namespace footfall {
 namespace {
 
 // Small faces that a thread takes at once.
-constexpr std::size_t kFacesPerTake = 16;
+constexpr std::size_t kFacesPerTake = 64;
+// So many segments make a floor worth being triangulated on its own.
+constexpr std::size_t kSegmentsOfLarge = 128;
 // Fewer floors than this are not worth waking a thread for.
 constexpr std::size_t kFloorsPerThread = 128;
 // How long an idle thread sleeps before it looks whether the run was cancelled.
@@ -171,46 +174,96 @@ void CellRun::sortOut(CellWork& work) const {
                                         work.floors.begin());
 }
 
+// First all floors of a cell are clipped, then all are triangulated: either keeps to its own part of the caches.
 void CellRun::runItems(Index cell, int thread) {
   CellWork& work = cells_[cell];
-  const std::size_t count = work.floors.size();
-  while (work.next.load(std::memory_order_relaxed) < count) {
+  std::vector<Index> floors;
+  while (true) {
     const double startMs = clock_.wallMs();
-    // Where others were quicker, some small ones are taken alone, or a large one with small ones: no harm.
-    const std::size_t take = work.next.load(std::memory_order_relaxed) < work.large ? 1 : kFacesPerTake;
-    const std::size_t first = work.next.fetch_add(take);
-    const std::size_t last = std::min(first + take, count);
-    if (first >= last) return;
-    for (std::size_t i = first; i < last; ++i) {
-      context_.checkCancelled();
-      runItem(cell, i, thread);
+    std::size_t finished = 0;
+    if (takeFloors(work, floors)) {
+      finished = clipFloors(cell, floors, *workers_[thread]);
+    } else if (takeCutFloors(work, floors)) {
+      finished = meshFloors(cell, floors, *workers_[thread]);
+    } else {
+      return;
     }
     record(cell, filters_.tests.size(), thread, startMs);
-    const std::size_t finished = itemsDone_.fetch_add(last - first, std::memory_order_relaxed);
-    context_.progress(kShareOfProgress * static_cast<double>(finished) / static_cast<double>(itemsExpected_));
-    done(cell, last - first);
+    const std::size_t sum = itemsDone_.fetch_add(finished, std::memory_order_relaxed);
+    context_.progress(kShareOfProgress * static_cast<double>(sum) / static_cast<double>(itemsExpected_));
+    done(cell, finished);
     Join next;
     while (takeJoin(next)) join(next, thread);
   }
 }
 
-void CellRun::runItem(Index cell, std::size_t item, int thread) {
-  const Index face = cells_[cell].floors[item];
+bool CellRun::takeFloors(CellWork& work, std::vector<Index>& floors) {
+  const std::size_t count = work.floors.size();
+  if (work.next.load(std::memory_order_relaxed) >= count) return false;
+  // Where others were quicker, some small ones are taken alone, or a large one with small ones: no harm.
+  const std::size_t take = work.next.load(std::memory_order_relaxed) < work.large ? 1 : kFacesPerTake;
+  const std::size_t first = work.next.fetch_add(take);
+  const std::size_t last = std::min(first + take, count);
+  if (first >= last) return false;
+  const auto begin = work.floors.begin();
+  floors.assign(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));
+  return true;
+}
+
+bool CellRun::takeCutFloors(CellWork& work, std::vector<Index>& floors) {
+  const std::lock_guard lock(work.mutex);
+  std::vector<Index>& from = work.largeCut.empty() ? work.smallCut : work.largeCut;
+  const std::size_t take = std::min(from.size(), work.largeCut.empty() ? kFacesPerTake : 1);
+  floors.assign(from.end() - static_cast<std::ptrdiff_t>(take), from.end());
+  from.resize(from.size() - take);
+  return take > 0;
+}
+
+// Returns how many of the floors are finished with that.
+std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own) {
   ClearancePass& pass = *filters_.clearance;
-  ClearancePass::Worker& own = *workers_[thread];
-  const Index number = sharesOf_[face];
-  if (number < 0) {
+  std::vector<Index> large, small;
+  std::uint64_t triangles = 0;
+  for (const Index face : floors) {
+    context_.checkCancelled();
+    if (sharesOf_[face] >= 0) {
+      clipShare(cell, face, own);
+      continue;
+    }
     pass.clip(face, own);
-    cells_[cell].trianglesOut.fetch_add(pass.mesh(face, own), std::memory_order_relaxed);
-    return;
+    if (const std::size_t segments = pass.segments(face); segments > 0)
+      (segments < kSegmentsOfLarge ? small : large).push_back(face);
+    else
+      triangles += pass.mesh(face, own);
   }
-  Shares& all = shares_[number];
-  const auto count = static_cast<Index>(all.shares.size());
+  CellWork& work = cells_[cell];
+  work.trianglesOut.fetch_add(triangles, std::memory_order_relaxed);
+  if (small.empty() && large.empty()) return floors.size();
+  {
+    const std::lock_guard lock(work.mutex);
+    work.smallCut.insert(work.smallCut.end(), small.rbegin(), small.rend());
+    work.largeCut.insert(work.largeCut.end(), large.begin(), large.end());
+  }
+  changed_.notify_one();
+  return floors.size() - small.size() - large.size();
+}
+
+std::size_t CellRun::meshFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own) {
+  std::uint64_t triangles = 0;
+  for (const Index face : floors) {
+    context_.checkCancelled();
+    triangles += filters_.clearance->mesh(face, own);
+  }
+  cells_[cell].trianglesOut.fetch_add(triangles, std::memory_order_relaxed);
+  return floors.size();
+}
+
+void CellRun::clipShare(Index cell, Index face, ClearancePass::Worker& own) {
+  Shares& all = shares_[sharesOf_[face]];
   const Index slot = all.begun.fetch_add(1);
-  const bool isCut = pass.canShare(face);
-  if (isCut) {
-    all.shares[slot] = pass.clipShare(face, sides_[cell], own);
-    if (all.arrived.fetch_add(1) + 1 < count) return;
+  if (filters_.clearance->canShare(face)) {
+    all.shares[slot] = filters_.clearance->clipShare(face, sides_[cell], own);
+    if (all.arrived.fetch_add(1) + 1 < static_cast<Index>(all.shares.size())) return;
   } else if (slot > 0) {
     return;  // the first cell takes it as a whole
   }
@@ -247,15 +300,18 @@ void CellRun::join(const Join& join, int thread) {
 }
 
 // Where most is left; only cells that some thread began last can have anything left.
-Index CellRun::cellToHelp() const {
+Index CellRun::cellToHelp() {
   Index best = -1;
   std::size_t most = 0;
   for (const auto& current : current_) {
     const Index cell = current;
     if (cell < 0 || !cells_[cell].open) continue;
-    const std::size_t begun = cells_[cell].next.load(std::memory_order_relaxed), count = cells_[cell].floors.size();
-    if (begun + most >= count) continue;
-    most = count - begun;
+    CellWork& work = cells_[cell];
+    const std::size_t begun = std::min(work.next.load(std::memory_order_relaxed), work.floors.size());
+    const std::lock_guard lock(work.mutex);
+    const std::size_t left = work.floors.size() - begun + work.smallCut.size() + work.largeCut.size();
+    if (left <= most) continue;
+    most = left;
     best = cell;
   }
   return best;

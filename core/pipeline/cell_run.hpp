@@ -50,7 +50,8 @@ class CellRun {
     std::atomic<std::size_t> left{1};  ///< items that are not done, and 1 until all are known
     std::atomic<bool> open{false};     ///< others may help
     std::atomic<std::uint64_t> trianglesOut{0};
-    std::mutex mutex;  ///< of the report
+    std::mutex mutex;                       ///< of the report and of the following
+    std::vector<Index> smallCut, largeCut;  ///< floors that are clipped and not yet triangulated
   };
   /// The shares of one face.
   struct Shares {
@@ -67,10 +68,14 @@ class CellRun {
   void begin(Index cell, int thread);
   void sortOut(CellWork& work) const;
   void runItems(Index cell, int thread);
-  void runItem(Index cell, std::size_t item, int thread);
+  static bool takeFloors(CellWork& work, std::vector<Index>& floors);
+  static bool takeCutFloors(CellWork& work, std::vector<Index>& floors);
+  std::size_t clipFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own);
+  std::size_t meshFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own);
+  void clipShare(Index cell, Index face, ClearancePass::Worker& own);
   void join(const Join& join, int thread);
   bool takeJoin(Join& join);
-  [[nodiscard]] Index cellToHelp() const;
+  [[nodiscard]] Index cellToHelp();
   void done(Index cell, std::size_t items);
   void record(Index cell, std::size_t filter, int thread, double startMs);
   void finish(Index cell);
