@@ -46,7 +46,7 @@ std::unique_ptr<CutTree> balancedTree(const Cuts& cuts) {
 std::unique_ptr<CutTree> growGrid(double columns, double rows, const std::string& name, const StrategyInput& input) {
   // Checked as doubles, before anything is counted in integers or allocated.
   CellLimit limit(name, "give fewer columns or rows");
-  limit.add(columns * rows > CellLimit::kMostCells ? CellLimit::kMostCells + 1 : 1);
+  limit.add(columns * rows > CellLimit::kMostCells ? CellLimit::kMostCells : 0);
   const PlanBox box = planBoxOf(input);
   if (box.empty()) return std::make_unique<CutTree>();
   const std::vector<double> x = equalCuts(box.lower[0], box.upper[0], static_cast<int>(columns));

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "core/partitioning/strategies.hpp"
 
 namespace footfall {
+
+struct FloorWork;  // core/partitioning/floor_work.hpp
 
 /// Cuts as a strategy makes them, on several threads.
 struct CutTree {
@@ -45,12 +48,12 @@ class CellLimit {
 
   /// `strategy` with its parameters, and `advice` on what to change, for the message.
   CellLimit(std::string strategy, std::string advice) : strategy_(std::move(strategy)), advice_(std::move(advice)) {}
-  /// Throws InputError when there are too many now. Called by any thread.
+  /// More cells than the one at the beginning: throws InputError when there are too many now. Called by any thread.
   void add(std::int64_t cells);
 
  private:
   std::string strategy_, advice_;
-  std::atomic<std::int64_t> cells_{0};
+  std::atomic<std::int64_t> cells_{1};
 };
 
 /// Numbers nodes, cells and borders of a tree, in the tree's order: below before above.
@@ -60,12 +63,24 @@ Partition partitionOf(const CutTree& tree);
 std::unique_ptr<CutTree> growGrid(double columns, double rows, const std::string& name, const StrategyInput& input);
 /// Parameters of the strategies that cut again and again.
 struct RecursionLimits {
-  double triangles = 0;  ///< parts with fewer are not cut
+  double triangles = 0;  ///< parts with no more are not cut
   double depth = 0;      ///< cuts on the way to a cell
 };
 std::unique_ptr<CutTree> growRecursive(const RecursionLimits& limits, const std::string& name,
                                        const StrategyInput& input);
 std::unique_ptr<CutTree> growSortedRecursive(const RecursionLimits& limits, const std::string& name,
                                              const StrategyInput& input);
+/// Parts with less estimated work than that of so many trivial triangles are not cut.
+std::unique_ptr<CutTree> growHeightAware(const RecursionLimits& limits, const FloorWork& work, const std::string& name,
+                                         const StrategyInput& input);
+
+/// What AutoStrategy picked.
+struct AutoChoice {
+  bool isOneCell = true;
+  RecursionLimits limits;  ///< of HeightAwareStrategy; nothing in one cell
+  std::string reason;
+};
+/// `work` is asked for only where it matters.
+AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double()>& work);
 
 }  // namespace footfall

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/partitioning/strategies.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 
-#include "core/partitioning/partition_builder.hpp"
+#include "core/partitioning/floor_work.hpp"
 
 namespace footfall {
 namespace {
@@ -21,14 +23,44 @@ std::string textOf(std::string_view strategy, const std::vector<double>& values)
 }  // namespace
 
 Partition makePartition(std::string_view strategy, const std::vector<double>& values, const StrategyInput& input) {
-  const std::string name = textOf(strategy, values);
+  std::string name = textOf(strategy, values);
+  std::string reason;
+  std::optional<FloorWork> estimate;
+  const auto work = [&]() -> const FloorWork& {
+    if (!estimate) estimate = estimateFloorWork(input);
+    return *estimate;
+  };
+  const auto limits = [&] { return RecursionLimits{values.at(0), values.at(1)}; };
   std::unique_ptr<CutTree> tree;
-  if (strategy == "GridStrategy")
+  if (strategy == "GridStrategy") {
     tree = growGrid(values.at(0), values.at(1), name, input);
-  else
+  } else if (strategy == "RecursiveStrategy") {
+    tree = growRecursive(limits(), name, input);
+  } else if (strategy == "SortedRecursiveStrategy") {
+    tree = growSortedRecursive(limits(), name, input);
+  } else if (strategy == "HeightAwareStrategy") {
+    tree = growHeightAware(limits(), work(), name, input);
+  } else if (strategy == "AutoStrategy") {
+    const AutoChoice choice = chooseStrategy(input, [&] { return work().total; });
+    reason = choice.reason;
+    if (choice.isOneCell) {
+      tree = std::make_unique<CutTree>();
+      name = textOf("GridStrategy", {1, 1});
+    } else {
+      name = textOf("HeightAwareStrategy", {choice.limits.triangles, choice.limits.depth, 0});
+      tree = growHeightAware(choice.limits, work(), name, input);
+    }
+  } else {
     throw std::logic_error("no such strategy: " + name);
+  }
   Partition partition = partitionOf(*tree);
-  partition.strategy = name;
+  partition.strategy = std::move(name);
+  partition.reason = std::move(reason);
+  if (partition.cells.size() > 1 || estimate)
+    estimateCosts(partition, work());
+  else
+    partition.cells[0].cost = static_cast<double>(
+        std::count_if(input.walkable.begin(), input.walkable.end(), [](char isFloor) { return isFloor != 0; }));
   return partition;
 }
 

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/partitioning/floor_work.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/environment/parallel_ranges.hpp"
+
+namespace footfall {
+namespace {
+
+// Work in units of a floor that nothing stands on, as measured on levels of 10 k to 64 k triangles.
+constexpr double kWorkOfFloor = 1;
+constexpr double kWorkOfTest = 0.1;  ///< an obstacle whose box overlaps that of the floor's clearance
+constexpr double kWorkOfOverlap = 1;
+
+constexpr std::size_t kPilotSize = 256;         ///< floors that tell how many obstacles a floor has
+constexpr std::size_t kLargestSample = 4096;    ///< floors
+constexpr double kMostTests = 150000;           ///< in the sample; about a millisecond
+constexpr std::size_t kScatteredOverlaps = 16;  ///< obstacles of a floor from which on it matters where they are
+constexpr std::size_t kMostPlaces = 256;        ///< of the work of one floor
+constexpr std::size_t kMostItems = 12288;
+constexpr std::size_t kFloorsPerTask = 64;
+constexpr std::size_t kTrianglesPerTask = 8192;
+constexpr unsigned kTestsPerPoll = 4096;
+
+struct Chosen {
+  Index floor = -1;
+  double count = 1;
+};
+
+// A width as a part of the whole, whatever the size of the numbers.
+double shareOf(double lower, double upper, double wholeLower, double wholeUpper) {
+  const double whole = wholeUpper / 2 - wholeLower / 2;
+  return whole > 0 ? (upper / 2 - lower / 2) / whole : 0;
+}
+
+// Floors with a large area in the plan carry much of the work, and are chosen more often (sampling with probability
+// proportional to size; systematic in the order of the triangles, which is that of x).
+class FloorSampler {
+ public:
+  explicit FloorSampler(const StrategyInput& input) {
+    const SourceMesh& mesh = input.mesh;
+    const std::size_t triangles = mesh.triangles.size();
+    for (std::size_t t = 0; t < triangles; ++t)
+      if (input.walkable[t] != 0) floors_.push_back(static_cast<Index>(t));
+    const PlanBox whole = planBoxOf(input);
+    sizes_.resize(floors_.size());
+    forRanges(floors_.size(), kTrianglesPerTask, [&](std::size_t first, std::size_t last) {
+      input.poll();
+      for (std::size_t i = first; i < last; ++i) {
+        const PlanBox box = planBoxOf(mesh, floors_[i]);
+        sizes_[i] = shareOf(box.lower[0], box.upper[0], whole.lower[0], whole.upper[0]) *
+                    shareOf(box.lower[1], box.upper[1], whole.lower[1], whole.upper[1]);
+      }
+    });
+    // Half of the chances for the number of floors, half for their areas.
+    const double area = std::accumulate(sizes_.begin(), sizes_.end(), 0.0);
+    const double count = static_cast<double>(floors_.size());
+    for (double& size : sizes_) size = area > 0 ? (1 / count + size / area) / 2 : 1 / count;
+  }
+
+  [[nodiscard]] std::size_t size() const { return floors_.size(); }
+
+  [[nodiscard]] std::vector<Chosen> choose(std::size_t count) const {
+    std::vector<Chosen> chosen;
+    if (count >= floors_.size()) {
+      for (const Index floor : floors_) chosen.push_back({floor, 1});
+      return chosen;
+    }
+    const double step = 1 / static_cast<double>(count);
+    double sum = 0, next = step / 2;
+    for (std::size_t i = 0; i < floors_.size(); ++i) {
+      sum += sizes_[i];
+      if (sum < next) continue;
+      const double times = std::floor((sum - next) / step) + 1;
+      next += times * step;
+      // What is chosen surely stands for itself.
+      chosen.push_back({floors_[i], sizes_[i] >= step ? 1 : times * step / sizes_[i]});
+    }
+    return chosen;
+  }
+
+ private:
+  std::vector<Index> floors_;
+  std::vector<double> sizes_;  ///< for each of them; all together 1
+};
+
+// Whether an edge of the first triangle has all of the second on its outer side, as far as doubles can tell.
+bool isApart(const SourceMesh& mesh, Index first, Index second) {
+  const int facing = mesh.facing[first];
+  if (facing == 0) return false;
+  const auto &f = mesh.triangles[first], &g = mesh.triangles[second];
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = mesh.scaled[f[k]], &b = mesh.scaled[f[(k + 1) % 3]];
+    const auto isOutside = [&](Index v) {
+      const Vec3& p = mesh.scaled[v];
+      return ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) * facing <= 0;
+    };
+    if (isOutside(g[0]) && isOutside(g[1]) && isOutside(g[2])) return true;
+  }
+  return false;
+}
+
+// Finds the obstacles of floors; one for each task.
+class FloorExaminer {
+ public:
+  FloorExaminer(const StrategyInput& input, std::vector<FloorWork::Item>& items)
+      : input_(input), mesh_(input.mesh), items_(items) {}
+
+  FloorWork::Floor examine(const Chosen& chosen) {
+    Box box = boxOf(mesh_, chosen.floor);
+    const FloorWork::Floor floor{
+        {{box.lower[0], box.lower[1]}, {box.upper[0], box.upper[1]}}, box.lower[2], box.upper[2], chosen.count};
+    overlaps_.clear();
+    std::size_t tests = 0;
+    if (input_.clearance > 0) {
+      box.upper[2] += input_.clearance;
+      mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
+        if (++polls_ % kTestsPerPoll == 0) input_.poll();
+        if (obstacle == chosen.floor || !reachesInto(obstacle, box)) return true;
+        ++tests;
+        if (!isApart(mesh_, chosen.floor, obstacle) && !isApart(mesh_, obstacle, chosen.floor))
+          overlaps_.push_back(obstacle);
+        return true;
+      });
+    }
+    tests_ += tests;
+    addItems(floor, tests);
+    return floor;
+  }
+
+  [[nodiscard]] std::size_t tests() const { return tests_; }
+
+ private:
+  [[nodiscard]] bool reachesInto(Index obstacle, const Box& box) const {
+    if (input_.removed[obstacle] != 0) return false;
+    const Box other = boxOf(mesh_, obstacle);
+    const auto isFlat = [&](int axis) { return other.lower[axis] == other.upper[axis]; };
+    for (int axis = 0; axis < 2; ++axis)
+      if (isFlat(axis) ? other.lower[axis] < box.lower[axis] || other.upper[axis] > box.upper[axis]
+                       : other.upper[axis] <= box.lower[axis] || other.lower[axis] >= box.upper[axis])
+        return false;
+    return other.upper[2] > box.lower[2] && other.lower[2] < box.upper[2];
+  }
+
+  void addItems(const FloorWork::Floor& floor, std::size_t tests) {
+    const double own = kWorkOfFloor + kWorkOfTest * static_cast<double>(tests);
+    const double found = kWorkOfOverlap * static_cast<double>(overlaps_.size());
+    const bool isScattered = overlaps_.size() >= kScatteredOverlaps;
+    if (!isScattered) {
+      items_.push_back({middleOf(floor.box, floor.lowest), (own + found) * floor.count});
+      return;
+    }
+    std::sort(overlaps_.begin(), overlaps_.end());
+    const std::size_t stride = (overlaps_.size() + kMostPlaces - 1) / kMostPlaces;
+    const std::size_t places = (overlaps_.size() + stride - 1) / stride;
+    for (std::size_t i = 0; i < overlaps_.size(); i += stride) {
+      PlanBox box = planBoxOf(mesh_, overlaps_[i]);
+      for (int axis = 0; axis < 2; ++axis) {
+        box.lower[axis] = std::max(box.lower[axis], floor.box.lower[axis]);
+        box.upper[axis] = std::min(box.upper[axis], floor.box.upper[axis]);
+      }
+      items_.push_back({middleOf(box, floor.lowest), (own + found) / static_cast<double>(places) * floor.count});
+    }
+  }
+
+  static std::array<double, 3> middleOf(const PlanBox& box, double z) {
+    return {std::midpoint(box.lower[0], box.upper[0]), std::midpoint(box.lower[1], box.upper[1]), z};
+  }
+
+  const StrategyInput& input_;
+  const SourceMesh& mesh_;
+  std::vector<FloorWork::Item>& items_;
+  std::vector<std::int32_t> stack_;
+  std::vector<Index> overlaps_;
+  std::size_t tests_ = 0;
+  unsigned polls_ = 0;
+};
+
+// The work of the floors, and how many tests it took.
+std::size_t examine(const std::vector<Chosen>& chosen, const StrategyInput& input, FloorWork& work) {
+  const std::size_t tasks = (chosen.size() + kFloorsPerTask - 1) / kFloorsPerTask;
+  std::vector<std::vector<FloorWork::Item>> items(tasks);
+  std::vector<std::size_t> tests(tasks, 0);
+  work.floors.resize(chosen.size());
+  forRanges(tasks, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) {
+      input.poll();
+      FloorExaminer examiner(input, items[task]);
+      const std::size_t last = std::min((task + 1) * kFloorsPerTask, chosen.size());
+      for (std::size_t i = task * kFloorsPerTask; i < last; ++i) work.floors[i] = examiner.examine(chosen[i]);
+      tests[task] = examiner.tests();
+    }
+  });
+  work.items.clear();
+  for (const auto& list : items) work.items.insert(work.items.end(), list.begin(), list.end());
+  return std::accumulate(tests.begin(), tests.end(), std::size_t{0});
+}
+
+// Keeps some of the items, heavy ones more likely, with the total unchanged.
+void thin(std::vector<FloorWork::Item>& items, double total) {
+  if (items.size() <= kMostItems) return;
+  const double step = total / static_cast<double>(kMostItems);
+  double sum = 0, next = step / 2;
+  std::size_t kept = 0;
+  for (const FloorWork::Item& item : items) {
+    sum += item.work;
+    if (sum < next) continue;
+    const double times = std::floor((sum - next) / step) + 1;
+    next += times * step;
+    items[kept++] = {item.place, times * step};
+  }
+  items.resize(kept);
+}
+
+double totalOf(const std::vector<FloorWork::Item>& items) {
+  return std::accumulate(items.begin(), items.end(), 0.0,
+                         [](double sum, const FloorWork::Item& item) { return sum + item.work; });
+}
+
+}  // namespace
+
+FloorWork estimateFloorWork(const StrategyInput& input) {
+  FloorWork work;
+  const FloorSampler sampler(input);
+  std::size_t count = kLargestSample;
+  if (input.clearance > 0) {
+    const std::vector<Chosen> pilot = sampler.choose(kPilotSize);
+    const std::size_t tests = examine(pilot, input, work);
+    const double affordable = kMostTests / (static_cast<double>(tests) + 1) * static_cast<double>(pilot.size());
+    count = static_cast<std::size_t>(std::clamp<double>(affordable, 0, kLargestSample));
+  }
+  if (count > kPilotSize) examine(sampler.choose(count), input, work);
+  work.total = totalOf(work.items);
+  thin(work.items, work.total);
+  return work;
+}
+
+void estimateCosts(Partition& partition, const FloorWork& work) {
+  for (Cell& cell : partition.cells) cell.cost = 0;
+  for (const FloorWork::Item& item : work.items) {
+    const std::array<double, 2> place{item.place[0], item.place[1]};
+    partition.visitCells(place, place, item.place[2], [&](Index cell) { partition.cells[cell].cost += item.work; });
+  }
+}
+
+}  // namespace footfall

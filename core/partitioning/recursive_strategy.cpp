@@ -1,0 +1,71 @@
+// RecursiveStrategy: a quad tree of rectangles that are cut in the middle (thesis 4.3.2).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/partitioning/partition_builder.hpp"
+#include "core/partitioning/triangle_pieces.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr std::size_t kParallelSize = 2048;  ///< fewer pieces are not worth a second thread
+
+class QuadTree {
+ public:
+  QuadTree(const RecursionLimits& limits, const std::string& name, const StrategyInput& input)
+      : limits_(limits), input_(input), cellLimit_(name, "give more triangles or a smaller depth") {}
+
+  void grow(CutTree& tree, TrianglePieces pieces, const PlanBox& box, int depth) {
+    if (depth >= limits_.depth || static_cast<double>(pieces.size()) <= limits_.triangles) return;
+    const Middle middle{std::midpoint(box.lower[0], box.upper[0]), std::midpoint(box.lower[1], box.upper[1])};
+    cut(tree, std::move(pieces), box, middle, 1, depth);
+  }
+
+ private:
+  using Middle = std::array<double, 2>;
+
+  // First across y, then both halves across x; an axis on which the rectangle has no double in between is left out.
+  void cut(CutTree& tree, TrianglePieces pieces, const PlanBox& box, const Middle& middle, int axis, int depth) {
+    if (axis < 0) return grow(tree, std::move(pieces), box, depth + 1);
+    if (!box.isInside(axis, middle[axis])) {
+      // No width on either axis: nothing would change any more.
+      if (axis == 1 && !box.isInside(0, middle[0])) return;
+      return cut(tree, std::move(pieces), box, middle, axis - 1, depth);
+    }
+    cellLimit_.add(1);
+    tree.axis = axis;
+    tree.coordinate = middle[axis];
+    tree.below = std::make_unique<CutTree>();
+    tree.above = std::make_unique<CutTree>();
+    auto parts = pieces.split(axis, middle[axis], input_);
+    const bool isLarge = pieces.size() >= kParallelSize;
+    pieces = {};
+    PlanBox lower = box, upper = box;
+    lower.upper[axis] = upper.lower[axis] = middle[axis];
+    const auto below = [&] { cut(*tree.below, std::move(parts[0]), lower, middle, axis - 1, depth); };
+    const auto above = [&] { cut(*tree.above, std::move(parts[1]), upper, middle, axis - 1, depth); };
+    if (isLarge)
+      tbb::parallel_invoke(below, above);
+    else
+      below(), above();
+  }
+
+  const RecursionLimits& limits_;
+  const StrategyInput& input_;
+  CellLimit cellLimit_;
+};
+
+}  // namespace
+
+std::unique_ptr<CutTree> growRecursive(const RecursionLimits& limits, const std::string& name,
+                                       const StrategyInput& input) {
+  auto tree = std::make_unique<CutTree>();
+  const PlanBox box = planBoxOf(input);
+  if (!box.empty()) QuadTree(limits, name, input).grow(*tree, TrianglePieces::of(input), box, 0);
+  return tree;
+}
+
+}  // namespace footfall
