@@ -212,8 +212,8 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
   for (std::size_t side = 0; side < sides_.size() && polygon.size > 0; ++side)
     if (!isInside(side, obstacle)) clipToSide(polygon, side);
   for (int i = 0; i < polygon.size; ++i) {
-    const Corner& c = polygon.corners[i];
-    addSegment(c.point, polygon.corners[(i + 1) % polygon.size].point, c.line, c.direction, 1, false);
+    const Corner &c = polygon.corners[i], &d = polygon.corners[(i + 1) % polygon.size];
+    addSegment(c.point, d.point, c.line, c.direction, 1, false, c.cut, d.cut);
   }
   return false;
 }
@@ -264,7 +264,7 @@ void ClearanceClipper::clipToLevel(Polygon& polygon, Index obstacle, bool ceilin
 }
 
 template <class Crossing>
-void ClearanceClipper::keepPositive(Polygon& polygon, const std::array<int, 12>& signs, Index line, int direction,
+void ClearanceClipper::keepPositive(Polygon& polygon, const std::array<int, 12>& signs, const Corner& made,
                                     const Crossing& crossingOf) {
   bool any = false;
   for (int i = 0; i < polygon.size; ++i) any = any || signs[i] > 0;
@@ -274,24 +274,19 @@ void ClearanceClipper::keepPositive(Polygon& polygon, const std::array<int, 12>&
   }
   Polygon result;
   for (int i = 0; i < polygon.size; ++i) {
-    Corner c = polygon.corners[i];
+    const Corner& c = polygon.corners[i];
     const int a = signs[i], b = signs[(i + 1) % polygon.size];
-    if (a == 0 && b < 0) {
-      c.line = line;
-      c.direction = direction;
-      result.push(c);
-    } else if (a >= 0) {
-      result.push(c);
-    }
-    if (a * b < 0) {
-      Corner cut = polygon.corners[i];
-      cut.point = crossingOf(cut.line);
-      if (a > 0) {
-        cut.line = line;
-        cut.direction = direction;
-      }
-      result.push(cut);
-    }
+    const auto turn = [&](Corner corner) {
+      corner.line = made.line;
+      corner.direction = made.direction;
+      return corner;
+    };
+    if (a >= 0) result.push(a == 0 && b < 0 ? turn(c) : c);
+    if (a * b >= 0) continue;
+    Corner corner = c;
+    corner.point = crossingOf(c.line);
+    corner.cut = made.cut;
+    result.push(a > 0 ? turn(corner) : corner);
   }
   polygon = result;
 }
@@ -299,8 +294,10 @@ void ClearanceClipper::keepPositive(Polygon& polygon, const std::array<int, 12>&
 void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
   std::array<int, 12> signs{};
   for (int i = 0; i < polygon.size; ++i) signs[i] = geometry_.sideOfEdge(k, polygon.corners[i].point);
-  // FaceGeometry: the face's edges are the lines 0, 1, 2
-  keepPositive(polygon, signs, k, geometry_.edgeDirection(k), [&](Index line) {
+  Corner made;
+  made.line = k;  // FaceGeometry: the face's edges are the lines 0, 1, 2
+  made.direction = geometry_.edgeDirection(k);
+  keepPositive(polygon, signs, made, [&](Index line) {
     const Index point = geometry_.crossing(line, k);
     geometry_.addBorder(point, static_cast<std::uint8_t>(1 << k));
     return point;
@@ -329,14 +326,11 @@ bool ClearanceClipper::isInside(std::size_t side, Index triangle) const {
 void ClearanceClipper::clipToSide(Polygon& polygon, std::size_t side) {
   std::array<int, 12> signs{};
   for (int i = 0; i < polygon.size; ++i) signs[i] = sideOfCell(side, polygon.corners[i].point);
-  keepPositive(polygon, signs, sideLines_[side], 1,
-               [&](Index line) { return geometry_.crossing(line, sideLines_[side]); });
-}
-
-bool ClearanceClipper::isCut(Index point) const {
-  const PlanPoint& p = geometry_[point];
-  return !sides_.empty() && p.kind == PlanPoint::Crossing &&
-         (p.firstLine().kind == PlanLine::Border || p.secondLine().kind == PlanLine::Border);
+  Corner made;
+  made.line = sideLines_[side];
+  made.direction = 1;
+  made.cut = true;
+  keepPositive(polygon, signs, made, [&](Index line) { return geometry_.crossing(line, sideLines_[side]); });
 }
 
 std::uint8_t ClearanceClipper::cellBorders(Index point) const {
@@ -415,29 +409,32 @@ void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
       return;
     }
   }
+  bool cutFirst = false, cutLast = false;
   for (std::size_t side = 0; side < sides_.size(); ++side) {
     const int a = sideOfCell(side, first), b = sideOfCell(side, last);
     if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return;
-    if (a * b < 0) (a < 0 ? first : last) = geometry_.crossing(line, sideLines_[side]);
+    if (a * b >= 0) continue;
+    (a < 0 ? first : last) = geometry_.crossing(line, sideLines_[side]);
+    (a < 0 ? cutFirst : cutLast) = true;
   }
-  addSegment(first, last, line, 1, 0, true);
+  addSegment(first, last, line, 1, 0, true, cutFirst, cutLast);
 }
 
-void ClearanceClipper::addSegment(Index from, Index to, Index line, int direction, int winding, bool wall) {
-  if (from == to) return;
+void ClearanceClipper::addSegment(Index from, Index to, Index line, int direction, int winding, bool wall, bool cutFrom,
+                                  bool cutTo) {
+  if (from == to || (!sides_.empty() && geometry_.lineAt(line).kind == PlanLine::Border)) return;  // or a seam
   CutSegment s{from, to, line, static_cast<std::int8_t>(direction), winding, wall};
   const auto turn = [&s] {
     std::swap(s.from, s.to);
     s.direction = static_cast<std::int8_t>(-s.direction);
     s.winding = -s.winding;
   };
-  if (!sides_.empty()) {
-    if (geometry_.lineAt(line).kind == PlanLine::Border) return;  // the seam
-    if (isCut(from) || isCut(to)) {
-      if (direction < 0) turn();
-      pieces_.push_back({obstacle_, s});
-      return;
-    }
+  if (cutFrom || cutTo) {
+    if (cutFrom) s.from = -1;
+    if (cutTo) s.to = -1;
+    if (direction < 0) turn();
+    pieces_.push_back({obstacle_, s});
+    return;
   }
   if (s.from > s.to) turn();
   segments_.push_back(s);
@@ -525,13 +522,9 @@ void ClearanceClipper::collect(Cuts& cuts) {
   }
   constexpr bool kIsShare = std::is_same_v<Cuts, FaceShare>;
   if constexpr (kIsShare) {
-    for (FaceShare::Piece& piece : pieces_)
-      for (Index* end : {&piece.segment.from, &piece.segment.to}) {
-        if (isCut(*end))
-          *end = -1;
-        else
-          need(*end);
-      }
+    for (const FaceShare::Piece& piece : pieces_)
+      for (const Index end : {piece.segment.from, piece.segment.to})
+        if (end >= 0) need(end);
   } else {
     sortAlongCurve(geometry_, order);
   }

@@ -46,6 +46,7 @@ class ClearanceClipper {
     int direction = 0;  ///< +1: that edge runs along the line
     int floor = 0;      ///< sign of the height above the floor
     int ceiling = 0;    ///< sign of the height above floor + clearance
+    bool cut = false;   ///< a border of the cell made it
   };
   /// A triangle clipped by two heights and three edges has at most eight corners.
   struct Polygon {
@@ -65,16 +66,18 @@ class ClearanceClipper {
   void clipToLevel(Polygon& polygon, Index obstacle, bool ceiling);
   void clipToEdge(Polygon& polygon, int k);
   void clipToSide(Polygon& polygon, std::size_t side);
-  /// Keeps the corners at which `signs` is positive or 0; new ones come from `crossingOf(line)` and lie on `line`.
+  /// Keeps the corners at which `signs` is positive or 0. New ones come from `crossingOf(line)`; the edges between them
+  /// lie on the line of `made`, which is also what new corners are like beside that.
   template <class Crossing>
-  static void keepPositive(Polygon& polygon, const std::array<int, 12>& signs, Index line, int direction,
+  static void keepPositive(Polygon& polygon, const std::array<int, 12>& signs, const Corner& made,
                            const Crossing& crossingOf);
   /// Whether the whole triangle lies beyond the border, strictly.
   [[nodiscard]] bool isInside(std::size_t side, Index triangle) const;
   int sideOfCell(std::size_t side, Index point);
-  [[nodiscard]] bool isCut(Index point) const;
   [[nodiscard]] std::uint8_t cellBorders(Index point) const;
-  void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall);
+  /// `cutFrom`, `cutTo`: a border of the cell made that end.
+  void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall, bool cutFrom = false,
+                  bool cutTo = false);
   template <class Cuts>
   void addCuts(const Cuts& cuts, std::vector<Index>& points, std::vector<Index>& lines);
   void cancelSegments();

@@ -318,7 +318,7 @@ Index CellRun::cellToHelp() {
 }
 
 void CellRun::done(Index cell, std::size_t items) {
-  if (cells_[cell].left.fetch_sub(items) == items) finish(cell);
+  if (items > 0 && cells_[cell].left.fetch_sub(items) == items) finish(cell);
 }
 
 // Joins what one thread does on one cell without a break.
