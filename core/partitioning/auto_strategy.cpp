@@ -12,8 +12,8 @@ namespace {
 // Below a few thousand triangles one thread is fastest (design, section 4): what a block spends on cells, clipping and
 // merging is then of the size of the work itself.
 constexpr std::size_t kFewTriangles = 2000;
-// About 3 ms on one thread, at half a microsecond for a trivial triangle.
-constexpr double kLittleWork = 6000;
+// About 3 ms on one thread (a trivial triangle is some 4 microseconds of clearance filter).
+constexpr double kLittleWork = 800;
 // Idle threads help with cells that are not finished, so that a few cells for each thread balance; more only cut more
 // floors.
 constexpr int kCellsPerThread = 4;

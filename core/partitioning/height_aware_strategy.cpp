@@ -33,17 +33,26 @@ struct Candidate {
 // The sum of the weights of all keys that are less than a number.
 class Ranking {
  public:
+  /// Good for numbers from `first` to `last`.
   template <class Keys>
-  Ranking(std::size_t count, const Keys& keys) : entries_(count) {
-    for (std::size_t i = 0; i < count; ++i) entries_[i] = keys(i);
+  Ranking(std::size_t count, const Keys& keys, double first = -CellBounds::kInfinity,
+          double last = CellBounds::kInfinity) {
+    double before = 0;
+    entries_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::pair<double, double> entry = keys(i);
+      if (entry.first < first)
+        before += entry.second;
+      else if (entry.first <= last)
+        entries_.push_back(entry);
+    }
     std::sort(entries_.begin(), entries_.end());
-    sums_.reserve(count + 1);
-    sums_.push_back(0);
+    sums_.reserve(entries_.size() + 1);
+    sums_.push_back(before);
     for (const auto& entry : entries_) sums_.push_back(sums_.back() + entry.second);
   }
 
   [[nodiscard]] double below(double key) const { return sums_[placeOf(key)]; }
-  [[nodiscard]] double total() const { return sums_.back(); }
   [[nodiscard]] std::size_t placeOf(double key) const {
     const auto less = [](const auto& entry, double k) { return entry.first < k; };
     return static_cast<std::size_t>(std::lower_bound(entries_.begin(), entries_.end(), key, less) - entries_.begin());
@@ -67,7 +76,7 @@ class FloorTree {
   };
 
   FloorTree(const RecursionLimits& limits, const FloorWork& work, const std::string& name, const StrategyInput& input)
-      : limits_(limits), work_(work), input_(input), cellLimit_(name, "give more triangles or a smaller depth") {}
+      : limits_(limits), work_(work), input_(input), cellLimit_(name, "give a larger min or a smaller depth") {}
 
   void grow(CutTree& tree, Part part, int depth) {
     if (depth >= limits_.depth) return;
@@ -114,8 +123,12 @@ class FloorTree {
     });
     const std::vector<double> places = placesToCut(part, items, total, axis);
     if (places.empty()) return {};
-    const Ranking begins(part.floors.size(), [&](std::size_t i) { return range(part.floors[i], axis, 0); });
-    const Ranking ends(part.floors.size(), [&](std::size_t i) { return range(part.floors[i], axis, 1); });
+    const Ranking begins(
+        part.floors.size(), [&](std::size_t i) { return range(part.floors[i], axis, 0); }, places.front(),
+        places.back());
+    const Ranking ends(
+        part.floors.size(), [&](std::size_t i) { return range(part.floors[i], axis, 1); }, places.front(),
+        places.back());
     Candidate best;
     for (const double place : places) {
       const double share = items.below(place) / total;

@@ -25,7 +25,7 @@ double medianOf(const TrianglePieces& pieces, int axis) {
 class SortedTree {
  public:
   SortedTree(const RecursionLimits& limits, const std::string& name, const StrategyInput& input)
-      : limits_(limits), input_(input), cellLimit_(name, "give more triangles or a smaller depth") {}
+      : limits_(limits), input_(input), cellLimit_(name, "give a larger min or a smaller depth") {}
 
   void grow(CutTree& tree, TrianglePieces pieces, const PlanBox& box, int depth) {
     if (depth >= limits_.depth || static_cast<double>(pieces.size()) <= limits_.triangles) return;
