@@ -344,6 +344,20 @@ class TestCutting : public QObject {
     QCOMPARE(Check(mesh, cells.partition(), cut).run({}), std::string());
   }
 
+  void oneNameAtACorner() {
+    // the diagonal passes through (2, 2), where one triangle is cut in x only and the other in y only
+    const SourceMesh mesh =
+        meshOf(test::Soup().triangle({0, 0, 1}, {4, 0, 0}, {4, 4, 1}).triangle({0, 0, 1}, {4, 4, 1}, {0, 4, 1}));
+    Cells cells;
+    const Index upper = cells.divide(0, 2, 1);
+    cells.divide(0, 0, 2);
+    cells.divide(upper, 1, 2);
+    const CutEnvironment cut = cutEnvironment(mesh, cells.partition(), {}, false);
+    QCOMPARE(Check(mesh, cells.partition(), cut).run({}), std::string());
+    QCOMPARE(cut.vertices.size(), std::size_t{4 + 3});
+    QCOMPARE(cut.triangles.size(), std::size_t{6});
+  }
+
   void wallsTakeHeightFromEdges() {
     const SourceMesh mesh = meshOf(test::Soup().quad({0, 0, 0}, {4, 4, 1}, {4, 4, 5}, {0, 0, 3}));
     Cells cells;
