@@ -93,6 +93,13 @@ void runCommandLine(int argc, const char* const* argv) {
       ->type_name("N");
   runCommand->add_option("-o,--output", run.output, "Write the walkable area to this OBJ file")->type_name("OUT.obj");
   runCommand->add_option("--stats", run.statistics, "Write times and counts to this file")->type_name("FILE.json");
+  runCommand
+      ->add_option("--trace", run.trace,
+                   "Write the timeline of the run to this file, for Perfetto (ui.perfetto.dev) or chrome://tracing")
+      ->type_name("FILE.json");
+  runCommand->add_flag("--speed-up", run.speedUp,
+                       "Also run everything three times more, and three times on one thread without parallel blocks, "
+                       "to tell the speed-up");
   runCommand->add_flag("--quiet", run.quiet, "No progress bar and no summary");
 
   CLI::App* infoCommand = app.add_subcommand("info", "Tell what an environment holds");

@@ -13,6 +13,7 @@
 #include "core/environment/import.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/metrics/run_statistics.hpp"
+#include "core/metrics/run_trace.hpp"
 #include "core/pipeline/export_header.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "core/pipeline/runner.hpp"
@@ -49,13 +50,17 @@ void checkEnding(const std::string& target, const std::string& option, const std
 void checkTargets(const RunArguments& arguments) {
   checkEnding(arguments.output, "-o", ".obj");
   checkEnding(arguments.statistics, "--stats", ".json");
-  for (const std::string& target : {arguments.output, arguments.statistics}) {
+  checkEnding(arguments.trace, "--trace", ".json");
+  for (const std::string& target : {arguments.output, arguments.statistics, arguments.trace}) {
     for (const std::string& input : {arguments.environment, arguments.pipelineFile}) {
       if (sameFile(target, input)) throw InputError(target + ": would be overwritten; give another file to write to");
     }
   }
-  if (sameFile(arguments.output, arguments.statistics)) {
+  if (sameFile(arguments.output, arguments.statistics))
     throw InputError(arguments.output + ": cannot hold both the export and the statistics; give two files");
+  for (const std::string& other : {arguments.output, arguments.statistics}) {
+    if (sameFile(arguments.trace, other))
+      throw InputError(arguments.trace + ": cannot hold both the timeline and another file; give two files");
   }
 }
 
@@ -99,9 +104,17 @@ std::string runAndExport(const RunArguments& arguments) {
     times.exportMs = exporting.wallMs();
   }
   times.totalMs = total.wallMs();
+  if (arguments.speedUp) {
+    bar.begin("measuring the speed-up", 0);
+    times.speedUp = measureSpeedUp(environment, *pipeline, context, arguments.threads);
+  }
   if (!arguments.statistics.empty()) {
     context.checkCancelled();
     writeFileSafely(arguments.statistics, formatStatistics(*environment, result, times));
+  }
+  if (!arguments.trace.empty()) {
+    context.checkCancelled();
+    writeFileSafely(arguments.trace, formatTrace(result));
   }
   bar.clear();
   return arguments.quiet ? std::string() : formatSummary(*environment, result, times);

@@ -17,6 +17,8 @@ struct RunArguments {
   int threads = 0;                   ///< 0: as many as the machine has
   std::string output;                ///< empty: nothing is exported
   std::string statistics;            ///< empty: no statistics are written
+  std::string trace;                 ///< empty: no timeline is written
+  bool speedUp = false;              ///< also measure the speed-up against one thread
   bool quiet = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -36,6 +37,72 @@ Json parametersJson(const StepStatistics& step) {
     }
   }
   return parameters;
+}
+
+Json boundJson(const std::array<double, 3>& bound) {
+  Json json = Json::array();
+  for (const double c : bound) json.push_back(std::isfinite(c) ? Json(c) : Json(nullptr));
+  return json;
+}
+
+Json spanJson(const CellSpan& span) {
+  return {{"filter", span.filter}, {"thread", span.thread}, {"start_ms", span.startMs}, {"end_ms", span.endMs}};
+}
+
+Json cellJson(const CellReport& cell) {
+  Json filters = Json::object(), spans = Json::array();
+  for (const CellSpan& span : cell.spans) {
+    Json& sum = filters[span.filter];
+    sum = (sum.is_null() ? 0 : sum.get<double>()) + span.endMs - span.startMs;
+    spans.push_back(spanJson(span));
+  }
+  return {{"lower", boundJson(cell.bounds.lower)},
+          {"upper", boundJson(cell.bounds.upper)},
+          {"cost", cell.cost},
+          {"triangles_in", cell.trianglesIn},
+          {"triangles_out", cell.trianglesOut},
+          {"thread", cell.thread},
+          {"start_ms", cell.startMs},
+          {"end_ms", cell.endMs},
+          {"work_ms", cell.workMs()},
+          {"filters", filters},
+          {"spans", spans}};
+}
+
+Json blockJson(const BlockReport& block, int threads) {
+  Json cells = Json::array(), shared = Json::array();
+  for (const CellReport& cell : block.cells) cells.push_back(cellJson(cell));
+  for (const CellSpan& span : block.shared) shared.push_back(spanJson(span));
+  return {{"first_step", block.firstStep},
+          {"last_step", block.lastStep},
+          {"strategy", block.strategy},
+          {"reason", block.reason},
+          {"start_ms", block.startMs},
+          {"partitioning_ms", block.partitioningMs},
+          {"parallel_ms", block.parallelMs},
+          {"merging_ms", block.mergingMs},
+          {"imbalance", block.imbalance(threads)},
+          {"busy_ms", block.busyMs(threads)},
+          {"shared", shared},
+          {"cells", cells}};
+}
+
+Json timesJson(const RunTimes& times) {
+  return {{"preprocessing_ms", times.preprocessing},
+          {"partitioning_ms", times.partitioning},
+          {"parallel_ms", times.parallel},
+          {"merging_ms", times.merging},
+          {"postprocessing_ms", times.postprocessing},
+          {"overhead_ms", times.overhead},
+          {"total_ms", times.total}};
+}
+
+Json speedUpJson(const std::optional<SpeedUp>& speedUp, int threads) {
+  if (!speedUp) return nullptr;
+  return {{"one_thread_ms", speedUp->oneThreadMs},
+          {"parallel_ms", speedUp->parallelMs},
+          {"speed_up", speedUp->speedUp()},
+          {"efficiency", speedUp->efficiency(threads)}};
 }
 
 ExactFallbacks sumFallbacks(const RunResult& result) {
@@ -93,6 +160,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   for (const StepStatistics& step : result.steps) {
     json["steps"].push_back({{"name", step.name},
                              {"parameters", parametersJson(step)},
+                             {"start_ms", step.startMs},
                              {"wall_ms", step.wallMs},
                              {"cpu_ms", step.cpuMs},
                              {"triangles_in", step.in.triangles},
@@ -106,6 +174,8 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["finish_ms"] = result.finishMs;
   json["export_ms"] = times.exportMs;
   json["total_ms"] = times.totalMs;
+  json["run_ms"] = result.totalMs;
+  json["cpu_ms"] = result.cpuMs;
   json["threads"] = result.threads;
   json["peak_rss_bytes"] = peakRssBytes();
   json["triangles"] = result.mesh ? result.mesh->triangles.size() : result.summary.triangles;
@@ -118,6 +188,11 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["exact_fallbacks_by_kind"] = {
       {"slope", fallbacks.slope}, {"height", fallbacks.height}, {"orientation", fallbacks.orientation},
       {"side", fallbacks.side},   {"order", fallbacks.order},   {"area", fallbacks.area}};
+  json["times"] = timesJson(result.times);
+  json["speed_up"] = speedUpJson(times.speedUp, result.threads);
+  json["speed_up_estimate"] = result.totalMs > 0 ? result.cpuMs / result.totalMs : 1;
+  json["blocks"] = Json::array();
+  for (const BlockReport& block : result.blocks) json["blocks"].push_back(blockJson(block, result.threads));
   // File names are bytes; what is no UTF-8 must not lose the statistics.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -149,6 +224,17 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
           count(result.mesh ? result.mesh->obstacleEdges.size() : summary.obstacleEdges, "obstacle edge",
                 "obstacle edges") +
           '\n';
+  for (const BlockReport& block : result.blocks) {
+    text += "block of " + count(block.cells.size(), "cell", "cells") + ": partitioning " +
+            number(block.partitioningMs) + " ms, parallel " + number(block.parallelMs) + " ms, merging " +
+            number(block.mergingMs) + " ms; the busiest thread did " + number(block.imbalance(result.threads), "%.2f") +
+            " times the mean\n";
+  }
+  if (times.speedUp) {
+    text += "speed-up " + number(times.speedUp->speedUp(), "%.2f") + ", efficiency " +
+            number(times.speedUp->efficiency(result.threads), "%.2f") + ": " + number(times.speedUp->oneThreadMs) +
+            " ms on one thread without blocks, " + number(times.speedUp->parallelMs) + " ms as given (medians)\n";
+  }
   text += "load " + number(times.loadMs) + " ms, run " + number(result.totalMs) + " ms on " +
           count(static_cast<std::uint64_t>(result.threads), "thread", "threads") + ", export " +
           number(times.exportMs) + " ms\n";

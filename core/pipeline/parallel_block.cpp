@@ -37,10 +37,11 @@ class Block {
  private:
   [[nodiscard]] std::string nameOf(std::size_t k) const { return std::string(request_.steps[k]->filter->name); }
 
-  StepStatistics& addStep(std::size_t k, double wallMs, double cpuMs) {
+  StepStatistics& addStep(std::size_t k, double startMs, double wallMs, double cpuMs) {
     StepStatistics step;
     step.name = nameOf(k);
     step.parameters = request_.steps[k]->values;
+    step.startMs = startMs;
     step.wallMs = wallMs;
     step.cpuMs = cpuMs;
     step.in = outcome_.summary;
@@ -66,7 +67,7 @@ class Block {
       entry.trianglesIn = cell.floors + cell.obstacles;
     }
     report.partitioningMs = watch.wallMs();
-    StepStatistics& step = addStep(0, report.partitioningMs, watch.cpuMs());
+    StepStatistics& step = addStep(0, report.startMs, report.partitioningMs, watch.cpuMs());
     step.note = std::to_string(partition_.cells.size()) + (partition_.cells.size() == 1 ? " cell" : " cells");
     if (!partition_.reason.empty()) step.note += "; " + partition_.strategy + ": " + partition_.reason;
     context_.cellsMade(std::make_shared<const BlockReport>(report));
@@ -122,8 +123,10 @@ class Block {
     if (tests.size() > 0) outcome_.steps.back().fallbacks = cells.fallbacks();
     if (!pass) return;
     const Stopwatch merging;
+    mergingStartMs_ = clock_.wallMs();
     FilterOutcome outcome = pass->finish(state_->walkable, state_->removed);
     outcome_.report.mergingMs += merging.wallMs();
+    mergingCpuMs_ += merging.cpuMs();
     state_ = std::move(outcome.state);
     finishCellStep(k + tests.size(), startMs, wallMs);
     outcome_.steps.back().fallbacks = outcome.fallbacks;
@@ -152,7 +155,7 @@ class Block {
         all += span.endMs - span.startMs;
         if (span.filter == request_.steps[k]->filter->name) own += span.endMs - span.startMs;
       }
-    StepStatistics& step = addStep(k, all > 0 ? wallMs * own / all : 0, own);
+    StepStatistics& step = addStep(k, startMs, all > 0 ? wallMs * own / all : 0, own);
     step.note = std::exchange(note_, {});
     outcome_.summary = summarize(*state_);
     step.out = outcome_.summary;
@@ -169,7 +172,7 @@ class Block {
     outcome_.report.shared.push_back({nameOf(k), 0, startMs, startMs + wallMs});
     outcome_.report.parallelMs += wallMs;
     state_ = std::move(outcome.state);
-    StepStatistics& statistics = addStep(k, wallMs, watch.cpuMs());
+    StepStatistics& statistics = addStep(k, startMs, wallMs, watch.cpuMs());
     statistics.note = std::move(outcome.note);
     statistics.fallbacks = outcome.fallbacks;
     outcome_.summary = summarize(*state_);
@@ -181,8 +184,9 @@ class Block {
   // The cells were put together behind each phase; what is left is to say so.
   void collapse() {
     const std::size_t k = request_.steps.size() - 1;
+    if (mergingStartMs_ == 0) mergingStartMs_ = clock_.wallMs();
     context_.beginStep(request_.firstStep + k, nameOf(k));
-    addStep(k, outcome_.report.mergingMs, outcome_.report.mergingMs);
+    addStep(k, mergingStartMs_, outcome_.report.mergingMs, mergingCpuMs_);
     context_.endStep(request_.firstStep + k, nullptr);
   }
 
@@ -194,6 +198,7 @@ class Block {
   CellFloors floors_;
   std::shared_ptr<const SourceMesh> mesh_;  ///< that floors_ is about
   std::string note_;
+  double mergingStartMs_ = 0, mergingCpuMs_ = 0;
   BlockOutcome outcome_;
 };
 

@@ -137,6 +137,7 @@ class Run {
     StepStatistics statistics;
     statistics.name = step.filter->name;
     statistics.parameters = step.values;
+    statistics.startMs = clock_.wallMs();
     statistics.in = current_.summary;
     guarded(placeOf(index) + ", " + statistics.name, [&] {
       context_.beginStep(index, statistics.name);
@@ -235,6 +236,7 @@ RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipe
     return made;
   });
   result.totalMs = watch.wallMs();
+  result.cpuMs = watch.cpuMs();
   RunTimes& times = result.times;
   times.total = result.totalMs;
   times.overhead =

@@ -16,8 +16,9 @@ namespace footfall {
 struct StepStatistics {
   std::string name;
   std::vector<double> parameters;
-  double wallMs = 0;
-  double cpuMs = 0;  ///< of the whole process while the step ran
+  double startMs = 0;  ///< since the run began; the filters of a parallel block begin together
+  double wallMs = 0;   ///< inside a parallel block: the filter's share of the time that its cells took
+  double cpuMs = 0;    ///< of the whole process while the step ran; inside a parallel block: of all threads on cells
   bool fromCache = false;
   StateSummary in, out;
   std::string note;
@@ -31,6 +32,7 @@ struct RunResult {
   double startMs = 0;   ///< making the first state from the environment; 0 when cached
   double finishMs = 0;  ///< making the navigation mesh from the last state
   double totalMs = 0;
+  double cpuMs = 0;  ///< of the whole process during the run
   int threads = 1;
   std::vector<BlockReport> blocks;  ///< that ran, in order; none from the cache
   RunTimes times;
