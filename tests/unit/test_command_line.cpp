@@ -108,7 +108,7 @@ class TestCommandLine : public QObject {
   void exportSaysHowItWasMade();
   void sameBytesWithAnyNumberOfThreads();
   void statisticsSchema();
-  void parallelListingSaysThatItDoesNotRunYet();
+  void parallelListingRuns();
   void wrongUsageOrInput_data();
   void wrongUsageOrInput();
   void failedRunKeepsAnEarlierFile();
@@ -261,13 +261,45 @@ void TestCommandLine::statisticsSchema() {
   QVERIFY(environment.at("metres_per_unit").get<double>() > 0);
 }
 
-void TestCommandLine::parallelListingSaysThatItDoesNotRunYet() {
+void TestCommandLine::parallelListingRuns() {
   const QString pipeline = FOOTFALL_SOURCE_DIR "/resources/pipelines/thesis_parallel.pipeline";
-  const Outcome outcome = footfall({"run", path("board.obj"), "-p", pipeline, "-o", path("out.obj")});
-  QCOMPARE(outcome.exitCode, 2);
-  QVERIFY2(outcome.err.contains("line 6: SortedRecursiveStrategy is understood but does not run yet"),
-           outcome.err.constData());
-  QCOMPARE(names(), QStringList{"board.obj"});
+  const QString house = FOOTFALL_SOURCE_DIR "/samples/house/house.obj";
+  const Outcome outcome = footfall({"run", house, "-p", pipeline, "-o", path("out.obj"), "--stats", path("out.json"),
+                                    "--trace", path("trace.json"), "--threads", "2", "--speed-up"});
+  QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+  QVERIFY2(outcome.out.contains("block of "), outcome.out.constData());
+  QVERIFY2(outcome.out.contains("speed-up "), outcome.out.constData());
+
+  const auto json = nlohmann::json::parse(read(path("out.json")).toStdString());
+  const auto& block = json.at("blocks").at(0);
+  QCOMPARE(block.at("first_step").get<int>(), 3);
+  QCOMPARE(block.at("last_step").get<int>(), 7);
+  QVERIFY(block.at("cells").size() > 1);
+  for (const auto& cell : block.at("cells"))
+    for (const char* key : {"lower", "upper", "cost", "triangles_in", "triangles_out", "thread", "start_ms", "end_ms",
+                            "work_ms", "filters", "spans"})
+      QVERIFY2(cell.contains(key), key);
+  double sum = 0;
+  for (const auto& [name, milliseconds] : json.at("times").items())
+    sum += name == "total_ms" ? 0 : milliseconds.get<double>();
+  QVERIFY(std::abs(sum - json.at("times").at("total_ms").get<double>()) < 1e-6);
+  QCOMPARE(json.at("speed_up").at("speed_up").get<double>(),
+           json.at("speed_up").at("one_thread_ms").get<double>() / json.at("speed_up").at("parallel_ms").get<double>());
+
+  // Perfetto wants complete events with times, and names for the lanes.
+  const auto trace = nlohmann::json::parse(read(path("trace.json")).toStdString());
+  std::size_t cells = 0, lanes = 0;
+  for (const auto& event : trace.at("traceEvents")) {
+    if (event.at("ph") == "M") {
+      lanes += event.at("name") == "thread_name" ? 1 : 0;
+      continue;
+    }
+    QVERIFY(event.at("ph") == "X");
+    QVERIFY(event.at("ts").get<double>() >= 0 && event.at("dur").get<double>() >= 0);
+    cells += event.at("cat") == "cell" ? 1 : 0;
+  }
+  QCOMPARE(lanes, std::size_t{3});
+  QVERIFY(cells >= block.at("cells").size());
 }
 
 void TestCommandLine::wrongUsageOrInput_data() {

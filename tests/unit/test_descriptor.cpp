@@ -80,7 +80,7 @@ void TestDescriptor::optionalParametersAreLast() {
 
 void TestDescriptor::scopesFollowTheDesign_data() {
   QTest::addColumn<bool>("local");
-  QTest::addColumn<bool>("runs");
+  QTest::addColumn<bool>("isFilter");
   QTest::newRow("DegeneracyFilter") << true << true;
   QTest::newRow("SlopeFilter") << true << true;
   QTest::newRow("VerticalClearanceFilter") << true << true;
@@ -92,17 +92,18 @@ void TestDescriptor::scopesFollowTheDesign_data() {
   QTest::newRow("GridStrategy") << false << false;
   QTest::newRow("RecursiveStrategy") << false << false;
   QTest::newRow("SortedRecursiveStrategy") << false << false;
+  QTest::newRow("HeightAwareStrategy") << false << false;
+  QTest::newRow("AutoStrategy") << false << false;
   QTest::newRow("Collapse") << false << false;
 }
 
 void TestDescriptor::scopesFollowTheDesign() {
   QFETCH(bool, local);
-  QFETCH(bool, runs);
+  QFETCH(bool, isFilter);
   const FilterDescriptor* filter = findFilter(QTest::currentDataTag());
   QVERIFY(filter != nullptr);
   QCOMPARE(filter->scope == Scope::Local, local);
-  QCOMPARE(filter->runs, runs);
-  QCOMPARE(filter->kind == FilterKind::Filter, runs);
+  QCOMPARE(filter->kind == FilterKind::Filter, isFilter);
 }
 
 void TestDescriptor::theThesisNamesAreAliases() {

@@ -104,7 +104,7 @@ class TestRunner : public QObject {
   void cacheSharedByThreads();
   void cachedPrefixSurvivesCancelling();
   void cancelledBeforeItStarts();
-  void strategiesDoNotRunYet();
+  void switchedOffBlocksDoNotRun();
   void invalidStepsAreRefused_data();
   void invalidStepsAreRefused();
   void failuresNameTheStep();
@@ -320,17 +320,15 @@ void TestRunner::cancelledBeforeItStarts() {
   QVERIFY(recorder.events.empty());
 }
 
-void TestRunner::strategiesDoNotRunYet() {
+void TestRunner::switchedOffBlocksDoNotRun() {
   Recorder recorder;
   RunContext context(recorder.listener());
-  const Pipeline pipeline = pipelineOf("SlopeFilter 45\n\nSmartRecursiveStrategy 50 3 true\nCollapse\n");
-  const std::string message = messageOf<InputError>([&] { runPipeline(floorWithBoard(), pipeline, context); });
-  QVERIFY2(message.starts_with("line 3: SortedRecursiveStrategy is understood but does not run yet; "),
-           message.c_str());
-  QVERIFY(recorder.events.empty());
-  Pipeline switchedOff = pipeline;
-  switchedOff.steps[1].enabled = switchedOff.steps[2].enabled = false;
-  QCOMPARE(runPipeline(floorWithBoard(), switchedOff, context).steps.size(), std::size_t{1});
+  Pipeline pipeline = pipelineOf("SlopeFilter 45\n\nSmartRecursiveStrategy 50 3 true\nCollapse\n");
+  QCOMPARE(runPipeline(floorWithBoard(), pipeline, context).steps.size(), std::size_t{3});
+  pipeline.steps[1].enabled = pipeline.steps[2].enabled = false;
+  const RunResult result = runPipeline(floorWithBoard(), pipeline, context);
+  QCOMPARE(result.steps.size(), std::size_t{1});
+  QVERIFY(result.blocks.empty());
 }
 
 void TestRunner::invalidStepsAreRefused_data() {
