@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cells_command.hpp"
 #include "app/run_command.hpp"
 #include "core/environment/import.hpp"
 #include "core/environment/info.hpp"
@@ -105,6 +106,29 @@ void runCommandLine(int argc, const char* const* argv) {
   CLI::App* infoCommand = app.add_subcommand("info", "Tell what an environment holds");
   addEnvironmentArguments(*infoCommand, environment);
 
+  CellsArguments cells;
+  CLI::App* cellsCommand =
+      app.add_subcommand("cells", "Tell into which cells a strategy divides an environment, without running filters");
+  addEnvironmentArguments(*cellsCommand, environment);
+  cellsCommand
+      ->add_option("--strategy", cells.strategy,
+                   "The strategy, such as \"GridStrategy 3 2\"; the pipeline's first, else AutoStrategy, when left out")
+      ->type_name("STEP");
+  CLI::Option* cellsPipeline = cellsCommand->add_option(
+      "-p,--pipeline", cells.pipelineFile, "A pipeline file: strategies look at the clearance of its filters");
+  cellsPipeline->type_name("FILE");
+  cellsCommand->add_option("--filter", cells.filters, "One step of the pipeline; give it once for each step")
+      ->allow_extra_args(false)
+      ->excludes(cellsPipeline)
+      ->type_name("STEP");
+  cellsCommand
+      ->add_option("--threads", cells.threads, "Threads to plan for; as many as there are processors by default")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  cellsCommand->add_option("-o,--output", cells.output, "Write the environment, cut along the cells, to this OBJ file")
+      ->type_name("CELLS.obj");
+  cellsCommand->add_flag("--json", cells.json, "The report as JSON");
+
   std::string filterName;
   bool markdown = false;
   CLI::App* filtersCommand = app.add_subcommand("filters", "List the filters, or tell all about one");
@@ -126,6 +150,10 @@ void runCommandLine(int argc, const char* const* argv) {
     run.environment = environment.path;
     run.importOptions = environment.importOptions();
     std::cout << runAndExport(run);
+  } else if (cellsCommand->parsed()) {
+    cells.environment = environment.path;
+    cells.importOptions = environment.importOptions();
+    std::cout << previewCells(cells);
   } else if (infoCommand->parsed()) {
     printInfo(environment);
   } else {

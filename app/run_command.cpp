@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
+#include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
 #include "core/environment/export.hpp"
@@ -20,32 +20,6 @@
 
 namespace footfall {
 namespace {
-
-// Empty when the default pipeline is to run, which needs the environment's scale.
-std::optional<Pipeline> givenPipeline(const RunArguments& arguments) {
-  if (!arguments.pipelineFile.empty()) return readPipelineFile(arguments.pipelineFile);
-  if (arguments.filters.empty()) return std::nullopt;
-  std::string text;
-  for (const std::string& filter : arguments.filters) text += filter + '\n';
-  return parsePipeline(text, "--filter");
-}
-
-bool sameFile(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  std::error_code failed;
-  return a == b || std::filesystem::equivalent(a, b, failed);
-}
-
-/// Refuses names of files that hold or belong to an environment of another format, so that a slip of the hand cannot
-/// replace one.
-void checkEnding(const std::string& target, const std::string& option, const std::string& allowed) {
-  std::string ending = std::filesystem::path(target).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending.empty() || ending == allowed) return;
-  const std::vector<std::string> formats = importableExtensions();
-  if (ending == ".bin" || std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end())
-    throw InputError(target + ": " + option + " writes " + allowed + " files; give a name that ends so");
-}
 
 void checkTargets(const RunArguments& arguments) {
   checkEnding(arguments.output, "-o", ".obj");
@@ -81,7 +55,7 @@ std::string runAndExport(const RunArguments& arguments) {
   const Stopwatch total;
   ProgramTimes times;
   checkTargets(arguments);
-  std::optional<Pipeline> pipeline = givenPipeline(arguments);
+  std::optional<Pipeline> pipeline = givenPipeline(arguments.pipelineFile, arguments.filters);
 
   ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO) != 0);
   RunContext context([&bar](const RunEvent& event) { bar.show(event); });

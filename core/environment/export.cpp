@@ -1,45 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environment/export.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <filesystem>
-#include <string_view>
 
-#include "core/environment/number_text.hpp"
-
-#ifndef FOOTFALL_VERSION
-#define FOOTFALL_VERSION "unknown"
-#endif
+#include "core/environment/obj_text.hpp"
 
 namespace footfall {
 namespace {
 
-/// One comment line for each line of `content`. A text of the user must neither end the comment early nor, by a
-/// backslash at its end, pull the next line into it.
-void appendComment(std::string& text, std::string_view label, std::string_view content) {
-  while (!content.empty()) {
-    const std::size_t stop = content.find('\n');
-    text.append("# ").append(label);
-    for (const char c : content.substr(0, stop)) text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    if (text.back() == '\\') text += ' ';
-    text += '\n';
-    content.remove_prefix(stop == std::string_view::npos ? content.size() : stop + 1);
-  }
-}
-
-void appendHeader(std::string& text, const NavigationMesh& mesh, const Environment& environment,
-                  const ExportHeader& header) {
-  appendComment(text, "", "Walkable area by Footfall " FOOTFALL_VERSION);
-  // The name alone: the same file gives the same bytes wherever it lies.
-  std::string name = std::filesystem::path(environment.source).filename().string();
-  std::replace(name.begin(), name.end(), '\n', ' ');
-  appendComment(text, "source: ", name);
-  appendComment(text, "pipeline: ", header.pipeline);
-  appendComment(text, "agent: ", header.agent);
-  std::string frame = environment.up == UpAxis::Y ? "Y up, " : "Z up, ";
-  appendNumber(frame, environment.metresPerUnit);
-  appendComment(text, "frame: ", frame + " metres per unit");
+std::string countsOf(const NavigationMesh& mesh) {
   std::string counts;
   appendNumber(counts, mesh.vertices.size());
   counts += " vertices, ";
@@ -50,30 +19,7 @@ void appendHeader(std::string& text, const NavigationMesh& mesh, const Environme
   appendNumber(counts, mesh.connections.size());
   counts += " connections, ";
   appendNumber(counts, mesh.obstacleEdges.size());
-  appendComment(text, "content: ", counts + " obstacle edges");
-}
-
-void appendVertices(std::string& text, const NavigationMesh& mesh, UpAxis up) {
-  for (const Vec3& p : mesh.vertices) {
-    text += "v ";
-    appendNumber(text, p.x);
-    text += ' ';
-    appendNumber(text, up == UpAxis::Y ? p.z : p.y);
-    text += ' ';
-    appendNumber(text, up == UpAxis::Y ? -p.y : p.z);
-    text += '\n';
-  }
-}
-
-/// A statement with vertex indices; OBJ counts from 1.
-template <std::size_t Count>
-void appendElement(std::string& text, char statement, const std::array<std::uint32_t, Count>& indices) {
-  text += statement;
-  for (const std::uint32_t index : indices) {
-    text += ' ';
-    appendNumber(text, std::uint64_t{index} + 1);
-  }
-  text += '\n';
+  return counts + " obstacle edges";
 }
 
 void appendTriangles(std::string& text, const NavigationMesh& mesh) {
@@ -104,8 +50,8 @@ std::string formatObj(const NavigationMesh& mesh, const Environment& environment
   std::string text;
   text.reserve(1024 + 64 * mesh.vertices.size() + 28 * mesh.triangles.size() +
                20 * (mesh.connections.size() + mesh.obstacleEdges.size()));
-  appendHeader(text, mesh, environment, header);
-  appendVertices(text, mesh, environment.up);
+  appendHeader(text, "Walkable area", environment, header, countsOf(mesh));
+  for (const Vec3& p : mesh.vertices) appendVertex(text, p, environment.up);
   appendTriangles(text, mesh);
   appendLines(text, "connections", mesh.connections);
   appendLines(text, "obstacle_edges", mesh.obstacleEdges);

@@ -11,6 +11,7 @@
 
 #include "core/filters/descriptor_text.hpp"
 #include "core/metrics/process_usage.hpp"
+#include "core/metrics/text_table.hpp"
 
 namespace footfall {
 namespace {
@@ -117,26 +118,6 @@ std::string number(double value, const char* format = "%.1f") {
   std::array<char, 400> buffer;
   std::snprintf(buffer.data(), buffer.size(), format, value);
   return buffer.data();
-}
-
-// Columns as wide as their widest cell; the first to the left, the others but the last to the right.
-std::string formatTable(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(widths[i] - row[i].size(), ' ');
-      const bool left = i == 0 || i + 1 == row.size();
-      line += (i == 0 ? "" : "  ") + (left ? row[i] + padding : padding + row[i]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
-  }
-  return text;
 }
 
 std::string stepText(const StepStatistics& step) {

@@ -31,6 +31,14 @@ void forTasks(std::size_t count, std::size_t size, const Body& body) {
   });
 }
 
+template <class T, class Before>
+void sortBy(std::vector<T>& items, const Before& isBefore) {
+  if (items.size() < kSortedByThreads)
+    std::sort(items.begin(), items.end(), isBefore);
+  else
+    tbb::parallel_sort(items.begin(), items.end(), isBefore);
+}
+
 /// The points that cuts put on source edges, each edge's together and in order from its smaller vertex on.
 class EdgePoints {
  public:
@@ -39,10 +47,7 @@ class EdgePoints {
       if (p.a != q.a || p.b != q.b) return std::tie(p.a, p.b) < std::tie(q.a, q.b);
       return p.borders != q.borders && geometry.isBefore(p, q);
     };
-    if (points_.size() < kSortedByThreads)
-      std::sort(points_.begin(), points_.end(), isBefore);
-    else
-      tbb::parallel_sort(points_.begin(), points_.end(), isBefore);
+    sortBy(points_, isBefore);
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
     const std::size_t vertices = geometry.mesh().vertices.size();
     first_.assign(vertices + 1, static_cast<Index>(points_.size()));
@@ -140,6 +145,7 @@ class Cutting {
   }
 
   void collectPoints() {
+    poll_();
     std::vector<CutVertex> points;
     for (const Share& share : shares_) points.insert(points.end(), share.edgePoints.begin(), share.edgePoints.end());
     edgePoints_.emplace(std::move(points), geometry_);
@@ -315,13 +321,15 @@ class Cutting {
 bool isSamePlace(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 // Vertices in one place become the first of them, and triangles that lose a corner by that go.
-void weldRounded(CutEnvironment& cut, std::size_t sources) {
+void weldRounded(CutEnvironment& cut, std::size_t sources, const std::function<void()>& poll) {
+  poll();
   std::vector<Index> order(cut.places.size() - sources);
   std::iota(order.begin(), order.end(), static_cast<Index>(sources));
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+  sortBy(order, [&](Index a, Index b) {
     const Vec3 &p = cut.places[a], &q = cut.places[b];
     return isBefore(p, q) || (!isBefore(q, p) && a < b);
   });
+  poll();
   std::vector<Index> becomes(order.size());
   Index first = -1;
   for (const Index v : order) {
@@ -355,7 +363,7 @@ void weldRounded(CutEnvironment& cut, std::size_t sources) {
 CutEnvironment cutEnvironment(const SourceMesh& mesh, const Partition& partition, std::span<const char> included,
                               bool round, const std::function<void()>& poll) {
   CutEnvironment result = Cutting(mesh, partition, included, poll).run();
-  if (round) weldRounded(result, mesh.vertices.size());
+  if (round) weldRounded(result, mesh.vertices.size(), poll);
   return result;
 }
 

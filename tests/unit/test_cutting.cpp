@@ -12,8 +12,10 @@
 #include "core/exact/plan_kernel.hpp"
 #include "core/partitioning/convex_triangulation.hpp"
 #include "core/partitioning/cutting.hpp"
+#include "core/partitioning/strategies.hpp"
 #include "tests/support/run_with_threads.hpp"
 #include "tests/support/soup_generators.hpp"
+#include "tests/unit/environment_files.hpp"
 
 using namespace footfall;
 
@@ -437,6 +439,25 @@ class TestCutting : public QObject {
     QVERIFY(one.vertices == four.vertices);
     QVERIFY(one.triangles == four.triangles);
     QCOMPARE(Check(mesh, partition, one).run({}), std::string());
+  }
+
+  void realEnvironments() {
+    if (test::sharedEnvironments().isEmpty()) QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
+    for (const char* name : {"/nav_test.obj", "/dutility.obj"}) {
+      const auto environment = importEnvironment(test::sharedEnvironments().toStdString() + name);
+      const SourceMesh mesh = makeSourceMesh(SourceSoupView(environment->vertices, environment->triangles), false);
+      std::vector<char> walkable(mesh.triangles.size()), removed(mesh.triangles.size(), 0);
+      for (std::size_t t = 0; t < walkable.size(); ++t) walkable[t] = static_cast<char>(mesh.facing[t] > 0);
+      for (const auto& [strategy, values] : {std::pair{"RecursiveStrategy", std::vector<double>{500, 4, 0}},
+                                             std::pair{"HeightAwareStrategy", std::vector<double>{500, 4, 0}}}) {
+        const Partition partition = makePartition(strategy, values, {mesh, walkable, removed, 2, 2});
+        QVERIFY(partition.cells.size() > 1);
+        const CutEnvironment cut = cutEnvironment(mesh, partition, {}, false);
+        QVERIFY(cut.triangles.size() >= mesh.triangles.size());
+        const std::string wrong = Check(mesh, partition, cut).run({});
+        QVERIFY2(wrong.empty(), (std::string(name) + ' ' + strategy + ": " + wrong).c_str());
+      }
+    }
   }
 
   void cancels() {

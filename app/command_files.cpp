@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/environment/import.hpp"
+#include "core/errors.hpp"
+
+namespace footfall {
+
+std::optional<Pipeline> givenPipeline(const std::string& file, const std::vector<std::string>& steps) {
+  if (!file.empty()) return readPipelineFile(file);
+  if (steps.empty()) return std::nullopt;
+  std::string text;
+  for (const std::string& step : steps) text += step + '\n';
+  return parsePipeline(text, "--filter");
+}
+
+bool sameFile(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code failed;
+  return a == b || std::filesystem::equivalent(a, b, failed);
+}
+
+void checkEnding(const std::string& target, const std::string& option, const std::string& allowed) {
+  std::string ending = std::filesystem::path(target).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending.empty() || ending == allowed) return;
+  const std::vector<std::string> formats = importableExtensions();
+  if (ending == ".bin" || std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end())
+    throw InputError(target + ": " + option + " writes " + allowed + " files; give a name that ends so");
+}
+
+}  // namespace footfall

@@ -1,0 +1,24 @@
+// What commands do with the files that are named: pipelines to read, and files to write.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/pipeline.hpp"
+
+namespace footfall {
+
+/// The pipeline of a file or of steps, one line of a pipeline file each; empty when neither is given and the default
+/// pipeline is meant, which needs the environment's scale. Throws InputError.
+std::optional<Pipeline> givenPipeline(const std::string& file, const std::vector<std::string>& steps);
+
+/// Whether both names are given and lead to one file.
+bool sameFile(const std::string& a, const std::string& b);
+
+/// Refuses names of files that hold or belong to an environment of another format, so that a slip of the hand cannot
+/// replace one. `allowed` is the ending with its dot; no ending is fine as well.
+void checkEnding(const std::string& target, const std::string& option, const std::string& allowed);
+
+}  // namespace footfall
