@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "core/environment/environment_edit.hpp"
 #include "core/exact/source_edit.hpp"
@@ -45,7 +46,7 @@ FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<doub
   if (name == "SimplificationFilter") return applySimplification(state, values[0] != 0, values[1], recall, context);
   if (name == "LayerSubdivisionFilter") return applyLayerSubdivision(state, recall, context);
   if (name == "RoundingFilter") return applyRounding(state, context);
-  throw InputError(std::string(name) + " is understood but does not run yet; take it out of the pipeline");
+  throw std::logic_error(std::string(name) + " is no filter that runs on its own");
 }
 
 namespace {

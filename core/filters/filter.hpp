@@ -48,8 +48,8 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
                           const Recall& recall = {});
 
 /// Runs one filter. `values` has one number for each parameter of the descriptor (booleans 0 or 1), already
-/// validated against it. Throws Cancelled, InputError (a filter that does not run yet) or std::bad_alloc; the given
-/// state is never changed. The result does not depend on the number of threads.
+/// validated against it; a strategy or Collapse is the runner's. Throws Cancelled or std::bad_alloc; the given state is
+/// never changed. The result does not depend on the number of threads.
 FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,
                           RunContext& context, const Recall& recall = {});
 

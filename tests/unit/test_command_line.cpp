@@ -270,7 +270,7 @@ void TestCommandLine::parallelListingRuns() {
   QVERIFY2(outcome.out.contains("block of "), outcome.out.constData());
   QVERIFY2(outcome.out.contains("speed-up "), outcome.out.constData());
 
-  const auto json = nlohmann::json::parse(read(path("out.json")).toStdString());
+  const auto json = nlohmann::json::parse(contentOf(path("out.json")).toStdString());
   const auto& block = json.at("blocks").at(0);
   QCOMPARE(block.at("first_step").get<int>(), 3);
   QCOMPARE(block.at("last_step").get<int>(), 7);
@@ -287,7 +287,7 @@ void TestCommandLine::parallelListingRuns() {
            json.at("speed_up").at("one_thread_ms").get<double>() / json.at("speed_up").at("parallel_ms").get<double>());
 
   // Perfetto wants complete events with times, and names for the lanes.
-  const auto trace = nlohmann::json::parse(read(path("trace.json")).toStdString());
+  const auto trace = nlohmann::json::parse(contentOf(path("trace.json")).toStdString());
   std::size_t cells = 0, lanes = 0;
   for (const auto& event : trace.at("traceEvents")) {
     if (event.at("ph") == "M") {

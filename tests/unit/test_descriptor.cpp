@@ -42,7 +42,7 @@ void TestDescriptor::namesAreUniqueAndFound() {
     std::set<std::string_view> parameters;
     for (const ParameterDescriptor& parameter : filter.parameters) QVERIFY(parameters.insert(parameter.name).second);
   }
-  QCOMPARE(filterDescriptors().size(), std::size_t{12});
+  QCOMPARE(filterDescriptors().size(), std::size_t{14});
   QVERIFY(findFilter("slopefilter") == nullptr);
   QVERIFY(findFilter("") == nullptr);
 }

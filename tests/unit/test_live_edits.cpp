@@ -74,14 +74,17 @@ class TestLiveEdits : public QObject {
   void obstaclesInRandomBuildings() {
     QVERIFY(check("obstacles in random buildings", 300, [] {
       const auto level = buildingOf(*buildingParts(12)).environment(*below(4) == 0);
-      const std::array<std::string, 6> pipelines{
+      const std::array<std::string, 9> pipelines{
           "SlopeFilter 45\nVerticalClearanceFilter 2\n",
           defaultFilters(45, 1),
           "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\nSlopeFilter 30\n",
           "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n",
           "VerticalClearanceFilter 1\nLayerSubdivisionFilter\nSimplificationFilter\nLayerSubdivisionFilter\n",
-          "SimplificationFilter\nVerticalClearanceFilter 1\nSimplificationFilter true 0.01\nLayerSubdivisionFilter\n"};
-      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(6))];
+          "SimplificationFilter\nVerticalClearanceFilter 1\nSimplificationFilter true 0.01\nLayerSubdivisionFilter\n",
+          "GridStrategy 2 3\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nSimplificationFilter\n",
+          "SlopeFilter 50\nHeightAwareStrategy 1 4\nVerticalClearanceFilter 1\nCollapse\nLayerSubdivisionFilter\n",
+          "SortedRecursiveStrategy 1 4 false\nDegeneracyFilter\nVerticalClearanceFilter 1\nRoundingFilter\nCollapse\n"};
+      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(static_cast<int>(pipelines.size())))];
       EditableEnvironment editable(level);
       ResultCache cache;
       RC_ASSERT(agrees(level, pipeline, cache));
