@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <oneapi/tbb/parallel_invoke.h>
 
-#include <cmath>
 #include <numeric>
 
 #include "core/partitioning/partition_builder.hpp"
