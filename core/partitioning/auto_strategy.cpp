@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "core/partitioning/partition_builder.hpp"
 

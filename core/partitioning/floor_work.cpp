@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/environment/parallel_ranges.hpp"
@@ -18,10 +17,14 @@ constexpr double kWorkOfTest = 0.03;  ///< an obstacle whose box overlaps that o
 constexpr double kWorkOfOverlap = 0.4;
 
 constexpr std::size_t kPilotSize = 256;         ///< floors that tell how many obstacles a floor has
-constexpr std::size_t kLargestSample = 1536;    ///< floors
-constexpr double kMostVisits = 150000;          ///< of obstacles, for the sample; about a millisecond
+constexpr std::size_t kLargestSample = 1024;    ///< floors
+constexpr double kMostVisits = 60000;           ///< of obstacles, for the sample; about two milliseconds
 constexpr std::size_t kScatteredOverlaps = 16;  ///< obstacles of a floor from which on it matters where they are
 constexpr std::size_t kMostPlaces = 256;        ///< of the work of one floor
+// Of the obstacles of giants in large environments, one in so many is looked at; prime, so that no pattern of the
+// triangles falls in with it.
+constexpr unsigned kGiantStride = 7;
+constexpr std::size_t kManyTriangles = 16384;
 constexpr std::size_t kMostItems = 4096;
 constexpr std::size_t kFloorsPerTask = 64;
 constexpr std::size_t kTrianglesPerTask = 8192;
@@ -29,7 +32,8 @@ constexpr unsigned kVisitsPerPoll = 4096;
 
 struct Chosen {
   Index floor = -1;
-  double count = 1;
+  double count = 1;      ///< floors that it stands for
+  bool isGiant = false;  ///< chosen for its size alone
 };
 
 // A width as a part of the whole, whatever the size of the numbers.
@@ -79,7 +83,8 @@ class FloorSampler {
       const double times = std::floor((sum - next) / step) + 1;
       next += times * step;
       // What is chosen surely stands for itself.
-      chosen.push_back({floors_[i], sizes_[i] >= step ? 1 : times * step / sizes_[i]});
+      const bool isGiant = sizes_[i] >= step;
+      chosen.push_back({floors_[i], isGiant ? 1 : times * step / sizes_[i], isGiant});
     }
     return chosen;
   }
@@ -117,9 +122,11 @@ class FloorExaminer {
         {{box.lower[0], box.lower[1]}, {box.upper[0], box.upper[1]}}, box.lower[2], box.upper[2], chosen.count};
     overlaps_.clear();
     std::size_t tests = 0;
+    const unsigned stride = chosen.isGiant && mesh_.triangles.size() >= kManyTriangles ? kGiantStride : 1;
     if (input_.clearance > 0) {
       box.upper[2] += input_.clearance;
       mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
+        if (stride > 1 && static_cast<unsigned>(obstacle) % stride != 0) return true;
         if (++visits_ % kVisitsPerPoll == 0) input_.poll();
         if (obstacle == chosen.floor || !reachesInto(obstacle, box)) return true;
         ++tests;
@@ -128,7 +135,7 @@ class FloorExaminer {
         return true;
       });
     }
-    addItems(floor, tests);
+    addItems(floor, tests, stride);
     return floor;
   }
 
@@ -146,9 +153,9 @@ class FloorExaminer {
     return other.upper[2] > box.lower[2] && other.lower[2] < box.upper[2];
   }
 
-  void addItems(const FloorWork::Floor& floor, std::size_t tests) {
-    const double own = kWorkOfFloor + kWorkOfTest * static_cast<double>(tests);
-    const double found = kWorkOfOverlap * static_cast<double>(overlaps_.size());
+  void addItems(const FloorWork::Floor& floor, std::size_t tests, double weight) {
+    const double own = kWorkOfFloor + kWorkOfTest * weight * static_cast<double>(tests);
+    const double found = kWorkOfOverlap * weight * static_cast<double>(overlaps_.size());
     const bool isScattered = overlaps_.size() >= kScatteredOverlaps;
     if (!isScattered) {
       items_.push_back({middleOf(floor.box, floor.lowest), (own + found) * floor.count});

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "core/partitioning/floor_work.hpp"
 
@@ -22,6 +21,11 @@ constexpr double kWorkOfSlope = 0.5;
 constexpr double kSmallestSide = 0.35;
 // What cannot be divided better than this is not cut.
 constexpr double kWorstSide = 0.02;
+// What a cut between heights loses where its sides do not lie above one another: there are no storeys, and a cut in the
+// plan would keep together what is near.
+constexpr double kLossBesideStoreys = 0.5;
+constexpr double kStackedShare = 0.5;  ///< so much of the work above or below other work is a storey
+constexpr int kStackColumns = 16;      ///< along each axis
 constexpr std::size_t kParallelSize = 1024;
 
 struct Candidate {
@@ -139,7 +143,37 @@ class FloorTree {
       const double score = 1 - smaller + cut * (axis == 2 ? kWorkOfSlope : kWorkOfCutFloor) / total;
       if (score < best.score) best = {axis, place, score};
     }
+    if (best.axis == 2)
+      best.score += kLossBesideStoreys * std::max(0.0, kStackedShare - stackedWork(part, best.coordinate) / total);
     return best;
+  }
+
+  // The work in columns of the plan that have some both below and above a height.
+  double stackedWork(const Part& part, double height) const {
+    PlanBox box;
+    for (const Index i : part.items)
+      for (int axis = 0; axis < 2; ++axis) {
+        box.lower[axis] = std::min(box.lower[axis], work_.items[i].place[axis]);
+        box.upper[axis] = std::max(box.upper[axis], work_.items[i].place[axis]);
+      }
+    const auto columnOf = [&](const FloorWork::Item& item) {
+      int column = 0;
+      for (int axis = 0; axis < 2; ++axis) {
+        const double width = box.upper[axis] / 2 - box.lower[axis] / 2;
+        const double share = width > 0 ? (item.place[axis] / 2 - box.lower[axis] / 2) / width : 0;
+        column = column * kStackColumns + std::clamp(static_cast<int>(share * kStackColumns), 0, kStackColumns - 1);
+      }
+      return column;
+    };
+    std::array<std::array<double, 2>, kStackColumns * kStackColumns> columns{};
+    for (const Index i : part.items) {
+      const FloorWork::Item& item = work_.items[i];
+      columns[columnOf(item)][item.place[2] < height ? 0 : 1] += item.work;
+    }
+    double work = 0;
+    for (const auto& [below, above] : columns)
+      if (below > 0 && above > 0) work += below + above;
+    return work;
   }
 
   // Where floors begin and end, as far as the sides are about equal; else where the work's middle is.

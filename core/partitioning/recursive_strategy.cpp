@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <oneapi/tbb/parallel_invoke.h>
 
-#include <cmath>
 #include <numeric>
 
 #include "core/partitioning/partition_builder.hpp"
@@ -40,9 +39,8 @@ class QuadTree {
     tree.coordinate = middle[axis];
     tree.below = std::make_unique<CutTree>();
     tree.above = std::make_unique<CutTree>();
-    auto parts = pieces.split(axis, middle[axis], input_);
     const bool isLarge = pieces.size() >= kParallelSize;
-    pieces = {};
+    auto parts = pieces.split(axis, middle[axis], input_);
     PlanBox lower = box, upper = box;
     lower.upper[axis] = upper.lower[axis] = middle[axis];
     const auto below = [&] { cut(*tree.below, std::move(parts[0]), lower, middle, axis - 1, depth); };
@@ -64,7 +62,7 @@ std::unique_ptr<CutTree> growRecursive(const RecursionLimits& limits, const std:
                                        const StrategyInput& input) {
   auto tree = std::make_unique<CutTree>();
   const PlanBox box = planBoxOf(input);
-  if (!box.empty()) QuadTree(limits, name, input).grow(*tree, TrianglePieces::of(input), box, 0);
+  if (!box.empty()) QuadTree(limits, name, input).grow(*tree, TrianglePieces(input), box, 0);
   return tree;
 }
 

@@ -12,16 +12,6 @@ namespace {
 
 constexpr std::size_t kParallelSize = 2048;  ///< fewer pieces are not worth a second thread
 
-// Largest coordinate of element n/2 in order of the largest coordinates.
-double medianOf(const TrianglePieces& pieces, int axis) {
-  std::vector<double> ends(pieces.size());
-  std::transform(pieces.pieces.begin(), pieces.pieces.end(), ends.begin(),
-                 [&](const TrianglePiece& piece) { return piece.box.upper[axis]; });
-  const auto middle = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() / 2);
-  std::nth_element(ends.begin(), middle, ends.end());
-  return *middle;
-}
-
 class SortedTree {
  public:
   SortedTree(const RecursionLimits& limits, const std::string& name, const StrategyInput& input)
@@ -31,21 +21,22 @@ class SortedTree {
     if (depth >= limits_.depth || static_cast<double>(pieces.size()) <= limits_.triangles) return;
     const int axis = depth % 2;
     input_.poll();
-    const double cut = medianOf(pieces, axis);
+    // The largest coordinate of element n/2 in order of the largest coordinates.
+    std::vector<double> ends = pieces.ends(axis);
+    const auto middle = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() / 2);
+    std::nth_element(ends.begin(), middle, ends.end());
+    const double cut = *middle;
     // The thesis stops where a side would be empty: above, when nothing reaches beyond the cut; below, when what ends
     // there has no width.
-    const bool isBelowEmpty = !box.isInside(axis, cut);
-    if (isBelowEmpty || std::none_of(pieces.pieces.begin(), pieces.pieces.end(),
-                                     [&](const TrianglePiece& piece) { return piece.box.upper[axis] > cut; }))
-      return;
+    if (*std::max_element(middle, ends.end()) <= cut || !box.isInside(axis, cut)) return;
+    ends = {};
     cellLimit_.add(1);
     tree.axis = axis;
     tree.coordinate = cut;
     tree.below = std::make_unique<CutTree>();
     tree.above = std::make_unique<CutTree>();
-    auto parts = pieces.split(axis, cut, input_);
     const bool isLarge = pieces.size() >= kParallelSize;
-    pieces = {};
+    auto parts = pieces.split(axis, cut, input_);
     PlanBox lower = box, upper = box;
     lower.upper[axis] = upper.lower[axis] = cut;
     const auto below = [&] { grow(*tree.below, std::move(parts[0]), lower, depth + 1); };
@@ -68,7 +59,7 @@ std::unique_ptr<CutTree> growSortedRecursive(const RecursionLimits& limits, cons
                                              const StrategyInput& input) {
   auto tree = std::make_unique<CutTree>();
   const PlanBox box = planBoxOf(input);
-  if (!box.empty()) SortedTree(limits, name, input).grow(*tree, TrianglePieces::of(input), box, 0);
+  if (!box.empty()) SortedTree(limits, name, input).grow(*tree, TrianglePieces(input), box, 0);
   return tree;
 }
 

@@ -41,70 +41,76 @@ void clip(std::span<const Point> outline, int axis, double coordinate, std::arra
 
 }  // namespace
 
-TrianglePieces TrianglePieces::of(const StrategyInput& input) {
-  TrianglePieces result;
+TrianglePieces::TrianglePieces(const StrategyInput& input) {
   const SourceMesh& mesh = input.mesh;
-  result.pieces.resize(mesh.triangles.size());
-  forRanges(result.pieces.size(), kPiecesPerTask, [&](std::size_t first, std::size_t last) {
+  const auto boxes = std::make_shared<std::vector<PlanBox>>(mesh.triangles.size());
+  forRanges(boxes->size(), kPiecesPerTask, [&](std::size_t first, std::size_t last) {
     input.poll();
-    for (std::size_t t = first; t < last; ++t) {
-      if (input.removed[t] != 0) continue;
-      result.pieces[t].box = planBoxOf(mesh, static_cast<Index>(t));
-      result.pieces[t].triangle = static_cast<Index>(t);
-    }
+    for (std::size_t t = first; t < last; ++t) (*boxes)[t] = planBoxOf(mesh, static_cast<Index>(t));
   });
-  std::erase_if(result.pieces, [](const TrianglePiece& piece) { return piece.triangle < 0; });
-  return result;
+  boxes_ = boxes;
+  whole_.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (input.removed[t] == 0) whole_.push_back(static_cast<Index>(t));
 }
 
-void TrianglePieces::add(const TrianglePiece& piece, const TrianglePieces& from) {
-  pieces.push_back(piece);
-  if (piece.firstCorner < 0) return;
-  pieces.back().firstCorner = static_cast<Index>(corners.size());
-  const auto first = from.corners.begin() + piece.firstCorner;
-  corners.insert(corners.end(), first, first + piece.cornerCount);
+std::vector<double> TrianglePieces::ends(int axis) const {
+  std::vector<double> ends;
+  ends.reserve(size());
+  for (const Index t : whole_) ends.push_back((*boxes_)[t].upper[axis]);
+  for (const Part& part : parts_) ends.push_back(part.box.upper[axis]);
+  return ends;
 }
 
-void TrianglePieces::add(Index triangle, std::span<const Point> outline) {
-  TrianglePiece piece;
-  piece.triangle = triangle;
-  piece.firstCorner = static_cast<Index>(corners.size());
-  piece.cornerCount = static_cast<Index>(outline.size());
+void TrianglePieces::addPart(std::span<const Point> outline) {
+  Part part;
+  part.firstCorner = static_cast<Index>(corners_.size());
+  part.cornerCount = static_cast<Index>(outline.size());
   for (const Point& point : outline)
     for (int axis = 0; axis < 2; ++axis) {
-      piece.box.lower[axis] = std::min(piece.box.lower[axis], point[axis]);
-      piece.box.upper[axis] = std::max(piece.box.upper[axis], point[axis]);
+      part.box.lower[axis] = std::min(part.box.lower[axis], point[axis]);
+      part.box.upper[axis] = std::max(part.box.upper[axis], point[axis]);
     }
-  pieces.push_back(piece);
-  corners.insert(corners.end(), outline.begin(), outline.end());
+  parts_.push_back(part);
+  corners_.insert(corners_.end(), outline.begin(), outline.end());
 }
 
-std::array<TrianglePieces, 2> TrianglePieces::split(int axis, double coordinate, const StrategyInput& input) const {
-  std::array<TrianglePieces, 2> result;
-  for (TrianglePieces& side : result) side.pieces.reserve(pieces.size() / 2 + pieces.size() / 8);
-  std::array<Point, 3> triangle;
+std::array<TrianglePieces, 2> TrianglePieces::split(int axis, double coordinate, const StrategyInput& input) {
+  std::array<TrianglePieces, 2> result{TrianglePieces(), TrianglePieces()};
+  for (TrianglePieces& side : result) side.boxes_ = boxes_;
+  const auto sideOf = [&](const PlanBox& box) {
+    return box.upper[axis] <= coordinate ? 0 : box.lower[axis] >= coordinate ? 1 : 2;
+  };
   std::array<std::vector<Point>, 2> sides;
+  const auto addBoth = [&](std::span<const Point> outline) {
+    clip(outline, axis, coordinate, sides);
+    for (int side = 0; side < 2; ++side) result[side].addPart(sides[side]);
+  };
   std::size_t polls = 0;
-  for (const TrianglePiece& piece : pieces) {
+  for (const Index t : whole_) {
     if (++polls % kPiecesPerPoll == 0) input.poll();
-    if (piece.box.upper[axis] <= coordinate) {
-      result[0].add(piece, *this);
-    } else if (piece.box.lower[axis] >= coordinate) {
-      result[1].add(piece, *this);
-    } else {
-      std::span<const Point> outline = triangle;
-      if (piece.firstCorner >= 0)
-        outline = std::span(corners).subspan(piece.firstCorner, piece.cornerCount);
-      else
-        for (int k = 0; k < 3; ++k) {
-          const Vec3& corner = input.mesh.vertices[input.mesh.triangles[piece.triangle][k]];
-          triangle[k] = {corner.x, corner.y};
-        }
-      clip(outline, axis, coordinate, sides);
-      result[0].add(piece.triangle, sides[0]);
-      result[1].add(piece.triangle, sides[1]);
+    const int side = sideOf((*boxes_)[t]);
+    if (side < 2) {
+      result[side].whole_.push_back(t);
+      continue;
     }
+    std::array<Point, 3> outline;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& corner = input.mesh.vertices[input.mesh.triangles[t][k]];
+      outline[k] = {corner.x, corner.y};
+    }
+    addBoth(outline);
   }
+  for (const Part& part : parts_) {
+    if (++polls % kPiecesPerPoll == 0) input.poll();
+    const std::span<const Point> outline = std::span(corners_).subspan(part.firstCorner, part.cornerCount);
+    const int side = sideOf(part.box);
+    if (side < 2)
+      result[side].addPart(outline);
+    else
+      addBoth(outline);
+  }
+  *this = TrianglePieces();
   return result;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,30 +13,36 @@
 
 namespace footfall {
 
-/// A triangle, or the convex part of one that lies in a node of the tree of cuts.
-struct TrianglePiece {
-  PlanBox box;
-  Index triangle = -1;
-  Index firstCorner = -1;  ///< in TrianglePieces::corners; -1: the whole triangle
-  Index cornerCount = 0;
-};
-
 /// What lies in one node of the tree of cuts.
-struct TrianglePieces {
-  using Point = std::array<double, 2>;
-  std::vector<TrianglePiece> pieces;
-  std::vector<Point> corners;
-
+class TrianglePieces {
+ public:
   /// All triangles that are not removed.
-  static TrianglePieces of(const StrategyInput& input);
+  explicit TrianglePieces(const StrategyInput& input);
 
-  [[nodiscard]] std::size_t size() const { return pieces.size(); }
-  /// Divides the pieces at a border. As in the thesis, what lies on the border and nowhere above it is below.
-  [[nodiscard]] std::array<TrianglePieces, 2> split(int axis, double coordinate, const StrategyInput& input) const;
+  [[nodiscard]] std::size_t size() const { return whole_.size() + parts_.size(); }
+  /// The largest coordinates of the pieces, in any order.
+  [[nodiscard]] std::vector<double> ends(int axis) const;
+  /// Divides the pieces at a border; none are left here. As in the thesis, what lies on the border and nowhere above it
+  /// is below.
+  [[nodiscard]] std::array<TrianglePieces, 2> split(int axis, double coordinate, const StrategyInput& input);
+
+  using Point = std::array<double, 2>;
 
  private:
-  void add(const TrianglePiece& piece, const TrianglePieces& from);
-  void add(Index triangle, std::span<const Point> outline);
+  /// What cuts left of a triangle, a convex outline.
+  struct Part {
+    PlanBox box;
+    Index firstCorner = 0;  ///< in corners_
+    Index cornerCount = 0;
+  };
+
+  TrianglePieces() = default;
+  void addPart(std::span<const Point> outline);
+
+  std::shared_ptr<const std::vector<PlanBox>> boxes_;  ///< of all triangles
+  std::vector<Index> whole_;                           ///< triangles that no cut has met
+  std::vector<Part> parts_;
+  std::vector<Point> corners_;
 };
 
 }  // namespace footfall

@@ -71,6 +71,12 @@ Soup randomLevel(int triangles) {
   return soup;
 }
 
+// The floor below everything.
+bool isGround(const SourceMesh& mesh, Index triangle) {
+  const Box box = boxOf(mesh, triangle);
+  return box.upper[2] == 0 && box.upper[0] - box.lower[0] == 64;
+}
+
 bool isSame(const Partition& a, const Partition& b) {
   if (a.borders != b.borders || a.cells.size() != b.cells.size() || a.strategy != b.strategy || a.reason != b.reason)
     return false;
@@ -400,6 +406,59 @@ class TestStrategies : public QObject {
     const Partition flat = plain.partition("HeightAwareStrategy", {20, 3, 0});
     QCOMPARE(flat.cells.size(), std::size_t{1});
     QCOMPARE(flat.cells[0].cost, 2.0);
+  }
+
+  // The estimate comes from a sample: against the obstacles above all floors, counted one by one.
+  void cellsHaveAboutEqualWork() {
+    for (const int triangles : {5000, 18000}) {
+      Case given(randomLevel(triangles));
+      int kept = 0;
+      for (std::size_t t = 0; t < given.walkable.size(); ++t)
+        if (given.walkable[t] != 0 && kept++ % (triangles / 1000) != 0 && !isGround(given.mesh, static_cast<Index>(t)))
+          given.walkable[t] = 0;
+      const Partition partition = given.partition("HeightAwareStrategy", {50, 3, 0});
+      QCOMPARE(partition.cells.size(), std::size_t{8});
+      QVERIFY(isSound(partition));
+      std::vector<double> work(8, 0);
+      for (std::size_t t = 0; t < given.walkable.size(); ++t) {
+        if (given.walkable[t] == 0) continue;
+        Box box = boxOf(given.mesh, static_cast<Index>(t));
+        const double z = box.lower[2];
+        box.upper[2] += given.clearance;
+        for (std::size_t o = 0; o < given.walkable.size(); ++o) {
+          const Box other = boxOf(given.mesh, static_cast<Index>(o));
+          std::array<double, 2> middle{};
+          bool overlaps = o != t && other.upper[2] > z && other.lower[2] < box.upper[2];
+          for (int axis = 0; axis < 2 && overlaps; ++axis) {
+            const double low = std::max(box.lower[axis], other.lower[axis]);
+            const double high = std::min(box.upper[axis], other.upper[axis]);
+            overlaps = low < high;
+            middle[axis] = (low + high) / 2;
+          }
+          if (overlaps) partition.visitCells(middle, middle, z, [&](Index cell) { ++work[cell]; });
+        }
+      }
+      const double mean = std::accumulate(work.begin(), work.end(), 0.0) / 8;
+      for (const double one : work)
+        QVERIFY2(one > mean / 2 && one < mean * 1.6, qPrintable(QString("%1 of %2").arg(one).arg(mean)));
+    }
+  }
+
+  // A slope of many steps is no house of many storeys.
+  void hillsideIsCutInThePlan() {
+    Soup hill, house;
+    for (int x = 0; x < 64; ++x)
+      for (int y = 0; y < 8; ++y) {
+        hill.floor(x, y, x + 1, y + 1, x * 0.25);
+        house.floor(x / 8, y, x / 8 + 1, y + 1, (x % 8) * 3);
+      }
+    const auto heights = [](const Soup& soup) {
+      const Partition partition = Case(soup).partition("HeightAwareStrategy", {10, 3, 0});
+      return std::count_if(partition.nodes.begin(), partition.nodes.end(),
+                           [](const Partition::Node& node) { return node.axis == 2; });
+    };
+    QCOMPARE(heights(hill), 0);
+    QCOMPARE(heights(house), 7);
   }
 
   void automaticChoosesFromWorkAndThreads() {
