@@ -21,21 +21,21 @@ constexpr double kFewestTriangles = 50;
 
 }  // namespace
 
-AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double()>& work) {
+AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double(const RecursionLimits&)>& work) {
   AutoChoice choice;
+  const auto cells = static_cast<unsigned>(std::clamp(input.threads, 1, 1 << kLargestDepth)) * kCellsPerThread;
+  const int depth = std::min(static_cast<int>(std::bit_width(cells - 1)), kLargestDepth);
+  choice.limits = {kFewestTriangles, static_cast<double>(depth)};
   const std::size_t triangles = input.mesh.triangles.size();
   const std::string size = std::to_string(triangles) + " triangles";
   if (input.threads <= 1) {
     choice.reason = "One cell, because one thread runs.";
   } else if (triangles < kFewTriangles) {
     choice.reason = "One cell, because an environment of " + size + " is done before cells would pay.";
-  } else if (work() < kLittleWork) {
+  } else if (work(choice.limits) < kLittleWork) {
     choice.reason = "One cell, because the " + size + " are little work.";
   } else {
-    const auto cells = static_cast<unsigned>(std::min(input.threads, 1 << kLargestDepth)) * kCellsPerThread;
-    const int depth = std::min(static_cast<int>(std::bit_width(cells - 1)), kLargestDepth);
     choice.isOneCell = false;
-    choice.limits = {kFewestTriangles, static_cast<double>(depth)};
     choice.reason = "Up to " + std::to_string(1 << depth) + " cells of about equal estimated work for " +
                     std::to_string(input.threads) + " threads, because " + size +
                     " are enough work to share; cut between storeys where that cuts no floor.";

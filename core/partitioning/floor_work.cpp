@@ -18,6 +18,7 @@ constexpr double kWorkOfOverlap = 0.4;
 
 constexpr std::size_t kPilotSize = 256;         ///< floors that tell how many obstacles a floor has
 constexpr std::size_t kLargestSample = 1024;    ///< floors
+constexpr std::size_t kSampleOfCell = 32;       ///< floors; idle threads make good what is estimated badly
 constexpr double kMostVisits = 60000;           ///< of obstacles, for the sample; about two milliseconds
 constexpr std::size_t kScatteredOverlaps = 16;  ///< obstacles of a floor from which on it matters where they are
 constexpr std::size_t kMostPlaces = 256;        ///< of the work of one floor
@@ -229,17 +230,19 @@ double totalOf(const std::vector<FloorWork::Item>& items) {
 
 }  // namespace
 
-FloorWork estimateFloorWork(const StrategyInput& input) {
+FloorWork estimateFloorWork(const StrategyInput& input, std::size_t cells) {
   FloorWork work;
   const FloorSampler sampler(input);
-  std::size_t count = kLargestSample;
+  const std::size_t wanted =
+      sampler.size() <= kLargestSample ? sampler.size() : std::clamp(cells * kSampleOfCell, kPilotSize, kLargestSample);
+  std::size_t count = wanted;
   if (input.clearance > 0) {
     const std::vector<Chosen> pilot = sampler.choose(kPilotSize);
     const std::size_t visits = examine(pilot, input, work);
     const double affordable = kMostVisits / (static_cast<double>(visits) + 1) * static_cast<double>(pilot.size());
-    count = static_cast<std::size_t>(std::clamp<double>(affordable, 0, kLargestSample));
+    count = static_cast<std::size_t>(std::clamp<double>(affordable, 0, static_cast<double>(wanted)));
   }
-  if (count > kPilotSize) examine(sampler.choose(count), input, work);
+  if (count > kPilotSize || input.clearance <= 0) examine(sampler.choose(count), input, work);
   work.total = totalOf(work.items);
   thin(work.items, work.total);
   return work;

@@ -30,8 +30,8 @@ struct FloorWork {
 };
 
 /// A floor's work is its obstacles': those whose boxes overlap that of its clearance are tested, those that overlap it
-/// are cut out of it.
-FloorWork estimateFloorWork(const StrategyInput& input);
+/// are cut out of it. The more `cells` are to be made of it, the more floors are looked at.
+FloorWork estimateFloorWork(const StrategyInput& input, std::size_t cells);
 
 /// Fills Cell::cost.
 void estimateCosts(Partition& partition, const FloorWork& work);

@@ -77,10 +77,10 @@ std::unique_ptr<CutTree> growHeightAware(const RecursionLimits& limits, const Fl
 /// What AutoStrategy picked.
 struct AutoChoice {
   bool isOneCell = true;
-  RecursionLimits limits;  ///< of HeightAwareStrategy; nothing in one cell
+  RecursionLimits limits;  ///< of HeightAwareStrategy, where it is picked
   std::string reason;
 };
 /// `work` is asked for only where it matters.
-AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double()>& work);
+AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double(const RecursionLimits&)>& work);
 
 }  // namespace footfall

@@ -26,9 +26,12 @@ Partition makePartition(std::string_view strategy, const std::vector<double>& va
   std::string name = textOf(strategy, values);
   std::string reason;
   std::optional<FloorWork> estimate;
-  const auto work = [&]() -> const FloorWork& {
-    if (!estimate) estimate = estimateFloorWork(input);
+  const auto work = [&](std::size_t cells) -> const FloorWork& {
+    if (!estimate) estimate = estimateFloorWork(input, cells);
     return *estimate;
+  };
+  const auto cellsOf = [](const RecursionLimits& l) {
+    return std::size_t{1} << std::min(static_cast<int>(l.depth), 16);
   };
   const auto limits = [&] { return RecursionLimits{values.at(0), values.at(1)}; };
   std::unique_ptr<CutTree> tree;
@@ -39,16 +42,16 @@ Partition makePartition(std::string_view strategy, const std::vector<double>& va
   } else if (strategy == "SortedRecursiveStrategy") {
     tree = growSortedRecursive(limits(), name, input);
   } else if (strategy == "HeightAwareStrategy") {
-    tree = growHeightAware(limits(), work(), name, input);
+    tree = growHeightAware(limits(), work(cellsOf(limits())), name, input);
   } else if (strategy == "AutoStrategy") {
-    const AutoChoice choice = chooseStrategy(input, [&] { return work().total; });
+    const AutoChoice choice = chooseStrategy(input, [&](const RecursionLimits& l) { return work(cellsOf(l)).total; });
     reason = choice.reason;
     if (choice.isOneCell) {
       tree = std::make_unique<CutTree>();
       name = textOf("GridStrategy", {1, 1});
     } else {
       name = textOf("HeightAwareStrategy", {choice.limits.triangles, choice.limits.depth, 0});
-      tree = growHeightAware(choice.limits, work(), name, input);
+      tree = growHeightAware(choice.limits, work(cellsOf(choice.limits)), name, input);
     }
   } else {
     throw std::logic_error("no such strategy: " + name);
@@ -57,7 +60,7 @@ Partition makePartition(std::string_view strategy, const std::vector<double>& va
   partition.strategy = std::move(name);
   partition.reason = std::move(reason);
   if (partition.cells.size() > 1 || estimate)
-    estimateCosts(partition, work());
+    estimateCosts(partition, work(partition.cells.size()));
   else
     partition.cells[0].cost = static_cast<double>(
         std::count_if(input.walkable.begin(), input.walkable.end(), [](char isFloor) { return isFloor != 0; }));
