@@ -56,6 +56,16 @@ auto guarded(const std::string& where, Work&& work) {
   }
 }
 
+// Runs `work`; says where the step is that asks for what cannot be.
+template <typename Work>
+auto withPlace(const std::string& place, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(place + ": " + error.what());
+  }
+}
+
 class Run {
  public:
   Run(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context, PrefixCache* cache,
@@ -171,7 +181,7 @@ class Run {
     request.recall = recall(last + 1);
     request.threads = threads_;
     guarded(placeOf(first) + ", parallel block of " + std::string(steps_[first]->filter->name), [&] {
-      BlockOutcome outcome = runBlock(request, clock_, context_);
+      BlockOutcome outcome = withPlace(placeOf(first), [&] { return runBlock(request, clock_, context_); });
       current_.state = std::move(outcome.state);
       current_.summary = outcome.summary;
       current_.mesh = nullptr;
@@ -258,9 +268,11 @@ Partition previewPartition(const std::shared_ptr<const Environment>& environment
     return onThreads(threads, [&](int workers) {
       const StatePtr state = makeInitialState(environment, context);
       const StrategyInput input = strategyInput(*state, steps, workers, context);
-      Partition partition = makePartition(steps[0]->filter->name, steps[0]->values, input);
-      assignFloors(partition, input);
-      return partition;
+      return withPlace(placeOfStep(pipeline, step), [&] {
+        Partition partition = makePartition(steps[0]->filter->name, steps[0]->values, input);
+        assignFloors(partition, input);
+        return partition;
+      });
     });
   });
 }

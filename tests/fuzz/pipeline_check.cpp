@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/pipeline_check.hpp"
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
 
@@ -63,11 +65,29 @@ std::string exportText(const std::shared_ptr<const Environment>& environment, co
   return formatObj(*runPipeline(environment, pipeline, context, nullptr, threads).mesh, *environment, {});
 }
 
+// The pipeline with its first local filters in a parallel block.
+Pipeline inBlock(const Pipeline& pipeline, const std::string& strategy) {
+  const auto isLocal = [](const PipelineStep& step) { return step.filter->scope == Scope::Local; };
+  const auto first = std::find_if(pipeline.steps.begin(), pipeline.steps.end(), isLocal);
+  const auto last = std::find_if_not(first, pipeline.steps.end(), isLocal);
+  Pipeline block = parsePipeline(strategy + "\nCollapse\n", "strategy");
+  block.steps.insert(block.steps.begin() + 1, first, last);
+  block.steps.insert(block.steps.begin(), pipeline.steps.begin(), first);
+  block.steps.insert(block.steps.end(), last, pipeline.steps.end());
+  return block;
+}
+
 std::string findDependence(const PipelineCase& experiment) {
   const std::shared_ptr<const Environment> environment = repeated(experiment).environment(experiment.bothSides);
   const Pipeline pipeline = parsePipeline(toPipelineText(experiment.anyFilters), "random");
   const std::string alone = exportText(environment, pipeline, 1);
   if (exportText(environment, pipeline, 2) != alone) return "other bytes on two threads";
+
+  constexpr std::array kStrategies{"GridStrategy 2 2",        "GridStrategy 7 3",
+                                   "RecursiveStrategy 1 3",   "SortedRecursiveStrategy 1 4 false",
+                                   "HeightAwareStrategy 1 4", "AutoStrategy"};
+  const std::string strategy = kStrategies[experiment.order % kStrategies.size()];
+  if (exportText(environment, inBlock(pipeline, strategy), 2) != alone) return "other bytes in cells of " + strategy;
 
   std::vector<std::uint32_t> order(environment->triangles.size());
   std::iota(order.begin(), order.end(), 0U);

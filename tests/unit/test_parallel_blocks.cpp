@@ -173,7 +173,7 @@ class TestParallelBlocks : public QObject {
   void realEnvironments_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<double>("clearance");
-    for (const char* name : {"house", "tower", "villa"}) {
+    for (const char* name : {"house", "tower", "villa", "arena", "docks"}) {
       const QString sample = QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name);
       QTest::newRow(name) << sample << 2.0;
     }
@@ -286,6 +286,18 @@ class TestParallelBlocks : public QObject {
     QVERIFY_THROWS_EXCEPTION(InputError, previewPartition(environment, pipeline, 1, context));
     context.cancel();
     QVERIFY_THROWS_EXCEPTION(Cancelled, previewPartition(environment, pipeline, 0, context));
+  }
+
+  void tooManyCellsAreRefused() {
+    const EnvironmentPtr environment = Soup().floor(0, 0, 1, 1, 0).environment();
+    RunContext context;
+    const Pipeline pipeline = parsePipeline("SlopeFilter 45\nGridStrategy 70000 70000\nCollapse\n", "test");
+    try {
+      runPipeline(environment, pipeline, context);
+      QFAIL("accepted");
+    } catch (const InputError& error) {
+      QVERIFY2(std::string(error.what()).starts_with("line 2: GridStrategy 70000 70000 would make"), error.what());
+    }
   }
 
   void cancelledAnywhere() {
