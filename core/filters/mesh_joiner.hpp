@@ -13,7 +13,7 @@
 #include "core/filters/assembly_memory.hpp"
 #include "core/filters/earlier_result.hpp"
 #include "core/filters/face_mesh.hpp"
-#include "core/filters/unfilled_array.hpp"
+#include "core/environment/unfilled_array.hpp"
 #include "core/filters/walkable_state.hpp"
 #include "core/pipeline/run_context.hpp"
 
