@@ -4,6 +4,7 @@
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
 // into as few layers as a greedy pass finds.
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <string>
@@ -50,8 +51,8 @@ class LayerSubdivision {
         count_(static_cast<Index>(mesh.triangles.size())) {}
 
   std::vector<std::uint32_t> run(const StatePtr& before) {
-    findOverlaps(before);
-    region_ = findRegions(mesh_, topology_, regionCount_);
+    tbb::parallel_invoke([&] { findOverlaps(before); },
+                         [&] { region_ = findRegions(mesh_, topology_, regionCount_); });
     context_.checkCancelled();
     findLowest();
     subdivideRegions();

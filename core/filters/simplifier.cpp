@@ -39,9 +39,8 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   const auto prepare = [&] {
     findInnerEdges();
     candidates = findCandidates();
-    mesh_.around.build(mesh_.triangles, candidates);
-    context_.checkCancelled();
-    groups = findGroups(candidates);
+    tbb::parallel_invoke([&] { mesh_.around.build(mesh_.triangles, candidates); },
+                         [&] { groups = findGroups(candidates); });
     context_.checkCancelled();
   };
   if (before_ != nullptr)
