@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exact/source_mesh.hpp"
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -141,8 +143,6 @@ std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSi
   std::vector<std::array<Index, 3>> turned(count);
   forEach(count, poll, [&](std::size_t i) { turned[i] = turnedTriangle(mesh, soup.triangles[i], bothSides); });
   const std::vector<std::uint32_t> order = orderOf(turned, mesh.vertices.size(), poll);
-  mesh.triangles.resize(count);
-  mesh.inputTriangles.resize(count);
   forEach(count, poll, [&](std::size_t i) {
     mesh.triangles[i] = turned[order[i]];
     mesh.inputTriangles[i] = soup.inputTriangles.empty() ? order[i] : soup.inputTriangles[order[i]];
@@ -150,13 +150,17 @@ std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSi
   return order;
 }
 
+void makeRoom(SourceMesh& mesh, std::size_t triangles) {
+  mesh.normals.resize(triangles);
+  mesh.facing.resize(triangles);
+  mesh.degenerate.resize(triangles);
+  mesh.triangles.resize(triangles);
+  mesh.inputTriangles.resize(triangles);
+}
+
 void classify(SourceMesh& mesh, const std::function<void()>& poll) {
-  const std::size_t count = mesh.triangles.size();
-  mesh.normals.resize(count);
-  mesh.facing.resize(count);
-  mesh.degenerate.resize(count);
   const SignRule sign = mesh.grid.signRule(mesh.grid.scaleExponent());
-  forEach(count, poll, [&](std::size_t t) { classifyTriangle(mesh, static_cast<Index>(t), sign); });
+  forEach(mesh.triangles.size(), poll, [&](std::size_t t) { classifyTriangle(mesh, static_cast<Index>(t), sign); });
 }
 
 }  // namespace
@@ -196,8 +200,11 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
 SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order,
                           const std::function<void()>& poll) {
   SourceMesh mesh;
-  mesh.welded = weldVertices(soup.vertices, mesh, poll);
-  std::vector<std::uint32_t> sorted = sortTriangles(soup, bothSides, mesh, poll);
+  // One thread sorts for long, another has the time to clear memory.
+  tbb::parallel_invoke([&] { mesh.welded = weldVertices(soup.vertices, mesh, poll); },
+                       [&] { makeRoom(mesh, soup.triangles.size()); });
+  std::vector<std::uint32_t> sorted;
+  tbb::parallel_invoke([&] { sorted = sortTriangles(soup, bothSides, mesh, poll); }, [&] { chooseGrid(mesh, poll); });
   if (order != nullptr) *order = std::move(sorted);
   for (const auto& [u, v] : soup.obstacleEdges) {
     const Index a = mesh.welded[u], b = mesh.welded[v];
@@ -205,7 +212,6 @@ SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vecto
   }
   std::sort(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end());
   mesh.obstacleEdges.erase(std::unique(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end()), mesh.obstacleEdges.end());
-  chooseGrid(mesh, poll);
   classify(mesh, poll);
   buildTree(mesh, poll);
   poll();

@@ -6,6 +6,7 @@
 #include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -223,17 +224,18 @@ void MeshJoiner::findIncidences(RunContext& context) {
   if (earlier_ != nullptr) takeOver();
   const auto boxOf = [&](Index v) { return boxAround(vertices_[v]); };
   const Twins twins = findTwins(entriesToSearch(), context);
-  std::vector<Index> searched;  // vertices on outlines
-  std::vector<char> seen(vertices_.size(), 0);
-  for (std::size_t n = 0; n < twins.first.size(); ++n) {
-    if (n % kPolled == 0) context.checkCancelled();
-    for (const Index v : {outlines_[twins.first[n]].from, outlines_[twins.first[n]].to})
-      if (std::exchange(seen[v], 1) == 0) searched.push_back(v);
-  }
+  std::vector<std::atomic<char>> isSearched(vertices_.size());  // vertices on outlines
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, twins.first.size(), kVerticesPerTask), [&](const auto& range) {
+    context.checkCancelled();
+    for (std::size_t n = range.begin(); n != range.end(); ++n)
+      for (const Index v : {outlines_[twins.first[n]].from, outlines_[twins.first[n]].to})
+        isSearched[v].store(1, std::memory_order_relaxed);
+  });
   const Box bounds = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, searched.size(), kVerticesPerTask), emptyBox(),
+      tbb::blocked_range<std::size_t>(0, isSearched.size(), kVerticesPerTask), emptyBox(),
       [&](const auto& range, Box box) {
-        for (std::size_t n = range.begin(); n != range.end(); ++n) box = whole(box, boxOf(searched[n]));
+        for (std::size_t v = range.begin(); v != range.end(); ++v)
+          if (isSearched[v].load(std::memory_order_relaxed) != 0) box = whole(box, boxOf(static_cast<Index>(v)));
         return box;
       },
       whole);
@@ -253,11 +255,11 @@ void MeshJoiner::findIncidences(RunContext& context) {
     ExactFallbacks fallbacks;
   };
   tbb::enumerable_thread_specific<Local> locals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, searched.size(), 512), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<Index>(0, static_cast<Index>(isSearched.size()), 512), [&](const auto& range) {
     context.checkCancelled();
     Local& local = locals.local();
-    for (std::size_t n = range.begin(); n != range.end(); ++n) {
-      const Index v = searched[n];
+    for (Index v = range.begin(); v != range.end(); ++v) {
+      if (isSearched[v].load(std::memory_order_relaxed) == 0) continue;
       const bool known = !knownVertices_.empty() && knownVertices_[v] != 0;
       tree.visitOverlapping(boxOf(v), local.stack, [&](std::int32_t first) {
         const Outline& o = outlines_[first];
