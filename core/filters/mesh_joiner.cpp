@@ -3,10 +3,9 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_reduce.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -178,25 +177,27 @@ std::vector<Index> MeshJoiner::entriesToSearch() const {
   return entries;
 }
 
+template <class Visit>
+void MeshJoiner::forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const {
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    if (n % kPolled == 0) context.checkCancelled();
+    const Index end = memory_.entries[entries[n] + 1].firstOutline;
+    for (Index i = memory_.entries[entries[n]].firstOutline; i < end; ++i) visit(i);
+  }
+}
+
 // Parts that meet in a whole edge have an outline each there: what lies on one of them lies on the other. A counting
 // sort by the smaller vertex, then each vertex's few outlines by the larger one.
 MeshJoiner::Twins MeshJoiner::findTwins(const std::vector<Index>& entries, RunContext& context) const {
   const auto smaller = [&](Index i) { return std::min(outlines_[i].from, outlines_[i].to); };
   const auto larger = [&](Index i) { return std::max(outlines_[i].from, outlines_[i].to); };
-  const auto forOutlines = [&](const auto& visit) {
-    for (std::size_t n = 0; n < entries.size(); ++n) {
-      if (n % kPolled == 0) context.checkCancelled();
-      const Index end = memory_.entries[entries[n] + 1].firstOutline;
-      for (Index i = memory_.entries[entries[n]].firstOutline; i < end; ++i) visit(i);
-    }
-  };
   std::vector<Index> bucket(vertices_.size() + 1, 0);
-  forOutlines([&](Index i) { ++bucket[smaller(i)]; });
+  forOutlines(entries, context, [&](Index i) { ++bucket[smaller(i)]; });
   Index sum = 0;
   for (Index& size : bucket) sum += std::exchange(size, sum);
   Twins twins;
   twins.first.resize(sum);
-  forOutlines([&](Index i) { twins.first[bucket[smaller(i)]++] = i; });
+  forOutlines(entries, context, [&](Index i) { twins.first[bucket[smaller(i)]++] = i; });
   // Now bucket[v] is where the outlines of v end. Those that are not the first of theirs become -1.
   twins.next.assign(outlines_.size(), -1);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), kVerticesPerTask), [&](const auto& range) {
@@ -223,22 +224,17 @@ MeshJoiner::Twins MeshJoiner::findTwins(const std::vector<Index>& entries, RunCo
 void MeshJoiner::findIncidences(RunContext& context) {
   if (earlier_ != nullptr) takeOver();
   const auto boxOf = [&](Index v) { return boxAround(vertices_[v]); };
-  const Twins twins = findTwins(entriesToSearch(), context);
-  std::vector<std::atomic<char>> isSearched(vertices_.size());  // vertices on outlines
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, twins.first.size(), kVerticesPerTask), [&](const auto& range) {
-    context.checkCancelled();
-    for (std::size_t n = range.begin(); n != range.end(); ++n)
-      for (const Index v : {outlines_[twins.first[n]].from, outlines_[twins.first[n]].to})
-        isSearched[v].store(1, std::memory_order_relaxed);
-  });
-  const Box bounds = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, isSearched.size(), kVerticesPerTask), emptyBox(),
-      [&](const auto& range, Box box) {
-        for (std::size_t v = range.begin(); v != range.end(); ++v)
-          if (isSearched[v].load(std::memory_order_relaxed) != 0) box = whole(box, boxOf(static_cast<Index>(v)));
-        return box;
-      },
-      whole);
+  const std::vector<Index> entries = entriesToSearch();
+  Twins twins;
+  std::vector<char> isSearched(vertices_.size(), 0);  // vertices on outlines
+  Box bounds = emptyBox();
+  const auto findSearched = [&] {
+    forOutlines(entries, context, [&](Index i) {
+      for (const Index v : {outlines_[i].from, outlines_[i].to})
+        if (std::exchange(isSearched[v], 1) == 0) bounds = whole(bounds, boxOf(v));
+    });
+  };
+  tbb::parallel_invoke([&] { twins = findTwins(entries, context); }, findSearched);
   TriangleTree tree;
   tree.build(
       bounds, twins.first,
@@ -259,7 +255,7 @@ void MeshJoiner::findIncidences(RunContext& context) {
     context.checkCancelled();
     Local& local = locals.local();
     for (Index v = range.begin(); v != range.end(); ++v) {
-      if (isSearched[v].load(std::memory_order_relaxed) == 0) continue;
+      if (isSearched[v] == 0) continue;
       const bool known = !knownVertices_.empty() && knownVertices_[v] != 0;
       tree.visitOverlapping(boxOf(v), local.stack, [&](std::int32_t first) {
         const Outline& o = outlines_[first];

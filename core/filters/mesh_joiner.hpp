@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/environment/unfilled_array.hpp"
 #include "core/filters/assembly_memory.hpp"
 #include "core/filters/earlier_result.hpp"
 #include "core/filters/face_mesh.hpp"
-#include "core/environment/unfilled_array.hpp"
 #include "core/filters/walkable_state.hpp"
 #include "core/pipeline/run_context.hpp"
 
@@ -81,6 +81,9 @@ class MeshJoiner {
   void takeOver();
   /// The entries of faces that may meet a changed one; all of them when nothing is reused.
   [[nodiscard]] std::vector<Index> entriesToSearch() const;
+  /// Calls visit(i) for every outline of the entries.
+  template <class Visit>
+  void forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const;
   [[nodiscard]] Twins findTwins(const std::vector<Index>& entries, RunContext& context) const;
   void findIncidences(RunContext& context);
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
