@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <mutex>
 
 #include "core/environment/parallel_ranges.hpp"
 #include "core/exact/numbered_table.hpp"
@@ -133,18 +134,29 @@ void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
   auto& entries = memory_.entries;
   const std::size_t count = additions.faces.size();
   tbb::combinable<ExactFallbacks> fallbacks;
+  std::vector<Index> large;  // a face can have most of the points
+  std::mutex mutex;
   forBlocks(count, kFacesPerTask, context, [&](std::size_t, std::size_t firstFace, std::size_t lastFace) {
+    ExactFallbacks& found = fallbacks.local();
     for (std::size_t i = firstFace; i < lastFace; ++i) {
       entries[i].firstOutline = listUses(i, additions);
-      const Index first = entries[i].firstPoint, size = entries[i + 1].firstPoint - first;
-      // A face can have most of the points.
-      forBlocks(static_cast<std::size_t>(size), kPointsPerTask, context,
-                [&](std::size_t, std::size_t begin, std::size_t end) {
-                  nameUses(i, first + static_cast<Index>(begin), first + static_cast<Index>(end), additions,
-                           fallbacks.local());
-                });
+      const Index first = entries[i].firstPoint, last = entries[i + 1].firstPoint;
+      if (static_cast<std::size_t>(last - first) <= kPointsPerTask) {
+        nameUses(i, first, last, additions, found);
+        continue;
+      }
+      const std::lock_guard lock(mutex);
+      large.push_back(static_cast<Index>(i));
     }
   });
+  for (const Index i : large) {
+    const Index begin = entries[i].firstPoint;
+    forBlocks(static_cast<std::size_t>(entries[i + 1].firstPoint - begin), kPointsPerTask, context,
+              [&](std::size_t, std::size_t first, std::size_t last) {
+                nameUses(i, begin + static_cast<Index>(first), begin + static_cast<Index>(last), additions,
+                         fallbacks.local());
+              });
+  }
   fallbacks.combine_each([&](const ExactFallbacks& found) { fallbacks_ += found; });
   Index outlines = 0;
   for (std::size_t i = 0; i < count; ++i) outlines += std::exchange(entries[i].firstOutline, outlines);
