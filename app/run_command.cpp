@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_command.hpp"
 
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -61,6 +62,9 @@ std::string runAndExport(const RunArguments& arguments) {
   RunContext context([&bar](const RunEvent& event) { bar.show(event); });
   const InterruptWatcher watcher(context);
 
+  std::optional<tbb::global_control> fewerThreads;
+  if (arguments.threads > 0)
+    fewerThreads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(arguments.threads));
   const Stopwatch loading;
   bar.begin("loading", 0);
   const auto environment = importEnvironment(arguments.environment, arguments.importOptions, &context);

@@ -2,15 +2,19 @@
 #include "core/environment/obj_reader.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <locale>
+#include <memory>
+#include <span>
 #include <sstream>
 #include <string_view>
 
 #include "core/environment/input_file.hpp"
+#include "core/environment/parallel_ranges.hpp"
 #include "core/environment/polygon_triangulation.hpp"
 
 namespace footfall {
@@ -29,20 +33,33 @@ bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' ||
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// One pass over the text. The text ends with a NUL and has no other, so that a look at the current character is
-/// always allowed and never a statement at the end.
+/// Thrown where a stretch of the text cannot be read without what comes before it.
+struct NotAlone {};
+
+/// One pass over the text, or over a stretch of whole lines of it. The text ends with a NUL and has no other, so that a
+/// look at the current character is always allowed and never a statement at the end.
 class ObjParser {
  public:
-  ObjParser(const std::string& path, const std::string& text, Environment& environment, RunContext* context)
+  enum class Extent { Whole, Stretch };
+
+  ObjParser(const std::string& path, std::string_view text, Extent extent, Environment& environment,
+            RunContext* context)
       : path_(path),
         begin_(text.data()),
         cursor_(text.data()),
         end_(text.data() + text.size()),
+        isStretch_(extent == Extent::Stretch),
         environment_(environment),
         context_(context) {}
 
+  /// The whole text.
   void parse() {
-    if (std::string_view(begin_, end_).substr(0, 3) == "\xEF\xBB\xBF") cursor_ += 3;
+    parseStatements();
+    checkForwardReferences();
+    splitPolygons(environment_.vertices);
+  }
+
+  void parseStatements() {
     const char* nextPoll = cursor_;
     while (cursor_ < end_) {
       if (cursor_ >= nextPoll) {
@@ -51,8 +68,31 @@ class ObjParser {
       }
       statement();
     }
-    checkForwardReferences();
-    splitPolygons();
+  }
+
+  /// The largest vertex index that was used before so many vertices were known, or 0.
+  [[nodiscard]] std::uint64_t largestForward() const { return largestForward_; }
+
+  /// Puts the triangles of the polygons between those of the triangular faces, in the order of the file.
+  void splitPolygons(const std::vector<Vec3>& vertices) {
+    if (polygons_.empty()) return;
+    const std::vector<Triangle> faces = std::move(environment_.triangles);
+    std::vector<Triangle>& triangles = environment_.triangles;
+    triangles.clear();
+    triangles.reserve(faces.size() + corners_.size() - 2 * polygons_.size());
+    std::size_t copied = 0, sincePoll = 0;
+    const auto copyUpTo = [&](std::size_t stop) {
+      triangles.insert(triangles.end(), faces.begin() + static_cast<std::ptrdiff_t>(copied),
+                       faces.begin() + static_cast<std::ptrdiff_t>(stop));
+      copied = stop;
+    };
+    for (const PendingPolygon& polygon : polygons_) {
+      if (++sincePoll % 1024 == 0 && context_ != nullptr) context_->checkCancelled();
+      copyUpTo(polygon.trianglesBefore);
+      const std::span<const std::uint32_t> corners(corners_.data() + polygon.firstCorner, polygon.cornerCount);
+      if (!triangulatePolygon(corners, vertices, triangles)) ++environment_.skipped.polygons;
+    }
+    copyUpTo(faces.size());
   }
 
  private:
@@ -62,10 +102,14 @@ class ObjParser {
     failInput(path_, line_, what, todo);
   }
 
+  void needWhole() const {
+    if (isStretch_) throw NotAlone{};
+  }
+
   void poll() const {
     if (context_ == nullptr) return;
     context_->checkCancelled();
-    context_->progress(static_cast<double>(cursor_ - begin_) / static_cast<double>(end_ - begin_));
+    if (!isStretch_) context_->progress(static_cast<double>(cursor_ - begin_) / static_cast<double>(end_ - begin_));
   }
 
   [[nodiscard]] bool atLineEnd() const { return *cursor_ == '\n' || *cursor_ == '\0'; }
@@ -74,8 +118,9 @@ class ObjParser {
   /// Length of "backslash, line end" here, or 0.
   [[nodiscard]] std::ptrdiff_t continuation() const {
     if (*cursor_ != '\\') return 0;
-    if (cursor_[1] == '\n') return 2;
-    return cursor_[1] == '\r' && cursor_[2] == '\n' ? 3 : 0;
+    const std::ptrdiff_t length = cursor_[1] == '\n' ? 2 : cursor_[1] == '\r' && cursor_[2] == '\n' ? 3 : 0;
+    if (length != 0) needWhole();
+    return length;
   }
 
   void skipBlanks() {
@@ -101,7 +146,9 @@ class ObjParser {
       const char* last = cursor_ - 1;
       if (last > start && *last == '\n') --last;
       if (last > start && *last == '\r') --last;
-      if (*last != '\\' || last < start || cursor_ == end_) return;
+      if (*last != '\\' || last < start) return;
+      needWhole();
+      if (cursor_ == end_) return;
     }
   }
 
@@ -219,6 +266,7 @@ class ObjParser {
     const std::uint64_t known = environment_.vertices.size();
     if (value == 0) fail("vertex index 0: OBJ counts from 1");
     if (negative) {
+      needWhole();
       if (value > known) {
         fail("vertex index " + word(start) + " is out of range: only " + std::to_string(known) +
              " vertices precede it");
@@ -262,32 +310,11 @@ class ObjParser {
     skipStatement();
   }
 
-  /// Puts the triangles of the polygons between those of the triangular faces, in the order of the file.
-  void splitPolygons() {
-    if (polygons_.empty()) return;
-    const std::vector<Triangle> faces = std::move(environment_.triangles);
-    std::vector<Triangle>& triangles = environment_.triangles;
-    triangles.clear();
-    triangles.reserve(faces.size() + corners_.size() - 2 * polygons_.size());
-    std::size_t copied = 0, sincePoll = 0;
-    const auto copyUpTo = [&](std::size_t stop) {
-      triangles.insert(triangles.end(), faces.begin() + static_cast<std::ptrdiff_t>(copied),
-                       faces.begin() + static_cast<std::ptrdiff_t>(stop));
-      copied = stop;
-    };
-    for (const PendingPolygon& polygon : polygons_) {
-      if (++sincePoll % 1024 == 0 && context_ != nullptr) context_->checkCancelled();
-      copyUpTo(polygon.trianglesBefore);
-      const std::span<const std::uint32_t> corners(corners_.data() + polygon.firstCorner, polygon.cornerCount);
-      if (!triangulatePolygon(corners, environment_.vertices, triangles)) ++environment_.skipped.polygons;
-    }
-    copyUpTo(faces.size());
-  }
-
   const std::string& path_;
   const char* begin_;
   const char* cursor_;
   const char* end_;
+  bool isStretch_;
   Environment& environment_;
   RunContext* context_;
   std::size_t line_ = 1;
@@ -306,13 +333,88 @@ void rejectBinary(const std::string& path, const std::string& text) {
             "give the file the extension of its real format, or export it as plain text");
 }
 
+constexpr std::size_t kStretchBytes = 1 << 17;
+
+/// Whole lines each, the last one to the end of the text.
+std::vector<std::string_view> cutIntoStretches(std::string_view text) {
+  std::vector<std::string_view> stretches;
+  while (text.size() > kStretchBytes) {
+    const std::size_t end = text.find('\n', kStretchBytes);
+    if (end == std::string_view::npos) break;
+    stretches.push_back(text.substr(0, end + 1));
+    text.remove_prefix(end + 1);
+  }
+  if (!text.empty()) stretches.push_back(text);
+  return stretches;
+}
+
+struct Stretch {
+  Stretch(const std::string& path, std::string_view text, RunContext* context)
+      : parser(path, text, ObjParser::Extent::Stretch, found, context) {
+    found.vertices.reserve(text.size() / 64);
+    found.triangles.reserve(text.size() / 64);
+  }
+  Environment found;
+  ObjParser parser;
+};
+
+/// Reads stretches of the text on all threads. False, with nothing read, where that cannot be done or the text has an
+/// error: one pass over the whole text then reads it, or tells the first error and its line.
+bool readInStretches(const std::string& path, std::string_view text, Environment& environment, RunContext* context) {
+  std::vector<std::unique_ptr<Stretch>> stretches;
+  for (const std::string_view lines : cutIntoStretches(text))
+    stretches.push_back(std::make_unique<Stretch>(path, lines, context));
+  if (stretches.size() < 2) return false;
+  std::atomic<bool> isReadable{true};
+  std::atomic<std::size_t> done{0};
+  forRanges(stretches.size(), 1, [&](std::size_t i, std::size_t) {
+    if (!isReadable) return;
+    try {
+      stretches[i]->parser.parseStatements();
+    } catch (const NotAlone&) {
+      isReadable = false;
+    } catch (const InputError&) {
+      isReadable = false;
+    }
+    if (context == nullptr) return;
+    context->checkCancelled();
+    context->progress(static_cast<double>(done.fetch_add(1) + 1) / static_cast<double>(stretches.size()));
+  });
+  if (!isReadable) return false;
+  std::size_t vertexCount = 0, triangleCount = 0;
+  std::uint64_t largestForward = 0;
+  for (const auto& stretch : stretches) {
+    vertexCount += stretch->found.vertices.size();
+    largestForward = std::max(largestForward, stretch->parser.largestForward());
+  }
+  if (largestForward > vertexCount || vertexCount > std::numeric_limits<std::uint32_t>::max()) return false;
+  std::vector<Vec3>& vertices = environment.vertices;
+  vertices.reserve(vertexCount);
+  for (const auto& stretch : stretches)
+    vertices.insert(vertices.end(), stretch->found.vertices.begin(), stretch->found.vertices.end());
+  forRanges(stretches.size(), 1, [&](std::size_t i, std::size_t) { stretches[i]->parser.splitPolygons(vertices); });
+  for (const auto& stretch : stretches) triangleCount += stretch->found.triangles.size();
+  std::vector<Triangle>& triangles = environment.triangles;
+  triangles.reserve(triangleCount);
+  for (const auto& stretch : stretches) {
+    triangles.insert(triangles.end(), stretch->found.triangles.begin(), stretch->found.triangles.end());
+    environment.skipped.points += stretch->found.skipped.points;
+    environment.skipped.lines += stretch->found.skipped.lines;
+    environment.skipped.polygons += stretch->found.skipped.polygons;
+  }
+  return true;
+}
+
 }  // namespace
 
 void readObj(const std::string& path, std::string text, Environment& environment, RunContext* context) {
   rejectBinary(path, text);
   // Files of old Macintosh programs end their lines with a lone carriage return.
   if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
-  ObjParser(path, text, environment, context).parse();
+  std::string_view statements(text);
+  if (statements.substr(0, 3) == "\xEF\xBB\xBF") statements.remove_prefix(3);
+  if (readInStretches(path, statements, environment, context)) return;
+  ObjParser(path, statements, ObjParser::Extent::Whole, environment, context).parse();
 }
 
 }  // namespace footfall

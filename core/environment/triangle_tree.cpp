@@ -71,6 +71,34 @@ struct Part {
   }
 };
 
+// Many items are looked at in blocks of so many, by all threads.
+constexpr std::size_t kBlockSize = 8192;
+
+std::size_t blocksOf(std::size_t count) { return (count + kBlockSize - 1) / kBlockSize; }
+
+/// Calls work(block, items) for each of the blocks of the items.
+template <class Work>
+void forBlocks(std::span<TreeItem> items, const std::function<void()>& poll, const Work& work) {
+  forRanges(blocksOf(items.size()), 1, [&](std::size_t block, std::size_t) {
+    poll();
+    const std::size_t first = block * kBlockSize;
+    work(block, items.subspan(first, std::min(kBlockSize, items.size() - first)));
+  });
+}
+
+Part partOf(std::span<TreeItem> items, const std::function<void()>& poll) {
+  if (items.size() <= kBlockSize) return Part(items);
+  std::vector<Part> parts(blocksOf(items.size()));
+  forBlocks(items, poll, [&](std::size_t block, std::span<TreeItem> some) { parts[block] = Part(some); });
+  Part whole;
+  whole.items = items;
+  for (const Part& part : parts) {
+    whole.box.include(part.box);
+    whole.centres.include(part.centres);
+  }
+  return whole;
+}
+
 /// Divides the items of a node among its children by the surface-area heuristic over bins of the centres (Wald 2007,
 /// "On fast construction of SAH-based bounding volume hierarchies"), here with one look at the items for all four
 /// children. One for each thread: it holds working memory.
@@ -108,7 +136,6 @@ class ItemDivider {
 
  private:
   static constexpr std::size_t kPolledSize = 16384;
-  static constexpr std::size_t kScratchSize = 8192;
 
   struct Bin {
     Bounds box;
@@ -122,6 +149,11 @@ class ItemDivider {
   };
   using Bins = std::array<Bin, kBins>;
 
+  struct Slabs {
+    std::array<std::uint8_t, kBins> ofBin{};
+    std::array<std::size_t, kWidth> sizes{};  ///< in items
+  };
+
   /// Cuts along one axis at up to three borders of bins, into two to four slabs; none where the centres hardly differ.
   std::size_t divideIntoSlabs(const Part& whole, std::array<Part, kWidth>& parts) {
     const int axis = widestAxis(whole.centres);
@@ -131,33 +163,56 @@ class ItemDivider {
     const auto binOf = [=](const TreeItem& item) {
       return std::min(static_cast<int>((centreOf(item, axis) - least) * perBin), kBins - 1);
     };
+    const std::span<TreeItem> items = whole.items;
+    const bool isLarge = items.size() > kBlockSize;
+    std::vector<Bins> blocks;
+    if (isLarge) {
+      blocks.resize(blocksOf(items.size()));
+      forBlocks(items, poll_,
+                [&](std::size_t block, std::span<TreeItem> some) { blocks[block] = binsOf(some, binOf); });
+    }
+    const Bins bins = isLarge ? sumOf(blocks) : binsOf(items, binOf);
+
+    const int middle = cheapestBorder(bins, 0, kBins);
+    const std::array<int, kWidth + 1> borders{0, cheapestBorder(bins, 0, middle), middle,
+                                              cheapestBorder(bins, middle, kBins), kBins};
+    Slabs slabs;
+    int slab = 0;
+    for (int bin = 0; bin < kBins; ++bin) {
+      while (bin >= borders[slab + 1]) ++slab;
+      slabs.ofBin[bin] = static_cast<std::uint8_t>(slab);
+      slabs.sizes[slab] += bins[bin].count;
+    }
+    if (isLarge)
+      moveBlocksToSlabs(items, slabs, blocks, binOf);
+    else
+      moveToSlabs(items, slabs, binOf);
+    std::size_t count = 0, first = 0;
+    for (const std::size_t size : slabs.sizes) {
+      if (size > 0) parts[count++] = partOf(items.subspan(first, size), poll_);
+      first += size;
+    }
+    return count;
+  }
+
+  template <class BinOf>
+  static Bins binsOf(std::span<const TreeItem> items, const BinOf& binOf) {
     // Neighbours tend to fall into one bin: with two sets of bins they need not wait for each other.
     std::array<Bins, 2> bins;
-    const std::span<TreeItem> items = whole.items;
     for (std::size_t i = 0; i < items.size(); ++i) {
       Bin& bin = bins[i & 1][binOf(items[i])];
       bin.box.include(lowerOf(items[i]), upperOf(items[i]));
       ++bin.count;
     }
-    if (items.size() > kPolledSize) poll_();
     for (int bin = 0; bin < kBins; ++bin) bins[0][bin].include(bins[1][bin]);
+    return bins[0];
+  }
 
-    const int middle = cheapestBorder(bins[0], 0, kBins);
-    const std::array<int, kWidth + 1> borders{0, cheapestBorder(bins[0], 0, middle), middle,
-                                              cheapestBorder(bins[0], middle, kBins), kBins};
-    std::array<std::uint8_t, kBins> slabs{};
-    std::array<std::size_t, kWidth> sizes{};
-    for (int bin = 0; bin < kBins; ++bin) {
-      while (bin >= borders[slabs[bin] + 1]) ++slabs[bin];
-      sizes[slabs[bin]] += bins[0][bin].count;
-    }
-    moveToSlabs(items, sizes, [&](const TreeItem& item) { return slabs[binOf(item)]; });
-    std::size_t count = 0, first = 0;
-    for (const std::size_t size : sizes) {
-      if (size > 0) parts[count++] = Part(items.subspan(first, size));
-      first += size;
-    }
-    return count;
+  static Bins sumOf(const std::vector<Bins>& blocks) {
+    Bins sum;
+    for (const Bins& bins : blocks)
+      for (int bin = 0; bin < kBins; ++bin) sum[bin].include(bins[bin]);
+    return sum;
   }
 
   /// The bin between `first` and `last` with which the second half begins; `last` where either half would be empty.
@@ -183,21 +238,35 @@ class ItemDivider {
     return best;
   }
 
-  /// Moves the items to the order of their slabs, of which the sizes are known.
-  template <class SlabOf>
-  void moveToSlabs(std::span<TreeItem> items, const std::array<std::size_t, kWidth>& sizes, const SlabOf& slabOf) {
-    if (items.size() > kScratchSize) {
-      const auto middle =
-          std::partition(items.begin(), items.end(), [&](const TreeItem& item) { return slabOf(item) < 2; });
-      poll_();
-      std::partition(items.begin(), middle, [&](const TreeItem& item) { return slabOf(item) < 1; });
-      std::partition(middle, items.end(), [&](const TreeItem& item) { return slabOf(item) < 3; });
-      return;
-    }
-    if (!scratch_) scratch_ = std::make_unique_for_overwrite<TreeItem[]>(kScratchSize);
+  /// Moves the items to the order of their slabs.
+  template <class BinOf>
+  void moveToSlabs(std::span<TreeItem> items, const Slabs& slabs, const BinOf& binOf) {
+    if (!scratch_) scratch_ = std::make_unique_for_overwrite<TreeItem[]>(kBlockSize);
+    const auto& sizes = slabs.sizes;
     std::array<std::size_t, kWidth> places{0, sizes[0], sizes[0] + sizes[1], sizes[0] + sizes[1] + sizes[2]};
-    for (const TreeItem& item : items) scratch_[places[slabOf(item)]++] = item;
+    for (const TreeItem& item : items) scratch_[places[slabs.ofBin[binOf(item)]]++] = item;
     std::copy_n(scratch_.get(), items.size(), items.begin());
+  }
+
+  /// The same by all threads, when the bins of each block are known.
+  template <class BinOf>
+  void moveBlocksToSlabs(std::span<TreeItem> items, const Slabs& slabs, const std::vector<Bins>& blocks,
+                         const BinOf& binOf) const {
+    std::vector<std::array<std::size_t, kWidth>> places(blocks.size());
+    std::size_t place = 0;
+    for (std::size_t slab = 0; slab < kWidth; ++slab)
+      for (std::size_t block = 0; block < blocks.size(); ++block) {
+        places[block][slab] = place;
+        for (int bin = 0; bin < kBins; ++bin)
+          if (slabs.ofBin[bin] == slab) place += blocks[block][bin].count;
+      }
+    const auto scratch = std::make_unique_for_overwrite<TreeItem[]>(items.size());
+    forBlocks(items, poll_, [&](std::size_t block, std::span<TreeItem> some) {
+      for (const TreeItem& item : some) scratch[places[block][slabs.ofBin[binOf(item)]]++] = item;
+    });
+    forBlocks(items, poll_, [&](std::size_t block, std::span<TreeItem> some) {
+      std::copy_n(scratch.get() + block * kBlockSize, some.size(), some.begin());
+    });
   }
 
   /// How many of the items come first, to fill nodes; they are moved there.
@@ -220,18 +289,16 @@ class TriangleTreeBuilder {
  public:
   using Node = TriangleTree::Node;
 
-  TriangleTreeBuilder(const std::function<void()>& poll, std::vector<Node>& nodes) : poll_(poll), nodes_(nodes) {}
+  TriangleTreeBuilder(const std::function<void()>& poll, UnfilledArray<Node>& nodes) : poll_(poll), nodes_(nodes) {}
 
   void build(std::span<TreeItem> items) {
     if (items.empty()) return;
     Subtree root;
-    grow(root, Part(items), 0);
-    if (!root.below) {
-      nodes_ = std::move(root.nodes);
-      return;
-    }
-    nodes_.reserve(root.size);
-    append(root);
+    grow(root, partOf(items, poll_), 0);
+    nodes_ = UnfilledArray<Node>(root.size);
+    std::vector<Placed> subtrees;
+    placeAll(root, 0, subtrees);
+    forRanges(subtrees.size(), 1, [&](std::size_t i, std::size_t) { fill(subtrees[i]); });
   }
 
  private:
@@ -291,26 +358,38 @@ class TriangleTreeBuilder {
     for (const Subtree& below : *tree.below) tree.size += below.size;
   }
 
-  /// Moves the nodes of a subtree to the end of all.
-  void append(Subtree& tree) const {
-    poll_();
-    const auto self = nodes_.size();
-    for (Node node : tree.nodes) {
-      for (std::int32_t& child : node.children)
-        if (child > 0) child += static_cast<std::int32_t>(self);
-      nodes_.push_back(node);
-    }
-    tree.nodes = {};
+  struct Placed {
+    Subtree* tree;
+    std::size_t first;  ///< of its nodes, among all
+  };
+
+  /// Each subtree's own nodes, then those of the parts below it.
+  static void placeAll(Subtree& tree, std::size_t first, std::vector<Placed>& result) {
+    result.push_back({&tree, first});
     if (!tree.below) return;
+    std::size_t place = first + tree.nodes.size();
     for (std::size_t i = 0; i < kWidth; ++i) {
-      if ((*tree.below)[i].size == 0) continue;
-      nodes_[self].children[i] = static_cast<std::int32_t>(nodes_.size());
-      append((*tree.below)[i]);
+      Subtree& below = (*tree.below)[i];
+      if (below.size == 0) continue;
+      tree.nodes[0].children[i] = static_cast<std::int32_t>(place - first);
+      placeAll(below, place, result);
+      place += below.size;
     }
   }
 
+  void fill(const Placed& placed) const {
+    poll_();
+    for (std::size_t i = 0; i < placed.tree->nodes.size(); ++i) {
+      Node node = placed.tree->nodes[i];
+      for (std::int32_t& child : node.children)
+        if (child > 0) child += static_cast<std::int32_t>(placed.first);
+      nodes_.fill(placed.first + i, node);
+    }
+    placed.tree->nodes = {};
+  }
+
   const std::function<void()>& poll_;
-  std::vector<Node>& nodes_;
+  UnfilledArray<Node>& nodes_;
 };
 
 void TriangleTree::build(std::span<const Box> boxes, std::span<const std::int32_t> ids,
@@ -345,7 +424,7 @@ void TriangleTree::setFrame(const Box& bounds) {
 }
 
 void TriangleTree::grow(std::span<TreeItem> items, const std::function<void()>& poll) {
-  nodes_.clear();
+  nodes_ = {};
   TriangleTreeBuilder(poll, nodes_).build(items);
 }
 

@@ -21,6 +21,7 @@
 #endif
 
 #include "core/environment/parallel_ranges.hpp"
+#include "core/environment/unfilled_array.hpp"
 
 namespace footfall {
 
@@ -74,14 +75,14 @@ class TriangleTree {
   /// on the tree alone. visit returns false to stop. `stack` is working memory, to be used again by the next call.
   template <class Visit>
   void visitOverlapping(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
-    if (nodes_.empty()) return;
+    if (empty()) return;
     if (stack.size() < kStackSize) stack.resize(kStackSize);
     std::array<Float4, 3> lower, upper;
     for (int k = 0; k < 3; ++k) {
       lower[k] = Float4{} + inFrame(query.lower[k], k);
       upper[k] = Float4{} + inFrame(query.upper[k], k);
     }
-    const Node* const nodes = nodes_.data();
+    const Node* const nodes = &nodes_[0];
     std::int32_t* const bottom = stack.data();
     std::int32_t* top = bottom;
     *top++ = 0;
@@ -99,7 +100,7 @@ class TriangleTree {
     }
   }
 
-  [[nodiscard]] bool empty() const { return nodes_.empty(); }
+  [[nodiscard]] bool empty() const { return nodes_.size() == 0; }
 
  private:
   friend class TriangleTreeBuilder;
@@ -132,7 +133,7 @@ class TriangleTree {
 
   std::array<double, 3> origin_{};
   double scale_ = 1;
-  std::vector<Node> nodes_;
+  UnfilledArray<Node> nodes_;
 };
 
 }  // namespace footfall

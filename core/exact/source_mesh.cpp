@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exact/source_mesh.hpp"
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/environment/parallel_ranges.hpp"
 #include "core/exact/lexicographic_order.hpp"
@@ -107,16 +110,39 @@ void chooseGrid(SourceMesh& mesh, const std::function<void()>& poll) {
 
 namespace {
 
+// The order of triangles by their vertices, then by number. By counting for the first vertex, which few share.
+std::vector<std::uint32_t> orderOf(const std::vector<std::array<Index, 3>>& triangles, std::size_t vertexCount,
+                                   const std::function<void()>& poll) {
+  std::vector<std::uint32_t> ends(vertexCount, 0), order(triangles.size());
+  forEachInOrder(triangles.size(), poll, [&](std::size_t i) { ++ends[triangles[i][0]]; });
+  std::uint32_t before = 0;
+  for (std::uint32_t& end : ends) before += std::exchange(end, before);
+  forEachInOrder(triangles.size(), poll,
+                 [&](std::size_t i) { order[ends[triangles[i][0]]++] = static_cast<std::uint32_t>(i); });
+  forEach(vertexCount, poll, [&](std::size_t v) {
+    const std::span<std::uint32_t> fan(order.data() + (v == 0 ? 0 : ends[v - 1]), order.data() + ends[v]);
+    if (fan.size() > kPerTask) {
+      const std::vector<std::uint32_t> within = lexicographicOrder(
+          fan.size(), [&](std::size_t i, int axis) { return axis == 2 ? 0.0 : triangles[fan[i]][axis + 1]; }, poll);
+      std::vector<std::uint32_t> sorted(fan.size());
+      for (std::size_t i = 0; i < fan.size(); ++i) sorted[i] = fan[within[i]];
+      std::copy(sorted.begin(), sorted.end(), fan.begin());
+      return;
+    }
+    std::sort(fan.begin(), fan.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return triangles[a] != triangles[b] ? triangles[a] < triangles[b] : a < b;
+    });
+  });
+  return order;
+}
+
 // Turns the triangles of the soup to start at their smallest vertex, and sorts them; returns the order.
 std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSides, SourceMesh& mesh,
                                          const std::function<void()>& poll) {
   const std::size_t count = soup.triangles.size();
   std::vector<std::array<Index, 3>> turned(count);
   forEach(count, poll, [&](std::size_t i) { turned[i] = turnedTriangle(mesh, soup.triangles[i], bothSides); });
-  std::vector<std::uint32_t> order = lexicographicOrder(
-      count, [&](std::size_t i, int axis) { return static_cast<double>(turned[i][axis]); }, poll);
-  mesh.triangles.resize(count);
-  mesh.inputTriangles.resize(count);
+  const std::vector<std::uint32_t> order = orderOf(turned, mesh.vertices.size(), poll);
   forEach(count, poll, [&](std::size_t i) {
     mesh.triangles[i] = turned[order[i]];
     mesh.inputTriangles[i] = soup.inputTriangles.empty() ? order[i] : soup.inputTriangles[order[i]];
@@ -124,13 +150,17 @@ std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSi
   return order;
 }
 
+void makeRoom(SourceMesh& mesh, std::size_t triangles) {
+  mesh.normals.resize(triangles);
+  mesh.facing.resize(triangles);
+  mesh.degenerate.resize(triangles);
+  mesh.triangles.resize(triangles);
+  mesh.inputTriangles.resize(triangles);
+}
+
 void classify(SourceMesh& mesh, const std::function<void()>& poll) {
-  const std::size_t count = mesh.triangles.size();
-  mesh.normals.resize(count);
-  mesh.facing.resize(count);
-  mesh.degenerate.resize(count);
   const SignRule sign = mesh.grid.signRule(mesh.grid.scaleExponent());
-  forEach(count, poll, [&](std::size_t t) { classifyTriangle(mesh, static_cast<Index>(t), sign); });
+  forEach(mesh.triangles.size(), poll, [&](std::size_t t) { classifyTriangle(mesh, static_cast<Index>(t), sign); });
 }
 
 }  // namespace
@@ -170,8 +200,11 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
 SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order,
                           const std::function<void()>& poll) {
   SourceMesh mesh;
-  mesh.welded = weldVertices(soup.vertices, mesh, poll);
-  std::vector<std::uint32_t> sorted = sortTriangles(soup, bothSides, mesh, poll);
+  // One thread sorts for long, another has the time to clear memory.
+  tbb::parallel_invoke([&] { mesh.welded = weldVertices(soup.vertices, mesh, poll); },
+                       [&] { makeRoom(mesh, soup.triangles.size()); });
+  std::vector<std::uint32_t> sorted;
+  tbb::parallel_invoke([&] { sorted = sortTriangles(soup, bothSides, mesh, poll); }, [&] { chooseGrid(mesh, poll); });
   if (order != nullptr) *order = std::move(sorted);
   for (const auto& [u, v] : soup.obstacleEdges) {
     const Index a = mesh.welded[u], b = mesh.welded[v];
@@ -179,7 +212,6 @@ SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vecto
   }
   std::sort(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end());
   mesh.obstacleEdges.erase(std::unique(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end()), mesh.obstacleEdges.end());
-  chooseGrid(mesh, poll);
   classify(mesh, poll);
   buildTree(mesh, poll);
   poll();

@@ -7,6 +7,7 @@
 // count as equal, and are removed.
 #include <mpfr.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ namespace footfall {
 namespace {
 
 constexpr mpfr_prec_t kFinestPrecision = 4096;
+constexpr std::size_t kPolled = 1 << 16;
 
 ErrorDouble squareRoot(ErrorDouble x) {
   // |sqrt(x) - q| = |x - q^2| / (sqrt(x) + q) <= |x - q^2| / q
@@ -166,26 +168,29 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   context.checkCancelled();
   auto kept = std::make_shared<WalkableMesh>();
   auto dropped = std::make_shared<WalkableMesh>();
-  kept->vertices = mesh.vertices;
   if (state->dropped) *dropped = *state->dropped;
   std::vector<Index> droppedVertex(mesh.vertices.size(), -1);
-  kept->triangles.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    MeshTriangle triangle = mesh.triangles[t];
-    if (keep[region[t]] != 0) {
-      kept->triangles.push_back(triangle);
-      if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
-      continue;
-    }
-    for (Index& v : triangle.corners) {
-      if (droppedVertex[v] < 0) {
-        droppedVertex[v] = static_cast<Index>(dropped->vertices.size());
-        dropped->vertices.push_back(mesh.vertices[v]);
+  const auto divide = [&] {
+    kept->triangles.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (t % kPolled == 0) context.checkCancelled();
+      MeshTriangle triangle = mesh.triangles[t];
+      if (keep[region[t]] != 0) {
+        kept->triangles.push_back(triangle);
+        if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
+        continue;
       }
-      v = droppedVertex[v];
+      for (Index& v : triangle.corners) {
+        if (droppedVertex[v] < 0) {
+          droppedVertex[v] = static_cast<Index>(dropped->vertices.size());
+          dropped->vertices.push_back(mesh.vertices[v]);
+        }
+        v = droppedVertex[v];
+      }
+      dropped->triangles.push_back(triangle);
     }
-    dropped->triangles.push_back(triangle);
-  }
+  };
+  tbb::parallel_invoke(divide, [&] { kept->vertices = mesh.vertices; });
   kept->layerCount = mesh.layerCount;
   auto result = std::make_shared<WalkableState>(*state);
   if (!state->cuts) {

@@ -4,6 +4,7 @@
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
 // into as few layers as a greedy pass finds.
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <string>
@@ -50,8 +51,7 @@ class LayerSubdivision {
         count_(static_cast<Index>(mesh.triangles.size())) {}
 
   std::vector<std::uint32_t> run(const StatePtr& before) {
-    findOverlaps(before);
-    region_ = findRegions(mesh_, topology_, regionCount_);
+    tbb::parallel_invoke([&] { findOverlaps(before); }, [&] { region_ = findRegions(mesh_, topology_, regionCount_); });
     context_.checkCancelled();
     findLowest();
     subdivideRegions();
@@ -107,8 +107,7 @@ class LayerSubdivision {
       divided[region_[pair[0]]] = 1;
       within.push_back(pair);
     }
-    input_.overlaps = listsOf(within, count_);
-    findNeighbors(divided);
+    tbb::parallel_invoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); });
     context_.checkCancelled();
 
     std::vector<Index> number(regionCount_, -1), regions, first{0};
@@ -169,7 +168,9 @@ class LayerSubdivision {
       for (const Index n : input_.neighbors[t])
         if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
     context_.checkCancelled();
-    const IndexLists conflicts = listsOf(above, pieceCount_), shared = listsOf(beside, pieceCount_);
+    IndexLists conflicts, shared;
+    tbb::parallel_invoke([&] { conflicts = listsOf(above, pieceCount_); },
+                         [&] { shared = listsOf(beside, pieceCount_); });
     context_.checkCancelled();
     std::vector<char> used(pieceCount_, 0);
     for (const Index p : piece_) used[p] = 1;

@@ -123,31 +123,23 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
   const auto ownedJoiner = std::make_shared<MeshJoiner>(kernel);
   large.hold(ownedJoiner);
   MeshJoiner& joiner = *ownedJoiner;
-  std::size_t wholeFaces = 0, partTriangles = 0, partPoints = 0;
-  for (Index t = 0; t < count; ++t) {
-    if ((t & 4095) == 0) context.checkCancelled();
-    if (state.cuts && meshes[t]) {
-      partTriangles += meshes[t]->cells.size();
-      partPoints += meshes[t]->points.size();
-    } else if (state.walkable[t] != 0) {
-      ++wholeFaces;
-    }
-  }
-  joiner.reserve(wholeFaces, partTriangles, partPoints);
+  std::vector<FaceToJoin> joined;
+  joined.reserve(count);
   for (Index t = 0; t < count; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
     if (state.walkable[t] == 0) continue;
     if (state.cuts && state.cuts->isRemoved(t)) continue;
     if (state.cuts && meshes[t]) {
-      joiner.addParts(t, *meshes[t]);
+      joined.push_back({t, 0, meshes[t].get()});
       continue;
     }
     std::uint8_t walls = state.cuts ? (*state.cuts)[t].edgeWalls : std::uint8_t{0};
     const auto& f = kernel.mesh().triangles[t];
     for (int k = 0; k < 3 && !kernel.mesh().obstacleEdges.empty(); ++k)
       if (kernel.mesh().hasObstacleEdge(f[k], f[(k + 1) % 3])) walls |= static_cast<std::uint8_t>(1 << k);
-    joiner.addWholeFace(t, walls);
+    joined.push_back({t, walls, nullptr});
   }
+  joiner.addFaces(joined, context);
   if (memory != nullptr) {
     memory->meshes = std::move(meshes);
   } else {

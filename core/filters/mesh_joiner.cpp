@@ -3,7 +3,7 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_reduce.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,126 +49,6 @@ Box boxAround(const MeshVertex& v) {
 constexpr double kCoarse = 0x1p-26;
 
 }  // namespace
-
-MeshJoiner::MeshJoiner(const PlanKernel& kernel)
-    : kernel_(kernel), mesh_(kernel.mesh()), ofSource_(kernel.mesh().vertices.size(), -1) {
-  onSourceEdges_.clear();
-}
-
-// What is reserved and never written costs no memory.
-void MeshJoiner::reserve(std::size_t wholeFaces, std::size_t partTriangles, std::size_t partPoints) {
-  triangles_.reserve(wholeFaces + partTriangles);
-  outlines_.reserve(3 * (wholeFaces + partTriangles));
-  vertices_.reserve(std::min(mesh_.vertices.size(), 3 * wholeFaces + partPoints) + partPoints);
-  memory_.vertexOf.reserve(3 * wholeFaces + partPoints);
-  memory_.entries.reserve(wholeFaces + partPoints / 3 + 1);
-}
-
-void MeshJoiner::beginFace(Index face) {
-  memory_.entries.push_back({face, static_cast<Index>(memory_.vertexOf.size()), static_cast<Index>(outlines_.size())});
-}
-
-Index MeshJoiner::sourceVertex(Index source, Index face) {
-  if (ofSource_[source] < 0) {
-    ofSource_[source] = static_cast<Index>(vertices_.size());
-    const Vec3& p = mesh_.scaled[source];
-    vertices_.push_back(
-        {{PlanPoint::Source, mesh_.planIds[source]}, face, source, p.x, p.y, p.z, kernel_.sign().slack});
-  }
-  return ofSource_[source];
-}
-
-Index MeshJoiner::constructedVertex(Index face, const PlanPoint& point, const ApproximatePoint& approximate) {
-  if (point.kind == PlanPoint::Source) {
-    // an obstacle's vertex seen from above: it may itself lie on the floor
-    for (Index v = point.a; v < static_cast<Index>(mesh_.planIds.size()) && mesh_.planIds[v] == point.a; ++v)
-      if (kernel_.heightSign(face, v, 0, fallbacks_) == 0) return sourceVertex(v, face);
-  }
-  const auto& f = mesh_.triangles[face];
-  const auto isCorner = [&](Index v) { return f[0] == v || f[1] == v || f[2] == v; };
-  if (point.kind == PlanPoint::EdgePlane &&
-      ((isCorner(point.a) && isCorner(point.b)) || (point.c == face && point.d == 0))) {
-    // In space it lies on the source edge itself, so all faces that know it by this name mean the same vertex.
-    const auto [number, isNew] = onSourceEdges_.insert(point);
-    if (!isNew) return ofSourceEdgePoint_[number];
-    ofSourceEdgePoint_.push_back(static_cast<Index>(vertices_.size()));
-  }
-  const Vec3& origin = mesh_.scaled[f[0]];
-  const auto& n = mesh_.normals[face];
-  const ErrorDouble x(approximate.x, approximate.error), y(approximate.y, approximate.error);
-  const ErrorDouble gx = x + ErrorDouble(origin.x), gy = y + ErrorDouble(origin.y);
-  const ErrorDouble gz = ErrorDouble(origin.z) - (n[0] * x + n[1] * y) / n[2];
-  MeshVertex vertex{point, face, -1, gx.value, gy.value, gz.value, 0};
-  vertex.error = std::max({gx.error, gy.error, gz.error});
-  const auto size = [&] { return std::max({std::fabs(vertex.x), std::fabs(vertex.y), std::fabs(vertex.z)}); };
-  if (!(vertex.error < kCoarse * (size() + 1))) {
-    // On a sliver, doubles may know next to nothing of the normal. Half a unit in the last place, doubled, and what
-    // subnormal numbers lose.
-    const int scale = mesh_.grid.scaleExponent();
-    const Vec3 place = kernel_.roundedPosition(point, face);
-    vertex.x = std::ldexp(place.x, scale), vertex.y = std::ldexp(place.y, scale), vertex.z = std::ldexp(place.z, scale);
-    vertex.error = size() * 0x1p-52 + std::ldexp(1.0, scale - 1074);
-  }
-  vertex.error += kernel_.sign().slack;
-  vertices_.push_back(vertex);
-  return static_cast<Index>(vertices_.size()) - 1;
-}
-
-void MeshJoiner::addWholeFace(Index face, std::uint8_t obstacleEdges) {
-  beginFace(face);
-  const auto& f = mesh_.triangles[face];
-  MeshTriangle t;
-  t.face = face;
-  t.obstacleEdges = obstacleEdges;
-  for (int k = 0; k < 3; ++k) {
-    t.corners[k] = sourceVertex(f[k], face);
-    memory_.vertexOf.push_back(t.corners[k]);
-  }
-  const auto index = static_cast<Index>(triangles_.size());
-  triangles_.push_back(t);
-  for (int k = 0; k < 3; ++k) {
-    const Index u = f[k], v = f[next(k)];
-    const Index a = mesh_.planIds[u], b = mesh_.planIds[v];
-    outlines_.push_back({t.corners[k],
-                         t.corners[next(k)],
-                         index,
-                         static_cast<std::int8_t>(k),
-                         face,
-                         {PlanLine::Edge, std::min(a, b), std::max(a, b)},
-                         {std::min(u, v), std::max(u, v)}});
-  }
-}
-
-void MeshJoiner::addParts(Index face, const FaceMesh& parts) {
-  const auto& f = mesh_.triangles[face];
-  beginFace(face);
-  const std::size_t firstPoint = memory_.vertexOf.size();
-  memory_.vertexOf.resize(firstPoint + parts.points.size(), -1);
-  for (const FaceMesh::Cell& cell : parts.cells) {
-    MeshTriangle t;
-    t.face = face;
-    t.obstacleEdges = cell.obstacleEdges;
-    for (int k = 0; k < 3; ++k) {
-      const Index p = cell.corners[k];
-      Index& vertex = memory_.vertexOf[firstPoint + p];
-      if (vertex < 0)
-        vertex = p < 3 ? sourceVertex(f[p], face) : constructedVertex(face, parts.points[p], parts.approximate[p]);
-      t.corners[k] = vertex;
-    }
-    const auto index = static_cast<Index>(triangles_.size());
-    triangles_.push_back(t);
-    for (int k = 0; k < 3; ++k) {
-      if ((cell.outlineEdges >> k & 1) == 0) continue;
-      Outline outline{t.corners[k], t.corners[next(k)],         index,   static_cast<std::int8_t>(k),
-                      face,         parts.lines[cell.lines[k]], {-1, -1}};
-      if (cell.faceEdges[k] >= 0) {
-        const Index u = f[cell.faceEdges[k]], v = f[next(cell.faceEdges[k])];
-        outline.sourceEdge = {std::min(u, v), std::max(u, v)};
-      }
-      outlines_.push_back(outline);
-    }
-  }
-}
 
 bool MeshJoiner::liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const {
   if (vertex.source >= 0) return vertex.source == edge.first || vertex.source == edge.second;
@@ -297,25 +177,27 @@ std::vector<Index> MeshJoiner::entriesToSearch() const {
   return entries;
 }
 
+template <class Visit>
+void MeshJoiner::forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const {
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    if (n % kPolled == 0) context.checkCancelled();
+    const Index end = memory_.entries[entries[n] + 1].firstOutline;
+    for (Index i = memory_.entries[entries[n]].firstOutline; i < end; ++i) visit(i);
+  }
+}
+
 // Parts that meet in a whole edge have an outline each there: what lies on one of them lies on the other. A counting
 // sort by the smaller vertex, then each vertex's few outlines by the larger one.
 MeshJoiner::Twins MeshJoiner::findTwins(const std::vector<Index>& entries, RunContext& context) const {
   const auto smaller = [&](Index i) { return std::min(outlines_[i].from, outlines_[i].to); };
   const auto larger = [&](Index i) { return std::max(outlines_[i].from, outlines_[i].to); };
-  const auto forOutlines = [&](const auto& visit) {
-    for (std::size_t n = 0; n < entries.size(); ++n) {
-      if (n % kPolled == 0) context.checkCancelled();
-      const Index end = memory_.entries[entries[n] + 1].firstOutline;
-      for (Index i = memory_.entries[entries[n]].firstOutline; i < end; ++i) visit(i);
-    }
-  };
   std::vector<Index> bucket(vertices_.size() + 1, 0);
-  forOutlines([&](Index i) { ++bucket[smaller(i)]; });
+  forOutlines(entries, context, [&](Index i) { ++bucket[smaller(i)]; });
   Index sum = 0;
   for (Index& size : bucket) sum += std::exchange(size, sum);
   Twins twins;
   twins.first.resize(sum);
-  forOutlines([&](Index i) { twins.first[bucket[smaller(i)]++] = i; });
+  forOutlines(entries, context, [&](Index i) { twins.first[bucket[smaller(i)]++] = i; });
   // Now bucket[v] is where the outlines of v end. Those that are not the first of theirs become -1.
   twins.next.assign(outlines_.size(), -1);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), kVerticesPerTask), [&](const auto& range) {
@@ -342,21 +224,17 @@ MeshJoiner::Twins MeshJoiner::findTwins(const std::vector<Index>& entries, RunCo
 void MeshJoiner::findIncidences(RunContext& context) {
   if (earlier_ != nullptr) takeOver();
   const auto boxOf = [&](Index v) { return boxAround(vertices_[v]); };
-  const Twins twins = findTwins(entriesToSearch(), context);
-  std::vector<Index> searched;  // vertices on outlines
-  std::vector<char> seen(vertices_.size(), 0);
-  for (std::size_t n = 0; n < twins.first.size(); ++n) {
-    if (n % kPolled == 0) context.checkCancelled();
-    for (const Index v : {outlines_[twins.first[n]].from, outlines_[twins.first[n]].to})
-      if (std::exchange(seen[v], 1) == 0) searched.push_back(v);
-  }
-  const Box bounds = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, searched.size(), kVerticesPerTask), emptyBox(),
-      [&](const auto& range, Box box) {
-        for (std::size_t n = range.begin(); n != range.end(); ++n) box = whole(box, boxOf(searched[n]));
-        return box;
-      },
-      whole);
+  const std::vector<Index> entries = entriesToSearch();
+  Twins twins;
+  std::vector<char> isSearched(vertices_.size(), 0);  // vertices on outlines
+  Box bounds = emptyBox();
+  const auto findSearched = [&] {
+    forOutlines(entries, context, [&](Index i) {
+      for (const Index v : {outlines_[i].from, outlines_[i].to})
+        if (std::exchange(isSearched[v], 1) == 0) bounds = whole(bounds, boxOf(v));
+    });
+  };
+  tbb::parallel_invoke([&] { twins = findTwins(entries, context); }, findSearched);
   TriangleTree tree;
   tree.build(
       bounds, twins.first,
@@ -373,11 +251,11 @@ void MeshJoiner::findIncidences(RunContext& context) {
     ExactFallbacks fallbacks;
   };
   tbb::enumerable_thread_specific<Local> locals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, searched.size(), 512), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<Index>(0, static_cast<Index>(isSearched.size()), 512), [&](const auto& range) {
     context.checkCancelled();
     Local& local = locals.local();
-    for (std::size_t n = range.begin(); n != range.end(); ++n) {
-      const Index v = searched[n];
+    for (Index v = range.begin(); v != range.end(); ++v) {
+      if (isSearched[v] == 0) continue;
       const bool known = !knownVertices_.empty() && knownVertices_[v] != 0;
       tree.visitOverlapping(boxOf(v), local.stack, [&](std::int32_t first) {
         const Outline& o = outlines_[first];
@@ -403,7 +281,6 @@ void MeshJoiner::findIncidences(RunContext& context) {
 }
 
 WalkableMesh MeshJoiner::join(RunContext& context) {
-  beginFace(-1);
   memory_.vertexCount = static_cast<Index>(vertices_.size());
   findIncidences(context);
   context.checkCancelled();

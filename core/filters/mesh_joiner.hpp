@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "core/environment/unfilled_array.hpp"
 #include "core/filters/assembly_memory.hpp"
 #include "core/filters/earlier_result.hpp"
 #include "core/filters/face_mesh.hpp"
@@ -17,18 +19,21 @@
 
 namespace footfall {
 
-/// Collects the parts of all faces (in any fixed order), then joins them. One object for one mesh.
+/// A face to be joined with others.
+struct FaceToJoin {
+  Index face = -1;
+  std::uint8_t obstacleEdges = 0;   ///< of a face that nothing cuts
+  const FaceMesh* parts = nullptr;  ///< its walkable parts; null: nothing cuts it
+};
+
+/// Collects the parts of all faces, then joins them. One object for one mesh.
 class MeshJoiner {
  public:
-  explicit MeshJoiner(const PlanKernel& kernel);
+  explicit MeshJoiner(const PlanKernel& kernel) : kernel_(kernel), mesh_(kernel.mesh()) {}
 
-  /// Makes room for at most so many faces that nothing cuts, and triangles and points of parts.
-  void reserve(std::size_t wholeFaces, std::size_t partTriangles, std::size_t partPoints);
-
-  /// A face that nothing cuts.
-  void addWholeFace(Index face, std::uint8_t obstacleEdges);
-  /// The walkable parts of a face.
-  void addParts(Index face, const FaceMesh& parts);
+  /// All faces, in any fixed order, by which everything is numbered; on all threads. Their parts are not needed any
+  /// more afterwards. To be called once.
+  void addFaces(std::span<const FaceToJoin> faces, RunContext& context);
 
   /// What lies on what need not be found again between faces that are not in `changed` (ascending).
   void reuse(const EarlierResult& earlier, std::vector<Index> changed);
@@ -59,12 +64,26 @@ class MeshJoiner {
   };
   enum class Relation { Apart, AtStart, Between, AtEnd };
 
-  void beginFace(Index face);
-  Index sourceVertex(Index source, Index face);
-  Index constructedVertex(Index face, const PlanPoint& point, const ApproximatePoint& approximate);
+  /// Faces whose points are in the order in which their triangles use them first: what addFaces() numbers.
+  struct Additions;
+  void layOut(Additions& additions, RunContext& context);
+  Index listUses(std::size_t entry, Additions& additions);
+  void nameUses(std::size_t entry, Index first, Index last, Additions& additions, ExactFallbacks& fallbacks) const;
+  void listAllUses(Additions& additions, RunContext& context);
+  void numberUses(Additions& additions, RunContext& context);
+  void fillVertices(const Additions& additions, RunContext& context);
+  void fillTriangles(const Additions& additions, RunContext& context);
+  /// The entry to which the point at this place belongs.
+  [[nodiscard]] std::size_t entryOfPoint(std::size_t place) const;
+  [[nodiscard]] MeshVertex sourceVertex(Index source, Index face) const;
+  [[nodiscard]] MeshVertex constructedVertex(Index face, const PlanPoint& point,
+                                             const ApproximatePoint& approximate) const;
   void takeOver();
   /// The entries of faces that may meet a changed one; all of them when nothing is reused.
   [[nodiscard]] std::vector<Index> entriesToSearch() const;
+  /// Calls visit(i) for every outline of the entries.
+  template <class Visit>
+  void forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const;
   [[nodiscard]] Twins findTwins(const std::vector<Index>& entries, RunContext& context) const;
   void findIncidences(RunContext& context);
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
@@ -76,13 +95,9 @@ class MeshJoiner {
 
   const PlanKernel& kernel_;
   const SourceMesh& mesh_;
-  std::vector<MeshVertex> vertices_;
-  std::vector<MeshTriangle> triangles_;
-  std::vector<Outline> outlines_;
-  std::vector<Index> ofSource_;  ///< vertex of a source vertex, or -1
-  /// Constructed vertices on a source edge, by what they are in space.
-  NumberedTable<PlanPoint> onSourceEdges_;
-  std::vector<Index> ofSourceEdgePoint_;
+  UnfilledArray<MeshVertex> vertices_;
+  UnfilledArray<MeshTriangle> triangles_;
+  UnfilledArray<Outline> outlines_;
   JoinMemory memory_;
   const EarlierResult* earlier_ = nullptr;
   std::vector<Index> changed_;

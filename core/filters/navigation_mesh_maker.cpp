@@ -1,5 +1,6 @@
 // From the last state to the product: split along obstacle edges, rounded, repaired, with connections.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -59,11 +60,18 @@ void addConnections(const RoundedMesh& mesh, const MeshTopology& topology, const
 
 Vec3 middleOf(const Vec3& a, const Vec3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
-RoundedMesh roundSplitMesh(const WalkableState& state, SplitMesh&& split, std::vector<char>& sturdy,
+// The split mesh of the state with rounded places, and its edges.
+RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<char>& sturdy, MeshTopology& topology,
                            RunContext& context) {
-  const WalkableMesh& mesh = *state.mesh;
+  const auto poll = [&context] { context.checkCancelled(); };
   std::vector<char> exact;
-  const std::vector<Vec3> places = roundVertices(*state.kernel, mesh.vertices, exact, context);
+  std::vector<Vec3> places;
+  SplitMesh split;
+  tbb::parallel_invoke([&] { places = roundVertices(*state.kernel, state.mesh->vertices, exact, context); },
+                       [&] {
+                         split = splitAtObstacleEdges(*state.mesh, *topologyOf(state, poll), poll);
+                         topology = findEdges(split.triangles, split.origins.size(), poll);
+                       });
   RoundedMesh rounded;
   rounded.triangles = std::move(split.triangles);
   rounded.layers = std::move(split.layers);
@@ -128,12 +136,11 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   const SourceMesh& source = state->kernel->mesh();
   const auto poll = [&context] { context.checkCancelled(); };
   std::vector<char> sturdy;
-  RoundedMesh rounded =
-      roundSplitMesh(*state, splitAtObstacleEdges(*state->mesh, *topologyOf(*state, poll), poll), sturdy, context);
+  MeshTopology topology;
+  RoundedMesh rounded = roundSplitMesh(*state, sturdy, topology, context);
   context.checkCancelled();
   const auto edgesOf = [&] { return findEdges(rounded.triangles, rounded.vertices.size(), poll); };
   std::vector<char> suspects = suspectsOf(rounded, sturdy);
-  MeshTopology topology = edgesOf();
   markBorders(rounded, topology);
   if (repairRounding(rounded, sturdy, context).anyBroken()) {
     topology = edgesOf();

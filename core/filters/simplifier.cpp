@@ -39,9 +39,8 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   const auto prepare = [&] {
     findInnerEdges();
     candidates = findCandidates();
-    mesh_.around.build(mesh_.triangles, candidates);
-    context_.checkCancelled();
-    groups = findGroups(candidates);
+    tbb::parallel_invoke([&] { mesh_.around.build(mesh_.triangles, candidates); },
+                         [&] { groups = findGroups(candidates); });
     context_.checkCancelled();
   };
   if (before_ != nullptr)
@@ -162,15 +161,26 @@ void Simplifier::findInnerEdges() {
     return;
   }
   tbb::enumerable_thread_specific<ExactFallbacks> fallbacks;
-  tbb::parallel_for(tbb::blocked_range<Index>(0, topology_.edgeCount(), kEdgesPerTask), [&](const auto& range) {
+  const Index edgeCount = topology_.edgeCount(), blocks = (edgeCount + kEdgesPerTask - 1) / kEdgesPerTask;
+  outlines_.resize(blocks);
+  tbb::parallel_for(Index{0}, blocks, [&](Index block) {
     context_.checkCancelled();
     ExactFallbacks& count = fallbacks.local();
-    for (Index e = range.begin(); e != range.end(); ++e) {
+    std::vector<std::array<Index, 2>> outlines;
+    for (Index e = block * kEdgesPerTask; e < std::min((block + 1) * kEdgesPerTask, edgeCount); ++e) {
       const auto sides = topology_.sidesOf(e);
-      if (!isInner(sides)) continue;
-      const Index f = faceOf(sides[0]), g = faceOf(sides[1]);
-      if (f == g || kernel_.coplanar(std::min(f, g), std::max(f, g), count)) join(sides);
+      const auto isOneRegion = [&] {
+        const Index f = faceOf(sides[0]), g = faceOf(sides[1]);
+        return f == g || kernel_.coplanar(std::min(f, g), std::max(f, g), count);
+      };
+      if (isInner(sides) && isOneRegion()) {
+        join(sides);
+      } else {
+        const auto& corners = mesh_.triangles[sides[0] / 3].corners;
+        outlines.push_back({corners[sides[0] % 3], corners[(sides[0] % 3 + 1) % 3]});
+      }
     }
+    outlines_[block] = std::move(outlines);
   });
   for (const ExactFallbacks& count : fallbacks) fallbacks_ += count;
 }
@@ -179,15 +189,14 @@ std::vector<char> Simplifier::findCandidates() {
   const auto count = static_cast<Index>(mesh_.vertices.size());
   if (approximate_.enabled) return std::vector<char>(count, 1);
   std::vector<OutlineEnds> outline(count);
-  for (Index e = 0; e < topology_.edgeCount(); ++e) {
-    if (e % kPolled == 0) context_.checkCancelled();
-    const auto sides = topology_.sidesOf(e);
-    if (mesh_.neighbors[sides[0]] >= 0) continue;
-    const auto& corners = mesh_.triangles[sides[0] / 3].corners;
-    const Index a = corners[sides[0] % 3], b = corners[(sides[0] % 3 + 1) % 3];
-    outline[a].add(b);
-    outline[b].add(a);
+  for (const auto& block : outlines_) {
+    context_.checkCancelled();
+    for (const auto& [a, b] : block) {
+      outline[a].add(b);
+      outline[b].add(a);
+    }
   }
+  outlines_.clear();
   std::vector<char> candidates(count);
   tbb::enumerable_thread_specific<MeshGeometry> geometries([&] { return MeshGeometry(kernel_, mesh_.vertices); });
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kVerticesPerTask), [&](const auto& range) {

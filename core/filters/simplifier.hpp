@@ -92,6 +92,8 @@ class Simplifier {
   const EarlierResult* earlier_ = nullptr;
   MeshRelation relation_;          ///< with the earlier mesh
   std::vector<Index> sizeBefore_;  ///< of each earlier group
+  /// The edges that are not inner, in blocks, in their order; between findInnerEdges() and findCandidates().
+  std::vector<std::vector<std::array<Index, 2>>> outlines_;
   ExactFallbacks fallbacks_;
 };
 

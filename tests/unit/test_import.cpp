@@ -18,6 +18,22 @@ namespace {
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
+/// About a megabyte of all statements.
+QByteArray longText(const QByteArray& lineEnd) {
+  QByteArray text;
+  for (int i = 0; i < 8000; ++i) {
+    const auto corner = [&](int k) { return QByteArray::number(3 * i + k); };
+    text += "# group " + QByteArray::number(i) + lineEnd;
+    for (int k = 0; k < 3; ++k)
+      text += "v " + QByteArray::number(i * 0.37) + " " + QByteArray::number(k * (i % 7)) + " " +
+              QByteArray::number(k % 2 * 1.5) + lineEnd;
+    text += "vn 0 0 1" + lineEnd + "f " + corner(1) + "//1 " + corner(2) + " " + corner(3) + lineEnd;
+    if (i % 5 == 0) text += "f " + corner(1) + " " + corner(2) + " " + corner(3) + " " + corner(4) + lineEnd;
+    if (i % 11 == 0) text += "p 1 2" + lineEnd + "l 1 2" + lineEnd + "f 1 2" + lineEnd;
+  }
+  return text + "v 0 0 9" + lineEnd;
+}
+
 }  // namespace
 
 class TestImport : public QObject {
@@ -205,6 +221,51 @@ class TestImport : public QObject {
     QVERIFY2(message.startsWith(place), qPrintable(message));
     QVERIFY2(message.contains(expected), qPrintable(message));
     QVERIFY2(message.contains("; ") && !message.contains('\n'), qPrintable(message));
+  }
+
+  // Long files are read in stretches by all threads; a corner that counts from the end makes one thread read all.
+  void longFilesAreReadAlike_data() {
+    QTest::addColumn<QByteArray>("lineEnd");
+    QTest::newRow("LF") << QByteArray("\n");
+    QTest::newRow("CR LF") << QByteArray("\r\n");
+    QTest::newRow("CR") << QByteArray("\r");
+  }
+  void longFilesAreReadAlike() {
+    QFETCH(QByteArray, lineEnd);
+    const QByteArray text = longText(lineEnd);
+    const auto alone = importObjText(text + "f -3 -2 -1" + lineEnd), together = importObjText(text);
+    QVERIFY(together->vertices == alone->vertices);
+    auto triangles = alone->triangles;
+    triangles.pop_back();
+    QVERIFY(together->triangles == triangles);
+    QCOMPARE(together->skipped.points, alone->skipped.points);
+    QCOMPARE(together->skipped.lines, alone->skipped.lines);
+    QCOMPARE(together->skipped.polygons, alone->skipped.polygons);
+  }
+
+  void continuedLinesMayCrossStretches() {
+    QByteArray text = kTriangle;
+    for (int i = 0; i < 40000; ++i) text += "f 1 \\\n2 3\n";
+    QCOMPARE(importObjText(text)->triangles.size(), std::size_t{40000});
+  }
+
+  void errorsInLongFilesTellTheirLine_data() {
+    QTest::addColumn<QByteArray>("wrong");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("not a number") << QByteArray("v 1 2 x") << "'x' is not a number";
+    QTest::newRow("index") << QByteArray("f 1 2 99999999") << "out of range";
+    QTest::newRow("relative index") << QByteArray("f -1 -2 -99999999") << "out of range";
+  }
+  void errorsInLongFilesTellTheirLine() {
+    QFETCH(QByteArray, wrong);
+    QFETCH(QString, expected);
+    const QByteArray text = longText("\n");
+    const TemporaryFolder folder;
+    const std::string path = folder.write("bad.obj", text + wrong + "\n" + longText("\n"));
+    const QString message = messageOf<InputError>([&] { importEnvironment(path); });
+    const QString place = QString::fromStdString(path) + ":" + QString::number(text.count('\n') + 1) + ": ";
+    QVERIFY2(message.startsWith(place), qPrintable(message));
+    QVERIFY2(message.contains(expected), qPrintable(message));
   }
 
   void badPaths() {
