@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/cells_command.hpp"
+#include "app/compare_command.hpp"
 #include "app/run_command.hpp"
 #include "core/environment/import.hpp"
 #include "core/environment/info.hpp"
@@ -63,6 +64,38 @@ void printFilters(const std::string& name, bool markdown) {
 void printInfo(const EnvironmentArguments& arguments) {
   const auto environment = importEnvironment(arguments.path, arguments.importOptions());
   std::cout << formatInfo(*environment, inspectEnvironment(*environment));
+}
+
+void addCompareArguments(CLI::App& command, CompareArguments& arguments) {
+  command
+      .add_option("A", arguments.files[0], "The ground truth: an OBJ file that `footfall run -o` wrote, or any other")
+      ->required();
+  command.add_option("B", arguments.files[1], "The OBJ file to hold against it")->required();
+  command
+      .add_option("--height", arguments.options.height,
+                  "How far apart in height two surfaces still cover each other, in the files' units; nearly nothing "
+                  "by default")
+      ->type_name("H");
+  command
+      .add_option("--error", arguments.options.error,
+                  "How exactly to bound the Hausdorff distances, in the files' units; a thousandth of the diagonal "
+                  "by default")
+      ->type_name("E");
+  command.add_option("--up", arguments.up, "The up axis of both files, y or z; what they state, else y, when left out")
+      ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case))
+      ->type_name("y|z");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  command.add_flag("--fail-if-different", arguments.failIfDifferent,
+                   "Exit with 1 unless both are the same set of points, exactly");
+  command
+      .add_option("--fail-above", arguments.failAbove,
+                  "Exit with 1 when more than this area of one, in the plan, is not covered by the other")
+      ->type_name("AREA");
+  command
+      .add_option("--threads", arguments.threads, "Threads to use at most; as many as there are processors by default")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command.add_flag("--quiet", arguments.quiet, "No progress bar");
 }
 
 void checkOutput() {
@@ -129,6 +162,10 @@ void runCommandLine(int argc, const char* const* argv) {
       ->type_name("CELLS.obj");
   cellsCommand->add_flag("--json", cells.json, "The report as JSON");
 
+  CompareArguments compare;
+  CLI::App* compareCommand = app.add_subcommand("compare", "Tell how two navigation meshes differ");
+  addCompareArguments(*compareCommand, compare);
+
   std::string filterName;
   bool markdown = false;
   CLI::App* filtersCommand = app.add_subcommand("filters", "List the filters, or tell all about one");
@@ -146,6 +183,13 @@ void runCommandLine(int argc, const char* const* argv) {
     return;
   }
 
+  if (compareCommand->parsed()) {
+    const CompareOutcome outcome = compareFiles(compare);
+    std::cout << outcome.report;
+    checkOutput();
+    if (!outcome.difference.empty()) throw RunError(outcome.difference);
+    return;
+  }
   if (runCommand->parsed()) {
     run.environment = environment.path;
     run.importOptions = environment.importOptions();

@@ -9,6 +9,7 @@
 #include <limits>
 #include <locale>
 #include <memory>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string_view>
@@ -43,14 +44,15 @@ class ObjParser {
   enum class Extent { Whole, Stretch };
 
   ObjParser(const std::string& path, std::string_view text, Extent extent, Environment& environment,
-            RunContext* context)
+            RunContext* context, ObjGroups* groups = nullptr)
       : path_(path),
         begin_(text.data()),
         cursor_(text.data()),
         end_(text.data() + text.size()),
         isStretch_(extent == Extent::Stretch),
         environment_(environment),
-        context_(context) {}
+        context_(context),
+        groups_(groups) {}
 
   /// The whole text.
   void parse() {
@@ -81,6 +83,8 @@ class ObjParser {
     triangles.clear();
     triangles.reserve(faces.size() + corners_.size() - 2 * polygons_.size());
     std::size_t copied = 0, sincePoll = 0;
+    std::vector<std::size_t> added = {0};
+    added.reserve(polygons_.size() + 1);
     const auto copyUpTo = [&](std::size_t stop) {
       triangles.insert(triangles.end(), faces.begin() + static_cast<std::ptrdiff_t>(copied),
                        faces.begin() + static_cast<std::ptrdiff_t>(stop));
@@ -91,8 +95,10 @@ class ObjParser {
       copyUpTo(polygon.trianglesBefore);
       const std::span<const std::uint32_t> corners(corners_.data() + polygon.firstCorner, polygon.cornerCount);
       if (!triangulatePolygon(corners, vertices, triangles)) ++environment_.skipped.polygons;
+      added.push_back(triangles.size() - copied);
     }
     copyUpTo(faces.size());
+    moveGroups(added);
   }
 
  private:
@@ -299,6 +305,8 @@ class ObjParser {
       return;
     }
     if (keyword == "l") ++environment_.skipped.lines;
+    if (groups_ != nullptr && keyword == "l") line();
+    if (groups_ != nullptr && keyword == "g") group();
     if (keyword == "p") {
       for (skipBlanks(); !atEndOfValues(); skipBlanks()) {
         ++environment_.skipped.points;
@@ -310,6 +318,31 @@ class ObjParser {
     skipStatement();
   }
 
+  void line() {
+    std::optional<std::uint32_t> last;
+    for (skipBlanks(); !atEndOfValues(); skipBlanks()) {
+      const std::uint32_t corner = cornerIndex();
+      if (last) groups_->segments.push_back({*last, corner});
+      last = corner;
+    }
+  }
+
+  void group() {
+    skipBlanks();
+    const char* stop = cursor_;
+    while (*stop != '\n' && *stop != '\0' && *stop != '#') ++stop;
+    while (stop > cursor_ && isBlank(stop[-1])) --stop;
+    groups_->groups.push_back({std::string(cursor_, stop), environment_.triangles.size(), groups_->segments.size()});
+    polygonsBefore_.push_back(polygons_.size());
+  }
+
+  /// The groups counted triangular faces only: `added[i]` triangles came of the first i polygons.
+  void moveGroups(const std::vector<std::size_t>& added) {
+    if (groups_ == nullptr) return;
+    for (std::size_t i = 0; i < groups_->groups.size(); ++i)
+      groups_->groups[i].firstTriangle += added[polygonsBefore_[i]];
+  }
+
   const std::string& path_;
   const char* begin_;
   const char* cursor_;
@@ -317,6 +350,8 @@ class ObjParser {
   bool isStretch_;
   Environment& environment_;
   RunContext* context_;
+  ObjGroups* groups_;
+  std::vector<std::size_t> polygonsBefore_;  ///< for each group
   std::size_t line_ = 1;
   std::vector<std::uint32_t> corners_;  ///< corners of all pending polygons, then of the face being read
   std::size_t faceStart_ = 0;
@@ -407,14 +442,15 @@ bool readInStretches(const std::string& path, std::string_view text, Environment
 
 }  // namespace
 
-void readObj(const std::string& path, std::string text, Environment& environment, RunContext* context) {
+void readObj(const std::string& path, std::string text, Environment& environment, RunContext* context,
+             ObjGroups* groups) {
   rejectBinary(path, text);
   // Files of old Macintosh programs end their lines with a lone carriage return.
   if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
   std::string_view statements(text);
   if (statements.substr(0, 3) == "\xEF\xBB\xBF") statements.remove_prefix(3);
-  if (readInStretches(path, statements, environment, context)) return;
-  ObjParser(path, statements, ObjParser::Extent::Whole, environment, context).parse();
+  if (groups == nullptr && readInStretches(path, statements, environment, context)) return;
+  ObjParser(path, statements, ObjParser::Extent::Whole, environment, context, groups).parse();
 }
 
 }  // namespace footfall

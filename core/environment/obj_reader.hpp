@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/environment/environment.hpp"
 #include "core/pipeline/run_context.hpp"
@@ -19,6 +23,22 @@ namespace footfall {
 ///
 /// Throws InputError "PATH:LINE: what; what to do" for a number that is none or not finite, a missing coordinate, an
 /// index that is zero or out of range, and text that is not OBJ; Cancelled when `context` (may be null) was cancelled.
-void readObj(const std::string& path, std::string text, Environment& environment, RunContext* context);
+///
+/// `groups` (may be null) receives the groups and the line elements.
+struct ObjGroups;
+void readObj(const std::string& path, std::string text, Environment& environment, RunContext* context,
+             ObjGroups* groups = nullptr);
+
+/// The groups of an OBJ file (`g`), in its order, with what lies in them.
+struct ObjGroups {
+  struct Group {
+    std::string name;           ///< the words after `g`, as they stand; empty before the first `g`
+    std::size_t firstTriangle;  ///< of Environment::triangles; the last is before the next group's first
+    std::size_t firstSegment;   ///< the same for `segments`
+  };
+  std::vector<Group> groups;
+  /// The pieces of all `l` elements, as vertex indices.
+  std::vector<std::array<std::uint32_t, 2>> segments;
+};
 
 }  // namespace footfall

@@ -1,0 +1,35 @@
+// How far two surfaces are from each other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/metrics/comparison_surface.hpp"
+
+namespace footfall::comparison {
+
+/// Distances from one surface to another one: Euclidean, not squared (thesis 5.5 writes squares, and its tables have
+/// distances).
+struct Distances {
+  std::size_t samples = 0;  ///< one at each position that is a corner of a triangle
+  double min = 0, max = 0, mean = 0, rms = 0;
+  Vec3 farthest;  ///< a sample whose distance is `max`
+  /// The one-sided Hausdorff distance, over all points of the surface, lies between these two.
+  double lower = 0, upper = 0;
+  bool boundReached = true;  ///< upper - lower is not above what was asked for
+};
+
+/// From A to B and from B to A. `covered` are triangles known to lie in the other surface. Samples that lie exactly on
+/// the other surface have distance 0; others are computed in doubles. Bounds come from subdividing: the distance to
+/// one triangle is convex, so over a piece it is largest at a corner. Pieces are halved until no one can be farther
+/// than `error` beyond the farthest point found, or there have been too many.
+///
+/// Both surfaces must have triangles. The same input gives the same bits, with any number of threads.
+std::array<Distances, 2> measureDistances(const ComparedSurfaces& surfaces,
+                                          const std::array<std::vector<char>, 2>& covered, double error,
+                                          RunContext& context);
+
+}  // namespace footfall::comparison

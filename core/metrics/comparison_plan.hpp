@@ -1,0 +1,21 @@
+// What of a surface another one covers when heights may differ a little.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/metrics/comparison_sets.hpp"
+
+namespace footfall::comparison {
+
+/// For each triangle of A and of B, the area of that part of it from which straight up or down, within `height`, there
+/// is no point of the other surface. `height` must have been given to makeSurfaces(). Triangles are looked at one by
+/// one, so storeys do not disturb each other. What `difference` knows to be covered is; vertical triangles besides
+/// neither cover anything nor are covered.
+///
+/// Corners that arise where the height is reached are rounded to 2^-100 of the extent; everything else is exact.
+std::array<std::vector<Areas>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
+                                                double height, RunContext& context);
+
+}  // namespace footfall::comparison
