@@ -24,6 +24,11 @@ using NearestTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 constexpr std::size_t kRange = 256;
 constexpr std::size_t kMostQueries = std::size_t{1} << 21;
 
+// Of coordinates that are about 1 at most. Corners of pieces and distances are rounded a few times each, and halving
+// ends long before 60 levels.
+constexpr double kSlack = 256 * std::numeric_limits<double>::epsilon();
+constexpr double kNear = 0x1p-24;  // closer than this, exact numbers tell whether a sample lies on the surface
+
 Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Vec3 operator*(double f, const Vec3& a) { return {f * a.x, f * a.y, f * a.z}; }
@@ -59,15 +64,33 @@ struct Nearest {
   std::uint32_t triangle = 0;
 };
 
+/// The places of all positions, multiplied by a power of two that brings the largest coordinate to about 1, so that no
+/// product of them overflows or loses digits.
+struct ScaledPlaces {
+  std::vector<Vec3> places;
+  int exponent = 0;
+
+  explicit ScaledPlaces(const Positions& positions) {
+    double largest = 0;
+    for (const Vec3& p : positions.places)
+      largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    std::frexp(largest, &exponent);
+    places.reserve(positions.size());
+    for (const Vec3& p : positions.places) places.push_back({in(p.x), in(p.y), in(p.z)});
+  }
+  [[nodiscard]] double in(double x) const { return std::ldexp(x, -exponent); }
+  [[nodiscard]] double out(double x) const { return std::ldexp(x, exponent); }
+};
+
 /// The surface that distances are measured to.
 class Target {
  public:
-  Target(const ComparedSurfaces& surfaces, const Surface& target, RunContext& context)
-      : positions_(surfaces.positions), surface_(target), isCorner_(positions_.size(), false) {
+  Target(const ComparedSurfaces& surfaces, const ScaledPlaces& scaled, const Surface& target, RunContext& context)
+      : positions_(surfaces.positions), scaled_(scaled), surface_(target), isCorner_(positions_.size(), false) {
     std::vector<Box> boxes;
     std::vector<std::int32_t> ids;
     for (const Triangle& t : target.triangles) {
-      const Corners corners = {positions_.places[t[0]], positions_.places[t[1]], positions_.places[t[2]]};
+      const Corners corners = {scaled_.places[t[0]], scaled_.places[t[1]], scaled_.places[t[2]]};
       triangles_.push_back(corners);
       const auto point = [&](std::size_t k) { return Kernel::Point_3(corners[k].x, corners[k].y, corners[k].z); };
       kernelTriangles_.emplace_back(point(0), point(1), point(2));
@@ -96,14 +119,14 @@ class Target {
 
   /// The same for a position of either mesh; 0 exactly where it lies on the surface.
   [[nodiscard]] Nearest nearest(std::uint32_t position, double near, std::vector<std::int32_t>& stack) const {
-    Nearest result = nearest(positions_.places[position]);
+    Nearest result = nearest(scaled_.places[position]);
     if (isCorner_[position] || (result.distance <= near && isOn(position, stack))) result.distance = 0;
     return result;
   }
 
  private:
   [[nodiscard]] bool isOn(std::uint32_t position, std::vector<std::int32_t>& stack) const {
-    const Vec3& p = positions_.places[position];
+    const Vec3& p = scaled_.places[position];
     bool found = false;
     boxTree_.visitOverlapping({{p.x, p.y, p.z}, {p.x, p.y, p.z}}, stack, [&](std::int32_t i) {
       found = isOn(position, surface_.triangles[static_cast<std::size_t>(i)]);
@@ -126,6 +149,7 @@ class Target {
   }
 
   const Positions& positions_;
+  const ScaledPlaces& scaled_;
   const Surface& surface_;
   std::vector<bool> isCorner_;
   std::vector<Corners> triangles_;
@@ -143,21 +167,20 @@ struct Piece {
 
 class OneSided {
  public:
-  OneSided(const ComparedSurfaces& surfaces, std::size_t from, double error, RunContext& context)
+  OneSided(const ComparedSurfaces& surfaces, const ScaledPlaces& scaled, std::size_t from, double error,
+           RunContext& context)
       : positions_(surfaces.positions),
+        scaled_(scaled),
         surface_(surfaces.surfaces[from]),
-        target_(surfaces, surfaces.surfaces[1 - from], context),
-        error_(error),
-        context_(context) {
-    for (const Vec3& p : positions_.places)
-      largest_ = std::max({largest_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    // Corners of pieces and distances are rounded a few times each, at most 40 levels deep.
-    slack_ = 128 * std::numeric_limits<double>::epsilon() * largest_;
-  }
+        target_(surfaces, scaled, surfaces.surfaces[1 - from], context),
+        error_(scaled.in(error)),
+        context_(context) {}
 
-  Distances measure(const std::vector<char>& covered) {
+  Distances measure(const std::vector<double>& known) {
     sample();
-    bound(covered);
+    bound(known);
+    for (double* d : {&result_.min, &result_.max, &result_.mean, &result_.rms, &result_.lower, &result_.upper})
+      *d = scaled_.out(*d);
     return result_;
   }
 
@@ -165,11 +188,10 @@ class OneSided {
   void sample() {
     const std::vector<std::uint32_t>& samples = surface_.positions;
     nearest_.resize(positions_.size());
-    const double near = largest_ * 0x1p-24;
     forRanges(samples.size(), kRange, [&](std::size_t first, std::size_t last) {
       context_.checkCancelled();
       std::vector<std::int32_t> stack;
-      for (std::size_t i = first; i < last; ++i) nearest_[samples[i]] = target_.nearest(samples[i], near, stack);
+      for (std::size_t i = first; i < last; ++i) nearest_[samples[i]] = target_.nearest(samples[i], kNear, stack);
     });
     result_.samples = samples.size();
     result_.min = std::numeric_limits<double>::infinity();
@@ -224,29 +246,30 @@ class OneSided {
     return result;
   }
 
-  [[nodiscard]] std::vector<Piece> wholeTriangles(const std::vector<char>& covered) const {
+  [[nodiscard]] std::vector<Piece> wholeTriangles(const std::vector<double>& known) const {
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
-      if (covered[i] != 0) continue;
+      if (known[i] == 0) continue;
       Piece piece{};
+      piece.upper = scaled_.in(known[i]);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = surface_.triangles[i][k];
-        piece.corners[k] = positions_.places[v];
+        piece.corners[k] = scaled_.places[v];
         piece.nearest[k] = nearest_[v];
       }
       pieces.push_back(piece);
     }
     forRanges(pieces.size(), kRange, [&](std::size_t first, std::size_t last) {
       context_.checkCancelled();
-      for (std::size_t i = first; i < last; ++i) pieces[i].upper = upperBound(pieces[i]);
+      for (std::size_t i = first; i < last; ++i) pieces[i].upper = std::min(pieces[i].upper, upperBound(pieces[i]));
     });
     return pieces;
   }
 
   // Level by level, so that nothing depends on which thread is first.
-  void bound(const std::vector<char>& covered) {
-    double lower = std::max(0.0, result_.max - slack_), settled = result_.max;
-    std::vector<Piece> pieces = wholeTriangles(covered);
+  void bound(const std::vector<double>& known) {
+    double lower = std::max(0.0, result_.max - kSlack), settled = result_.max;
+    std::vector<Piece> pieces = wholeTriangles(known);
     if (pieces.empty()) return;  // nothing was rounded: both bounds are 0
     for (std::size_t queries = 0;;) {
       std::erase_if(pieces, [&](const Piece& piece) {
@@ -266,22 +289,21 @@ class OneSided {
           next[2 * i + 1] = both[1];
         }
       });
-      for (const double d : distances) lower = std::max(lower, d - slack_);
+      for (const double d : distances) lower = std::max(lower, d - kSlack);
       pieces = std::move(next);
     }
     result_.boundReached = pieces.empty();
     for (const Piece& piece : pieces) settled = std::max(settled, piece.upper);
     result_.lower = lower;
-    result_.upper = std::max(lower, settled) + slack_;
+    result_.upper = std::max(lower, settled) + kSlack;
   }
 
   const Positions& positions_;
+  const ScaledPlaces& scaled_;
   const Surface& surface_;
   const Target target_;
   double error_;
   RunContext& context_;
-  double largest_ = 0;
-  double slack_ = 0;
   std::vector<Nearest> nearest_;  ///< of the positions in use
   Distances result_;
 };
@@ -289,11 +311,12 @@ class OneSided {
 }  // namespace
 
 std::array<Distances, 2> measureDistances(const ComparedSurfaces& surfaces,
-                                          const std::array<std::vector<char>, 2>& covered, double error,
+                                          const std::array<std::vector<double>, 2>& known, double error,
                                           RunContext& context) {
+  const ScaledPlaces scaled(surfaces.positions);
   std::array<Distances, 2> result;
   for (std::size_t from = 0; from < 2; ++from)
-    result[from] = OneSided(surfaces, from, error, context).measure(covered[from]);
+    result[from] = OneSided(surfaces, scaled, from, error, context).measure(known[from]);
   return result;
 }
 

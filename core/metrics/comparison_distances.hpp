@@ -22,14 +22,15 @@ struct Distances {
   bool boundReached = true;  ///< upper - lower is not above what was asked for
 };
 
-/// From A to B and from B to A. `covered` are triangles known to lie in the other surface. Samples that lie exactly on
-/// the other surface have distance 0; others are computed in doubles. Bounds come from subdividing: the distance to
-/// one triangle is convex, so over a piece it is largest at a corner. Pieces are halved until no one can be farther
-/// than `error` beyond the farthest point found, or there have been too many.
+/// From A to B and from B to A. `known[i]` is a bound that no point of triangle i exceeds, infinite where none is
+/// known, and 0 where the triangle lies in the other surface, exactly. Samples that lie exactly on the other surface
+/// have distance 0; others are computed in doubles. Further bounds come from subdividing: the distance to one triangle
+/// is convex, so over a piece it is largest at a corner. Pieces are halved until none can be farther than `error`
+/// beyond the farthest point found, or there have been too many.
 ///
 /// Both surfaces must have triangles. The same input gives the same bits, with any number of threads.
 std::array<Distances, 2> measureDistances(const ComparedSurfaces& surfaces,
-                                          const std::array<std::vector<char>, 2>& covered, double error,
+                                          const std::array<std::vector<double>, 2>& known, double error,
                                           RunContext& context);
 
 }  // namespace footfall::comparison

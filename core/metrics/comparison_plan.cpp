@@ -12,7 +12,7 @@
 namespace footfall::comparison {
 namespace {
 
-constexpr int kWidth = 100;  // bits that coordinates of constructed points have at least
+constexpr int kWidth = 192;  // bits that coordinates of constructed points have at least
 
 class CoveredPart {
  public:

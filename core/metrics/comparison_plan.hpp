@@ -14,7 +14,7 @@ namespace footfall::comparison {
 /// one, so storeys do not disturb each other. What `difference` knows to be covered is; vertical triangles besides
 /// neither cover anything nor are covered.
 ///
-/// Corners that arise where the height is reached are rounded to 2^-100 of the extent; everything else is exact.
+/// Corners that arise where the height is reached are rounded to 2^-192 of the extent; everything else is exact.
 std::array<std::vector<Areas>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
                                                 double height, RunContext& context);
 

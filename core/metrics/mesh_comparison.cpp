@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/filters/disjoint_sets.hpp"
 #include "core/metrics/comparison_plan.hpp"
@@ -142,6 +143,32 @@ double powerOfTwo(double x) {
   return x > 0 ? std::ldexp(1.0, exponent - 1) : 0;
 }
 
+/// A bound of the distance from each triangle to the other surface. A triangle shrunk by a factor f towards one of its
+/// points lies inside it, within f diameters of that point. When the part that is not covered is smaller than the
+/// shrunk triangle, so is a covered point within that distance, and the other surface within the height of it.
+std::vector<double> knownDistances(const ComparedSurfaces& surfaces, std::size_t set,
+                                   const comparison::SetDifference& sets, const std::vector<Areas>& uncovered,
+                                   double height) {
+  constexpr double kRounding = 1 + 0x1p-20;  // far more than the few operations below need
+  const auto& places = surfaces.positions.places;
+  std::vector<double> known(uncovered.size(), 0);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (sets.covered[set][i] != 0) continue;
+    double diameter = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = places[surfaces.surfaces[set].triangles[i][k]],
+                 &b = places[surfaces.surfaces[set].triangles[i][(k + 1) % 3]];
+      diameter = std::max(diameter, std::hypot(b.x - a.x, b.y - a.y, b.z - a.z));
+    }
+    // The second summand is for corners that were rounded to 2^-192 of the extent, even where the triangle is so thin
+    // that its height is 2^-90 of that.
+    const double share = uncovered[i].surface / sets.triangleAreas[set][i].surface + 0x1p-100;
+    known[i] = share < 1 && sets.triangleAreas[set][i].plan > 0 ? kRounding * (height + diameter * std::sqrt(share))
+                                                                : std::numeric_limits<double>::infinity();
+  }
+  return known;
+}
+
 }  // namespace
 
 double MeshComparison::covered() const {
@@ -173,14 +200,16 @@ MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, c
   context.endStep();
   context.beginStep(2, "plan");
   const auto uncovered = comparison::findUncovered(surfaces, result.sets, result.height, context);
+  std::array<std::vector<double>, 2> known;
   for (const std::size_t set : {0, 1}) {
+    known[set] = knownDistances(surfaces, set, result.sets, uncovered[set], result.height);
     result.meshes[set] =
         describe(set == 0 ? a : b, surfaces.surfaces[set], result.sets.triangleAreas[set], uncovered[set], context);
   }
   context.endStep();
   context.beginStep(3, "distances");
   if (!surfaces.surfaces[0].triangles.empty() && !surfaces.surfaces[1].triangles.empty())
-    result.distances = comparison::measureDistances(surfaces, result.sets.covered, result.error, context);
+    result.distances = comparison::measureDistances(surfaces, known, result.error, context);
   context.endStep();
   return result;
 }
