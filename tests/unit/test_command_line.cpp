@@ -140,7 +140,7 @@ void TestCommandLine::version() {
 void TestCommandLine::help() {
   const Outcome outcome = footfall({"--help"});
   QCOMPARE(outcome.exitCode, 0);
-  for (const char* word : {"run", "info", "filters", "--version"}) QVERIFY(outcome.out.contains(word));
+  for (const char* word : {"run", "compare", "info", "filters", "--version"}) QVERIFY(outcome.out.contains(word));
   const Outcome run = footfall({"run", "--help"});
   QCOMPARE(run.exitCode, 0);
   for (const char* word :
