@@ -141,7 +141,10 @@ class Arrangement {
       if (i % kRange == 0) poll_();
       lines[i] = lineOf(all[i], static_cast<std::uint32_t>(i));
     }
-    std::sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.numbers < b.numbers; });
+    std::sort(lines.begin(), lines.end(), [this, count = 0U](const Line& a, const Line& b) mutable {
+      if (++count % 4096 == 0) poll_();
+      return a.numbers < b.numbers;
+    });
     for (std::size_t i = 0, next = 0; i < lines.size(); i = next) {
       for (next = i + 1; next < lines.size() && lines[next].numbers == lines[i].numbers;) ++next;
       if (next - i == 1) {

@@ -110,7 +110,8 @@ class SetSubtraction {
 
   void groupPlanes() {
     context_.checkCancelled();
-    tbb::parallel_sort(planes_.begin(), planes_.end(), [](const Plane& a, const Plane& b) {
+    tbb::parallel_sort(planes_.begin(), planes_.end(), [this](const Plane& a, const Plane& b) {
+      context_.checkCancelled();
       if (!samePlane(a, b)) return a.numbers < b.numbers;
       return a.set != b.set ? a.set < b.set : a.triangle < b.triangle;
     });

@@ -203,6 +203,7 @@ class TestCompare : public QObject {
   void cancelled();
   void ownProducts_data();
   void ownProducts();
+  void approximateSimplification();
 };
 
 void TestCompare::equalWhateverTheTriangulation() {
@@ -427,17 +428,15 @@ void TestCompare::hausdorffBoundsHold() {
         for (int j = 0; i + j <= kNet; ++j)
           visit(mix(mix(t[0], t[1], i == kNet ? 0 : double(j) / (kNet - i)), t[2], double(i) / kNet));
     };
-    const auto proper = [](const Corners& t) {
-      return !reference::planTriangle(pointsOf(t)).empty() ||
-             meshOf(Soup().triangle(t[0], t[1], t[2])).triangles.size();
+    const auto hasArea = [](const Corners& t) {
+      return compare(Soup().triangle(t[0], t[1], t[2]), Soup()).sets.hasArea[0];
     };
     std::vector<Vec3> net;
     for (const Corners& t : b.triangles())
-      if (compare(Soup().triangle(t[0], t[1], t[2]), Soup()).meshes[0].whole.degenerate == 0 && proper(t))
-        forNet(t, [&](const Vec3& p) { net.push_back(p); });
+      if (hasArea(t)) forNet(t, [&](const Vec3& p) { net.push_back(p); });
     double farthest = 0;
     for (const Corners& t : a.triangles()) {
-      if (compare(Soup().triangle(t[0], t[1], t[2]), Soup()).meshes[0].whole.degenerate != 0) continue;
+      if (!hasArea(t)) continue;
       int number = 0;
       forNet(t, [&](const Vec3& p) {
         if (number++ % 7 != 0) return;
@@ -566,6 +565,26 @@ void TestCompare::ownProducts() {
   }
   QVERIFY(isNear(*c.areaRatio(), 1, 1e-11));
   QVERIFY(c.covered() > 1 - 1e-12);
+}
+
+// The thesis's case (5.5): what it did to coordinates, seen from the exact result.
+void TestCompare::approximateSimplification() {
+  const auto environment = importEnvironment(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj");
+  const StatePtr walkable = runFilters(environment, minimalPipeline(2));
+  const double tolerance = 0.001;
+  const auto c =
+      compare(navigationMesh(walkable), navigationMesh(runFilters(walkable, "SimplificationFilter true 0.001")));
+  Vec3 low = environment->vertices[0], high = low;
+  for (const Vec3& v : environment->vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
+  const double diagonal = std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  QVERIFY(!c.equal() && c.covered() < 1 && c.covered() > 0.5);
+  const auto& d = c.distances->at(0);
+  QVERIFY(d.max > 0 && d.max <= 1.000001 * tolerance * diagonal);  // what the filter promises
+  QVERIFY(d.min == 0 && d.mean <= d.rms && d.rms <= d.max && d.max <= d.upper);
+  QVERIFY(isNear(*c.areaRatio(), 1, 0.01));
 }
 
 QTEST_GUILESS_MAIN(TestCompare)
