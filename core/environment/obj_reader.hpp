@@ -13,6 +13,18 @@
 
 namespace footfall {
 
+/// The groups of an OBJ file (`g`), in its order, with what lies in them.
+struct ObjGroups {
+  struct Group {
+    std::string name;           ///< the words after `g`, as they stand; empty before the first `g`
+    std::size_t firstTriangle;  ///< of Environment::triangles; the last is before the next group's first
+    std::size_t firstSegment;   ///< the same for `segments`
+  };
+  std::vector<Group> groups;
+  /// The pieces of all `l` elements, as vertex indices.
+  std::vector<std::array<std::uint32_t, 2>> segments;
+};
+
 /// Fills `vertices`, `triangles` and `skipped` from OBJ text, in the file's own frame (no axis is turned).
 ///
 /// Every coordinate is the double nearest to its decimal text. Understood: `v x y z` (a weight or a colour after it is
@@ -25,20 +37,7 @@ namespace footfall {
 /// index that is zero or out of range, and text that is not OBJ; Cancelled when `context` (may be null) was cancelled.
 ///
 /// `groups` (may be null) receives the groups and the line elements.
-struct ObjGroups;
 void readObj(const std::string& path, std::string text, Environment& environment, RunContext* context,
              ObjGroups* groups = nullptr);
-
-/// The groups of an OBJ file (`g`), in its order, with what lies in them.
-struct ObjGroups {
-  struct Group {
-    std::string name;           ///< the words after `g`, as they stand; empty before the first `g`
-    std::size_t firstTriangle;  ///< of Environment::triangles; the last is before the next group's first
-    std::size_t firstSegment;   ///< the same for `segments`
-  };
-  std::vector<Group> groups;
-  /// The pieces of all `l` elements, as vertex indices.
-  std::vector<std::array<std::uint32_t, 2>> segments;
-};
 
 }  // namespace footfall
