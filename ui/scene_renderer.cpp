@@ -37,11 +37,13 @@ QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(
 QString SceneRenderer::initialize() {
   initializeOpenGLFunctions();
   for (const auto& [program, name] : {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
-                                      std::pair{&backgroundProgram_, "background"}}) {
+                                      std::pair{&backgroundProgram_, "background"},
+                                      std::pair{&cells_.program(), "cell"}}) {
     const QString problem = buildProgram(*program, QString::fromLatin1(name));
     if (!problem.isEmpty()) return problem;
   }
   emptyArray_.create();
+  cells_.initialize();
   environmentPending_ = environment_ != nullptr;
   contentPending_ = true;
   return {};
@@ -53,6 +55,8 @@ void SceneRenderer::release() {
   removed_.clear();
   walkable_.clear();
   changes_.clear();
+  cellBorders_.reset();
+  cells_.release();
   still_.reset();
   picture_.reset();
   emptyArray_.destroy();
@@ -69,6 +73,13 @@ void SceneRenderer::setEnvironment(std::shared_ptr<const EnvironmentGeometry> ge
 void SceneRenderer::setContent(ViewContent content) {
   content_ = std::move(content);
   contentPending_ = true;
+}
+
+void SceneRenderer::setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours) {
+  cells_.setGeometry(std::move(geometry));
+  cells_.setColours(std::move(colours));
+  marked_ = {};
+  bordersPending_ = true;
 }
 
 SceneRenderer::BatchPtr SceneRenderer::makeSurface(const std::vector<SurfaceVertex>& vertices) {
@@ -129,6 +140,10 @@ void SceneRenderer::uploadPending() {
     environmentPending_ = false;
     environmentSurface_ = environment_ ? makeSurface(environment_->surface) : nullptr;
     environmentCreases_ = environment_ ? makeLines(environment_->creases) : nullptr;
+  }
+  if (bordersPending_) {
+    bordersPending_ = false;
+    cellBorders_ = cells_.geometry() ? makeLines(cells_.geometry()->borders) : nullptr;
   }
   if (!contentPending_) return;
   contentPending_ = false;
@@ -194,7 +209,11 @@ void SceneRenderer::drawStill(const StillKey& key) {
 }
 
 SceneRenderer::ContentKey SceneRenderer::contentKey(const StillKey& still, const SceneParts& parts) const {
-  ContentKey key{still, parts, {}};
+  ContentKey key{still, parts, {}, {}, 0};
+  if (parts.cells) {
+    key.cells = cells_.geometry();
+    key.cellColours = cells_.version();
+  }
   for (const auto* batches : {&removed_, &walkable_}) {
     for (const MeshBatches& mesh : *batches) key.surfaces.push_back(mesh.geometry);
     key.surfaces.push_back(nullptr);  // where one list ends
@@ -273,6 +292,7 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
 void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
   glEnable(GL_CLIP_DISTANCE0);
   drawSurfaces(camera, parts);
+  if (parts.cells) drawCells(camera);
   drawAllLines(camera, parts);
   glDisable(GL_CLIP_DISTANCE0);
 }
@@ -286,6 +306,33 @@ void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& par
   for (const MeshBatches& mesh : changes_) drawSurface(mesh.surface, offset -= 1);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_CLIP_DISTANCE0);
+}
+
+// Over the surfaces and under their lines: what is walkable can still be told by its outline.
+void SceneRenderer::drawCells(const SceneCamera& camera) {
+  cells_.draw({camera.modelViewProjection, camera.cut, camera.devicePixelRatio});
+  beginLines(camera);
+  drawLines(cellBorders_, cellBorderColour(), 2.2F * camera.devicePixelRatio, 1.2e-4F);
+  endLines();
+}
+
+// Through everything, so that a cell behind a wall is found as well.
+void SceneRenderer::drawMarkedCells(const SceneCamera& camera, const SceneParts& parts) {
+  if (!parts.cells || !cells_.geometry()) return;
+  for (const auto& [cell, colour] :
+       {std::pair{marked_.selected, selectedCellColour()}, std::pair{marked_.hovered, hoveredCellColour()}}) {
+    if (!cell || *cell >= cells_.geometry()->boxes.size()) continue;
+    glEnable(GL_CLIP_DISTANCE0);
+    cells_.drawCell({camera.modelViewProjection, camera.cut, camera.devicePixelRatio}, *cell, colour, 0.35F);
+    glDisable(GL_CLIP_DISTANCE0);
+    const BatchPtr edges = makeLines(edgesOf(cells_.geometry()->boxes[*cell]));
+    glDisable(GL_DEPTH_TEST);
+    beginLines(camera);
+    drawLines(edges, outlineColour(), 4.4F * camera.devicePixelRatio, 0);
+    drawLines(edges, colour, 2.4F * camera.devicePixelRatio, 0);
+    endLines();
+    glEnable(GL_DEPTH_TEST);
+  }
 }
 
 void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& parts) {
@@ -341,6 +388,7 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, boo
     drawContent(camera, parts);
   }
   drawChanges(camera, parts);
+  drawMarkedCells(camera, parts);
 }
 
 }  // namespace footfall
