@@ -97,7 +97,9 @@ void BusyPlot::mouseMoveEvent(QMouseEvent* event) {
   const int thread = static_cast<int>(std::lround(yAxis->pixelToCoord(event->position().y())));
   QString text;
   if (thread >= 0 && thread < static_cast<int>(figures_.busyMs.size()))
-    text = tr("Thread %1 was busy for %2").arg(thread).arg(durationText(figures_.busyMs[static_cast<std::size_t>(thread)]));
+    text = tr("Thread %1 was busy for %2")
+               .arg(thread)
+               .arg(durationText(figures_.busyMs[static_cast<std::size_t>(thread)]));
   QToolTip::showText(event->globalPosition().toPoint(), text, this);
 }
 

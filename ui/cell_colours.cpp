@@ -69,9 +69,9 @@ QColor threadColour(int thread) {
 }
 
 QColor scaleColour(double fraction) {
-  static const std::array<QColor, 9> kStops = {
-      QColor(253, 231, 37), QColor(173, 220, 48), QColor(94, 201, 98), QColor(40, 174, 128), QColor(33, 145, 140),
-      QColor(44, 114, 142), QColor(59, 82, 139),  QColor(71, 45, 123), QColor(68, 1, 84)};
+  static const std::array<QColor, 9> kStops = {QColor(253, 231, 37), QColor(173, 220, 48), QColor(94, 201, 98),
+                                               QColor(40, 174, 128), QColor(33, 145, 140), QColor(44, 114, 142),
+                                               QColor(59, 82, 139),  QColor(71, 45, 123),  QColor(68, 1, 84)};
   const double place = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(kStops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
   const auto part = static_cast<float>(place - static_cast<double>(below));

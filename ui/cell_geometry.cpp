@@ -184,8 +184,10 @@ class Draper {
     std::tie(lower.y, upper.y) = side(1, box_.lower.y, box_.upper.y);
     std::tie(lower.z, upper.z) = side(2, box_.lower.z, box_.upper.z);
     geometry.boxes.push_back({place(lower), place(upper)});
-    const std::array<Vec3, 4> corners = {
-        {{lower.x, lower.y, lower.z}, {upper.x, lower.y, lower.z}, {upper.x, upper.y, lower.z}, {lower.x, upper.y, lower.z}}};
+    const std::array<Vec3, 4> corners = {{{lower.x, lower.y, lower.z},
+                                          {upper.x, lower.y, lower.z},
+                                          {upper.x, upper.y, lower.z},
+                                          {lower.x, upper.y, lower.z}}};
     for (std::size_t i = 0; i < 4; ++i) geometry.borders.push_back({place(corners[i]), place(corners[(i + 1) % 4])});
   }
 

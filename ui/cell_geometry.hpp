@@ -45,8 +45,8 @@ struct Ray {
   Vec3 origin, direction;
 };
 
-/// The cell of the first triangle below `cut` that the ray meets, by where it meets it; where it meets none, by where it
-/// meets the bottom. Nothing outside of all cells.
+/// The cell of the first triangle below `cut` that the ray meets, by where it meets it; where it meets none, by where
+/// it meets the bottom. Nothing outside of all cells.
 std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& environment,
                                     const CellGeometry& geometry, double cut);
 

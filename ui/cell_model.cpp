@@ -114,9 +114,9 @@ QString CellModel::describe(CellId id) const {
     row(tr("height"), rangeText(cell.bounds.lower[2], cell.bounds.upper[2]));
   row(tr("estimated cost"), valueText(CellColouring::Cost, cell.cost));
   if (block.finished[id.cell]) {
-    row(tr("triangles"), tr("%1 in, %2 out")
-                             .arg(countText(static_cast<double>(cell.trianglesIn)),
-                                  countText(static_cast<double>(cell.trianglesOut))));
+    row(tr("triangles"),
+        tr("%1 in, %2 out")
+            .arg(countText(static_cast<double>(cell.trianglesIn)), countText(static_cast<double>(cell.trianglesOut))));
     row(tr("time"), durationText(cell.workMs()));
     QMap<int, double> threads;
     std::vector<std::pair<QString, double>> filters;
@@ -131,8 +131,9 @@ QString CellModel::describe(CellId id) const {
     for (const int thread : threads.keys()) {
       if (thread != cell.thread) helpers << QString::number(thread);
     }
-    row(tr("thread"), helpers.isEmpty() ? QString::number(cell.thread)
-                                        : tr("%1, helped by %2").arg(cell.thread).arg(helpers.join(QStringLiteral(", "))));
+    row(tr("thread"), helpers.isEmpty()
+                          ? QString::number(cell.thread)
+                          : tr("%1, helped by %2").arg(cell.thread).arg(helpers.join(QStringLiteral(", "))));
     for (const auto& [name, time] : filters) row(name, durationText(time));
   } else if (cell.trianglesIn > 0) {
     row(tr("triangles"), tr("%1 in").arg(countText(static_cast<double>(cell.trianglesIn))));

@@ -19,15 +19,15 @@ class CellPreview : public QObject {
   Q_OBJECT
 
  public:
-  using Make = std::function<Partition(const std::shared_ptr<const Environment>&, const Pipeline&, std::size_t step,
-                                       RunContext&)>;
+  /// Takes a pipeline that is one parallel block.
+  using Make = std::function<Partition(const std::shared_ptr<const Environment>&, const Pipeline& block, RunContext&)>;
 
   /// `make` runs in the background; by default it is the core's previewPartition.
   explicit CellPreview(QObject* parent = nullptr, Make make = {});
   ~CellPreview() override;
 
   /// Cells of the strategy at `step` of the pipeline, which may be switched off, and whose block may lack its end.
-  void request(std::shared_ptr<const Environment> environment, Pipeline pipeline, std::size_t step);
+  void request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step);
   /// Drops the request under way: nothing is told of it any more.
   void cancel();
   [[nodiscard]] bool busy() const { return context_ != nullptr; }

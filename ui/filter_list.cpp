@@ -78,6 +78,7 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
   auto* row = new FilterRow(entry, content_);
   connect(row, &FilterRow::enabledEdited, &document_, &Document::setEnabled);
   connect(row, &FilterRow::valueEdited, &document_, &Document::setValue);
+  connect(row, &FilterRow::previewRequested, this, &FilterList::previewRequested);
   // Later: the row that sends this goes with it.
   connect(row, &FilterRow::removeRequested, &document_, &Document::removeFilter, Qt::QueuedConnection);
   row->handle()->installEventFilter(this);

@@ -161,7 +161,7 @@ float LevelView::cutHeight() const {
 }
 
 void LevelView::hover(std::optional<std::size_t> cell) {
-  if (std::exchange(hovered_, cell) != cell) emit cellHovered(cell);
+  if (std::exchange(hovered_, cell) != cell || cell) emit cellHovered(cell);
 }
 
 void LevelView::mousePressEvent(QMouseEvent* event) {

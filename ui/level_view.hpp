@@ -22,8 +22,8 @@ struct CameraPose {
 };
 
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
-/// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are shown, a click tells which one
-/// it hit, and a double click is no more than two of them.
+/// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
+/// shown, a click tells which one it hit, and a double click is no more than two of them.
 class LevelView : public QGLViewer {
   Q_OBJECT
 
@@ -72,7 +72,7 @@ class LevelView : public QGLViewer {
   /// OpenGL cannot show the scene; once.
   void failed(const QString& message);
   void cameraMoved();
-  /// The mouse is over another cell, or over none. Only while cells are shown and no button is down.
+  /// The mouse has moved over a cell, or off all of them. Only while cells are shown and no button is down.
   void cellHovered(std::optional<std::size_t> cell);
   /// A click, not a drag; nothing when it hit no cell.
   void cellClicked(std::optional<std::size_t> cell);

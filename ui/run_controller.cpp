@@ -212,8 +212,7 @@ void RunController::start() {
         // Pictures are made here and not on the window's thread, which would wait for them.
         std::shared_ptr<const MeshGeometry> geometry;
         const bool piece = event.kind == RunEvent::Kind::PartReady || event.kind == RunEvent::Kind::CellFinished;
-        if (event.part && (piece || !raw->follows))
-          geometry = makeMeshGeometry(*event.part, raw->centre);
+        if (event.part && (piece || !raw->follows)) geometry = makeMeshGeometry(*event.part, raw->centre);
         raw->events->add(event, std::move(geometry));
       },
       true);
@@ -303,7 +302,7 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
   if (job != job_) return;  // cancelled or overtaken
   drained_ = RunEventBuffer::Clock::now();
   takeStatuses(job->events->fetch(), job->events->blocks());  // the last events may have come after the timer
-  if (job != job_) return;             // somebody who heard of them has cancelled
+  if (job != job_) return;                                    // somebody who heard of them has cancelled
   job_.reset();
   if (outcome.finished) {
     finished_ = outcome.finished;

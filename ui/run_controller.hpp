@@ -124,12 +124,12 @@ class RunController : public QObject {
   std::vector<std::pair<std::string, EditedStep>>
       missing_;  ///< of them, to be prepared once the result is on the screen
   std::shared_ptr<RunContext> preparing_;
-  std::map<std::string, CellBlock> knownBlocks_;  ///< by steps so far, Collapse included
-  std::vector<std::string> blockKeys_;            ///< of the last finished run
-  bool cellsShown_ = false;                       ///< there is something to take back
+  std::map<std::string, CellBlock> knownBlocks_;                     ///< by steps so far, Collapse included
+  std::vector<std::string> blockKeys_;                               ///< of the last finished run
+  bool cellsShown_ = false;                                          ///< there is something to take back
   static constexpr auto kFrameWait = std::chrono::milliseconds(60);  ///< a hidden view shows no frames
-  QTimer frameTimer_;                     ///< ends waiting for a frame that does not come
-  BackgroundQueue queue_, preparations_;  // last: their threads end before the rest goes
+  QTimer frameTimer_;                                                ///< ends waiting for a frame that does not come
+  BackgroundQueue queue_, preparations_;                             // last: their threads end before the rest goes
 };
 
 }  // namespace footfall

@@ -41,13 +41,16 @@ struct BlockPlace {
 };
 
 // The filters of a block run at the same time, one cell after the other; Collapse begins when all have ended.
-BlockPlace placeInBlock(std::size_t step, const std::vector<RunEventBuffer::Block>& blocks) {
+BlockPlace placeInBlock(std::size_t step, const std::vector<RunEventBuffer::Step>& steps,
+                        const std::vector<RunEventBuffer::Block>& blocks) {
   for (const RunEventBuffer::Block& block : blocks) {
     const BlockReport& made = *block.made;
     if (step < made.firstStep || step > made.lastStep) continue;
     const auto finished = std::ranges::count_if(block.cells, [](const auto& cell) { return cell != nullptr; });
     const auto all = static_cast<std::ptrdiff_t>(block.cells.size());
     BlockPlace place{true, step == made.lastStep && finished < all, soFar(block).shareDone(), {}};
+    // Progress within cells is told of the block's last filter, for all.
+    if (made.lastStep - 1 < steps.size()) place.fraction = std::max(place.fraction, steps[made.lastStep - 1].fraction);
     if (step == made.firstStep) place.fraction = 1;
     if (step == made.lastStep) place.fraction = 0;
     place.text = finished < all ? RunController::tr("%1 of %2 cells finished").arg(finished).arg(all)
@@ -111,7 +114,7 @@ void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps,
     const RunEventBuffer::Step& step = steps[i];
     StepStatus& status = statuses_[job_->ids[i]];
     if (!step.finished) {
-      const BlockPlace place = placeInBlock(i, blocks);
+      const BlockPlace place = placeInBlock(i, steps, blocks);
       if (place.waits) continue;  // as it was
       status.state = StepState::Running;
       status.fraction = place.block ? place.fraction : step.fraction;
@@ -200,9 +203,8 @@ void RunController::keepBlocks(const Job& job) {
     if (job.steps[i]->filter->kind == FilterKind::Collapse) blockKeys_.push_back(job.prefixes[i + 1]);
   }
   if (knownBlocks_.size() > kKnownBlocks) {
-    std::erase_if(knownBlocks_, [this](const auto& known) {
-      return std::ranges::find(blockKeys_, known.first) == blockKeys_.end();
-    });
+    std::erase_if(knownBlocks_,
+                  [this](const auto& known) { return std::ranges::find(blockKeys_, known.first) == blockKeys_.end(); });
   }
 }
 

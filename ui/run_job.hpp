@@ -14,8 +14,8 @@
 
 namespace footfall {
 
-/// Results of single steps for display, beside the states in the cache, by steps so far. Thread-safe; the least recently
-/// used goes first.
+/// Results of single steps for display, beside the states in the cache, by steps so far. Thread-safe; the least
+/// recently used goes first.
 class RunController::PreviewCache {
  public:
   void store(const std::string& prefix, MeshPtr mesh) {
@@ -57,7 +57,7 @@ struct RunController::Job {
   // Over the last result: known from the edit itself, or else from the first step that differs once it has run.
   EditPreview::Surfaces changes;
   std::size_t cellsTold = 0;  // events of cells that the window has heard of
-  bool waiting = false;  // for the frame that shows what is known from the edit
+  bool waiting = false;       // for the frame that shows what is known from the edit
   // The first step that is not the same as in the last finished run, and what it gave there.
   std::size_t firstChanged = 0;
   MeshPtr changedBefore;

@@ -36,9 +36,9 @@ QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(
 
 QString SceneRenderer::initialize() {
   initializeOpenGLFunctions();
-  for (const auto& [program, name] : {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
-                                      std::pair{&backgroundProgram_, "background"},
-                                      std::pair{&cells_.program(), "cell"}}) {
+  for (const auto& [program, name] :
+       {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
+        std::pair{&backgroundProgram_, "background"}, std::pair{&cells_.program(), "cell"}}) {
     const QString problem = buildProgram(*program, QString::fromLatin1(name));
     if (!problem.isEmpty()) return problem;
   }

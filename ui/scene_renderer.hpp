@@ -62,7 +62,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void setMarkedCells(const MarkedCells& marked) { marked_ = marked; }
 
   /// `moving`: the camera will be elsewhere in the next frame. While it rests, pictures of the environment alone and of
-  /// it with the content and the cells, but without changes and marks, are drawn once and kept: frames after that cost only what is new.
+  /// it with the content and the cells, but without changes and marks, are drawn once and kept: frames after that cost
+  /// only what is new.
   void draw(const SceneCamera& camera, const SceneParts& parts, bool moving);
 
  private:

@@ -50,8 +50,9 @@ void addBars(std::vector<Work>& work, Timeline& timeline) {
 }  // namespace
 
 const Timeline::Bar* Timeline::at(int lane, double time) const {
-  const auto after = std::ranges::upper_bound(
-      bars, std::pair{lane, time}, {}, [](const Bar& bar) { return std::pair{bar.lane, bar.start}; });
+  const auto after = std::ranges::upper_bound(bars, std::pair{lane, time}, {}, [](const Bar& bar) {
+    return std::pair{bar.lane, bar.start};
+  });
   if (after == bars.begin()) return nullptr;
   const Bar& bar = *(after - 1);
   return bar.lane == lane && time <= bar.end ? &bar : nullptr;

@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kHead = 0.42;         // of a lane's height, for the names of the phases
+constexpr double kHead = 0.42;          // of a lane's height, for the names of the phases
 constexpr double kClosest = 1.0 / 2e4;  // of the whole time, the least that zooming shows
 
 }  // namespace
