@@ -51,8 +51,7 @@ void EditorWindow::createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar
   connect(cellsAction_, &QAction::toggled, this, [this](bool on) {
     cellWatch_->showCells(on);
     legend_->showCells(on);
-    cellLegend_->setVisible(on);
-    placeOverlays();
+    chooseLegend();
     keepTimer_.start();
   });
   QAction* load = loadDock_->toggleViewAction();
@@ -66,9 +65,18 @@ void EditorWindow::createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar
   }
 }
 
+// The colours of the other legend lie under those of the cells.
+void EditorWindow::chooseLegend() {
+  const bool cells = cellsAction_->isChecked();
+  cellLegend_->setVisible(cells);
+  legend_->setVisible(loaded_.environment && !(cells && !cells_.empty()));
+  placeOverlays();
+}
+
 void EditorWindow::connectCells() {
   connect(cellLegend_, &CellLegend::resized, this, &EditorWindow::placeOverlays);
   connect(&cells_, &CellModel::figuresChanged, this, [this] { keepTimer_.start(); });
+  connect(&cells_, &CellModel::shapesChanged, this, &EditorWindow::chooseLegend);
   connect(load_, &LoadPanel::parallelBlockRequested, this, [this] {
     if (loaded_.environment && !document_.addParallelBlock())
       messages_->showHint(tr("No local filter can run in parallel; add a clearance filter first."));

@@ -50,10 +50,13 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 EditorWindow::~EditorWindow() {
+  // What looks at cells goes before them.
+  delete cellWatch_;
+  delete cellLegend_;
+  delete loadDock_;
   // The parts outlive the widgets that listen to them.
   document_.disconnect();
   document_.undoStack()->disconnect();
-  cells_.disconnect();
   controller_.disconnect();
   loader_.disconnect();
 }
@@ -182,7 +185,7 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
   }
   cellWatch_->setEnvironment(loaded.environment, loaded.geometry->centre);
   controller_.setEnvironment(loaded.environment, loaded.geometry->centre);
-  legend_->show();
+  chooseLegend();
   cut_->show();
   if (!opening.reload) cutSlider()->setValue(cutSlider()->maximum());
   placeOverlays();

@@ -100,6 +100,7 @@ class EditorWindow : public QMainWindow {
   void createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar);
   void connectParts();
   void connectCells();
+  void chooseLegend();
   void openDialog();
   void openPipelineDialog();
   void savePipelineDialog();

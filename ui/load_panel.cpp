@@ -96,7 +96,6 @@ QWidget* LoadPanel::makeFigures() {
   right->setMinimumWidth(kFiguresWidth);
   figures_ = new QLabel(right);
   figures_->setTextFormat(Qt::RichText);
-  figures_->setWordWrap(true);
   busy_ = new BusyPlot(right);
   phases_ = new PhasePlot(right);
   phaseTexts_ = new QLabel(right);
@@ -171,9 +170,9 @@ void LoadPanel::showFigures(const CellBlock& block) {
     return;
   }
   const LoadFigures figures = figuresOf(block);
-  QString text = tr("Load imbalance <b>%1</b>").arg(figures.imbalance, 0, 'f', 2);
+  QString text = tr("Imbalance <b>%1</b>").arg(figures.imbalance, 0, 'f', 2);
   if (block.complete() && figures.speedUp > 0) {
-    text += tr(" &nbsp; speed-up about <b>%1</b> on %2 threads").arg(figures.speedUp, 0, 'f', 2).arg(block.threads());
+    text += tr(", speed-up <b>%1</b> on %2 threads").arg(figures.speedUp, 0, 'f', 2).arg(block.threads());
   }
   figures_->setText(text);
   figures_->setToolTip(
@@ -208,8 +207,7 @@ void LoadPanel::showFilters() {
   for (std::size_t i = 0; i < names.size(); ++i) parts << swatch(filterColour(i)) + escaped(names[i]);
   if (!names.empty()) {
     parts << tr("hatched: idle");
-    filters_->setText(tr("Bars: cells, in the colours of the view; below, their filters: ") +
-                      parts.join(QStringLiteral("&nbsp;&nbsp; ")));
+    filters_->setText(tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; ")));
   } else {
     filters_->setText(tr("The lanes of the threads fill when cells run."));
   }

@@ -30,6 +30,8 @@ bool preparePicture(std::unique_ptr<QOpenGLFramebufferObject>& picture, const QS
   return true;
 }
 
+constexpr float kUnderCells = 0.9F;  // colours of cells are to look as in their legend
+
 QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
 
 }  // namespace
@@ -195,7 +197,7 @@ void SceneRenderer::drawStill(const StillKey& key) {
   drawBackground();
   glEnable(GL_CLIP_DISTANCE0);
   if (key.surface) {
-    beginSurfaces(key.camera);
+    beginSurfaces(key.camera, key.pale);
     surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
     drawSurface(environmentSurface_, key.offset);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -210,7 +212,7 @@ void SceneRenderer::drawStill(const StillKey& key) {
 
 SceneRenderer::ContentKey SceneRenderer::contentKey(const StillKey& still, const SceneParts& parts) const {
   ContentKey key{still, parts, {}, {}, 0};
-  if (parts.cells) {
+  if (showsCells(parts)) {
     key.cells = cells_.geometry();
     key.cellColours = cells_.version();
   }
@@ -267,17 +269,18 @@ bool SceneRenderer::copyContent(const ContentKey& key) {
   return copyToFrame(*picture_, frame);
 }
 
-void SceneRenderer::beginSurfaces(const SceneCamera& camera) {
+void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   useCamera(surfaceProgram_, camera);
   surfaceProgram_.setUniformValue("eye", camera.eye);
+  surfaceProgram_.setUniformValue("pale", pale);
   surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
   surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
 }
 
 void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
-  beginSurfaces(camera);
+  beginSurfaces(camera, showsCells(parts) ? kUnderCells : 0);
   if (parts.walkable) {
     for (const MeshBatches& mesh : walkable_) drawSurface(mesh.surface, 0);
   }
@@ -292,7 +295,7 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
 void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
   glEnable(GL_CLIP_DISTANCE0);
   drawSurfaces(camera, parts);
-  if (parts.cells) drawCells(camera);
+  if (showsCells(parts)) drawCells(camera);
   drawAllLines(camera, parts);
   glDisable(GL_CLIP_DISTANCE0);
 }
@@ -312,13 +315,14 @@ void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& par
 void SceneRenderer::drawCells(const SceneCamera& camera) {
   cells_.draw({camera.modelViewProjection, camera.cut, camera.devicePixelRatio});
   beginLines(camera);
-  drawLines(cellBorders_, cellBorderColour(), 2.2F * camera.devicePixelRatio, 1.2e-4F);
+  drawLines(cellBorders_, outlineColour(), 3.6F * camera.devicePixelRatio, 1.1e-4F);
+  drawLines(cellBorders_, cellBorderColour(), 2.0F * camera.devicePixelRatio, 1.2e-4F);
   endLines();
 }
 
 // Through everything, so that a cell behind a wall is found as well.
 void SceneRenderer::drawMarkedCells(const SceneCamera& camera, const SceneParts& parts) {
-  if (!parts.cells || !cells_.geometry()) return;
+  if (!showsCells(parts)) return;
   for (const auto& [cell, colour] :
        {std::pair{marked_.selected, selectedCellColour()}, std::pair{marked_.hovered, hoveredCellColour()}}) {
     if (!cell || *cell >= cells_.geometry()->boxes.size()) continue;
@@ -382,7 +386,8 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, boo
                      parts.environment,
                      parts.environment && parts.outlines,
                      QVector4D(toVector(floor.colour), static_cast<float>(floor.pattern) / 127.0F),
-                     offset};
+                     offset,
+                     showsCells(parts) ? kUnderCells : 0};
   if (moving || !copyContent(contentKey(key, parts))) {
     drawStill(key);
     drawContent(camera, parts);

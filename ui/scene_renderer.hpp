@@ -87,6 +87,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     bool surface = false, creases = false;
     QVector4D floorPaint;
     float offset = 0;
+    float pale = 0;
     bool operator==(const StillKey&) const = default;
   };
   /// All that the picture with the content depends on.
@@ -109,12 +110,13 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void drawStill(const StillKey& key);
   void drawContent(const SceneCamera& camera, const SceneParts& parts);
   void drawChanges(const SceneCamera& camera, const SceneParts& parts);
+  [[nodiscard]] bool showsCells(const SceneParts& parts) const { return parts.cells && cells_.geometry(); }
   void drawCells(const SceneCamera& camera);
   void drawMarkedCells(const SceneCamera& camera, const SceneParts& parts);
   bool copyStill(const StillKey& key);
   bool copyContent(const ContentKey& key);
   bool copyToFrame(const QOpenGLFramebufferObject& picture, GLint frame);
-  void beginSurfaces(const SceneCamera& camera);
+  void beginSurfaces(const SceneCamera& camera, float pale = 0);
   void drawSurfaces(const SceneCamera& camera, const SceneParts& parts);
   void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
   BatchPtr makeSurface(const std::vector<SurfaceVertex>& vertices);

@@ -57,7 +57,7 @@ class TestProvisionalContent : public QObject {
 
   void piecesTakeThePlaceOfTheirFaces() {
     const auto mesh = std::make_shared<const NavigationMesh>(trianglesOn({1, 1, 1}));
-    const RunEventBuffer::Part piece{mesh, makeMeshGeometry(*mesh, {})};
+    const RunEventBuffer::Part piece{mesh, makeMeshGeometry(*mesh, {}), std::nullopt};
     const ShownResult shown = show({0, 1, 1, 2});
     const ViewContent content = withPieces(shown, {piece}, Environment());
     QCOMPARE(content.walkable.size(), std::size_t{2});
