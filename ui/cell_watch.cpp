@@ -21,7 +21,9 @@ CellWatch::CellWatch(Document& document, RunController& controller, LevelView& v
     : QObject(parent), document_(document), controller_(controller), view_(view), model_(model) {
   editTimer_.setSingleShot(true);
   editTimer_.setInterval(kPreviewAfter);
-  connect(&editTimer_, &QTimer::timeout, this, [this] { preview(edited_); });
+  connect(&editTimer_, &QTimer::timeout, this, [this] {
+    if (!controller_.upToDate()) preview(edited_);
+  });
   connect(&document_, &Document::filtersChanged, this, &CellWatch::takeFilters);
   connect(&controller_, &RunController::cellsChanged, this, [this](const CellBlocks& blocks) {
     // A run that is cancelled or refused must not take away what was asked for instead of it.
@@ -93,7 +95,7 @@ void CellWatch::takeFilters() {
     if (isStrategy(entry) && std::ranges::find(before, entry) == before.end()) edited_ = entry.id;
   }
   preview_.cancel();
-  if (edited_ >= 0 && environment_ && !controller_.upToDate()) {
+  if (edited_ >= 0 && environment_) {
     editTimer_.start();
   } else {
     editTimer_.stop();
