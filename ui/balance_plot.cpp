@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/balance_plot.hpp"
 
+#include <tbb/info.h>
+
 #include <QToolTip>
 #include <algorithm>
 #include <numeric>
@@ -37,6 +39,8 @@ LoadFigures figuresOf(const CellBlock& block) {
   return figures;
 }
 
+int expectedThreads() { return std::max(1, tbb::info::default_concurrency()); }
+
 std::array<PhaseTime, 6> phasesOf(const RunTimes& times) {
   return {{{BusyPlot::tr("pre-processing"), times.preprocessing, {150, 160, 173}},
            {BusyPlot::tr("partitioning"), times.partitioning, {230, 159, 0}},
@@ -53,7 +57,6 @@ BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
   calm(*this);
   yAxis->setRangeReversed(true);
   yAxis->setTickLength(0);
-  xAxis->setLabel(tr("busy with cells (ms); line: mean"));
   xAxis->setLabelPadding(1);
   xAxis->ticker()->setTickCount(4);
   bars_ = new QCPBars(yAxis, xAxis);  // the plot owns it
@@ -66,26 +69,32 @@ BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
   mean_->setClipToAxisRect(true);
 }
 
-void BusyPlot::clear() {
-  figures_ = {};
-  bars_->setData({}, {});
-  mean_->setVisible(false);
-  replot(QCustomPlot::rpQueuedReplot);
+void BusyPlot::show(const CellBlock& block) {
+  planned_ = false;
+  xAxis->setLabel(tr("busy with cells (ms); line: mean"));
+  showLoads(figuresOf(block).busyMs);
 }
 
-void BusyPlot::show(const CellBlock& block) {
-  figures_ = figuresOf(block);
-  const auto threads = static_cast<int>(figures_.busyMs.size());
+void BusyPlot::showPlan(const std::vector<double>& loads) {
+  planned_ = true;
+  xAxis->setLabel(tr("estimated work (units); line: mean"));
+  showLoads(loads);
+}
+
+void BusyPlot::showLoads(const std::vector<double>& loads) {
+  loads_ = loads;
+  const auto threads = static_cast<int>(loads.size());
   QVector<double> keys(threads);
   std::iota(keys.begin(), keys.end(), 0.0);
-  bars_->setData(keys, QVector<double>(figures_.busyMs.begin(), figures_.busyMs.end()), true);
+  bars_->setData(keys, QVector<double>(loads.begin(), loads.end()), true);
+  bars_->setBrush(planned_ ? QColor(150, 160, 173) : QColor(0, 114, 178));
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   for (int i = 0; i < threads; i += std::max(1, threads / 12)) ticker->addTick(i, tr("Thread %1").arg(i));
   yAxis->setTicker(ticker);
   yAxis->setRange(-0.5, std::max(1, threads) - 0.5);
-  const double largest = figures_.busyMs.empty() ? 0 : std::ranges::max(figures_.busyMs);
+  const double largest = loads.empty() ? 0 : std::ranges::max(loads);
   xAxis->setRange(0, largest > 0 ? 1.05 * largest : 1);
-  const double mean = threads > 0 ? figures_.workMs / threads : 0;
+  const double mean = threads > 0 ? std::accumulate(loads.begin(), loads.end(), 0.0) / threads : 0;
   mean_->setVisible(mean > 0);
   mean_->point1->setCoords(mean, 0);
   mean_->point2->setCoords(mean, 1);
@@ -96,10 +105,11 @@ void BusyPlot::mouseMoveEvent(QMouseEvent* event) {
   QCustomPlot::mouseMoveEvent(event);
   const int thread = static_cast<int>(std::lround(yAxis->pixelToCoord(event->position().y())));
   QString text;
-  if (thread >= 0 && thread < static_cast<int>(figures_.busyMs.size()))
-    text = tr("Thread %1 was busy for %2")
-               .arg(thread)
-               .arg(durationText(figures_.busyMs[static_cast<std::size_t>(thread)]));
+  if (thread >= 0 && thread < static_cast<int>(loads_.size())) {
+    const double load = loads_[static_cast<std::size_t>(thread)];
+    text = planned_ ? tr("Thread %1 would have %2").arg(thread).arg(valueText(CellColouring::Cost, load))
+                    : tr("Thread %1 was busy for %2").arg(thread).arg(durationText(load));
+  }
   QToolTip::showText(event->globalPosition().toPoint(), text, this);
 }
 

@@ -19,6 +19,9 @@ struct LoadFigures {
 };
 LoadFigures figuresOf(const CellBlock& block);
 
+/// That the next run will use.
+int expectedThreads();
+
 /// t_preprocessing to t_overhead (thesis 5.4), in the order in which they are shown.
 struct PhaseTime {
   QString name;
@@ -34,16 +37,20 @@ class BusyPlot : public QCustomPlot {
  public:
   explicit BusyPlot(QWidget* parent = nullptr);
   void show(const CellBlock& block);
-  void clear();
+  /// Before a run: what each thread would have to do.
+  void showPlan(const std::vector<double>& loads);
   [[nodiscard]] QCPBars* bars() const { return bars_; }
 
  protected:
   void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
+  void showLoads(const std::vector<double>& loads);
+
   QCPBars* bars_;
   QCPItemStraightLine* mean_;
-  LoadFigures figures_;
+  std::vector<double> loads_;
+  bool planned_ = false;
 };
 
 /// One bar for the run, a piece for each phase.

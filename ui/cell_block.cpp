@@ -5,6 +5,10 @@
 
 namespace footfall {
 
+bool CellBlock::begun() const {
+  return complete() || std::ranges::any_of(finished, [](char done) { return done != 0; });
+}
+
 int CellBlock::threads() const {
   int threads = run ? run->threads : 1;
   for (const CellReport& cell : report.cells) {

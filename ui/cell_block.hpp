@@ -24,6 +24,8 @@ struct CellBlock {
   std::shared_ptr<const RunFigures> run;
 
   [[nodiscard]] bool complete() const { return run != nullptr; }
+  /// A cell has finished.
+  [[nodiscard]] bool begun() const;
   /// One more than the largest thread that has worked on it, at least that of its run.
   [[nodiscard]] int threads() const;
   /// In [0, 1], by cost.

@@ -91,8 +91,7 @@ QColor filterColour(std::size_t index) {
 
 CellScale::CellScale(const CellBlock& block, CellColouring wanted) : shown_(wanted), threads_(block.threads()) {
   const std::vector<CellReport>& cells = block.report.cells;
-  const bool begun = block.complete() || std::ranges::any_of(block.finished, [](char done) { return done != 0; });
-  if (!begun) shown_ = CellColouring::Cost;
+  if (!block.begun()) shown_ = CellColouring::Cost;
   const auto known = [&](std::size_t cell) { return shown_ == CellColouring::Cost || block.finished[cell] != 0; };
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (known(i)) maximum_ = std::max(maximum_, valueOf(cells[i], shown_));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kTextureWidth = 256;
 // What lies under the colours stays visible, and yet they look as in the legend.
-constexpr float kOpacity = 0.78F;
+constexpr float kOpacity = 0.86F;
 
 }  // namespace
 

@@ -22,7 +22,7 @@ CellWatch::CellWatch(Document& document, RunController& controller, LevelView& v
   editTimer_.setSingleShot(true);
   editTimer_.setInterval(kPreviewAfter);
   connect(&editTimer_, &QTimer::timeout, this, [this] {
-    if (!controller_.upToDate()) preview(edited_);
+    if (!controller_.upToDate() && (shown_ || loadShown_)) preview(edited_);
   });
   connect(&document_, &Document::filtersChanged, this, &CellWatch::takeFilters);
   connect(&controller_, &RunController::cellsChanged, this, [this](const CellBlocks& blocks) {
@@ -33,10 +33,7 @@ CellWatch::CellWatch(Document& document, RunController& controller, LevelView& v
     model_.setBlocks(blocks);
   });
   connect(&controller_, &RunController::finished, this, [this] { editTimer_.stop(); });
-  connect(&preview_, &CellPreview::ready, this, [this](const Partition& partition) {
-    model_.showPreview(partition);
-    emit previewReady();
-  });
+  connect(&preview_, &CellPreview::ready, &model_, &CellModel::showPreview);
   connect(&preview_, &CellPreview::failed, this, &CellWatch::previewFailed);
   connect(&model_, &CellModel::shapesChanged, this, &CellWatch::drape);
   connect(&model_, &CellModel::figuresChanged, this, [this] {

@@ -33,14 +33,14 @@ class CellWatch : public QObject {
   [[nodiscard]] int firstStrategy() const;
   /// The view's geometry belongs to the model's cells.
   [[nodiscard]] bool upToDate() const { return !drapes_ && !preview_.busy(); }
-  /// To be told when the view shows cells or does not any more.
+  /// To be told when the view shows cells or does not any more, and the same of the load panel. What nobody looks at is
+  /// not previewed unless it is asked for.
   void showCells(bool on);
+  void showLoad(bool on) { loadShown_ = on; }
 
   [[nodiscard]] CellPreview& cellPreview() { return preview_; }
 
  signals:
-  /// A preview is there, whether or not the view shows cells.
-  void previewReady();
   void previewFailed(const QString& message);
   /// Whether the filter list has an enabled strategy.
   void blockChanged(bool hasBlock);
@@ -57,7 +57,7 @@ class CellWatch : public QObject {
   CellModel& model_;
   std::shared_ptr<const Environment> environment_;
   Vec3 centre_;
-  bool shown_ = false;
+  bool shown_ = false, loadShown_ = false;
   CellModel::Shapes draped_;            ///< what the view has, or will have when it is there
   std::shared_ptr<RunContext> drapes_;  ///< of the geometry under way
   std::vector<FilterEntry> filters_;    ///< as they were when they were last looked at

@@ -32,7 +32,7 @@ void EditorWindow::createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar
   connect(parallel, &QAction::triggered, load_, &LoadPanel::parallelBlockRequested);
   QAction* preview = pipeline->addAction(tr("Pre&view cells"));
   preview->setShortcut(Qt::SHIFT | Qt::Key_C);
-  connect(preview, &QAction::triggered, this, [this] { cellWatch_->preview(cellWatch_->firstStrategy()); });
+  connect(preview, &QAction::triggered, this, [this] { previewCells(cellWatch_->firstStrategy()); });
   connect(pipeline, &QMenu::aboutToShow, this, [this, parallel, preview] {
     const bool hasStrategy = cellWatch_->firstStrategy() >= 0;
     parallel->setEnabled(loaded_.environment && !hasStrategy);
@@ -58,11 +58,20 @@ void EditorWindow::createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar
   load->setText(tr("&Load"));
   load->setShortcut(Qt::Key_L);
   load->setToolTip(tr("Show how the work was spread over threads (L)"));
-  connect(load, &QAction::toggled, this, [this] { keepTimer_.start(); });
+  connect(load, &QAction::toggled, this, [this](bool on) {
+    cellWatch_->showLoad(on);
+    keepTimer_.start();
+  });
   for (QAction* action : {cellsAction_, load}) {
     look->addAction(action);
     bar->addAction(action);
   }
+}
+
+void EditorWindow::previewCells(int strategy) {
+  if (!loaded_.environment || strategy < 0) return;
+  cellsAction_->setChecked(true);
+  cellWatch_->preview(strategy);
 }
 
 // The colours of the other legend lie under those of the cells.
@@ -82,11 +91,7 @@ void EditorWindow::connectCells() {
       messages_->showHint(tr("No local filter can run in parallel; add a clearance filter first."));
   });
   connect(load_, &LoadPanel::runRequested, &cells_, &CellModel::endPreview);
-  connect(filters_, &FilterList::previewRequested, cellWatch_, &CellWatch::preview);
-  // A preview that nobody sees would be none.
-  connect(cellWatch_, &CellWatch::previewReady, this, [this] {
-    if (!loadDock_->isVisible()) cellsAction_->setChecked(true);
-  });
+  connect(filters_, &FilterList::previewRequested, this, &EditorWindow::previewCells);
   connect(cellWatch_, &CellWatch::previewFailed, messages_, &MessageBar::showError);
   const auto describeEmptyState = [this] {
     load_->setPipeline(loaded_.environment != nullptr, cellWatch_->firstStrategy() >= 0);

@@ -101,6 +101,7 @@ class EditorWindow : public QMainWindow {
   void connectParts();
   void connectCells();
   void chooseLegend();
+  void previewCells(int strategy);
   void openDialog();
   void openPipelineDialog();
   void savePipelineDialog();

@@ -119,6 +119,14 @@ void FilterList::showFilters() {
       }
     }
   }
+  bool inBlock = false;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const PipelineStep& step = document_.filters()[i].step;
+    const FilterKind kind = step.enabled ? step.filter->kind : FilterKind::Filter;
+    inBlock = inBlock || kind == FilterKind::Strategy;
+    rows_[i]->setInBlock(inBlock);
+    if (kind == FilterKind::Collapse) inBlock = false;
+  }
   empty_->setVisible(rows_.empty());
   showStatuses();
 }

@@ -160,6 +160,13 @@ void FilterRow::setEntry(const FilterEntry& entry) {
   }
 }
 
+void FilterRow::setInBlock(bool inBlock) {
+  if (property("inBlock").toBool() == inBlock) return;
+  setProperty("inBlock", inBlock);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
 void FilterRow::setStatus(const StepStatus& status) {
   QString word = stateWord(status.state);
   if (status.state == StepState::Running && status.fraction > 0) {

@@ -25,6 +25,8 @@ class FilterRow : public QFrame {
   /// The same filter with other values.
   void setEntry(const FilterEntry& entry);
   void setStatus(const StepStatus& status);
+  /// Marks the rows of a parallel block, from its strategy to its Collapse.
+  void setInBlock(bool inBlock);
 
   /// Where the row can be dragged.
   [[nodiscard]] QWidget* handle() const { return handle_; }

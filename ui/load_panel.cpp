@@ -6,6 +6,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/partitioning/load_balancing.hpp"
+
 namespace footfall {
 namespace {
 
@@ -52,6 +54,7 @@ QWidget* LoadPanel::makeContentPage() {
   auto* page = new QWidget(this);
   strategy_ = new QLabel(page);
   strategy_->setTextFormat(Qt::RichText);
+  strategy_->setWordWrap(true);
   strategy_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   block_ = new QComboBox(page);
   block_->setAccessibleName(tr("Parallel block"));
@@ -127,9 +130,7 @@ void LoadPanel::refresh() {
   const CellBlock* block = model_.shownBlock();
   stack_->setCurrentIndex(block ? 1 : 0);
   if (!block) return;
-  QString text = QStringLiteral("<b>%1</b>").arg(escaped(block->report.strategy));
-  if (!block->report.reason.empty()) text += QStringLiteral(": ") + escaped(block->report.reason);
-  text += QStringLiteral("&nbsp; · &nbsp;");
+  QString text = QStringLiteral("<b>%1</b>&nbsp; · &nbsp;").arg(escaped(block->report.strategy));
   const std::size_t cells = block->report.cells.size();
   const auto finished = static_cast<std::size_t>(std::ranges::count(block->finished, 1));
   const QString count = cells == 1 ? tr("1 cell") : tr("%1 cells").arg(cells);
@@ -140,8 +141,8 @@ void LoadPanel::refresh() {
   } else {
     text += count;
   }
+  if (!block->report.reason.empty()) text += QStringLiteral("&nbsp; · &nbsp;") + escaped(block->report.reason);
   strategy_->setText(text);
-  strategy_->setToolTip(text);
 
   back_->setVisible(model_.previewing());
   const CellBlocks& blocks = model_.blocks();
@@ -157,16 +158,13 @@ void LoadPanel::refresh() {
 }
 
 void LoadPanel::showFigures(const CellBlock& block) {
-  if (model_.previewing() || std::ranges::count(block.finished, 1) == 0) {
-    double largest = 0;
-    double sum = 0;
-    for (const CellReport& cell : block.report.cells) {
-      largest = std::max(largest, cell.cost);
-      sum += cell.cost;
-    }
-    figures_->setText(tr("Estimated: %1 in all, %2 in the largest cell")
-                          .arg(valueText(CellColouring::Cost, sum), countText(largest)));
-    busy_->clear();
+  if (!block.begun()) {
+    std::vector<double> costs;
+    for (const CellReport& cell : block.report.cells) costs.push_back(cell.cost);
+    const LoadBalance balance = assignLongestFirst(costs, static_cast<std::size_t>(expectedThreads()));
+    figures_->setText(
+        tr("Expected: imbalance <b>%1</b> on %2 threads").arg(balance.imbalance(), 0, 'f', 2).arg(expectedThreads()));
+    busy_->showPlan(balance.loads);
     return;
   }
   const LoadFigures figures = figuresOf(block);
@@ -209,7 +207,9 @@ void LoadPanel::showFilters() {
     parts << tr("hatched: idle");
     filters_->setText(tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; ")));
   } else {
-    filters_->setText(tr("The lanes of the threads fill when cells run."));
+    filters_->setText(timeline_->timeline().planned
+                          ? tr("Nothing has run: the cells by estimated cost, each for the thread that is free first.")
+                          : tr("The lanes of the threads fill when cells run."));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "ui/scene_renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "ui/appearance.hpp"
@@ -295,7 +296,7 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
 void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
   glEnable(GL_CLIP_DISTANCE0);
   drawSurfaces(camera, parts);
-  if (showsCells(parts)) drawCells(camera);
+  if (showsCells(parts)) drawCells(camera, parts);
   drawAllLines(camera, parts);
   glDisable(GL_CLIP_DISTANCE0);
 }
@@ -312,11 +313,15 @@ void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& par
 }
 
 // Over the surfaces and under their lines: what is walkable can still be told by its outline.
-void SceneRenderer::drawCells(const SceneCamera& camera) {
+void SceneRenderer::drawCells(const SceneCamera& camera, const SceneParts& parts) {
   cells_.draw({camera.modelViewProjection, camera.cut, camera.devicePixelRatio});
   beginLines(camera);
-  drawLines(cellBorders_, outlineColour(), 3.6F * camera.devicePixelRatio, 1.1e-4F);
-  drawLines(cellBorders_, cellBorderColour(), 2.0F * camera.devicePixelRatio, 1.2e-4F);
+  // Many cells have thin borders, or there would be nothing else to see.
+  constexpr float kMany = 40;
+  const auto cells = static_cast<float>(cells_.geometry()->boxes.size());
+  const float pixel = camera.devicePixelRatio * std::clamp(std::sqrt(kMany / cells), 0.35F, 1.0F);
+  if (parts.outlines) drawLines(cellBorders_, outlineColour(), 3.6F * pixel, 1.1e-4F);
+  drawLines(cellBorders_, cellBorderColour(), 2.0F * pixel, 1.2e-4F);
   endLines();
 }
 

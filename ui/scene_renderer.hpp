@@ -111,7 +111,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void drawContent(const SceneCamera& camera, const SceneParts& parts);
   void drawChanges(const SceneCamera& camera, const SceneParts& parts);
   [[nodiscard]] bool showsCells(const SceneParts& parts) const { return parts.cells && cells_.geometry(); }
-  void drawCells(const SceneCamera& camera);
+  void drawCells(const SceneCamera& camera, const SceneParts& parts);
   void drawMarkedCells(const SceneCamera& camera, const SceneParts& parts);
   bool copyStill(const StillKey& key);
   bool copyContent(const ContentKey& key);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/partitioning/load_balancing.hpp"
+
 namespace footfall {
 namespace {
 
@@ -56,6 +58,25 @@ const Timeline::Bar* Timeline::at(int lane, double time) const {
   if (after == bars.begin()) return nullptr;
   const Bar& bar = *(after - 1);
   return bar.lane == lane && time <= bar.end ? &bar : nullptr;
+}
+
+Timeline planTimeline(const CellBlock& block, std::size_t number, int threads) {
+  Timeline timeline;
+  timeline.planned = true;
+  timeline.lanes = threads;
+  std::vector<double> costs;
+  for (const CellReport& cell : block.report.cells) costs.push_back(cell.cost);
+  const LoadBalance balance = assignLongestFirst(costs, static_cast<std::size_t>(threads));
+  for (int lane = 0; lane < threads; ++lane) {
+    double time = 0;
+    for (const std::size_t cell : balance.bins[static_cast<std::size_t>(lane)]) {
+      timeline.bars.push_back({CellId{number, cell}, lane, time, time + costs[cell], {}});
+      time += costs[cell];
+    }
+    timeline.end = std::max(timeline.end, time);
+  }
+  timeline.bands.push_back({Timeline::Phase::Parallel, 0, timeline.end});
+  return timeline;
 }
 
 Timeline makeTimeline(const CellBlocks& blocks, std::size_t shown) {

@@ -33,11 +33,15 @@ struct Timeline {
   std::vector<Bar> bars;  ///< by lane, then by time
   std::vector<Band> bands;
   std::vector<std::string> filters;  ///< that segments name, in the order in which they were met
-  double start = 0, end = 0;         ///< milliseconds since the run began
+  double start = 0, end = 0;         ///< milliseconds since the run began; units of work of a plan
+  bool planned = false;              ///< nothing of it has run
 
   /// The bar at a time on a lane; null when the thread was idle.
   [[nodiscard]] const Bar* at(int lane, double time) const;
 };
+
+/// What can be expected of a block that has not begun: its cells by estimated cost, longest first, over the threads.
+Timeline planTimeline(const CellBlock& block, std::size_t number, int threads);
 
 /// The blocks that ran in the same run as `shown`, on one axis of time.
 Timeline makeTimeline(const CellBlocks& blocks, std::size_t shown);

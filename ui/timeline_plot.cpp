@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/balance_plot.hpp"
 #include "ui/timeline_lanes.hpp"
 
 namespace footfall {
@@ -31,7 +32,6 @@ TimelinePlot::TimelinePlot(CellModel& model, QWidget* parent) : QCustomPlot(pare
   yAxis->setTicker(QSharedPointer<QCPAxisTickerText>::create());
   yAxis->setTickLength(0);
   yAxis->setSubTicks(false);
-  xAxis->setLabel(tr("time since the run began (ms)"));
   QFont small = font();
   small.setPixelSize(11);
   for (QCPAxis* axis : {xAxis, yAxis}) {
@@ -53,7 +53,13 @@ TimelinePlot::TimelinePlot(CellModel& model, QWidget* parent) : QCustomPlot(pare
 }
 
 void TimelinePlot::rebuild() {
-  timeline_ = model_.previewing() || model_.empty() ? Timeline{} : makeTimeline(model_.blocks(), model_.shownIndex());
+  timeline_ = {};
+  if (const CellBlock* block = model_.shownBlock()) {
+    timeline_ = block->begun() ? makeTimeline(model_.blocks(), model_.shownIndex())
+                               : planTimeline(*block, model_.shownIndex(), expectedThreads());
+  }
+  xAxis->setLabel(timeline_.planned ? tr("estimated work (units), the largest cells first")
+                                    : tr("time since the run began (ms)"));
   lanes_->takeColours();
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   const int step = std::max(1, timeline_.lanes / 16);
@@ -114,7 +120,7 @@ QString TimelinePlot::describe(const Timeline::Bar& bar, const QPointF& place) c
   QString text = bar.cell ? model_.describe(*bar.cell) : QStringLiteral("<b>%1</b><br>").arg(tr("Whole environment"));
   for (const Timeline::Segment& segment : bar.segments) {
     if (time < segment.start || time > segment.end) continue;
-    text += tr("Here: %1 on thread %2, %3 to %4 ms")
+    text += tr("Here %1<br>on thread %2, %3 to %4 ms")
                 .arg(QString::fromStdString(timeline_.filters[segment.filter]))
                 .arg(bar.lane)
                 .arg(segment.start, 0, 'f', 2)
@@ -125,6 +131,7 @@ QString TimelinePlot::describe(const Timeline::Bar& bar, const QPointF& place) c
 
 // How long the pause is, and why it may be one.
 QString TimelinePlot::describeIdle(const QPointF& place) const {
+  if (timeline_.planned) return {};
   const double time = xAxis->pixelToCoord(place.x());
   const int lane = static_cast<int>(std::lround(yAxis->pixelToCoord(place.y())));
   for (const Timeline::Band& band : timeline_.bands) {

@@ -95,6 +95,17 @@ class TestCellModel : public QObject {
     QVERIFY(timeline.at(0, 2) && !timeline.at(0, 2)->cell);
   }
 
+  void aPlanGivesTheLargestCellsOutFirst() {
+    const Timeline plan = planTimeline(BlockBuilder(4).block(), 1, 2);  // costs 10 to 40
+    QVERIFY(plan.planned);
+    QCOMPARE(plan.lanes, 2);
+    QVERIFY((plan.at(0, 5)->cell == CellId{1, 3}));
+    QVERIFY((plan.at(1, 5)->cell == CellId{1, 2}));
+    QVERIFY((plan.at(1, 35)->cell == CellId{1, 1}));
+    QVERIFY((plan.at(0, 45)->cell == CellId{1, 0}));
+    QCOMPARE(plan.end, 50.0);
+  }
+
   void figuresOfTheLoad() {
     const LoadFigures figures = figuresOf(fourCells());
     QCOMPARE(figures.busyMs, (std::vector<double>{36, 30}));

@@ -133,8 +133,9 @@ class TestLoadPanel : public QObject {
   void cellsAppearAsTheyFinish() {
     model_->setBlocks({BlockBuilder(4).block()});
     TimelinePlot& plot = shownTimeline();
-    QVERIFY(plot.timeline().bars.empty());
-    QVERIFY(panel_->figuresText().contains("100 units of work"));
+    QVERIFY(plot.timeline().planned);
+    QCOMPARE(plot.timeline().bars.size(), std::size_t{4});
+    QVERIFY(panel_->figuresText().contains("Expected"));
     QVERIFY(!panel_->phasePlot().isVisible());
     model_->setBlocks({BlockBuilder(4).work(2, "SlopeFilter", 0, 1, 5).block()});
     QCOMPARE(plot.timeline().bars.size(), std::size_t{1});
