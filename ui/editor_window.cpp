@@ -50,7 +50,9 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 EditorWindow::~EditorWindow() {
-  // What looks at cells goes before them.
+  // What looks at cells goes before them, and says nothing about it.
+  cellsAction_->disconnect(this);
+  loadDock_->toggleViewAction()->disconnect(this);
   delete cellWatch_;
   delete cellLegend_;
   delete loadDock_;
