@@ -1,6 +1,7 @@
 // The editor program: reads the command line and hands over to footfall::ui.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "core/errors.hpp"
@@ -30,6 +31,8 @@ int main(int argc, char** argv) {
   std::string view = "oblique";
   std::string up;
   double scale = 0;
+  std::vector<std::string> shown;
+  std::string colouring = footfall::nameOf(footfall::CellsShown().colouring);
   app.set_version_flag("--version", "footfall-editor " FOOTFALL_VERSION);
   app.add_option("ENV", options.environment, "environment (OBJ, glTF, PLY, ...) or session (.footfall)");
   app.add_option("-p,--pipeline", pipelinePath, "pipeline file instead of the default filters");
@@ -38,6 +41,12 @@ int main(int argc, char** argv) {
   app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
   app.add_option("--size", size, "size of the window, e.g. 1600x1000");
   app.add_option("--view", view, "where to look from")->check(CLI::IsMember({"top", "oblique"}))->capture_default_str();
+  auto* showOption = app.add_option("--show", shown, "what to show of parallel blocks, e.g. --show cells,timeline")
+                         ->delimiter(',')
+                         ->check(CLI::IsMember({"cells", "timeline"}));
+  app.add_option("--cell-colours", colouring, "what the colours of cells mean")
+      ->check(CLI::IsMember({"thread", "time", "triangles", "cost"}))
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
     if (!options.screenshot.empty() && options.environment.empty()) {
@@ -51,6 +60,10 @@ int main(int argc, char** argv) {
     if (!up.empty()) options.import.up = up == "y" ? footfall::UpAxis::Y : footfall::UpAxis::Z;
     if (*scaleOption) options.import.metresPerUnit = scale;
     options.top = view == "top";
+    if (*showOption) {
+      const auto wants = [&](const char* part) { return std::find(shown.begin(), shown.end(), part) != shown.end(); };
+      options.cells = {wants("cells"), wants("timeline"), *footfall::colouringFrom(colouring)};
+    }
     return footfall::runEditor(argc, argv, options);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

@@ -11,6 +11,7 @@ uniform float cut;  // what is higher is left out
 uniform vec3 eye;          // in the scene's coordinates
 uniform vec3 viewDirection;
 uniform bool orthographic;
+uniform float pale;        // from 0, the paint's own colour, to 1, hardly any: for what something is drawn over
 uniform vec4 floorPaint;   // rgb and pattern for triangles with alpha 0
 
 flat out vec3 shade;
@@ -31,5 +32,5 @@ void main() {
 
   bool floored = colour.a == 0.0;
   pattern = int((floored ? floorPaint.a : normal.w) * 127.0 + 0.5);
-  shade = (floored ? floorPaint.rgb : colour.rgb) * light;
+  shade = mix(floored ? floorPaint.rgb : colour.rgb, vec3(0.9), pale) * light;
 }

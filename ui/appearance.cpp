@@ -49,6 +49,9 @@ QColor obstacleEdgeColour() { return {213, 60, 0}; }
 QColor connectionColour() { return {255, 255, 255}; }
 QColor outlineColour() { return {28, 40, 48}; }
 QColor creaseColour() { return {118, 123, 130}; }
+QColor cellBorderColour() { return {255, 255, 255}; }
+QColor hoveredCellColour() { return {255, 255, 255}; }
+QColor selectedCellColour() { return {255, 196, 0}; }
 QColor backgroundLower() { return {247, 248, 250}; }
 QColor backgroundUpper() { return {221, 227, 234}; }
 

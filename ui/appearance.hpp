@@ -33,6 +33,9 @@ QColor obstacleEdgeColour();
 QColor connectionColour();
 QColor outlineColour();
 QColor creaseColour();
+QColor cellBorderColour();
+QColor hoveredCellColour();
+QColor selectedCellColour();
 QColor backgroundLower();
 QColor backgroundUpper();
 

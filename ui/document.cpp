@@ -128,6 +128,39 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
        QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession));
 }
 
+bool Document::addParallelBlock() {
+  const std::vector<FilterEntry>& filters = state_.filters;
+  struct Stretch {
+    std::size_t first = 0, end = 0, weight = 0;
+  };
+  Stretch best, current;
+  bool inBlock = false;
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    const PipelineStep& step = filters[i].step;
+    if (!step.enabled) continue;
+    if (step.filter->kind != FilterKind::Filter) inBlock = step.filter->kind == FilterKind::Strategy;
+    if (step.filter->kind != FilterKind::Filter || step.filter->scope == Scope::Global || inBlock) {
+      current = {};
+      continue;
+    }
+    if (current.weight == 0) current.first = i;
+    current.end = i + 1;
+    // Clearance is nearly all of the work.
+    current.weight += step.filter->name == "VerticalClearanceFilter" ? filters.size() : 1;
+    if (current.weight > best.weight) best = current;
+  }
+  if (best.weight == 0) return false;
+  DocumentState next = state_;
+  const auto insert = [&](std::size_t index, const char* name) {
+    next.filters.insert(next.filters.begin() + static_cast<std::ptrdiff_t>(index),
+                        {nextId_++, defaultStep(*findFilter(name), 1)});
+  };
+  insert(best.end, "Collapse");
+  insert(best.first, "AutoStrategy");
+  push(std::move(next), tr("run in parallel"));
+  return true;
+}
+
 void Document::replacePipeline(const Pipeline& pipeline, const QString& text) {
   setImportAndPipeline(state_.import, pipeline, text);
 }

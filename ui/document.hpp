@@ -48,6 +48,9 @@ class Document : public QObject {
   void setEnabled(int id, bool enabled);
   /// `value` must be valid (checkValue). Values that are typed one after the other into the same field are one edit.
   void setValue(int id, std::size_t parameter, double value, int editSession);
+  /// Puts an AutoStrategy and a Collapse around the most local filters in a row (with a clearance among them, where
+  /// there is one), one edit. False when there is no local filter that is switched on outside of a block.
+  bool addParallelBlock();
   void replacePipeline(const Pipeline& pipeline, const QString& text);
   /// Import options and pipeline together, one edit.
   void setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,

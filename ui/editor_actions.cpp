@@ -52,6 +52,8 @@ QString mouseHelp() {
       "<tr><td><b>Wheel, Ctrl+left drag, + and -</b></td><td>zoom</td></tr>"
       "<tr><td><b>Double click</b></td><td>turn about this place from now on</td></tr>"
       "<tr><td><b>Arrow keys</b></td><td>move</td></tr>"
+      "<tr><td><b>C, L</b></td><td>cells in the view, load of the threads</td></tr>"
+      "<tr><td><b>Click on a cell</b></td><td>select it and bring it into sight</td></tr>"
       "<tr><td><b>T, O, F</b></td><td>from the top, from the side, fit into the view</td></tr>"
       "<tr><td><b>Alt+Up, Alt+Down</b></td><td>move a filter in the list</td></tr>"
       "<tr><td><b>F5, Esc</b></td><td>run again, cancel</td></tr></table>");
@@ -174,6 +176,7 @@ void EditorWindow::createActions() {
   pipeline->addSeparator();
   add(pipeline, tr("&Run again"), Qt::Key_F5, [this] { controller_.runNow(); });
   add(pipeline, tr("&Cancel"), {}, [this] { cancelWork(); });
+  pipeline->addSeparator();
 
   QMenu* look = menuBar()->addMenu(tr("&View"));
   onBar(add(look, tr("From the &top"), Qt::Key_T, [this] { view_->viewFromTop(); }), tr("Top"),
@@ -183,6 +186,7 @@ void EditorWindow::createActions() {
   onBar(add(look, tr("&Fit"), Qt::Key_F, [this] { view_->fit(); }), tr("Fit"), tr("Bring everything into sight"));
   add(look, tr("Zoom &in"), Qt::Key_Plus, [this] { view_->zoomBy(1.25); });
   add(look, tr("Zoom o&ut"), Qt::Key_Minus, [this] { view_->zoomBy(0.8); });
+  createCellActions(pipeline, look, bar);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   add(help, tr("&Mouse and keys"), Qt::Key_F1, [this] {

@@ -61,17 +61,23 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
                    [&](const QString& message) { finish(fail(1, message)); });
   QObject::connect(&window.view(), &LevelView::failed, &window,
                    [&](const QString& message) { finish(fail(1, message)); });
+  QTimer settle;
+  settle.setInterval(kSettleMs);
   QObject::connect(&window.controller(), &RunController::finished, &window, [&] {
-    QTimer::singleShot(kSettleMs, &window, [&] {
-      // A session has a view of its own.
-      if (options.top) window.view().viewFromTop();
-      if (!options.top && !window.openedSession()) window.view().viewOblique();
-      QSaveFile file(target);
-      const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
-      finish(written ? 0
-                     : fail(1, QStringLiteral("%1: cannot be written (%2); choose another folder or name")
-                                   .arg(target, file.errorString())));
-    });
+    if (options.cells) window.setCellsShown(*options.cells);
+    settle.start();
+  });
+  QObject::connect(&settle, &QTimer::timeout, &window, [&] {
+    if (!window.cellWatch().upToDate()) return;
+    settle.stop();
+    // A session has a view of its own.
+    if (options.top) window.view().viewFromTop();
+    if (!options.top && !window.openedSession()) window.view().viewOblique();
+    QSaveFile file(target);
+    const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
+    finish(written ? 0
+                   : fail(1, QStringLiteral("%1: cannot be written (%2); choose another folder or name")
+                                 .arg(target, file.errorString())));
   });
   QApplication::exec();
   return code;
@@ -145,6 +151,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   if (!shooting && options.size.isEmpty()) {
     window.restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());
   }
+  if (options.cells) window.setCellsShown(*options.cells);
   window.show();
   if (options.environment.empty()) {
     window.offerLastSession();

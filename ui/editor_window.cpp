@@ -38,8 +38,10 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
   setAcceptDrops(true);
   setObjectName(QStringLiteral("editorWindow"));
   createWidgets();
+  createCellWidgets();
   createActions();
   connectParts();
+  connectCells();
   keepTimer_.setSingleShot(true);
   keepTimer_.setInterval(kKeepAfterMs);
   connect(&keepTimer_, &QTimer::timeout, this, &EditorWindow::keepSession);
@@ -48,6 +50,12 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 EditorWindow::~EditorWindow() {
+  // What looks at cells goes before them, and says nothing about it.
+  cellsAction_->disconnect(this);
+  loadDock_->toggleViewAction()->disconnect(this);
+  delete cellWatch_;
+  delete cellLegend_;
+  delete loadDock_;
   // The parts outlive the widgets that listen to them.
   document_.disconnect();
   document_.undoStack()->disconnect();
@@ -113,7 +121,7 @@ void EditorWindow::connectParts() {
 void EditorWindow::open(const QString& path) { openWith(path, std::nullopt, {}); }
 
 void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import) {
-  Opening opening{path, pipeline, import, std::nullopt, false, {}};
+  Opening opening{path, pipeline, import, std::nullopt, false, {}, {}};
   try {
     if (isSessionFile(toPath(path))) {
       const Session session = readSession(toPath(path));
@@ -124,7 +132,8 @@ void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& 
         document_.replacePipeline(session.pipeline, tr("open %1").arg(QFileInfo(path).fileName()));
         return;
       }
-      opening = {fromPath(session.environment), session.pipeline, session.import, session.camera, false, path};
+      opening = {
+          fromPath(session.environment), session.pipeline, session.import, session.camera, false, path, session.cells};
       if (pipeline) opening.pipeline = pipeline;
       if (import.up) opening.import.up = import.up;
       if (import.metresPerUnit) opening.import.metresPerUnit = import.metresPerUnit;
@@ -169,14 +178,16 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
     document_.reset(pipeline, opening.import);
     sessionPath_ = opening.session;
     if (opening.camera) view_->setCameraPose(*opening.camera);
+    if (opening.cells) setCellsShown(*opening.cells);
     if (!opening.pipeline && own) {
       messages_->showHint(tr("Your filters were kept for this environment."), tr("Use default filters"),
                           [this] { useDefaultFilters(); });
     }
     if (remembering_) recent_.add(opening.session.isEmpty() ? opening.path : opening.session);
   }
+  cellWatch_->setEnvironment(loaded.environment, loaded.geometry->centre);
   controller_.setEnvironment(loaded.environment, loaded.geometry->centre);
-  legend_->show();
+  chooseLegend();
   cut_->show();
   if (!opening.reload) cutSlider()->setValue(cutSlider()->maximum());
   placeOverlays();
@@ -303,6 +314,7 @@ Session EditorWindow::currentSession() const {
   session.import = document_.state().import;
   session.pipeline = document_.pipeline();
   if (loaded_.environment) session.camera = view_->cameraPose();
+  session.cells = cellsShown();
   return session;
 }
 
@@ -388,6 +400,8 @@ void EditorWindow::placeOverlays() {
   legend_->adjustSize();
   legend_->move(12, view_->height() - legend_->height() - 12);
   cut_->setGeometry(view_->width() - 66, 12, 54, std::min(260, view_->height() - 24));
+  cellLegend_->adjustSize();
+  cellLegend_->move(view_->width() - cellLegend_->width() - 12, view_->height() - cellLegend_->height() - 12);
   welcome_->setGeometry(view_->rect());
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QPushButton>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "ui/cell_watch.hpp"
 #include "ui/document.hpp"
 #include "ui/environment_loader.hpp"
 #include "ui/filter_list.hpp"
@@ -54,6 +56,13 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] LevelView& view() { return *view_; }
   [[nodiscard]] FilterList& filterList() { return *filters_; }
   [[nodiscard]] ImportPanel& importPanel() { return *import_; }
+  [[nodiscard]] CellModel& cells() { return cells_; }
+  [[nodiscard]] CellWatch& cellWatch() { return *cellWatch_; }
+  [[nodiscard]] CellLegend& cellLegend() { return *cellLegend_; }
+  [[nodiscard]] LoadPanel& loadPanel() { return *load_; }
+  /// Cells in the view, and the dock with the timeline.
+  void setCellsShown(const CellsShown& shown);
+  [[nodiscard]] CellsShown cellsShown() const;
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
   [[nodiscard]] QSlider* cutSlider() const { return cut_->findChild<QSlider*>(); }
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
@@ -82,11 +91,17 @@ class EditorWindow : public QMainWindow {
     std::optional<CameraPose> camera;
     bool reload = false;  ///< the same file with other options
     QString session;      ///< the file that all this comes from, when it is one
+    std::optional<CellsShown> cells;
   };
 
   void createWidgets();
   void createActions();
+  void createCellWidgets();
+  void createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar);
   void connectParts();
+  void connectCells();
+  void chooseLegend();
+  void previewCells(int strategy);
   void openDialog();
   void openPipelineDialog();
   void savePipelineDialog();
@@ -109,6 +124,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] QString suggestedPath(const QString& ending) const;
 
   Document document_;
+  CellModel cells_;
   LoadedEnvironment loaded_;
   std::optional<Opening> opening_;
   bool remembering_ = true;
@@ -122,6 +138,11 @@ class EditorWindow : public QMainWindow {
   LevelView* view_ = nullptr;
   Legend* legend_ = nullptr;
   QFrame* cut_ = nullptr;
+  CellLegend* cellLegend_ = nullptr;
+  LoadPanel* load_ = nullptr;
+  QDockWidget* loadDock_ = nullptr;
+  QAction* cellsAction_ = nullptr;
+  CellWatch* cellWatch_ = nullptr;
   FilterList* filters_ = nullptr;
   ImportPanel* import_ = nullptr;
   MessageBar* messages_ = nullptr;

@@ -78,6 +78,7 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
   auto* row = new FilterRow(entry, content_);
   connect(row, &FilterRow::enabledEdited, &document_, &Document::setEnabled);
   connect(row, &FilterRow::valueEdited, &document_, &Document::setValue);
+  connect(row, &FilterRow::previewRequested, this, &FilterList::previewRequested);
   // Later: the row that sends this goes with it.
   connect(row, &FilterRow::removeRequested, &document_, &Document::removeFilter, Qt::QueuedConnection);
   row->handle()->installEventFilter(this);
@@ -117,6 +118,14 @@ void FilterList::showFilters() {
         before = field;
       }
     }
+  }
+  bool inBlock = false;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const PipelineStep& step = document_.filters()[i].step;
+    const FilterKind kind = step.enabled ? step.filter->kind : FilterKind::Filter;
+    inBlock = inBlock || kind == FilterKind::Strategy;
+    rows_[i]->setInBlock(inBlock);
+    if (kind == FilterKind::Collapse) inBlock = false;
   }
   empty_->setVisible(rows_.empty());
   showStatuses();

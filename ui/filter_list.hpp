@@ -24,6 +24,10 @@ class FilterList : public QWidget {
   /// New filters take their defaults in this scale.
   void setMetresPerUnit(double metresPerUnit) { metresPerUnit_ = metresPerUnit; }
 
+ signals:
+  /// Somebody wants to see the cells of a strategy.
+  void previewRequested(int id);
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;

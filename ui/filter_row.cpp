@@ -37,7 +37,7 @@ QString durationText(double milliseconds) {
 
 QString countText(std::uint64_t count) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)); }
 
-QString figuresText(const StepStatus& status) {
+QString statusFigures(const StepStatus& status) {
   QStringList parts;
   if (status.wallMs) parts << durationText(*status.wallMs);
   if (status.trianglesIn && status.trianglesOut) {
@@ -77,6 +77,14 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   head->addWidget(handle_);
   head->addWidget(enabled_, 1);
   head->addWidget(state_);
+  if (filter_.kind == FilterKind::Strategy) {
+    preview_ = new QToolButton(this);
+    preview_->setText(tr("Cells"));
+    preview_->setObjectName(QStringLiteral("previewCells"));
+    preview_->setToolTip(tr("Preview the cells that this strategy makes, without running the filters"));
+    connect(preview_, &QToolButton::clicked, this, [this] { emit previewRequested(id_); });
+    head->addWidget(preview_);
+  }
   head->addWidget(remove_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 5, 5, 6);
@@ -152,6 +160,13 @@ void FilterRow::setEntry(const FilterEntry& entry) {
   }
 }
 
+void FilterRow::setInBlock(bool inBlock) {
+  if (property("inBlock").toBool() == inBlock) return;
+  setProperty("inBlock", inBlock);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
 void FilterRow::setStatus(const StepStatus& status) {
   QString word = stateWord(status.state);
   if (status.state == StepState::Running && status.fraction > 0) {
@@ -161,7 +176,7 @@ void FilterRow::setStatus(const StepStatus& status) {
     state_->setText(word);
     state_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(stateColour(status.state).name()));
   }
-  const QString figures = figuresText(status);
+  const QString figures = statusFigures(status);
   if (figures != figures_->text()) figures_->setText(figures);
   const bool old = status.state == StepState::Stale || status.state == StepState::Cancelled;
   figures_->setEnabled(!old);

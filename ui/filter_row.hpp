@@ -25,6 +25,8 @@ class FilterRow : public QFrame {
   /// The same filter with other values.
   void setEntry(const FilterEntry& entry);
   void setStatus(const StepStatus& status);
+  /// Marks the rows of a parallel block, from its strategy to its Collapse.
+  void setInBlock(bool inBlock);
 
   /// Where the row can be dragged.
   [[nodiscard]] QWidget* handle() const { return handle_; }
@@ -32,6 +34,9 @@ class FilterRow : public QFrame {
   [[nodiscard]] QWidget* field(std::size_t parameter) const { return fields_[parameter]; }
   [[nodiscard]] QCheckBox* enabledBox() const { return enabled_; }
   [[nodiscard]] QToolButton* removeButton() const { return remove_; }
+  /// Null for filters that are no strategy.
+  [[nodiscard]] QToolButton* previewButton() const { return preview_; }
+  [[nodiscard]] QString figuresText() const { return figures_->text(); }
   [[nodiscard]] QString stateText() const { return state_->text(); }
   [[nodiscard]] QString errorText() const { return error_->text(); }
 
@@ -39,6 +44,8 @@ class FilterRow : public QFrame {
   void enabledEdited(int id, bool enabled);
   void valueEdited(int id, std::size_t parameter, double value, int editSession);
   void removeRequested(int id);
+  /// Only of strategies.
+  void previewRequested(int id);
 
  private:
   void addParameters(QVBoxLayout* layout);
@@ -49,6 +56,7 @@ class FilterRow : public QFrame {
   QLabel* handle_;
   QCheckBox* enabled_;
   QLabel* state_;
+  QToolButton* preview_ = nullptr;
   QToolButton* remove_;
   std::vector<QWidget*> fields_;
   QWidget* parameters_ = nullptr;

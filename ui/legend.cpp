@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace footfall {
 namespace {
@@ -70,6 +71,10 @@ QCheckBox* Legend::addEntry(const QString& label, bool SceneParts::*part, const 
   });
   layout()->addWidget(box);
   return box;
+}
+
+void Legend::showCells(bool on) {
+  if (std::exchange(parts_.cells, on) != on) emit partsChanged(parts_);
 }
 
 void Legend::describe(const ViewContent& content) {

@@ -20,6 +20,8 @@ class Legend : public QFrame {
 
   /// Names what `content` shows.
   void describe(const ViewContent& content);
+  /// Cells have a legend of their own; this one only passes on that they are shown.
+  void showCells(bool on);
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
 
  signals:

@@ -3,11 +3,14 @@
 
 #include <QGLViewer/manipulatedCameraFrame.h>
 
+#include <QApplication>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace footfall {
 namespace {
@@ -29,6 +32,7 @@ LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
   setStateFileName(QString());  // the session keeps the camera
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, [this] { update(); });
@@ -74,6 +78,7 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
   environment_ = std::move(geometry);
   renderer_.setEnvironment(environment_);
   setContent({});
+  setCells(nullptr, {});
   if (environment_) {
     const double radius = toVec(environment_->upper).norm();
     setSceneCenter(Vec(0, 0, 0));
@@ -100,6 +105,94 @@ void LevelView::setParts(const SceneParts& parts) {
 void LevelView::setCut(double fraction) {
   cut_ = fraction;
   update();
+}
+
+void LevelView::setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours) {
+  cells_ = std::move(geometry);
+  hovered_.reset();
+  renderer_.setCells(cells_, std::move(colours));
+  update();
+}
+
+void LevelView::setCellColours(CellColours colours) {
+  renderer_.setCellColours(std::move(colours));
+  update();
+}
+
+void LevelView::setMarkedCells(const MarkedCells& marked) {
+  renderer_.setMarkedCells(marked);
+  update();
+}
+
+void LevelView::frameCell(std::size_t cell) {
+  if (!cells_ || cell >= cells_->boxes.size()) return;
+  const CellBox& box = cells_->boxes[cell];
+  // Between the floors of the cell rather than between the sky and the cellar.
+  float lowest = std::numeric_limits<float>::max();
+  float highest = std::numeric_limits<float>::lowest();
+  for (std::size_t v = cells_->firstVertex[cell]; v < cells_->firstVertex[cell + 1]; ++v) {
+    lowest = std::min(lowest, cells_->surface[v].position[2]);
+    highest = std::max(highest, cells_->surface[v].position[2]);
+  }
+  if (lowest > highest) lowest = highest = box.lower[2];
+  std::vector<Vec3> corners;
+  for (const float x : {box.lower[0], box.upper[0]}) {
+    for (const float y : {box.lower[1], box.upper[1]}) {
+      for (const float z : {lowest, highest}) corners.push_back({x, y, z});
+    }
+  }
+  fitTo(corners);
+}
+
+std::optional<std::size_t> LevelView::cellAt(const QPoint& place) const {
+  if (!parts_.cells || !cells_ || !environment_) return std::nullopt;
+  Vec origin, direction;
+  camera()->convertClickToLine(place, origin, direction);
+  return pickCell({{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}}, *environment_, *cells_,
+                  static_cast<double>(cutHeight()));
+}
+
+float LevelView::cutHeight() const {
+  if (cut_ >= 1 || !environment_) return std::numeric_limits<float>::max();
+  const Vec3& lower = environment_->lower;
+  const double height = environment_->upper.z - lower.z;
+  // A little more, so that a floor at exactly this height is still there.
+  return static_cast<float>(lower.z + (cut_ + 1e-4) * height);
+}
+
+void LevelView::hover(std::optional<std::size_t> cell) {
+  if (std::exchange(hovered_, cell) != cell || cell) emit cellHovered(cell);
+}
+
+void LevelView::mousePressEvent(QMouseEvent* event) {
+  const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+  pressed_ = plain ? std::optional(event->pos()) : std::nullopt;
+  QGLViewer::mousePressEvent(event);
+}
+
+void LevelView::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() == Qt::NoButton) {
+    hover(cellAt(event->pos()));
+  } else if (pressed_ && (event->pos() - *pressed_).manhattanLength() >= QApplication::startDragDistance()) {
+    pressed_.reset();
+  }
+  QGLViewer::mouseMoveEvent(event);
+}
+
+void LevelView::mouseReleaseEvent(QMouseEvent* event) {
+  QGLViewer::mouseReleaseEvent(event);
+  if (!std::exchange(pressed_, std::nullopt) || !parts_.cells || !cells_) return;
+  emit cellClicked(cellAt(event->pos()));
+}
+
+void LevelView::mouseDoubleClickEvent(QMouseEvent* event) {
+  // The first click may have moved the camera: what is under the mouse now is not what was meant.
+  if (!parts_.cells || !cells_) QGLViewer::mouseDoubleClickEvent(event);
+}
+
+void LevelView::leaveEvent(QEvent* event) {
+  hover({});
+  QGLViewer::leaveEvent(event);
 }
 
 void LevelView::resizeGL(int width, int height) {
@@ -130,12 +223,7 @@ void LevelView::draw() {
       QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
   scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
   scene.devicePixelRatio = static_cast<float>(devicePixelRatioF());
-  if (cut_ < 1 && environment_) {
-    const Vec3& lower = environment_->lower;
-    const double height = environment_->upper.z - lower.z;
-    // A little more, so that a floor at exactly this height is still there.
-    scene.cut = static_cast<float>(lower.z + (cut_ + 1e-4) * height);
-  }
+  scene.cut = cutHeight();
   scene.viewport = size() * devicePixelRatioF();
   SceneParts parts = parts_;
   const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;

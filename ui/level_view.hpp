@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "ui/scene_renderer.hpp"
 
@@ -21,7 +22,8 @@ struct CameraPose {
 };
 
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
-/// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move.
+/// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
+/// shown, a click tells which one it hit, and a double click is no more than two of them.
 class LevelView : public QGLViewer {
   Q_OBJECT
 
@@ -36,6 +38,15 @@ class LevelView : public QGLViewer {
 
   void setParts(const SceneParts& parts);
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
+
+  /// The cells of a parallel block; they are seen while SceneParts::cells is set. Null: none.
+  void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
+  void setCellColours(CellColours colours);
+  void setMarkedCells(const MarkedCells& marked);
+  /// Brings a cell into sight, from where one looks now.
+  void frameCell(std::size_t cell);
+  /// What one sees at a place of the view; nothing where there is no cell, or none are shown.
+  [[nodiscard]] std::optional<std::size_t> cellAt(const QPoint& place) const;
 
   /// Leaves out what is above a height, from 0 (the bottom) to 1 (nothing is left out): a look under roofs.
   void setCut(double fraction);
@@ -61,15 +72,26 @@ class LevelView : public QGLViewer {
   /// OpenGL cannot show the scene; once.
   void failed(const QString& message);
   void cameraMoved();
+  /// The mouse has moved over a cell, or off all of them. Only while cells are shown and no button is down.
+  void cellHovered(std::optional<std::size_t> cell);
+  /// A click, not a drag; nothing when it hit no cell.
+  void cellClicked(std::optional<std::size_t> cell);
 
  protected:
   void init() override;
   void draw() override;
   void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void resizeGL(int width, int height) override;
 
  private:
   void bindMouse();
+  [[nodiscard]] float cutHeight() const;
+  void hover(std::optional<std::size_t> cell);
   void fitTo(const std::vector<Vec3>& points);
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
 
@@ -78,6 +100,9 @@ class LevelView : public QGLViewer {
   ViewContent content_;
   SceneParts parts_;
   double cut_ = 1;
+  std::shared_ptr<const CellGeometry> cells_;
+  std::optional<std::size_t> hovered_;
+  std::optional<QPoint> pressed_;  ///< where a click may have begun
   bool ready_ = false;
   bool fitWhenSized_ = false;
   QTimer rest_;  ///< runs while the camera moves

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/provisional_content.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <unordered_set>
@@ -72,6 +73,22 @@ ViewContent shownWithout(const ShownResult& shown, const FaceSet& faces) {
   return content;
 }
 
+// Of a floor that a border cuts, a cell has only its part: the rest must stay in sight until its cells are done.
+std::vector<std::uint32_t> facesInside(const CellBounds& cell, const std::vector<std::uint32_t>& faces,
+                                       const Environment& environment) {
+  std::vector<std::uint32_t> inside;
+  for (const std::uint32_t face : faces) {
+    if (face >= environment.triangles.size()) continue;  // of a later generation
+    const Triangle& corners = environment.triangles[face];
+    const bool whole = std::ranges::all_of(corners, [&](std::uint32_t corner) {
+      const Vec3& p = environment.vertices[corner];
+      return p.x >= cell.lower[0] && p.x <= cell.upper[0] && p.y >= cell.lower[1] && p.y <= cell.upper[1];
+    });
+    if (whole) inside.push_back(face);
+  }
+  return inside;
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const MeshGeometry>> changedTriangles(const NavigationMesh& before,
@@ -85,9 +102,13 @@ std::vector<std::shared_ptr<const MeshGeometry>> changedTriangles(const Navigati
   return changes;
 }
 
-ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces) {
+ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces,
+                       const Environment& environment) {
   FaceSet faces;
-  for (const RunEventBuffer::Part& piece : pieces) faces.add(piece.mesh->sourceTriangles);
+  for (const RunEventBuffer::Part& piece : pieces) {
+    faces.add(piece.cell ? facesInside(*piece.cell, piece.mesh->sourceTriangles, environment)
+                         : piece.mesh->sourceTriangles);
+  }
   ViewContent content = shownWithout(shown, faces);
   for (const RunEventBuffer::Part& piece : pieces) content.walkable.push_back(piece.geometry);
   return content;

@@ -23,7 +23,9 @@ std::vector<std::shared_ptr<const MeshGeometry>> changedTriangles(const Navigati
                                                                   const NavigationMesh& after, const Paint& removed,
                                                                   const Vec3& centre);
 
-/// The result with pieces, each with its geometry, in place of whatever lies on the same faces.
-ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces);
+/// The result with pieces, each with its geometry, in place of whatever lies on the same faces; pieces of cells in
+/// place of what lies on faces inside their cell.
+ViewContent withPieces(const ShownResult& shown, const std::vector<RunEventBuffer::Part>& pieces,
+                       const Environment& environment);
 
 }  // namespace footfall

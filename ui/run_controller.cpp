@@ -2,93 +2,13 @@
 #include "ui/run_controller.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 #include "core/pipeline/block_structure.hpp"
 #include "ui/appearance.hpp"
+#include "ui/run_job.hpp"
 
 namespace footfall {
-namespace {
-
-constexpr auto kDrainPeriod = std::chrono::milliseconds(100);  // between two updates of the window
-constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
-// What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
-constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
-// The same where the change itself is on the screen already: pieces tell little more, and their frames are long ones.
-constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
-// What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
-constexpr auto kProgressAfter = std::chrono::milliseconds(150);
-// A hidden view shows no frames.
-constexpr auto kFrameWait = std::chrono::milliseconds(60);
-constexpr double kSameArea = 1 - 1e-9;  // areas in summaries are rounded
-constexpr std::size_t kPreviews = 32;   // as many as ResultCache keeps states
-
-std::string extendPrefix(const std::string& prefix, const PipelineStep& step) {
-  return prefix + formatStep(step) + '\n';
-}
-
-double milliseconds(RunEventBuffer::Clock::duration duration) {
-  return std::chrono::duration<double, std::milli>(duration).count();
-}
-
-}  // namespace
-
-/// Thread-safe; the least recently used goes first.
-class RunController::PreviewCache {
- public:
-  void store(const std::string& prefix, MeshPtr mesh) {
-    const std::scoped_lock lock(mutex_);
-    entries_.remove_if([&](const auto& entry) { return entry.first == prefix; });
-    entries_.emplace_front(prefix, std::move(mesh));
-    if (entries_.size() > kPreviews) entries_.pop_back();
-  }
-  MeshPtr find(const std::string& prefix) {
-    const std::scoped_lock lock(mutex_);
-    for (auto it = entries_.begin(); it != entries_.end(); ++it) {
-      if (it->first != prefix) continue;
-      entries_.splice(entries_.begin(), entries_, it);
-      return it->second;
-    }
-    return nullptr;
-  }
-
- private:
-  std::mutex mutex_;
-  std::list<std::pair<std::string, MeshPtr>> entries_;
-};
-
-/// One run: shared by the window and the threads that work on it.
-struct RunController::Job {
-  std::shared_ptr<const Environment> environment;
-  Vec3 centre;
-  Pipeline pipeline;
-  std::string key;
-  std::vector<int> ids;                    // of the enabled steps
-  std::vector<const PipelineStep*> steps;  // the enabled ones, inside `pipeline`
-  std::vector<std::string> prefixes;       // prefixes[i]: steps before the enabled step i, and one more for all
-  RunEventBuffer::Clock::time_point begun = RunEventBuffer::Clock::now();
-  bool follows = false;  // there is an earlier result, which is shown until more is known
-  // What the window shows of it while it runs; the window's own.
-  std::size_t shownStep = static_cast<std::size_t>(-1), shownParts = 0;
-  std::optional<RunEventBuffer::Clock::time_point> lastPicture;
-  // Over the last result: known from the edit itself, or else from the first step that differs once it has run.
-  EditPreview::Surfaces changes;
-  bool waiting = false;  // for the frame that shows what is known from the edit
-  // The first step that is not the same as in the last finished run, and what it gave there.
-  std::size_t firstChanged = 0;
-  MeshPtr changedBefore;
-  EditPreview::Surfaces changesOfStep;  // written by the thread that computes, before the event of that step
-  std::shared_ptr<PreviewCache> previews;
-  std::unique_ptr<RunEventBuffer> events;
-  std::unique_ptr<RunContext> context;
-};
-
-struct RunController::Outcome {
-  std::shared_ptr<const FinishedRun> finished;
-  ViewContent content;
-  QString error;  // empty: finished or cancelled
-};
 
 RunController::RunController(QObject* parent)
     : QObject(parent),
@@ -121,6 +41,8 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   preparing_ = std::make_shared<RunContext>();
   editPreviews_.clear();
   missing_.clear();
+  knownBlocks_.clear();
+  showLastCells();
   refreshStatuses();
   emit statusChanged();
   start();
@@ -153,6 +75,7 @@ void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   }
   if (!environment_ || sameAsRunning) return;
   showLastResult();
+  showLastCells();
   emit finished();  // the list is back where the result is
 }
 
@@ -167,13 +90,9 @@ void RunController::cancel() {
   if (!job_) return;
   stopJob(StepState::Cancelled);
   showLastResult();
+  showLastCells();
   emit statusChanged();
   emit cancelled();
-}
-
-// In place of what a run that did not finish has shown.
-void RunController::showLastResult() {
-  if (std::exchange(provisional_, false)) emit contentReady(shown_.content);
 }
 
 StepStatus RunController::status(int id) const {
@@ -292,8 +211,8 @@ void RunController::start() {
         }
         // Pictures are made here and not on the window's thread, which would wait for them.
         std::shared_ptr<const MeshGeometry> geometry;
-        if (event.part && (event.kind == RunEvent::Kind::PartReady || !raw->follows))
-          geometry = makeMeshGeometry(*event.part, raw->centre);
+        const bool piece = event.kind == RunEvent::Kind::PartReady || event.kind == RunEvent::Kind::CellFinished;
+        if (event.part && (piece || !raw->follows)) geometry = makeMeshGeometry(*event.part, raw->centre);
         raw->events->add(event, std::move(geometry));
       },
       true);
@@ -337,65 +256,6 @@ void RunController::work(const std::shared_ptr<Job>& job) {
   });
 }
 
-// An edit of one parameter, which stands for most of what somebody does here while looking at the view.
-void RunController::preview(Job& job) const {
-  if (!finished_ || !shown_.mesh) return;
-  std::vector<const PipelineStep*> before;
-  for (const PipelineStep& step : finished_->pipeline.steps) {
-    if (step.enabled) before.push_back(&step);
-  }
-  const std::size_t i = job.firstChanged;
-  const auto rest = static_cast<std::ptrdiff_t>(i + 1);
-  if (i >= before.size() || before.size() != job.steps.size() || before[i]->filter != job.steps[i]->filter ||
-      before[i]->values.size() != 1 ||
-      !std::equal(before.begin() + rest, before.end(), job.steps.begin() + rest,
-                  [](const PipelineStep* a, const PipelineStep* b) { return *a == *b; }))
-    return;
-  const auto found = editPreviews_.find(job.prefixes[i] + std::string(before[i]->filter->name));
-  if (found == editPreviews_.end()) return;
-  job.changes = found->second->changes(before[i]->values[0], job.steps[i]->values[0]);
-}
-
-// What depends on nothing that is new in this run is still true; the rest is made anew, once the result is seen.
-void RunController::keepPreviews(const Job& job) {
-  EditPreviews kept;
-  missing_.clear();
-  for (std::size_t i = 0; i < job.steps.size(); ++i) {
-    const PipelineStep& step = *job.steps[i];
-    if (step.values.size() != 1) continue;
-    const std::string key = job.prefixes[i] + std::string(step.filter->name);
-    const EditedStep edited{step.filter->name, step.values[0], job.previews->find(job.prefixes[i]),
-                            finished_->result.mesh};
-    const auto known = editPreviews_.find(key);
-    if (known != editPreviews_.end() && known->second->suits(edited)) {
-      kept.insert(*known);
-    } else {
-      missing_.emplace_back(key, edited);
-    }
-  }
-  editPreviews_ = std::move(kept);
-  frameTimer_.start(kFrameWait);
-}
-
-// In the background, as long as no run wants the processors.
-void RunController::preparePreviews() {
-  for (auto& [key, step] : std::exchange(missing_, {})) {
-    preparations_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
-      std::shared_ptr<const EditPreview> made;
-      try {
-        context->checkCancelled();
-        made = makeEditPreview(step, environment, centre, [&] { context->checkCancelled(); });
-      } catch (const std::exception&) {
-        return;  // cancelled, or memory ran out: then a run shows the first change
-      }
-      const auto keep = [this, key, context, made] {
-        if (made && context == preparing_) editPreviews_[key] = made;
-      };
-      QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
-    });
-  }
-}
-
 void RunController::findFirstChange(Job& job) const {
   if (!finished_) return;
   std::vector<const PipelineStep*> before;
@@ -427,113 +287,22 @@ RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
   return outcome;
 }
 
-ViewContent RunController::makeContent(const Job& job, const RunResult& result) {
-  ViewContent content;
-  for (std::size_t i = 0; i < job.steps.size(); ++i) {
-    const RemovalStyle* style = removalStyle(job.steps[i]->filter->name);
-    if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;  // it removed nothing
-    if (!content.firstRemoval) {
-      content.firstRemoval = style;
-      continue;  // the environment's own floors stand for what was there before
-    }
-    if (const MeshPtr before = job.previews->find(job.prefixes[i])) {
-      content.removed.push_back({style, makeMeshGeometry(*before, job.centre, style->paint)});
-    }
+// Steps of a block run at the same time: the first of them stands for what went wrong.
+void RunController::markUnfinished(const Job& job, const QString& error) {
+  bool told = false;
+  for (const int id : job.ids) {
+    StepStatus& status = statuses_[id];
+    if (status.state != StepState::Running) continue;
+    status.state = error.isEmpty() || told ? StepState::Cancelled : StepState::Failed;
+    if (!std::exchange(told, true)) status.error = error;
   }
-  if (result.mesh) content.walkable.push_back(makeMeshGeometry(*result.mesh, job.centre));
-  return content;
-}
-
-void RunController::scheduleDrain() {
-  if (!job_ || drainTimer_.isActive()) return;
-  const auto period = waitsForPicture() ? kWatchPeriod : kDrainPeriod;
-  const auto due = std::chrono::ceil<std::chrono::milliseconds>(drained_ + period - RunEventBuffer::Clock::now());
-  drainTimer_.start(std::max(due, std::chrono::milliseconds(0)));
-}
-
-void RunController::drain() {
-  if (!job_) return;
-  drained_ = RunEventBuffer::Clock::now();
-  const std::vector<RunEventBuffer::Step> steps = job_->events->fetch();
-  takeStatuses(steps);
-  if (!job_) return;  // somebody who heard of them has cancelled
-  const std::size_t changed = job_->firstChanged;
-  if (job_->changes.empty() && changed < steps.size() && steps[changed].finished) job_->changes = job_->changesOfStep;
-  const auto last = job_->lastPicture ? *job_->lastPicture : job_->begun;
-  const auto period = job_->changes.empty() ? kPicturePeriod : kDetailPeriod;
-  if (waitsForPicture() || RunEventBuffer::Clock::now() - last > period) showParts(steps);
-}
-
-void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps) {
-  double done = 0;
-  QString text = tr("Finishing");
-  for (std::size_t i = 0; i < steps.size() && i < job_->ids.size(); ++i) {
-    const RunEventBuffer::Step& step = steps[i];
-    StepStatus& status = statuses_[job_->ids[i]];
-    if (!step.finished) {
-      status.state = StepState::Running;
-      status.fraction = step.fraction;
-      text = QString::fromStdString(std::string(job_->steps[i]->filter->label));
-      done += step.fraction;
-      continue;
-    }
-    done += 1;
-    const bool current = status.state == StepState::Done || status.state == StepState::Cached;
-    if (current && status.prefix == job_->prefixes[i + 1]) continue;
-    status.state = StepState::Done;
-    status.prefix = job_->prefixes[i + 1];
-    if (step.whole.mesh) {
-      status.wallMs = milliseconds(step.ended - step.started);
-      status.trianglesOut = step.whole.mesh->triangles.size();
-    }
-  }
-  if (drained_ - job_->begun > kProgressAfter) {
-    emit progressed(done / static_cast<double>(job_->ids.size() + 1), text);
-    emit statusChanged();
-  }
-}
-
-// Without an earlier result, the steps on the way would only flicker past.
-bool RunController::waitsForPicture() const { return shown_.mesh && !job_->lastPicture; }
-
-// The last step that has something to show.
-void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
-  for (std::size_t i = steps.size(); i-- > 0;) {
-    const bool pieces = !steps[i].parts.empty();
-    if (!pieces && !steps[i].whole.mesh) continue;
-    const std::size_t parts = pieces ? steps[i].parts.size() + 1 : 0;
-    if (job_->shownStep == i && job_->shownParts == parts) return;
-    job_->shownStep = i;
-    job_->shownParts = parts;
-    // In front of an earlier result, only what changes it is worth showing, and that once.
-    if (!pieces && shown_.mesh && (job_->changes.empty() || job_->lastPicture)) return;
-    const ViewContent content = contentOfStep(steps[i]);
-    job_->lastPicture = RunEventBuffer::Clock::now();
-    provisional_ = true;
-    emit contentReady(content);  // last: who hears it may cancel
-    return;
-  }
-}
-
-// In front of the last finished run where there is one, its pieces and what has changed; else its pieces or its whole
-// result alone.
-ViewContent RunController::contentOfStep(const RunEventBuffer::Step& step) const {
-  const bool pieces = !step.parts.empty();
-  ViewContent content = shown_.content;
-  if (pieces && shown_.mesh) content = withPieces(shown_, step.parts);
-  content.changes = job_->changes;
-  if (shown_.mesh) return content;
-  content.walkable.clear();
-  for (const RunEventBuffer::Part& part : step.parts) content.walkable.push_back(part.geometry);
-  if (!pieces) content.walkable.push_back(step.whole.geometry);
-  return content;
 }
 
 void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& outcome) {
   if (job != job_) return;  // cancelled or overtaken
   drained_ = RunEventBuffer::Clock::now();
-  takeStatuses(job->events->fetch());  // the last events, which may have come after the timer
-  if (job != job_) return;             // somebody who heard of them has cancelled
+  takeStatuses(job->events->fetch(), job->events->blocks());  // the last events may have come after the timer
+  if (job != job_) return;                                    // somebody who heard of them has cancelled
   job_.reset();
   if (outcome.finished) {
     finished_ = outcome.finished;
@@ -550,19 +319,17 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
       status.prefix = job->prefixes[i + 1];
     }
     provisional_ = false;
+    keepBlocks(*job);
     emit statusChanged();
     keepPreviews(*job);
     emit contentReady(outcome.content);
+    showLastCells();
     emit finished();
     return;
   }
-  const auto running =
-      std::find_if(job->ids.begin(), job->ids.end(), [&](int id) { return statuses_[id].state == StepState::Running; });
-  if (running != job->ids.end()) {
-    statuses_[*running].state = outcome.error.isEmpty() ? StepState::Cancelled : StepState::Failed;
-    statuses_[*running].error = outcome.error;
-  }
+  markUnfinished(*job, outcome.error);
   showLastResult();
+  showLastCells();
   emit statusChanged();
   if (outcome.error.isEmpty()) {
     emit cancelled();

@@ -4,7 +4,7 @@
 
 #include <QObject>
 #include <QTimer>
-#include <list>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +13,7 @@
 
 #include "core/pipeline/runner.hpp"
 #include "ui/background_queue.hpp"
+#include "ui/cell_block.hpp"
 #include "ui/document.hpp"
 #include "ui/edit_preview.hpp"
 #include "ui/provisional_content.hpp"
@@ -66,6 +67,9 @@ class RunController : public QObject {
   /// `fraction` of the whole run; `text` names the step. Only of runs that take a while.
   void progressed(double fraction, const QString& text);
   void contentReady(const footfall::ViewContent& content);
+  /// Cells of the run under way as they are made and finish, then those of the last finished run. Blocks that it took
+  /// from the cache come as they were when they ran.
+  void cellsChanged(const footfall::CellBlocks& blocks);
   void finished();
   void failed(const QString& message);
   void cancelled();
@@ -85,11 +89,15 @@ class RunController : public QObject {
   void work(const std::shared_ptr<Job>& job);
   void scheduleDrain();
   void drain();
-  void takeStatuses(const std::vector<RunEventBuffer::Step>& steps);
+  void takeStatuses(const std::vector<RunEventBuffer::Step>& steps, const std::vector<RunEventBuffer::Block>& blocks);
+  void takeCells(const std::vector<RunEventBuffer::Block>& blocks);
   void showParts(const std::vector<RunEventBuffer::Step>& steps);
   [[nodiscard]] ViewContent contentOfStep(const RunEventBuffer::Step& step) const;
   [[nodiscard]] bool waitsForPicture() const;
   void showLastResult();
+  void keepBlocks(const Job& job);
+  void showLastCells();
+  void markUnfinished(const Job& job, const QString& error);
   void complete(const std::shared_ptr<Job>& job, const Outcome& outcome);
   void stopJob(StepState unfinished);
   void refreshStatuses();
@@ -107,7 +115,6 @@ class RunController : public QObject {
   bool provisional_ = false;  ///< the view shows something else, of a run that has not finished
   QTimer drainTimer_;
   RunEventBuffer::Clock::time_point drained_;
-  /// Results of single steps for display, beside the states in the cache, by steps so far.
   class PreviewCache;
   std::shared_ptr<PreviewCache> previews_;
   std::shared_ptr<ResultCache> cache_;
@@ -117,8 +124,12 @@ class RunController : public QObject {
   std::vector<std::pair<std::string, EditedStep>>
       missing_;  ///< of them, to be prepared once the result is on the screen
   std::shared_ptr<RunContext> preparing_;
-  QTimer frameTimer_;                     ///< ends waiting for a frame that does not come
-  BackgroundQueue queue_, preparations_;  // last: their threads end before the rest goes
+  std::map<std::string, CellBlock> knownBlocks_;                     ///< by steps so far, Collapse included
+  std::vector<std::string> blockKeys_;                               ///< of the last finished run
+  bool cellsShown_ = false;                                          ///< there is something to take back
+  static constexpr auto kFrameWait = std::chrono::milliseconds(60);  ///< a hidden view shows no frames
+  QTimer frameTimer_;                                                ///< ends waiting for a frame that does not come
+  BackgroundQueue queue_, preparations_;                             // last: their threads end before the rest goes
 };
 
 }  // namespace footfall

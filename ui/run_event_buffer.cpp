@@ -23,15 +23,18 @@ void RunEventBuffer::add(const RunEvent& event, std::shared_ptr<const MeshGeomet
         step.fraction = std::max(step.fraction, event.fraction);
         break;
       case RunEvent::Kind::CellsMade:
+        if (event.block) blocks_.push_back({event.block, {event.block->cells.size(), nullptr}});
+        break;
+      case RunEvent::Kind::CellFinished:
+        addCell(event, std::move(geometry));
         break;
       case RunEvent::Kind::PartReady:
-      case RunEvent::Kind::CellFinished:
-        if (event.part) step.parts.push_back({event.part, std::move(geometry)});
+        if (event.part) step.parts.push_back({event.part, std::move(geometry), {}});
         break;
       case RunEvent::Kind::StepFinished:
         step.finished = true;
         step.ended = Clock::now();
-        step.whole = {event.part, std::move(geometry)};
+        step.whole = {event.part, std::move(geometry), {}};
         step.parts.clear();
         break;
     }
@@ -39,6 +42,17 @@ void RunEventBuffer::add(const RunEvent& event, std::shared_ptr<const MeshGeomet
     notified_ = true;
   }
   if (notify) notify_();
+}
+
+void RunEventBuffer::addCell(const RunEvent& event, std::shared_ptr<const MeshGeometry> geometry) {
+  if (blocks_.empty() || event.cell >= blocks_.back().cells.size() || !event.cellReport) return;
+  blocks_.back().cells[event.cell] = event.cellReport;
+  if (event.part) steps_[event.step].parts.push_back({event.part, std::move(geometry), event.cellReport->bounds});
+}
+
+std::vector<RunEventBuffer::Block> RunEventBuffer::blocks() const {
+  const std::scoped_lock lock(mutex_);
+  return blocks_;
 }
 
 std::vector<RunEventBuffer::Step> RunEventBuffer::fetch() {

@@ -7,9 +7,11 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/pipeline/run_context.hpp"
+#include "core/pipeline/run_report.hpp"
 #include "ui/render_geometry.hpp"
 
 namespace footfall {
@@ -22,6 +24,7 @@ class RunEventBuffer {
   struct Part {
     std::shared_ptr<const NavigationMesh> mesh;
     std::shared_ptr<const MeshGeometry> geometry;  ///< of the mesh, where the thread that told of it has made it
+    std::optional<CellBounds> cell;                ///< that it is the part of, when it is one's
   };
   struct Step {
     bool finished = false;
@@ -31,17 +34,26 @@ class RunEventBuffer {
     std::vector<Part> parts;  ///< pieces, while it runs
   };
 
+  struct Block {
+    std::shared_ptr<const BlockReport> made;
+    std::vector<std::shared_ptr<const CellReport>> cells;  ///< null while a cell has not finished
+  };
+
   /// `notify` is called from the threads of the run and must be quick and thread-safe.
   explicit RunEventBuffer(std::function<void()> notify) : notify_(std::move(notify)) {}
 
   void add(const RunEvent& event, std::shared_ptr<const MeshGeometry> geometry = nullptr);
   /// All steps so far, in order; the last one may be running.
   std::vector<Step> fetch();
+  /// The parallel blocks so far, in order.
+  std::vector<Block> blocks() const;
 
  private:
+  void addCell(const RunEvent& event, std::shared_ptr<const MeshGeometry> geometry);
   std::function<void()> notify_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::vector<Step> steps_;
+  std::vector<Block> blocks_;
   bool notified_ = false;
 };
 

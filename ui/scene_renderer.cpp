@@ -2,6 +2,7 @@
 #include "ui/scene_renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "ui/appearance.hpp"
@@ -30,18 +31,22 @@ bool preparePicture(std::unique_ptr<QOpenGLFramebufferObject>& picture, const QS
   return true;
 }
 
+constexpr float kUnderCells = 0.9F;  // colours of cells are to look as in their legend
+
 QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
 
 }  // namespace
 
 QString SceneRenderer::initialize() {
   initializeOpenGLFunctions();
-  for (const auto& [program, name] : {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
-                                      std::pair{&backgroundProgram_, "background"}}) {
+  for (const auto& [program, name] :
+       {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
+        std::pair{&backgroundProgram_, "background"}, std::pair{&cells_.program(), "cell"}}) {
     const QString problem = buildProgram(*program, QString::fromLatin1(name));
     if (!problem.isEmpty()) return problem;
   }
   emptyArray_.create();
+  cells_.initialize();
   environmentPending_ = environment_ != nullptr;
   contentPending_ = true;
   return {};
@@ -53,6 +58,8 @@ void SceneRenderer::release() {
   removed_.clear();
   walkable_.clear();
   changes_.clear();
+  cellBorders_.reset();
+  cells_.release();
   still_.reset();
   picture_.reset();
   emptyArray_.destroy();
@@ -69,6 +76,13 @@ void SceneRenderer::setEnvironment(std::shared_ptr<const EnvironmentGeometry> ge
 void SceneRenderer::setContent(ViewContent content) {
   content_ = std::move(content);
   contentPending_ = true;
+}
+
+void SceneRenderer::setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours) {
+  cells_.setGeometry(std::move(geometry));
+  cells_.setColours(std::move(colours));
+  marked_ = {};
+  bordersPending_ = true;
 }
 
 SceneRenderer::BatchPtr SceneRenderer::makeSurface(const std::vector<SurfaceVertex>& vertices) {
@@ -130,6 +144,10 @@ void SceneRenderer::uploadPending() {
     environmentSurface_ = environment_ ? makeSurface(environment_->surface) : nullptr;
     environmentCreases_ = environment_ ? makeLines(environment_->creases) : nullptr;
   }
+  if (bordersPending_) {
+    bordersPending_ = false;
+    cellBorders_ = cells_.geometry() ? makeLines(cells_.geometry()->borders) : nullptr;
+  }
   if (!contentPending_) return;
   contentPending_ = false;
   std::vector<MeshBatches> removed, walkable, changes;
@@ -180,7 +198,7 @@ void SceneRenderer::drawStill(const StillKey& key) {
   drawBackground();
   glEnable(GL_CLIP_DISTANCE0);
   if (key.surface) {
-    beginSurfaces(key.camera);
+    beginSurfaces(key.camera, key.pale);
     surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
     drawSurface(environmentSurface_, key.offset);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -194,7 +212,11 @@ void SceneRenderer::drawStill(const StillKey& key) {
 }
 
 SceneRenderer::ContentKey SceneRenderer::contentKey(const StillKey& still, const SceneParts& parts) const {
-  ContentKey key{still, parts, {}};
+  ContentKey key{still, parts, {}, {}, 0};
+  if (showsCells(parts)) {
+    key.cells = cells_.geometry();
+    key.cellColours = cells_.version();
+  }
   for (const auto* batches : {&removed_, &walkable_}) {
     for (const MeshBatches& mesh : *batches) key.surfaces.push_back(mesh.geometry);
     key.surfaces.push_back(nullptr);  // where one list ends
@@ -248,17 +270,18 @@ bool SceneRenderer::copyContent(const ContentKey& key) {
   return copyToFrame(*picture_, frame);
 }
 
-void SceneRenderer::beginSurfaces(const SceneCamera& camera) {
+void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   useCamera(surfaceProgram_, camera);
   surfaceProgram_.setUniformValue("eye", camera.eye);
+  surfaceProgram_.setUniformValue("pale", pale);
   surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
   surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
 }
 
 void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
-  beginSurfaces(camera);
+  beginSurfaces(camera, showsCells(parts) ? kUnderCells : 0);
   if (parts.walkable) {
     for (const MeshBatches& mesh : walkable_) drawSurface(mesh.surface, 0);
   }
@@ -273,6 +296,7 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
 void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
   glEnable(GL_CLIP_DISTANCE0);
   drawSurfaces(camera, parts);
+  if (showsCells(parts)) drawCells(camera, parts);
   drawAllLines(camera, parts);
   glDisable(GL_CLIP_DISTANCE0);
 }
@@ -286,6 +310,38 @@ void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& par
   for (const MeshBatches& mesh : changes_) drawSurface(mesh.surface, offset -= 1);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_CLIP_DISTANCE0);
+}
+
+// Over the surfaces and under their lines: what is walkable can still be told by its outline.
+void SceneRenderer::drawCells(const SceneCamera& camera, const SceneParts& parts) {
+  cells_.draw({camera.modelViewProjection, camera.cut, camera.devicePixelRatio});
+  beginLines(camera);
+  // Many cells have thin borders, or there would be nothing else to see.
+  constexpr float kMany = 40;
+  const auto cells = static_cast<float>(cells_.geometry()->boxes.size());
+  const float pixel = camera.devicePixelRatio * std::clamp(std::sqrt(kMany / cells), 0.35F, 1.0F);
+  if (parts.outlines) drawLines(cellBorders_, outlineColour(), 3.6F * pixel, 1.1e-4F);
+  drawLines(cellBorders_, cellBorderColour(), 2.0F * pixel, 1.2e-4F);
+  endLines();
+}
+
+// Through everything, so that a cell behind a wall is found as well.
+void SceneRenderer::drawMarkedCells(const SceneCamera& camera, const SceneParts& parts) {
+  if (!showsCells(parts)) return;
+  for (const auto& [cell, colour] :
+       {std::pair{marked_.selected, selectedCellColour()}, std::pair{marked_.hovered, hoveredCellColour()}}) {
+    if (!cell || *cell >= cells_.geometry()->boxes.size()) continue;
+    glEnable(GL_CLIP_DISTANCE0);
+    cells_.drawCell({camera.modelViewProjection, camera.cut, camera.devicePixelRatio}, *cell, colour, 0.35F);
+    glDisable(GL_CLIP_DISTANCE0);
+    const BatchPtr edges = makeLines(edgesOf(cells_.geometry()->boxes[*cell]));
+    glDisable(GL_DEPTH_TEST);
+    beginLines(camera);
+    drawLines(edges, outlineColour(), 4.4F * camera.devicePixelRatio, 0);
+    drawLines(edges, colour, 2.4F * camera.devicePixelRatio, 0);
+    endLines();
+    glEnable(GL_DEPTH_TEST);
+  }
 }
 
 void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& parts) {
@@ -335,12 +391,14 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, boo
                      parts.environment,
                      parts.environment && parts.outlines,
                      QVector4D(toVector(floor.colour), static_cast<float>(floor.pattern) / 127.0F),
-                     offset};
+                     offset,
+                     showsCells(parts) ? kUnderCells : 0};
   if (moving || !copyContent(contentKey(key, parts))) {
     drawStill(key);
     drawContent(camera, parts);
   }
   drawChanges(camera, parts);
+  drawMarkedCells(camera, parts);
 }
 
 }  // namespace footfall

@@ -11,8 +11,10 @@
 #include <QString>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "ui/cell_renderer.hpp"
 #include "ui/render_geometry.hpp"
 
 namespace footfall {
@@ -25,6 +27,7 @@ struct SceneParts {
   bool obstacleEdges = true;
   bool connections = true;
   bool outlines = true;  ///< creases of the environment and outlines of the walkable area
+  bool cells = false;    ///< of a parallel block, over everything that faces up
   bool operator==(const SceneParts&) const = default;
 };
 
@@ -38,7 +41,13 @@ struct SceneCamera {
   bool operator==(const SceneCamera&) const = default;
 };
 
-/// Every member but setEnvironment() and setContent() needs the OpenGL context of initialize() to be current.
+/// Cells that stand out.
+struct MarkedCells {
+  std::optional<std::size_t> hovered, selected;
+  bool operator==(const MarkedCells&) const = default;
+};
+
+/// Every member but those that begin with "set" needs the OpenGL context of initialize() to be current.
 class SceneRenderer : protected QOpenGLExtraFunctions {
  public:
   /// Returns an empty text, or why the programs cannot be built, in one line.
@@ -48,9 +57,13 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   /// Uploaded with the next draw(). Null: nothing.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
   void setContent(ViewContent content);
+  void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
+  void setCellColours(CellColours colours) { cells_.setColours(std::move(colours)); }
+  void setMarkedCells(const MarkedCells& marked) { marked_ = marked; }
 
   /// `moving`: the camera will be elsewhere in the next frame. While it rests, pictures of the environment alone and of
-  /// it with the content, but without its changes, are drawn once and kept: frames after that cost only what is new.
+  /// it with the content and the cells, but without changes and marks, are drawn once and kept: frames after that cost
+  /// only what is new.
   void draw(const SceneCamera& camera, const SceneParts& parts, bool moving);
 
  private:
@@ -74,6 +87,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     bool surface = false, creases = false;
     QVector4D floorPaint;
     float offset = 0;
+    float pale = 0;
     bool operator==(const StillKey&) const = default;
   };
   /// All that the picture with the content depends on.
@@ -81,6 +95,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     StillKey still;
     SceneParts parts;
     std::vector<GeometryPtr> surfaces;
+    std::shared_ptr<const CellGeometry> cells;
+    int cellColours = 0;
     bool operator==(const ContentKey&) const = default;
   };
   /// Colour and depth of a frame.
@@ -94,10 +110,13 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void drawStill(const StillKey& key);
   void drawContent(const SceneCamera& camera, const SceneParts& parts);
   void drawChanges(const SceneCamera& camera, const SceneParts& parts);
+  [[nodiscard]] bool showsCells(const SceneParts& parts) const { return parts.cells && cells_.geometry(); }
+  void drawCells(const SceneCamera& camera, const SceneParts& parts);
+  void drawMarkedCells(const SceneCamera& camera, const SceneParts& parts);
   bool copyStill(const StillKey& key);
   bool copyContent(const ContentKey& key);
   bool copyToFrame(const QOpenGLFramebufferObject& picture, GLint frame);
-  void beginSurfaces(const SceneCamera& camera);
+  void beginSurfaces(const SceneCamera& camera, float pale = 0);
   void drawSurfaces(const SceneCamera& camera, const SceneParts& parts);
   void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
   BatchPtr makeSurface(const std::vector<SurfaceVertex>& vertices);
@@ -121,6 +140,10 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   Picture picture_;  ///< belongs to pictureKey_
   ContentKey pictureKey_;
   std::vector<MeshBatches> removed_, walkable_, changes_;
+  CellRenderer cells_;
+  MarkedCells marked_;
+  bool bordersPending_ = false;
+  BatchPtr cellBorders_;
 };
 
 }  // namespace footfall

@@ -73,6 +73,17 @@ CameraPose cameraFrom(const Json& json) {
   return pose;
 }
 
+CellsShown cellsFrom(const Json& json) {
+  CellsShown cells;
+  cells.inView = json.value("in_view", false);
+  cells.load = json.value("load", false);
+  const auto name = json.value("colours", std::string(nameOf(cells.colouring)));
+  const std::optional<CellColouring> colouring = colouringFrom(name);
+  if (!colouring) throw InputError("cells: colours are '" + name + "'; give thread, time, triangles or cost");
+  cells.colouring = *colouring;
+  return cells;
+}
+
 std::string relativeTo(const std::string& environment, const std::string& sessionPath) {
   std::error_code error;
   const fs::path folder = fs::weakly_canonical(fs::absolute(sessionPath), error).parent_path();
@@ -105,6 +116,7 @@ Session sessionFrom(const Json& json, const std::string& path) {
   session.import.bothSides = import.value("both_sides", false);
   for (const Json& step : json.at("pipeline")) session.pipeline.steps.push_back(stepFrom(step));
   if (json.contains("view")) session.camera = cameraFrom(json.at("view"));
+  if (json.contains("cells")) session.cells = cellsFrom(json.at("cells"));
   return session;
 }
 
@@ -127,6 +139,8 @@ std::string formatSession(const Session& session, const std::string& path) {
                     {"orientation", session.camera->orientation},
                     {"orthographic", session.camera->orthographic}};
   }
+  json["cells"] = {
+      {"in_view", session.cells.inView}, {"load", session.cells.load}, {"colours", nameOf(session.cells.colouring)}};
   // Paths need not be UTF-8; a replaced letter is better than a session that cannot be saved.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

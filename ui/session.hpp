@@ -7,15 +7,24 @@
 
 #include "core/environment/environment.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "ui/cell_colours.hpp"
 #include "ui/level_view.hpp"
 
 namespace footfall {
+
+/// How the cells of parallel blocks are looked at.
+struct CellsShown {
+  bool inView = false;
+  bool load = false;  ///< the dock with the timeline
+  CellColouring colouring = CellColouring::Thread;
+};
 
 struct Session {
   std::string environment;  ///< path; empty when nothing is loaded
   ImportOptions import;
   Pipeline pipeline;
   std::optional<CameraPose> camera;
+  CellsShown cells;
 };
 
 /// Extension of session files, without the dot.

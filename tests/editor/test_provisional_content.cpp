@@ -57,9 +57,9 @@ class TestProvisionalContent : public QObject {
 
   void piecesTakeThePlaceOfTheirFaces() {
     const auto mesh = std::make_shared<const NavigationMesh>(trianglesOn({1, 1, 1}));
-    const RunEventBuffer::Part piece{mesh, makeMeshGeometry(*mesh, {})};
+    const RunEventBuffer::Part piece{mesh, makeMeshGeometry(*mesh, {}), std::nullopt};
     const ShownResult shown = show({0, 1, 1, 2});
-    const ViewContent content = withPieces(shown, {piece});
+    const ViewContent content = withPieces(shown, {piece}, Environment());
     QCOMPARE(content.walkable.size(), std::size_t{2});
     QCOMPARE(facesOf(*content.walkable[0]), (std::vector<int>{0, 2}));
     QCOMPARE(content.walkable[1], piece.geometry);

@@ -1,0 +1,24 @@
+#version 330
+// Floors by cell: each takes its cell's colour out of a texture, so that colours can change without the geometry.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in uint cell;
+
+uniform mat4 modelViewProjection;
+uniform float cut;  // what is higher is left out
+uniform sampler2D colours;
+uniform vec4 onlyColour;  // for all cells, unless its alpha is 0
+
+flat out vec4 paint;  // alpha 0: the cell has no colour yet
+
+void main() {
+  gl_Position = modelViewProjection * vec4(position, 1.0);
+  gl_ClipDistance[0] = cut - position.z;
+  if (onlyColour.a > 0.0) {
+    paint = onlyColour;
+    return;
+  }
+  int width = textureSize(colours, 0).x;
+  paint = texelFetch(colours, ivec2(int(cell) % width, int(cell) / width), 0);
+}
