@@ -1,8 +1,8 @@
 // Whole numbers on the stack, as wide as the exact predicates can need; they never allocate.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Proof of the widths. All coordinates, heights and borders are integers below 2^W in size (Grid::width()), and x < y bits
-// stands for |x| < 2^y. With D = W + 1:
+// Proof of the widths. All coordinates, heights and borders are integers below 2^W in size (Grid::width()), and x < y
+// bits stands for |x| < 2^y. With D = W + 1:
 //   difference of two coordinates      D
 //   normal (two products)              2D + 1
 //   height over a plane                three products of 3D + 1 and one of 2D + 1 + W: 3D + 3

@@ -338,6 +338,10 @@ FilterDescriptor sortedRecursiveStrategy() {
 }
 
 FilterDescriptor heightAwareStrategy() {
+  ParameterDescriptor least = kMinimumTriangles;
+  least.label = "Least work";
+  least.help =
+      "A cell with no more estimated work than this is not cut again. The unit is one triangle that nothing stands on.";
   return {
       .name = "HeightAwareStrategy",
       .aliases = {},
@@ -349,7 +353,7 @@ FilterDescriptor heightAwareStrategy() {
       .precondition = "A Collapse follows, with only local filters in between.",
       .effect = "The filters up to Collapse run on each cell on its own.",
       .source = "ours; thesis 6.1, first item of future work",
-      .parameters = {kMinimumTriangles, kMaximumDepth, optional(kRoundCuts)},
+      .parameters = {least, kMaximumDepth, optional(kRoundCuts)},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
   };
