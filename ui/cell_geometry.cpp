@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace footfall {
 namespace {
@@ -113,6 +114,8 @@ class Draper {
 
   void drape(const std::function<void()>& poll) {
     CellLookup lookup(cells_, box_);
+    const bool heights = std::ranges::any_of(
+        cells_, [](const CellBounds& cell) { return std::isfinite(cell.lower[2]) || std::isfinite(cell.upper[2]); });
     for (std::size_t t = 0; t < environment_.triangles.size(); ++t) {
       if (t % kPollEvery == 0) poll();
       const Triangle& triangle = environment_.triangles[t];
@@ -123,6 +126,7 @@ class Draper {
       for (const Vec3& p : corners) box.add(p);
       lookup.find(box, found_);
       for (const std::size_t c : found_) addPiece(corners, box, c);
+      if (heights) addHeightBorders(lookup, t, box.lower.z);
     }
   }
 
@@ -172,6 +176,25 @@ class Draper {
     }
   }
 
+  // Between heights no floor is cut: the border runs along the edges of floors that lie in different cells.
+  void addHeightBorders(CellLookup& lookup, std::size_t t, double lowest) {
+    const Triangle& triangle = environment_.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [from, to] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      const auto [known, added] = lowestAtEdge_.try_emplace(std::uint64_t{from} << 32U | to, lowest);
+      if (added || known->second == lowest) continue;
+      const Vec3& a = environment_.vertices[from];
+      const Vec3& b = environment_.vertices[to];
+      const auto cellsAt = [&](double height) {
+        Box middle;
+        middle.add({(a.x + b.x) / 2, (a.y + b.y) / 2, height});
+        lookup.find(middle, found_);
+        return found_;
+      };
+      if (cellsAt(lowest) != cellsAt(known->second)) borders_.push_back({place(a), place(b)});
+    }
+  }
+
   void addBox(CellGeometry& geometry, std::size_t c) {
     const CellBounds& cell = cells_[c];
     Vec3 lower, upper;
@@ -199,6 +222,7 @@ class Draper {
   std::vector<std::size_t> found_;
   std::vector<std::vector<CellVertex>> pieces_;
   std::vector<LineSegment> borders_;
+  std::unordered_map<std::uint64_t, double> lowestAtEdge_;  // of the first triangle at each edge
 };
 
 struct Hit {

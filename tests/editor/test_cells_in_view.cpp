@@ -100,6 +100,23 @@ class TestCellsInView : public QObject {
     QCOMPARE(geometry->boxes[1].upper[2], 9.0F);
   }
 
+  void betweenHeightsTheBorderRunsAlongEdges() {
+    Environment environment = floorEnvironment();
+    environment.vertices.push_back({9, 0, 5});
+    environment.triangles = {{0, 1, 2}, {1, 4, 2}};
+    environment.vertices[1].z = environment.vertices[2].z = 4;  // the second one lies from 4 to 5
+    std::vector<CellBounds> cells(2);
+    cells[0].upper[2] = cells[1].lower[2] = 3;
+    const auto geometry = makeCellGeometry(environment, {}, cells, [] {});
+    const auto along = [](const LineSegment& segment) {
+      return segment.from[0] == 4 && segment.to[0] == 4 && segment.from[2] == 4 && segment.to[2] == 4;
+    };
+    QCOMPARE(std::ranges::count_if(geometry->borders, along), std::ptrdiff_t{1});
+    cells[0].upper[2] = cells[1].lower[2] = 4.5;  // both in the lower cell
+    const auto together = makeCellGeometry(environment, {}, cells, [] {});
+    QCOMPARE(std::ranges::count_if(together->borders, along), std::ptrdiff_t{0});
+  }
+
   void whatFacesDownHasNoCell() {
     Environment environment = floorEnvironment();
     for (Triangle& triangle : environment.triangles) std::swap(triangle[1], triangle[2]);
