@@ -23,10 +23,14 @@ std::size_t numberOf(const std::string& filter, std::vector<std::string>& filter
   return filters.size() - 1;
 }
 
-// They follow each other.
+// They follow each other, with pauses in between that belong to none: merging begins when the last cell has ended.
 void addBands(const BlockReport& report, std::vector<Timeline::Band>& bands) {
   const double cut = report.startMs + report.partitioningMs;
-  const double joined = cut + report.parallelMs;
+  double joined = cut + report.parallelMs;
+  for (const CellReport& cell : report.cells) {
+    for (const CellSpan& span : cell.spans) joined = std::max(joined, span.endMs);
+  }
+  for (const CellSpan& span : report.shared) joined = std::max(joined, span.endMs);
   bands.push_back({Timeline::Phase::Partitioning, report.startMs, cut});
   bands.push_back({Timeline::Phase::Parallel, cut, joined});
   bands.push_back({Timeline::Phase::Merging, joined, joined + report.mergingMs});
