@@ -19,15 +19,4 @@ int CellBlock::threads() const {
   return threads;
 }
 
-double CellBlock::shareDone() const {
-  double done = 0;
-  double all = 0;
-  for (std::size_t i = 0; i < report.cells.size(); ++i) {
-    const double cost = report.cells[i].cost + 1;  // a cell of no cost is work as well
-    all += cost;
-    if (finished[i]) done += cost;
-  }
-  return all > 0 ? done / all : 0;
-}
-
 }  // namespace footfall

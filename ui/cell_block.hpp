@@ -28,8 +28,6 @@ struct CellBlock {
   [[nodiscard]] bool begun() const;
   /// One more than the largest thread that has worked on it, at least that of its run.
   [[nodiscard]] int threads() const;
-  /// In [0, 1], by cost.
-  [[nodiscard]] double shareDone() const;
 };
 
 using CellBlocks = std::vector<CellBlock>;

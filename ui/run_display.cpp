@@ -33,6 +33,18 @@ CellBlock soFar(const RunEventBuffer::Block& events) {
   return block;
 }
 
+// In [0, 1], by cost; a cell of no cost is work as well.
+double shareDone(const RunEventBuffer::Block& block) {
+  double done = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < block.cells.size(); ++i) {
+    const double cost = block.made->cells[i].cost + 1;
+    all += cost;
+    if (block.cells[i]) done += cost;
+  }
+  return all > 0 ? done / all : 0;
+}
+
 struct BlockPlace {
   bool block = false;  // the step is one of a block that runs
   bool waits = false;  // for the cells
@@ -48,7 +60,7 @@ BlockPlace placeInBlock(std::size_t step, const std::vector<RunEventBuffer::Step
     if (step < made.firstStep || step > made.lastStep) continue;
     const auto finished = std::ranges::count_if(block.cells, [](const auto& cell) { return cell != nullptr; });
     const auto all = static_cast<std::ptrdiff_t>(block.cells.size());
-    BlockPlace place{true, step == made.lastStep && finished < all, soFar(block).shareDone(), {}};
+    BlockPlace place{true, step == made.lastStep && finished < all, shareDone(block), {}};
     // Progress within cells is told of the block's last filter, for all.
     if (made.lastStep - 1 < steps.size()) place.fraction = std::max(place.fraction, steps[made.lastStep - 1].fraction);
     if (step == made.firstStep) place.fraction = 1;

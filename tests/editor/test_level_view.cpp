@@ -255,6 +255,38 @@ class TestLevelView : public QObject {
     QVERIFY(shareOf(image, walkablePaint().colour) > 0.15);
   }
 
+  void screenshotsShowCellsAndTimeline() {
+    const QTemporaryDir folder;
+    const QString picture = folder.filePath("picture.png");
+    const QString pipeline = writeFile(folder, "test.pipeline", "GridStrategy 2 1\nSlopeFilter 45\nCollapse\n");
+    const QStringList arguments{writeFile(folder, "floor.obj", floorObj()),
+                                "-p",
+                                pipeline,
+                                "--up",
+                                "z",
+                                "--screenshot",
+                                picture,
+                                "--size",
+                                "1100x800",
+                                "--view",
+                                "top"};
+    const Ended ended = runProgram(arguments + QStringList{"--show", "cells,timeline", "--cell-colours", "triangles"},
+                                   quietEnvironment(folder));
+    QCOMPARE(ended.error, QByteArray());
+    QCOMPARE(ended.code, 0);
+    // Both cells have as many triangles, and what lies under the colour takes a little of its saturation.
+    const QImage image(picture);
+    int purple = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor pixel = image.pixelColor(x, y);
+        purple += std::abs(pixel.hsvHue() - scaleColour(1).hsvHue()) < 12 && pixel.hsvSaturation() > 100 ? 1 : 0;
+      }
+    }
+    QVERIFY2(purple > image.width() * image.height() / 50, qPrintable(QString::number(purple)));
+    QCOMPARE(runProgram(arguments + QStringList{"--show", "nonsense"}, quietEnvironment(folder)).code, 2);
+  }
+
   void screenshotsTakeSessions() {
     const QTemporaryDir folder;
     writeFile(folder, "floor.obj", floorObj());
