@@ -10,6 +10,7 @@
 #include "tests/bench/cancel_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
 #include "tests/bench/live_measurement.hpp"
+#include "tests/bench/markdown.hpp"
 #include "tests/bench/prototype_measurement.hpp"
 #if FOOTFALL_BENCH_RECAST
 #include "tests/bench/recast_measurement.hpp"
@@ -30,8 +31,6 @@ const std::map<std::string, double>& thesisSeconds() {
 void tell(const std::string& name, const std::string& what) {
   std::fprintf(stderr, "%s: %s\n", name.c_str(), what.c_str());
 }
-
-std::string threadText(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
 
 /// A folder of its own for files that are made on the way.
 class ScratchFolder {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 
 #include "core/environment/export.hpp"
@@ -15,32 +14,6 @@ namespace {
 
 using namespace footfall;
 using namespace footfall::bench;
-
-// FILE or FILE:HEIGHT.
-Subject parseSubject(const std::string& text, double clearance) {
-  Subject subject{"", text, clearance};
-  const std::size_t colon = text.rfind(':');
-  if (colon != std::string::npos && !std::filesystem::exists(text)) {
-    std::size_t used = 0;
-    try {
-      subject.clearance = std::stod(text.substr(colon + 1), &used);
-    } catch (const std::logic_error&) {
-    }
-    if (used == 0 || used + colon + 1 != text.size() || !(subject.clearance > 0))
-      throw InputError(text + ": the height after ':' must be a number above 0; give FILE:HEIGHT");
-    subject.path.resize(colon);
-  }
-  if (!std::filesystem::is_regular_file(subject.path)) throw InputError(subject.path + ": no such file");
-  subject.name = std::filesystem::path(subject.path).stem().string();
-  return subject;
-}
-
-std::vector<Subject> sampleSubjects() {
-  std::vector<Subject> subjects;
-  for (const char* name : {"house", "villa", "arena", "docks", "tower"})
-    subjects.push_back({name, std::string(FOOTFALL_SOURCE_DIR "/samples/") + name + '/' + name + ".obj", 2});
-  return subjects;
-}
 
 void runProgramWith(int argc, char** argv) {
   CLI::App app(

@@ -9,7 +9,6 @@
 #include <filesystem>
 
 #include "core/environment/export.hpp"
-#include "core/environment/import.hpp"
 #include "core/environment/triangle_tree.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/pipeline/export_header.hpp"
@@ -181,12 +180,6 @@ class Measurement {
 };
 
 }  // namespace
-
-std::shared_ptr<const Environment> loadSubject(const Subject& subject) {
-  ImportOptions options;
-  options.metresPerUnit = subject.metresPerUnit();
-  return importEnvironment(subject.path, options);
-}
 
 Pipeline pipelineFor(const Subject& subject, const Environment& environment) {
   Pipeline pipeline = defaultPipeline(environment);

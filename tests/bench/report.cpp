@@ -2,52 +2,15 @@
 #include "tests/bench/report.hpp"
 
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
+#include "tests/bench/markdown.hpp"
 #include "tests/bench/sampling.hpp"
 #include "tests/bench/targets.hpp"
 
 namespace footfall::bench {
 namespace {
-
-std::string grouped(double value) {
-  std::string digits = std::to_string(std::llround(value));
-  for (std::size_t from = digits.size(); from > 3 + (digits[0] == '-' ? 1U : 0U);) digits.insert(from -= 3, 1, ',');
-  return digits;
-}
-
-// Two or three significant digits, and whole numbers from 100 on.
-std::string number(double value) {
-  if (std::abs(value) >= 99.95) return grouped(value);
-  std::array<char, 32> text;
-  const int decimals = std::abs(value) >= 9.995 ? 1 : std::abs(value) >= 0.0995 || value == 0 ? 2 : 3;
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
-std::string megabytes(const Json& bytes) { return number(bytes.get<double>() / 1e6); }
-
-class Table {
- public:
-  explicit Table(const std::vector<std::string>& header) {
-    addRow(header);
-    text_ += '|';
-    for (std::size_t i = 0; i < header.size(); ++i) text_ += i == 0 ? "---|" : "---:|";
-    text_ += '\n';
-  }
-  void addRow(const std::vector<std::string>& cells) {
-    text_ += '|';
-    for (const std::string& cell : cells) text_ += ' ' + cell + " |";
-    text_ += '\n';
-  }
-  [[nodiscard]] std::string text() const { return text_ + '\n'; }
-
- private:
-  std::string text_;
-};
 
 class Report {
  public:
@@ -70,9 +33,7 @@ class Report {
   }
 
  private:
-  [[nodiscard]] std::string threadText() const {
-    return std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
-  }
+  [[nodiscard]] std::string threadText() const { return bench::threadText(threads_); }
 
   std::string targets() const {
     Table table({"against", "figure", "due", "measured", ""});

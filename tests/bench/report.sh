@@ -9,20 +9,14 @@ set -euo pipefail
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"
 build="$(realpath -- "${1:-${repository}/build/release}")"
 if [ "$#" -gt 0 ]; then shift; fi
-shared="${FOOTFALL_SHARED:-${repository}/../shared}"
 document="${repository}/docs/performance.md"
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "${scratch}"' EXIT
+# shellcheck source=tests/bench/tables.sh
+source "${repository}/tests/bench/tables.sh"
 
 arguments=("$@" --samples --growth --live --cancel 60 --json "${build}/bench.json" --markdown "${scratch}/bench.md")
-# The clearance of each file: 2 m in its units.
-environment() {
-  if [ -f "${shared}/envs/$1" ]; then arguments+=("${shared}/envs/$1:$2"); fi
-}
-environment nav_test.obj 2
-environment level.obj 0.35
-for name in ot turbine dutility complex steelribs fortitude; do environment "${name}.obj" 40; done
-environment town/town_model.gltf 2
+environments
 if [ -f "${shared}/prototype/main.cpp" ]; then
   echo "building the prototype" >&2
   g++ -O3 -march=native -ffp-contract=off -std=c++20 -w "${shared}/prototype/main.cpp" -ltbb -lgmp \
@@ -30,16 +24,6 @@ if [ -f "${shared}/prototype/main.cpp" ]; then
   arguments+=(--prototype "${scratch}/prototype")
 fi
 "${build}/footfall-bench" "${arguments[@]}"
-
-# replace NAME FILE: puts the file between the lines "<!-- NAME: begin -->" and "<!-- NAME: end -->".
-replace() {
-  awk -v begin="<!-- $1: begin -->" -v end="<!-- $1: end -->" -v file="$2" '
-    $0 == end { inside = 0 }
-    !inside { print }
-    $0 == begin { inside = 1; print ""; while ((getline line < file) > 0) print line; print "" }
-  ' "${document}" | cat -s >"${scratch}/document.md"
-  cat -- "${scratch}/document.md" >"${document}"
-}
 replace bench "${scratch}/bench.md"
 
 if [ -x "${build}/footfall-editor-bench" ]; then

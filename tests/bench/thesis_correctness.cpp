@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/thesis_correctness.hpp"
+
+#include "core/environment/export.hpp"
+#include "core/metrics/mesh_comparison.hpp"
+
+namespace footfall::bench {
+namespace {
+
+// How close the bound of the largest distance is to be.
+constexpr double kBoundMetres = 0.001;
+
+}  // namespace
+
+Json measureCorrectness(const ThesisSubject& subject, const Configuration& first, const Configuration& second) {
+  const std::shared_ptr<const Environment> environment = loadSubject(subject.subject);
+  const RunResult a = runConfiguration(subject, environment, first);
+  const RunResult b = runConfiguration(subject, environment, second);
+  RunContext context;
+  ComparisonOptions options;
+  options.error = kBoundMetres / subject.subject.metresPerUnit();
+  const MeshComparison comparison = compareMeshes(*a.mesh, *b.mesh, options, context);
+  Json json;
+  json["bytes_equal"] = formatObj(*a.mesh, *environment, {}) == formatObj(*b.mesh, *environment, {});
+  json["sets_equal"] = comparison.equal();
+  json["areas"] = {comparison.meshes[0].whole.areas.surface, comparison.meshes[1].whole.areas.surface};
+  if (const auto ratio = comparison.areaRatio()) json["covered"] = *ratio;
+  if (comparison.distances) {
+    const comparison::Distances& d = (*comparison.distances)[0];
+    json["distances"] = {{"samples", d.samples}, {"min", d.min}, {"max", d.max},
+                         {"mean", d.mean},       {"rms", d.rms}, {"upper", d.upper}};
+  }
+  return json;
+}
+
+}  // namespace footfall::bench

@@ -1,0 +1,14 @@
+// The thesis's experiments as Markdown tables.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "tests/bench/isolated.hpp"
+
+namespace footfall::bench {
+
+/// Of results as runThesisExperiments() gives them.
+std::string formatThesisReport(const Json& results);
+
+}  // namespace footfall::bench
