@@ -63,7 +63,6 @@ void FilterList::fillAddMenu() {
     QAction* action = menu->addAction(text(filter.label));
     action->setToolTip(text(filter.help));
     action->setData(text(filter.name));
-    if (!filter.runs) action->setText(tr("%1 (does not run yet)").arg(text(filter.label)));
     connect(action, &QAction::triggered, this, [this, &filter] {
       document_.addFilter(filter, metresPerUnit_);
       QMetaObject::invokeMethod(

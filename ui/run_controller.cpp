@@ -150,23 +150,15 @@ void RunController::refreshStatuses() {
 bool RunController::reportInvalidStep() {
   Pipeline pipeline;
   for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
-  const auto report = [&](std::size_t step, const QString& message) {
-    StepStatus& status = statuses_[filters_[step].id];
-    status.state = StepState::Failed;
-    status.error = message;
-    emit statusChanged();
-    emit failed(QString::fromStdString(placeOfStep(pipeline, step)) + QStringLiteral(": ") + message);
-    return true;
-  };
-  if (const auto error = findStructureError(pipeline))
-    return report(error->step, QString::fromStdString(error->message));
-  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
-    const PipelineStep& step = pipeline.steps[i];
-    if (step.enabled && !step.filter->runs) {
-      return report(i, tr("does not run yet; switch the strategy and its Collapse off, the result is the same"));
-    }
-  }
-  return false;
+  const auto error = findStructureError(pipeline);
+  if (!error) return false;
+  const QString message = QString::fromStdString(error->message);
+  StepStatus& status = statuses_[filters_[error->step].id];
+  status.state = StepState::Failed;
+  status.error = message;
+  emit statusChanged();
+  emit failed(QString::fromStdString(placeOfStep(pipeline, error->step)) + QStringLiteral(": ") + message);
+  return true;
 }
 
 void RunController::start() {

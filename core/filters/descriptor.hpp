@@ -46,7 +46,6 @@ struct FilterDescriptor {
   std::vector<ParameterDescriptor> parameters;
   FilterKind kind = FilterKind::Filter;
   Scope scope = Scope::Local;
-  bool runs = true;  ///< false while a filter is parsed and validated only (strategies and Collapse, for now)
 };
 
 /// All filters, in the order in which users should see them.

@@ -53,7 +53,6 @@ std::string_view scopeText(const FilterDescriptor& filter) {
                                       : "global (may not stand inside a parallel block)";
 }
 
-constexpr std::string_view kNotRunning = "It is read and checked, but does not run yet.";
 
 // Breaks text into lines of at most 100 columns, each behind `indent` blanks but the first, which follows `head`.
 void appendWrapped(std::string& out, const std::string& head, std::string_view text) {
@@ -130,7 +129,6 @@ std::string describeUsage(const FilterDescriptor& filter) {
 std::string describeFilter(const FilterDescriptor& filter) {
   std::string text = describeUsage(filter) + "\n\n";
   appendWrapped(text, "  ", filter.help);
-  if (!filter.runs) appendWrapped(text, "  ", kNotRunning);
   text += '\n';
   for (const ParameterDescriptor& parameter : filter.parameters) {
     const std::string head = "  " + std::string(parameter.name) + ": ";
@@ -177,7 +175,6 @@ std::string filtersMarkdown() {
       "A parallel block runs from a strategy to `Collapse` and holds local filters only.\n";
   for (const FilterDescriptor& filter : filterDescriptors()) {
     text += "\n## " + std::string(filter.name) + "\n\n`" + describeUsage(filter) + "`\n\n" + std::string(filter.help);
-    if (!filter.runs) text.append(" ").append(kNotRunning);
     text += "\n\n";
     if (!filter.parameters.empty()) {
       text += "| parameter | meaning | value | default |\n|---|---|---|---|\n";
