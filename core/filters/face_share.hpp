@@ -33,6 +33,10 @@ struct FaceShare {
   std::vector<CutSegment> segments;
   std::vector<Piece> pieces;
   std::vector<Index> candidates;  ///< what stands in the clearance above this part, ascending
+
+  [[nodiscard]] bool empty() const {
+    return !removed && edgeWalls == 0 && !dependsOnFloors && segments.empty() && pieces.empty() && candidates.empty();
+  }
 };
 
 }  // namespace footfall

@@ -13,7 +13,7 @@ namespace {
 // A chunk has a counter for each cell, so there are few.
 constexpr std::size_t kMostChunks = 16;
 constexpr std::size_t kSmallestChunk = 4096;
-constexpr std::size_t kTrianglesPerPoll = 2048;
+constexpr std::size_t kVisitsPerPoll = 65536;  ///< of triangles, and of the cells that they have a part in
 
 struct HeightRange {
   double lower = CellBounds::kInfinity;
@@ -74,14 +74,16 @@ class FloorAssignment {
     chunk.floors.assign(partition_.cells.size(), 0);
     if (hasHeights_) chunk.heights.assign(partition_.cells.size(), {});
     std::vector<Index> touched;
+    std::size_t visits = 0;
     for (std::size_t t = first; t < last; ++t) {
-      if (t % kTrianglesPerPoll == 0) input_.poll();
+      if (++visits >= kVisitsPerPoll) visits = 0, input_.poll();
       if (input_.walkable[t] == 0) continue;
       const auto floor = static_cast<Index>(t);
       const PlanBox box = planBoxOf(mesh_, floor);
       const HeightRange heights = heightsOf(mesh_, floor);
       touched.clear();
       partition_.visitCells(box.lower, box.upper, heights.lower, [&](Index cell) { touched.push_back(cell); });
+      visits += touched.size();
       Index count = 0;
       for (const Index cell : touched) {
         if (touched.size() > 1 && isOutside(floor, box, partition_.cells[cell].bounds)) continue;
@@ -150,12 +152,14 @@ class FloorAssignment {
 
   void countObstacles(Chunk& chunk, std::size_t first, std::size_t last) {
     chunk.obstacles.assign(partition_.cells.size(), 0);
+    std::size_t visits = 0;
     for (std::size_t t = first; t < last; ++t) {
-      if (t % kTrianglesPerPoll == 0) input_.poll();
+      if (++visits >= kVisitsPerPoll) visits = 0, input_.poll();
       if (input_.removed[t] != 0) continue;
       const PlanBox box = planBoxOf(mesh_, static_cast<Index>(t));
       const HeightRange heights = hasHeights_ ? heightsOf(mesh_, static_cast<Index>(t)) : HeightRange{0, 0};
       partition_.visitCells(box.lower, box.upper, -CellBounds::kInfinity, CellBounds::kInfinity, [&](Index cell) {
+        ++visits;
         if (hasHeights_ && (heights.upper < heights_[cell].lower || heights.lower > heights_[cell].upper)) return;
         ++chunk.obstacles[cell];
       });

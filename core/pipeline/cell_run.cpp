@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <span>
 
 #include "core/partitioning/load_balancing.hpp"
@@ -58,17 +59,19 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
       itemsExpected_(floors.floors.size()),
       current_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
       workers_(current_.size(), nullptr),
+      records_(current_.size()),
       cellsLeft_(partition.cells.size()) {
   for (auto& cell : current_) cell = -1;
+  for (ThreadRecord& record : records_) record.workMs.resize(filters_.names.size());
   if (filters_.clearance == nullptr) return;
   for (const Cell& cell : partition.cells) sides_.push_back(sidesOf(cell.bounds));
   Index count = 0;
   sharesOf_.assign(walkable.size(), -1);
   for (std::size_t t = 0; t < walkable.size(); ++t)
-    if (floors.cellCount[t] > 1) sharesOf_[t] = count++;
+    if (walkable[t] != 0 && floors.cellCount[t] > 1) sharesOf_[t] = count++;
   shares_ = std::vector<Shares>(static_cast<std::size_t>(count));
   for (std::size_t t = 0; t < walkable.size(); ++t)
-    if (sharesOf_[t] >= 0) shares_[sharesOf_[t]].shares.resize(floors.cellCount[t]);
+    if (sharesOf_[t] >= 0) shares_[sharesOf_[t]].cells = floors.cellCount[t];
 }
 
 void CellRun::run() {
@@ -113,13 +116,17 @@ void CellRun::begin(Index cell, int thread) {
   CellWork& work = cells_[cell];
   {
     const std::lock_guard lock(work.mutex);
-    reports_[cell].thread = thread;
-    reports_[cell].startMs = clock_.wallMs();
+    if (const bool isFirstPhase = reports_[cell].endMs == 0; isFirstPhase) {
+      reports_[cell].thread = thread;
+      reports_[cell].startMs = clock_.wallMs();
+    }
   }
   current_[thread] = cell;
   const auto first = floors_.floors.begin();
-  work.floors.assign(first + static_cast<std::ptrdiff_t>(floors_.first[cell]),
-                     first + static_cast<std::ptrdiff_t>(floors_.first[cell + 1]));
+  // Filters since the cells were made may have rejected some.
+  std::copy_if(first + static_cast<std::ptrdiff_t>(floors_.first[cell]),
+               first + static_cast<std::ptrdiff_t>(floors_.first[cell + 1]), std::back_inserter(work.floors),
+               [&](Index face) { return walkable_[face] != 0; });
   ExactFallbacks count;
   for (std::size_t i = 0; i < filters_.tests.size(); ++i) {
     const double startMs = clock_.wallMs();
@@ -262,8 +269,11 @@ void CellRun::clipShare(Index cell, Index face, ClearancePass::Worker& own) {
   Shares& all = shares_[sharesOf_[face]];
   const Index slot = all.begun.fetch_add(1);
   if (filters_.clearance->canShare(face)) {
-    all.shares[slot] = filters_.clearance->clipShare(face, sides_[cell], own);
-    if (all.arrived.fetch_add(1) + 1 < static_cast<Index>(all.shares.size())) return;
+    if (FaceShare share = filters_.clearance->clipShare(face, sides_[cell], own); !share.empty()) {
+      const std::lock_guard lock(all.mutex);
+      all.shares.push_back(std::move(share));
+    }
+    if (all.arrived.fetch_add(1) + 1 < all.cells) return;
   } else if (slot > 0) {
     return;  // the first cell takes it as a whole
   }
@@ -321,14 +331,31 @@ void CellRun::done(Index cell, std::size_t items) {
   if (items > 0 && cells_[cell].left.fetch_sub(items) == items) finish(cell);
 }
 
-// Joins what one thread does on one cell without a break.
+double CellRun::workMs(std::size_t filter) const {
+  double sum = 0;
+  for (const ThreadRecord& record : records_) sum += record.workMs[filter];
+  return sum;
+}
+
+double CellRun::workMs() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < filters_.names.size(); ++i) sum += workMs(i);
+  return sum;
+}
+
+// Joins what one thread does on one cell without a break, and without anything else in between.
 void CellRun::record(Index cell, std::size_t filter, int thread, double startMs) {
   constexpr double kBreakMs = 0.02;
   const double endMs = clock_.wallMs();
+  ThreadRecord& own = records_[thread];
+  own.workMs[filter] += endMs - startMs;
+  const bool goesOn = own.cell == cell && own.filter == filter;
+  own.cell = cell;
+  own.filter = filter;
   const std::lock_guard lock(cells_[cell].mutex);
   std::vector<CellSpan>& spans = reports_[cell].spans;
   const auto same = std::find_if(spans.rbegin(), spans.rend(), [&](const CellSpan& s) { return s.thread == thread; });
-  if (same != spans.rend() && same->filter == filters_.names[filter] && startMs - same->endMs < kBreakMs)
+  if (goesOn && startMs - same->endMs < kBreakMs)
     same->endMs = endMs;
   else
     spans.push_back({filters_.names[filter], thread, startMs, endMs});
@@ -344,6 +371,8 @@ void CellRun::finish(Index cell) {
   std::shared_ptr<const CellReport> report;
   {
     const std::lock_guard lock(cells_[cell].mutex);
+    std::sort(reports_[cell].spans.begin(), reports_[cell].spans.end(),
+              [](const CellSpan& a, const CellSpan& b) { return a.startMs < b.startMs; });
     reports_[cell].trianglesOut = cells_[cell].trianglesOut;
     reports_[cell].endMs = clock_.wallMs();
     report = std::make_shared<const CellReport>(reports_[cell]);

@@ -30,7 +30,8 @@ struct CellFilters {
 /// One phase of a block. Reports are those of the block's cells and grow with each phase.
 class CellRun {
  public:
-  /// `walkable`: which triangles are floors before the first test. `clock` runs since the run began.
+  /// `walkable`: which triangles are floors before the first test; `floors` may list others. `clock` runs since the run
+  /// began.
   CellRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
           const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
           const Stopwatch& clock, RunContext& context);
@@ -41,6 +42,9 @@ class CellRun {
   /// For each triangle, how many tests it passed in a row.
   [[nodiscard]] const std::vector<std::uint8_t>& passed() const { return passed_; }
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
+  /// Time that all threads together spent on one of the filters, and on all.
+  [[nodiscard]] double workMs(std::size_t filter) const;
+  [[nodiscard]] double workMs() const;
 
  private:
   struct CellWork {
@@ -53,15 +57,24 @@ class CellRun {
     std::mutex mutex;                       ///< of the report and of the following
     std::vector<Index> smallCut, largeCut;  ///< floors that are clipped and not yet triangulated
   };
-  /// The shares of one face.
+  /// The shares of one face; those on which nothing stands are only counted. Giants have one in each of thousands of
+  /// cells.
   struct Shares {
-    std::vector<FaceShare> shares;
+    Index cells = 0;
     std::atomic<Index> begun{0};
     std::atomic<Index> arrived{0};
+    std::mutex mutex;
+    std::vector<FaceShare> shares;
   };
   struct Join {
     Index face = -1;
     Index cell = -1;
+  };
+  /// What a thread recorded: on which cell and for which filter last, and for each filter how long in all.
+  struct ThreadRecord {
+    Index cell = -1;
+    std::size_t filter = 0;
+    std::vector<double> workMs;
   };
 
   void work();
@@ -102,6 +115,7 @@ class CellRun {
   std::size_t itemsExpected_ = 0;
   std::vector<std::atomic<Index>> current_;      ///< for each thread the cell that it began last, or -1
   std::vector<ClearancePass::Worker*> workers_;  ///< of each thread
+  std::vector<ThreadRecord> records_;            ///< of each thread
   std::mutex mutex_;                             ///< of the following
   std::condition_variable changed_;
   std::deque<Join> joins_;

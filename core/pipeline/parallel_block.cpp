@@ -118,7 +118,7 @@ class Block {
 
     for (std::size_t i = 0; i < tests.size(); ++i) {
       applyTest(k + i, i + 1, cells);
-      finishCellStep(k + i, startMs, wallMs);
+      finishCellStep(k + i, startMs, wallMs, i, cells);
     }
     if (tests.size() > 0) outcome_.steps.back().fallbacks = cells.fallbacks();
     if (!pass) return;
@@ -128,7 +128,7 @@ class Block {
     outcome_.report.mergingMs += merging.wallMs();
     mergingCpuMs_ += merging.cpuMs();
     state_ = std::move(outcome.state);
-    finishCellStep(k + tests.size(), startMs, wallMs);
+    finishCellStep(k + tests.size(), startMs, wallMs, tests.size(), cells);
     outcome_.steps.back().fallbacks = outcome.fallbacks;
   }
 
@@ -147,14 +147,8 @@ class Block {
   }
 
   // A step that ran on all cells: its share of the time is the one that it had of the threads.
-  void finishCellStep(std::size_t k, double startMs, double wallMs) {
-    double own = 0, all = 0;
-    for (const CellReport& cell : outcome_.report.cells)
-      for (const CellSpan& span : cell.spans) {
-        if (span.startMs < startMs) continue;
-        all += span.endMs - span.startMs;
-        if (span.filter == request_.steps[k]->filter->name) own += span.endMs - span.startMs;
-      }
+  void finishCellStep(std::size_t k, double startMs, double wallMs, std::size_t filter, const CellRun& cells) {
+    const double own = cells.workMs(filter), all = cells.workMs();
     StepStatistics& step = addStep(k, startMs, all > 0 ? wallMs * own / all : 0, own);
     step.note = std::exchange(note_, {});
     outcome_.summary = summarize(*state_);

@@ -270,6 +270,49 @@ class TestParallelBlocks : public QObject {
     }
   }
 
+  // What a filter rejected is no floor for the next pass over the cells, and a report is about all passes.
+  void reportsOfSeveralPasses() {
+    Soup soup;
+    for (int i = 0; i < 8; ++i)
+      soup.floor(i, 0, i + 1, 8, 0).quad({double(i), 9, 0}, {i + 1.0, 9, 0}, {i + 1.0, 10, 8}, {double(i), 10, 8});
+    const RunResult result = run(soup.environment(),
+                                 "GridStrategy 2 2\nSlopeFilter 60\nSlopeFilter 45\nVerticalClearanceFilter 1\n"
+                                 "VerticalClearanceFilter 2\nCollapse\n",
+                                 2);
+    std::uint64_t out = 0;
+    for (const CellReport& cell : result.blocks[0].cells) {
+      out += cell.trianglesOut;
+      for (const CellSpan& span : cell.spans) QVERIFY(cell.startMs <= span.startMs && span.endMs <= cell.endMs);
+    }
+    QCOMPARE(out, result.steps[4].out.triangles);
+    double filters = 0;
+    for (int i = 1; i <= 4; ++i) filters += result.steps[i].wallMs;
+    QVERIFY(filters <= result.times.parallel * (1 + 1e-9));
+  }
+
+  // A thread that puts together what other cells left does so between two floors of its own cell.
+  void lanesOfManyThreads() {
+    Soup soup;
+    for (int i = 0; i < 30; ++i)
+      for (int j = 0; j < 30; ++j)
+        soup.floor(i, j, i + 1, j + 1, 0).box({i + 0.2, j + 0.3, 0.5}, {i + 0.6, j + 0.7, 1});
+    for (const int threads : {4, 8, 12, 16, 4, 8, 12, 16}) {
+      const RunResult result =
+          run(soup.environment(), "GridStrategy 7 7\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n", threads);
+      std::vector<std::vector<std::pair<double, double>>> lanes(static_cast<std::size_t>(threads));
+      for (const CellReport& cell : result.blocks[0].cells) {
+        const auto startsBefore = [](const CellSpan& a, const CellSpan& b) { return a.startMs < b.startMs; };
+        QVERIFY(std::is_sorted(cell.spans.begin(), cell.spans.end(), startsBefore));
+        for (const CellSpan& span : cell.spans)
+          lanes.at(static_cast<std::size_t>(span.thread)).emplace_back(span.startMs, span.endMs);
+      }
+      for (auto& lane : lanes) {
+        std::sort(lane.begin(), lane.end());
+        for (std::size_t i = 1; i < lane.size(); ++i) QVERIFY(lane[i].first >= lane[i - 1].second);
+      }
+    }
+  }
+
   void previewHasTheCellsOfTheRun() {
     const EnvironmentPtr environment = importEnvironment(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj", {});
     const Pipeline pipeline = parsePipeline(
