@@ -39,7 +39,9 @@ void sortAlongCurve(const FaceGeometry& geometry, std::vector<Index>& points) {
     left = std::min(left, p.x), right = std::max(right, p.x);
     bottom = std::min(bottom, p.y), top = std::max(top, p.y);
   }
-  const double scale = 65535 / std::max(right - left, top - bottom);
+  // Faces so small beside the environment that nothing tells their points apart are sorted by what the points are.
+  const double width = std::max(right - left, top - bottom);
+  const double scale = width > 0x1p-900 ? 65535 / width : 0;
   const auto cell = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, 65535.0)); };
   std::vector<std::pair<std::uint64_t, Index>> order;
   order.reserve(points.size());

@@ -2,8 +2,8 @@
 #include "core/metrics/run_trace.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 namespace footfall {
@@ -72,13 +72,12 @@ class Trace {
     add("partitioning", "phase", kRunLane, block.startMs, block.startMs + block.partitioningMs,
         {{"strategy", block.strategy}, {"reason", block.reason}, {"cells", block.cells.size()}});
     double start = -1, end = -1;
-    for (std::size_t i = 0; i < block.cells.size(); ++i) {
-      const CellReport& cell = block.cells[i];
+    for (const CellReport& cell : block.cells) {
       if (cell.spans.empty()) continue;
       start = start < 0 ? cell.startMs : std::min(start, cell.startMs);
       end = std::max(end, cell.endMs);
-      addCell(i, cell);
     }
+    for (int thread = 0; thread < result_.threads; ++thread) addLane(block, thread);
     if (end >= 0) add("cells", "phase", kRunLane, start, end, {{"imbalance", block.imbalance(result_.threads)}});
     for (const CellSpan& span : block.shared)
       add(span.filter, "filter", kRunLane, span.startMs, span.endMs, {{"cells", "all together"}});
@@ -87,24 +86,28 @@ class Trace {
   }
 
   // What a thread did on a cell without a break is one bar, with a bar for each filter inside.
-  void addCell(std::size_t number, const CellReport& cell) {
+  void addLane(const BlockReport& block, int thread) {
     constexpr double kBreakMs = 0.05;
-    const std::string name = "cell " + std::to_string(number);
-    for (int thread = 0; thread < result_.threads; ++thread) {
-      std::vector<CellSpan> spans;
-      std::copy_if(cell.spans.begin(), cell.spans.end(), std::back_inserter(spans),
-                   [&](const CellSpan& span) { return span.thread == thread; });
-      std::sort(spans.begin(), spans.end(), [](const CellSpan& a, const CellSpan& b) { return a.startMs < b.startMs; });
-      for (std::size_t i = 0; i < spans.size();) {
-        std::size_t j = i + 1;
-        while (j < spans.size() && spans[j].startMs - spans[j - 1].endMs < kBreakMs) ++j;
-        add(name, "cell", laneOf(thread), spans[i].startMs, spans[j - 1].endMs,
-            {{"triangles_in", cell.trianglesIn},
-             {"triangles_out", cell.trianglesOut},
-             {"cost", cell.cost},
-             {"helping", thread != cell.thread}});
-        for (; i < j; ++i) add(spans[i].filter, "filter", laneOf(thread), spans[i].startMs, spans[i].endMs);
-      }
+    std::vector<std::pair<std::size_t, const CellSpan*>> lane;
+    for (std::size_t i = 0; i < block.cells.size(); ++i)
+      for (const CellSpan& span : block.cells[i].spans)
+        if (span.thread == thread) lane.emplace_back(i, &span);
+    std::sort(lane.begin(), lane.end(),
+              [](const auto& a, const auto& b) { return a.second->startMs < b.second->startMs; });
+    for (std::size_t i = 0; i < lane.size();) {
+      const std::size_t number = lane[i].first;
+      const CellReport& cell = block.cells[number];
+      std::size_t j = i + 1;
+      while (j < lane.size() && lane[j].first == number &&
+             lane[j].second->startMs - lane[j - 1].second->endMs < kBreakMs)
+        ++j;
+      add("cell " + std::to_string(number), "cell", laneOf(thread), lane[i].second->startMs, lane[j - 1].second->endMs,
+          {{"triangles_in", cell.trianglesIn},
+           {"triangles_out", cell.trianglesOut},
+           {"cost", cell.cost},
+           {"helping", thread != cell.thread}});
+      for (; i < j; ++i)
+        add(lane[i].second->filter, "filter", laneOf(thread), lane[i].second->startMs, lane[i].second->endMs);
     }
   }
 

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kFacesPerTake = 64;
 // So many segments make a floor worth being triangulated on its own.
 constexpr std::size_t kSegmentsOfLarge = 128;
-// Fewer floors than this are not worth waking a thread for.
-constexpr std::size_t kFloorsPerThread = 128;
+// Less work than that of so many trivial floors is not worth waking a thread for.
+constexpr double kWorkPerThread = 128;
 // How long an idle thread sleeps before it looks whether the run was cancelled.
 constexpr std::chrono::milliseconds kIdle{2};
 constexpr double kShareOfProgress = 0.9;
@@ -75,8 +75,14 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
 }
 
 void CellRun::run() {
-  const std::size_t useful = std::max<std::size_t>(1, floors_.floors.size() / kFloorsPerThread);
-  const auto threads = static_cast<int>(std::min(current_.size(), useful));
+  // Few floors can be much work: giants under a level full of walls.
+  double useful = static_cast<double>(floors_.floors.size());
+  if (filters_.clearance != nullptr) {
+    double cost = 0;
+    for (const Cell& cell : partition_.cells) cost += cell.cost;
+    useful = std::min(std::max(useful, cost), useful * kWorkPerThread);
+  }
+  const auto threads = static_cast<int>(std::clamp(useful / kWorkPerThread, 1.0, static_cast<double>(current_.size())));
   if (threads == 1) {
     work();
     return;

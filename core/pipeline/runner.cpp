@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -164,7 +165,7 @@ class Run {
       current_.steps.push_back(std::move(statistics));
       remember();
       context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
-      (blocks_.empty() ? times_.preprocessing : times_.postprocessing) += watch.wallMs();
+      (isBehindBlock(index) ? times_.postprocessing : times_.preprocessing) += watch.wallMs();
     });
   }
 
@@ -194,6 +195,12 @@ class Run {
       times_.merging += outcome.report.mergingMs;
       blocks_.push_back(std::move(outcome.report));
     });
+  }
+
+  // Whether the block ran or came from the cache.
+  [[nodiscard]] bool isBehindBlock(std::size_t index) const {
+    return std::any_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(index),
+                       [](const PipelineStep* step) { return step->filter->kind == FilterKind::Collapse; });
   }
 
   // For messages: steps_ are pointers into the pipeline's steps.
