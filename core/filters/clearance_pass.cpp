@@ -132,7 +132,7 @@ std::size_t ClearancePass::mesh(Index face, Worker& own) {
 }
 
 std::shared_ptr<const NavigationMesh> ClearancePass::preview(std::span<const Index> faces) const {
-  return previewOfFaces(*result_->kernel, *cuts_, *meshes_, faces);
+  return previewOfFaces(*result_->kernel, *cuts_, *meshes_, faces, context_);
 }
 
 FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char> removed) {

@@ -26,11 +26,17 @@ constexpr std::size_t kCopiesPerTask = 512;
 }  // namespace
 
 std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, const CutTable& cuts,
-                                                     const FaceMeshes& meshes, std::span<const Index> faces) {
+                                                     const FaceMeshes& meshes, std::span<const Index> faces,
+                                                     const RunContext& context) {
   const SourceMesh& source = kernel.mesh();
   const int scale = -source.grid.scaleExponent();
   auto part = std::make_shared<NavigationMesh>();
+  part->vertices.reserve(3 * faces.size());
+  part->triangles.reserve(faces.size());
+  part->sourceTriangles.reserve(faces.size());
+  std::uint32_t polls = 0;
   for (const Index face : faces) {
+    if ((++polls & 1023) == 0) context.checkCancelled();
     if (cuts.isRemoved(face)) continue;
     const auto base = static_cast<std::uint32_t>(part->vertices.size());
     const auto addTriangle = [&](const std::array<Index, 3>& corners) {
@@ -116,7 +122,7 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
       if (finished % 256 == 0) context.progress(0.5 + 0.4 * static_cast<double>(finished) / faces.size());
       mine.push_back(faces[i]);
     }
-    if (context.wantsParts()) context.part(previewOfFaces(kernel, *state.cuts, meshes, mine));
+    if (context.wantsParts()) context.part(previewOfFaces(kernel, *state.cuts, meshes, mine, context));
   });
   for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
 

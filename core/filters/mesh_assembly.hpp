@@ -28,7 +28,8 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
 
 /// What cuts left of faces, for display: rounded, not joined.
 std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, const CutTable& cuts,
-                                                     const FaceMeshes& meshes, std::span<const Index> faces);
+                                                     const FaceMeshes& meshes, std::span<const Index> faces,
+                                                     const RunContext& context);
 
 /// The state with its mesh assembled (the same state when it is already).
 std::shared_ptr<const WalkableState> withMesh(const std::shared_ptr<const WalkableState>& state, RunContext& context,

@@ -13,7 +13,7 @@ namespace {
 // A chunk has a counter for each cell, so there are few.
 constexpr std::size_t kMostChunks = 16;
 constexpr std::size_t kSmallestChunk = 4096;
-constexpr std::size_t kVisitsPerPoll = 65536;  ///< of triangles, and of the cells that they have a part in
+constexpr std::size_t kVisitsPerPoll = 4096;  ///< of triangles, and of the cells that they have a part in
 
 struct HeightRange {
   double lower = CellBounds::kInfinity;
