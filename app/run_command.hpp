@@ -22,8 +22,8 @@ struct RunArguments {
   bool quiet = false;
 };
 
-/// Returns the summary for stdout, empty when quiet. SIGINT and SIGTERM cancel while it runs: files that were there
-/// before stay as they were. Throws InputError, RunError or Cancelled.
+/// Returns the summary for stdout, empty when quiet. SIGINT and SIGTERM cancel while it runs: each file is written as
+/// a whole or stays as it was. Throws InputError, RunError or Cancelled.
 std::string runAndExport(const RunArguments& arguments);
 
 }  // namespace footfall
