@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_command.hpp"
 
-#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "app/progress_bar.hpp"
 #include "core/environment/export.hpp"
 #include "core/environment/import.hpp"
+#include "core/environment/worker_arena.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/metrics/run_statistics.hpp"
 #include "core/metrics/run_trace.hpp"
@@ -62,12 +62,11 @@ std::string runAndExport(const RunArguments& arguments) {
   RunContext context([&bar](const RunEvent& event) { bar.show(event); });
   const InterruptWatcher watcher(context);
 
-  std::optional<tbb::global_control> fewerThreads;
-  if (arguments.threads > 0)
-    fewerThreads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(arguments.threads));
   const Stopwatch loading;
   bar.begin("loading", 0);
-  const auto environment = importEnvironment(arguments.environment, arguments.importOptions, &context);
+  const std::shared_ptr<const Environment> environment = onThreads(arguments.threads, [&](int) {
+    return importEnvironment(arguments.environment, arguments.importOptions, &context);
+  });
   times.loadMs = loading.wallMs();
   if (!pipeline) pipeline = defaultPipeline(*environment);
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "core/environment/import.hpp"
+#include "core/environment/worker_arena.hpp"
 
 namespace footfall {
 
@@ -24,7 +25,7 @@ void EnvironmentLoader::load(const QString& path, const ImportOptions& options) 
     QString error;
     try {
       context->checkCancelled();
-      result.environment = importEnvironment(name, options, context.get());
+      result.environment = onThreads(0, [&](int) { return importEnvironment(name, options, context.get()); });
       context->checkCancelled();
       result.geometry = makeEnvironmentGeometry(*result.environment);
     } catch (const Cancelled&) {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/runner.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <utility>
 
 #include "core/environment/background_release.hpp"
+#include "core/environment/worker_arena.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/parallel_block.hpp"
@@ -229,16 +226,6 @@ class Run {
   std::vector<BlockReport> blocks_;
   RunTimes times_;
 };
-
-// Runs `work` on at most `threads` threads (0: as many as the machine has); gives it their number.
-template <typename Work>
-auto onThreads(int threads, Work&& work) {
-  const int workers = threads > 0 ? threads : tbb::info::default_concurrency();
-  // The arena bounds this run, however many others there are; the control lets it have more threads than processors.
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(workers));
-  tbb::task_arena arena(workers);
-  return arena.execute([&] { return work(workers); });
-}
 
 }  // namespace
 
