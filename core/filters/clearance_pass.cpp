@@ -135,7 +135,7 @@ std::shared_ptr<const NavigationMesh> ClearancePass::preview(std::span<const Ind
   return previewOfFaces(*result_->kernel, *cuts_, *meshes_, faces, context_);
 }
 
-FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char> removed) {
+FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char> removed, bool isMeshed) {
   FilterOutcome outcome;
   for (const auto& worker : workers_) {
     outcome.fallbacks += worker->clipper_.fallbacks();
@@ -150,8 +150,9 @@ FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char
   std::vector<Index> changed;
   for (Index t = 0; t < static_cast<Index>(isChanged_.size()) && partly; ++t)
     if (isChanged_[t] != 0) changed.push_back(t);
-  result_->mesh = assembleMesh(*result_, partly ? &*earlier_ : nullptr, changed, meshes_, memory_.get(), context_,
-                               outcome.fallbacks);
+  const EarlierResult* earlier = partly ? &*earlier_ : nullptr;
+  if (!isMeshed) meshFaces(*result_, earlier, changed, *meshes_, context_, outcome.fallbacks);
+  result_->mesh = joinFaces(*result_, earlier, changed, meshes_, memory_.get(), context_, outcome.fallbacks);
   result_->simplified = false;
   result_->memory = memory_;
   if (result_->dropped)

@@ -62,9 +62,9 @@ class ClearancePass {
   /// What the floors have become, for display.
   [[nodiscard]] std::shared_ptr<const NavigationMesh> preview(std::span<const Index> faces) const;
 
-  /// The filter's outcome, when every floor is done. Floors that were not meshed are meshed now. `walkable` and
-  /// `removed`: the flags after the filters before.
-  FilterOutcome finish(std::vector<char> walkable, std::vector<char> removed);
+  /// The filter's outcome, when every floor is clipped. `isMeshed`: mesh() was called for every floor, too. `walkable`
+  /// and `removed`: the flags after the filters before.
+  FilterOutcome finish(std::vector<char> walkable, std::vector<char> removed, bool isMeshed);
 
  private:
   void keepCandidates(Index face, std::vector<Index> found);

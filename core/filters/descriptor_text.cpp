@@ -53,7 +53,6 @@ std::string_view scopeText(const FilterDescriptor& filter) {
                                       : "global (may not stand inside a parallel block)";
 }
 
-
 // Breaks text into lines of at most 100 columns, each behind `indent` blanks but the first, which follows `head`.
 void appendWrapped(std::string& out, const std::string& head, std::string_view text) {
   constexpr std::size_t kColumns = 100;

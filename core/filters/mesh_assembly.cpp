@@ -22,6 +22,34 @@ constexpr std::size_t kLeastTasks = 16;
 constexpr std::size_t kSegmentsOfGiants = 128;
 constexpr std::size_t kMeshesFreedPerTask = 8192;
 constexpr std::size_t kCopiesPerTask = 512;
+constexpr std::size_t kFacesListedPerTask = 8192;
+
+// All floors that are not covered, in their order.
+std::vector<FaceToJoin> facesToJoin(const WalkableState& state, const FaceMeshes& meshes, RunContext& context) {
+  const SourceMesh& mesh = state.kernel->mesh();
+  const std::size_t count = mesh.triangles.size();
+  std::vector<std::vector<FaceToJoin>> parts((count + kFacesListedPerTask - 1) / kFacesListedPerTask);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t task) {
+    context.checkCancelled();
+    std::vector<FaceToJoin>& part = parts[task];
+    for (std::size_t t = task * kFacesListedPerTask; t < std::min((task + 1) * kFacesListedPerTask, count); ++t) {
+      if (state.walkable[t] == 0 || (state.cuts && state.cuts->isRemoved(t))) continue;
+      const auto face = static_cast<Index>(t);
+      if (meshes[t]) {
+        part.push_back({face, 0, meshes[t].get()});
+        continue;
+      }
+      std::uint8_t walls = state.cuts ? (*state.cuts)[t].edgeWalls : std::uint8_t{0};
+      const auto& f = mesh.triangles[t];
+      for (int k = 0; k < 3 && !mesh.obstacleEdges.empty(); ++k)
+        if (mesh.hasObstacleEdge(f[k], f[(k + 1) % 3])) walls |= static_cast<std::uint8_t>(1 << k);
+      part.push_back({face, walls, nullptr});
+    }
+  });
+  std::vector<FaceToJoin> joined;
+  for (const auto& part : parts) joined.insert(joined.end(), part.begin(), part.end());
+  return joined;
+}
 
 }  // namespace
 
@@ -65,26 +93,23 @@ std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, c
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
                                                  ExactFallbacks& fallbacks) {
   const auto meshes = std::make_shared<FaceMeshes>(state.walkable.size());
-  return assembleMesh(state, nullptr, {}, meshes, nullptr, context, fallbacks);
+  meshFaces(state, nullptr, {}, *meshes, context, fallbacks);
+  return joinFaces(state, nullptr, {}, meshes, nullptr, context, fallbacks);
 }
 
-std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, const EarlierResult* earlier,
-                                                 const std::vector<Index>& changed,
-                                                 const std::shared_ptr<FaceMeshes>& ownedMeshes, AssemblyMemory* memory,
-                                                 RunContext& context, ExactFallbacks& fallbacks) {
+void meshFaces(const WalkableState& state, const EarlierResult* earlier, const std::vector<Index>& changed,
+               FaceMeshes& meshes, RunContext& context, ExactFallbacks& fallbacks) {
+  if (!state.cuts) return;
   const PlanKernel& kernel = *state.kernel;
   const auto count = static_cast<Index>(kernel.mesh().triangles.size());
-  ReleaseOnException large(state.walkable.size() >= kLargeRelease);
-  auto& meshes = *ownedMeshes;
-  large.hold(ownedMeshes);
   // Only faces with segments need a triangulation; giants first, so that no thread is left with one at the end.
   std::vector<Index> faces, giants, known;
   std::vector<char> isChanged(earlier != nullptr ? count : 0, 0);
   if (earlier != nullptr)
     for (const Index t : changed) isChanged[t] = 1;
-  for (Index t = 0; t < count && state.cuts; ++t) {
+  for (Index t = 0; t < count; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
-    if (state.walkable[t] == 0 || meshes[t] || !state.cuts->shared(t) || state.cuts->isRemoved(t)) continue;
+    if (state.walkable[t] == 0 || !state.cuts->shared(t) || state.cuts->isRemoved(t)) continue;
     if (earlier != nullptr && isChanged[t] == 0)
       known.push_back(t);
     else if (const std::size_t segments = (*state.cuts)[t].segments.size(); segments > 0)
@@ -125,27 +150,20 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, con
     if (context.wantsParts()) context.part(previewOfFaces(kernel, *state.cuts, meshes, mine, context));
   });
   for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
+}
 
+std::shared_ptr<const WalkableMesh> joinFaces(const WalkableState& state, const EarlierResult* earlier,
+                                              const std::vector<Index>& changed,
+                                              const std::shared_ptr<FaceMeshes>& ownedMeshes, AssemblyMemory* memory,
+                                              RunContext& context, ExactFallbacks& fallbacks) {
+  const PlanKernel& kernel = *state.kernel;
+  FaceMeshes& meshes = *ownedMeshes;
+  ReleaseOnException large(state.walkable.size() >= kLargeRelease);
+  large.hold(ownedMeshes);
   const auto ownedJoiner = std::make_shared<MeshJoiner>(kernel);
   large.hold(ownedJoiner);
   MeshJoiner& joiner = *ownedJoiner;
-  std::vector<FaceToJoin> joined;
-  joined.reserve(count);
-  for (Index t = 0; t < count; ++t) {
-    if ((t & 4095) == 0) context.checkCancelled();
-    if (state.walkable[t] == 0) continue;
-    if (state.cuts && state.cuts->isRemoved(t)) continue;
-    if (state.cuts && meshes[t]) {
-      joined.push_back({t, 0, meshes[t].get()});
-      continue;
-    }
-    std::uint8_t walls = state.cuts ? (*state.cuts)[t].edgeWalls : std::uint8_t{0};
-    const auto& f = kernel.mesh().triangles[t];
-    for (int k = 0; k < 3 && !kernel.mesh().obstacleEdges.empty(); ++k)
-      if (kernel.mesh().hasObstacleEdge(f[k], f[(k + 1) % 3])) walls |= static_cast<std::uint8_t>(1 << k);
-    joined.push_back({t, walls, nullptr});
-  }
-  joiner.addFaces(joined, context);
+  joiner.addFaces(facesToJoin(state, meshes, context), context);
   if (memory != nullptr) {
     memory->meshes = std::move(meshes);
   } else {

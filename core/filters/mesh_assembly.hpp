@@ -18,13 +18,19 @@ namespace footfall {
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
                                                  ExactFallbacks& fallbacks);
 
-/// The same, taking from `earlier` (may be null) what concerns no face in `changed` (ascending; all walkable faces that
-/// differ), and leaving in `memory` (may be null) what the next run can take. `meshes` has one entry for each face:
-/// those that are not null are taken as they are.
-std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, const EarlierResult* earlier,
-                                                 const std::vector<Index>& changed,
-                                                 const std::shared_ptr<FaceMeshes>& meshes, AssemblyMemory* memory,
-                                                 RunContext& context, ExactFallbacks& fallbacks);
+// The two halves of it.
+
+/// Triangulates what cuts leave of each floor, where they divide it. Takes from `earlier` (may be null) what is not in
+/// `changed` (ascending; all floors that differ). `meshes` has one entry for each face.
+void meshFaces(const WalkableState& state, const EarlierResult* earlier, const std::vector<Index>& changed,
+               FaceMeshes& meshes, RunContext& context, ExactFallbacks& fallbacks);
+
+/// Joins floors: those that have no mesh are whole. `earlier` and `changed` as above; leaves in `memory` (may be null)
+/// what the next run can take, and lets go of the meshes otherwise.
+std::shared_ptr<const WalkableMesh> joinFaces(const WalkableState& state, const EarlierResult* earlier,
+                                              const std::vector<Index>& changed,
+                                              const std::shared_ptr<FaceMeshes>& meshes, AssemblyMemory* memory,
+                                              RunContext& context, ExactFallbacks& fallbacks);
 
 /// What cuts left of faces, for display: rounded, not joined.
 std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, const CutTable& cuts,

@@ -17,6 +17,9 @@ namespace {
 constexpr Index kVerticesPerTask = 4096;
 constexpr Index kEdgesPerTask = 8192;
 constexpr Index kPolledTriangles = 1 << 16;
+// Triangles that one thread sorts by their vertices; of more, so many parts of the vertices are a task each.
+constexpr Index kFewTriangles = 4096;
+constexpr Index kVertexParts = 2;
 
 /// A side among those with the same smaller vertex: by the larger vertex, then by number.
 using Entry = std::uint64_t;
@@ -59,24 +62,29 @@ MeshTopology findEdges(const std::vector<MeshTriangle>& triangles, std::size_t v
                        const std::function<void()>& poll) {
   const auto count = static_cast<Index>(triangles.size()), vertices = static_cast<Index>(vertexCount);
   std::vector<Index> bucket(vertexCount + 1, 0);
-  for (Index t = 0; t < count; ++t) {
-    if (t % kPolledTriangles == 0) poll();
-    const auto& c = triangles[t].corners;
-    ++bucket[std::min(c[0], c[1])];
-    ++bucket[std::min(c[1], c[2])];
-    ++bucket[std::min(c[2], c[0])];
-  }
+  // Each part looks at all triangles, and deals with the sides of its own vertices.
+  const Index parts = count < kFewTriangles ? 1 : kVertexParts;
+  const auto forSides = [&](const auto& visit) {
+    tbb::parallel_for(Index{0}, parts, [&](Index part) {
+      const auto first = static_cast<Index>(std::int64_t{vertices} * part / parts);
+      const auto last = static_cast<Index>(std::int64_t{vertices} * (part + 1) / parts);
+      for (Index t = 0; t < count; ++t) {
+        if (t % kPolledTriangles == 0) poll();
+        const auto& c = triangles[t].corners;
+        for (int k = 0; k < 3; ++k) {
+          const Index v = c[k], w = c[k == 2 ? 0 : k + 1], smaller = std::min(v, w);
+          if (first <= smaller && smaller < last) visit(smaller, std::max(v, w), 3 * t + k);
+        }
+      }
+    });
+  };
+  forSides([&](Index smaller, Index, Index) { ++bucket[smaller]; });
   Index sum = 0;
   for (Index& size : bucket) sum += std::exchange(size, sum);
   std::vector<Entry> entries(triangles.size() * 3);
-  for (Index t = 0; t < count; ++t) {
-    if (t % kPolledTriangles == 0) poll();
-    const auto& c = triangles[t].corners;
-    for (int k = 0; k < 3; ++k) {
-      const Index a = c[k], b = c[k == 2 ? 0 : k + 1];
-      entries[bucket[std::min(a, b)]++] = static_cast<Entry>(std::max(a, b)) << 32 | static_cast<Entry>(3 * t + k);
-    }
-  }
+  forSides([&](Index smaller, Index larger, Index side) {
+    entries[bucket[smaller]++] = static_cast<Entry>(larger) << 32 | static_cast<Entry>(side);
+  });
 
   // Now bucket[v] is where the sides of v end.
   const auto beginOfBucket = [&](Index v) { return v == 0 ? 0 : bucket[v - 1]; };
@@ -122,10 +130,17 @@ bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Inde
 }
 
 std::vector<Index> findRegions(const WalkableMesh& mesh, const MeshTopology& topology, Index& regionCount) {
+  std::vector<char> joins(static_cast<std::size_t>(topology.edgeCount()));
+  tbb::parallel_for(tbb::blocked_range<Index>(0, topology.edgeCount(), kEdgesPerTask), [&](const auto& range) {
+    for (Index e = range.begin(); e != range.end(); ++e) {
+      const auto sides = topology.sidesOf(e);
+      joins[e] = static_cast<char>(sides.size() >= 2 && !isObstacle(mesh.triangles, sides));
+    }
+  });
   DisjointSets sets(mesh.triangles.size());
   for (Index e = 0; e < topology.edgeCount(); ++e) {
+    if (joins[e] == 0) continue;
     const auto sides = topology.sidesOf(e);
-    if (sides.size() < 2 || isObstacle(mesh.triangles, sides)) continue;
     for (const Index side : sides.subspan(1)) sets.unite(sides[0] / 3, side / 3);
   }
   std::vector<Index> region(mesh.triangles.size());

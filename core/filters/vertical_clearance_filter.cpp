@@ -59,7 +59,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
     const Index finished = done.fetch_add(last - first, std::memory_order_relaxed);
     context.progress(0.5 * finished / count);
   });
-  return pass.finish(state->walkable, state->removed);
+  return pass.finish(state->walkable, state->removed, false);
 }
 
 }  // namespace footfall

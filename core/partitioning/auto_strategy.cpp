@@ -15,7 +15,7 @@ constexpr std::size_t kFewTriangles = 2000;
 constexpr double kLittleWork = 800;
 // Idle threads help with cells that are not finished, so that a few cells for each thread balance; more only cut more
 // floors.
-constexpr int kCellsPerThread = 4;
+constexpr int kCellsPerThread = 2;
 constexpr int kLargestDepth = 12;
 constexpr double kFewestTriangles = 50;
 

@@ -47,12 +47,11 @@ double shareOf(double lower, double upper, double wholeLower, double wholeUpper)
 // proportional to size; systematic in the order of the triangles, which is that of x).
 class FloorSampler {
  public:
-  explicit FloorSampler(const StrategyInput& input) {
+  FloorSampler(const StrategyInput& input, const PlanBox& whole) {
     const SourceMesh& mesh = input.mesh;
     const std::size_t triangles = mesh.triangles.size();
     for (std::size_t t = 0; t < triangles; ++t)
       if (input.walkable[t] != 0) floors_.push_back(static_cast<Index>(t));
-    const PlanBox whole = planBoxOf(input);
     sizes_.resize(floors_.size());
     forRanges(floors_.size(), kTrianglesPerTask, [&](std::size_t first, std::size_t last) {
       input.poll();
@@ -232,7 +231,8 @@ double totalOf(const std::vector<FloorWork::Item>& items) {
 
 FloorWork estimateFloorWork(const StrategyInput& input, std::size_t cells) {
   FloorWork work;
-  const FloorSampler sampler(input);
+  work.box = planBoxOf(input);
+  const FloorSampler sampler(input, work.box);
   const std::size_t wanted =
       sampler.size() <= kLargestSample ? sampler.size() : std::clamp(cells * kSampleOfCell, kPilotSize, kLargestSample);
   std::size_t count = wanted;

@@ -24,6 +24,7 @@ struct FloorWork {
     double highest = 0;
     double count = 1;  ///< floors that it stands for
   };
+  PlanBox box;  ///< of the whole environment
   std::vector<Item> items;
   std::vector<Floor> floors;
   double total = 0;

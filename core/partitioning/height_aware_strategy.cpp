@@ -234,7 +234,7 @@ std::unique_ptr<CutTree> growHeightAware(const RecursionLimits& limits, const Fl
   FloorTree::Part all{std::vector<Index>(work.items.size()), std::vector<Index>(work.floors.size()), {}};
   std::iota(all.items.begin(), all.items.end(), 0);
   std::iota(all.floors.begin(), all.floors.end(), 0);
-  all.box = planBoxOf(input);
+  all.box = work.box;
   FloorTree(limits, work, name, input).grow(*tree, std::move(all), 0);
   return tree;
 }

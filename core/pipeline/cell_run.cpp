@@ -20,7 +20,7 @@ constexpr std::size_t kFacesPerTake = 64;
 // So many segments make a floor worth being triangulated on its own.
 constexpr std::size_t kSegmentsOfLarge = 128;
 // Less work than that of so many trivial floors is not worth waking a thread for.
-constexpr double kWorkPerThread = 128;
+constexpr double kWorkPerThread = 32;
 // How long an idle thread sleeps before it looks whether the run was cancelled.
 constexpr std::chrono::milliseconds kIdle{2};
 constexpr double kShareOfProgress = 0.9;

@@ -124,7 +124,7 @@ class Block {
     if (!pass) return;
     const Stopwatch merging;
     mergingStartMs_ = clock_.wallMs();
-    FilterOutcome outcome = pass->finish(state_->walkable, state_->removed);
+    FilterOutcome outcome = pass->finish(state_->walkable, state_->removed, true);
     outcome_.report.mergingMs += merging.wallMs();
     mergingCpuMs_ += merging.cpuMs();
     state_ = std::move(outcome.state);
