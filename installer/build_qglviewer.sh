@@ -1,8 +1,6 @@
 #!/usr/bin/env bash
 # Builds libQGLViewer for Qt6 from Debian's source package into build/deps/qglviewer; Debian 12 ships a Qt5 build only.
-# The source comes through apt, which checks its signatures, with source lists that are derived from the machine's own
-# and live in a temporary folder: the system's configuration stays as it is. Skipped when that was done before, and
-# where a Qt6 package of the library is installed. Needs no root.
+# Skipped when that was done before, and where a Qt6 package of the library is installed. Needs no root.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 # shellcheck source=installer/common.sh
@@ -11,42 +9,18 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 if [ -f "${qglviewer_prefix}/lib/libQGLViewer-qt6.a" ]; then exit 0; fi
 if ls /usr/lib/*/libQGLViewer-qt6.so >/dev/null 2>&1; then exit 0; fi
 
-for tool in apt-get apt-config dpkg-source qmake6 make g++; do
+for tool in qmake6 make g++; do
   command -v "${tool}" >/dev/null || fail "${tool} is missing; run installer/install_dependencies.sh first"
 done
 
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "${scratch}"' EXIT
 chmod 755 "${scratch}" # apt downloads as its own user, who must be able to look inside
-mkdir -p "${scratch}/parts" "${scratch}/lists/partial" "${scratch}/cache/archives/partial" "${scratch}/source"
-
-# Each of the machine's source lists again, with sources in place of binaries.
-list_file="" list_parts=""
-eval "$(apt-config shell list_file Dir::Etc::sourcelist/f list_parts Dir::Etc::sourceparts/d)"
-shopt -s nullglob
-for file in "${list_file}" "${list_parts%/}"/*.list "${list_parts%/}"/*.sources; do
-  [ -r "${file}" ] || continue
-  copy="${scratch}/parts/$(basename -- "${file}")"
-  case "${file}" in
-    *.sources) sed -E 's/^Types:.*$/Types: deb-src/I' "${file}" >"${copy}" ;;
-    *) sed -nE '/cdrom:/d; s/^[[:space:]]*deb(-src)?([[:space:]].*)$/deb-src\2/p' "${file}" | sort -u >"${copy}" ;;
-  esac
-done
-
-apt_options=(
-  -o "Dir::Etc::sourcelist=/dev/null"
-  -o "Dir::Etc::sourceparts=${scratch}/parts"
-  -o "Dir::State::lists=${scratch}/lists"
-  -o "Dir::Cache=${scratch}/cache"
-)
 logs="${qglviewer_prefix}/logs"
-mkdir -p "${logs}"
 
 say "libQGLViewer: fetching the source package"
-# Some lists may offer no sources; what counts is whether the package is found afterwards.
-apt-get "${apt_options[@]}" update >"${logs}/update.log" 2>&1 || true
-cd "${scratch}/source"
-quietly "${logs}/source.log" apt-get "${apt_options[@]}" source libqglviewer
+fetch_source libqglviewer "${scratch}" "${logs}"
+shopt -s nullglob
 sources=("${scratch}"/source/libqglviewer-*/QGLViewer)
 [ "${#sources[@]}" -eq 1 ] || fail "the source package of libqglviewer does not hold one folder QGLViewer"
 cd "${sources[0]}"

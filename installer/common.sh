@@ -7,6 +7,9 @@ repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 # Where libQGLViewer is built; cmake/FindQGLViewerQt6.cmake looks there.
 # shellcheck disable=SC2034 # used by the scripts that source this
 qglviewer_prefix="${repository}/build/deps/qglviewer"
+# Where the TBB for ThreadSanitizer is built; the preset tsan looks there.
+# shellcheck disable=SC2034 # used by the scripts that source this
+tsan_tbb_prefix="${repository}/build/deps/tbb-tsan"
 
 # Prints one line to standard error and ends the script.
 fail() {
@@ -39,14 +42,48 @@ quietly() {
   fi
 }
 
-# Packages, libQGLViewer and a configured build of the preset named first; further arguments go to cmake.
+# Packages, the libraries that are built here, and a configured build of the preset named first; further arguments go to cmake.
 prepare() {
   local preset="$1"
   shift
   "${repository}/installer/install_dependencies.sh"
   "${repository}/installer/build_qglviewer.sh"
+  if [ "${preset}" = tsan ]; then "${repository}/installer/build_tsan_tbb.sh"; fi
   mkdir -p "${repository}/build"
   cd -- "${repository}" || fail "cannot enter ${repository}"
   say "configuring (${preset})"
   quietly "${repository}/build/configure-${preset}.log" cmake --preset "${preset}" "$@"
+}
+
+# Fetches the source of the Debian package named first and unpacks it below the folder named second, which must be new
+# and below one that apt's own user may enter; logs go to the folder named third. apt checks the signatures. The source
+# lists are derived from the machine's own and live in that folder, so that the system's configuration stays as it is.
+# Needs no root.
+fetch_source() {
+  local package="$1" folder="$2" logs="$3" list_file="" list_parts="" file copy
+  for tool in apt-get apt-config dpkg-source; do
+    command -v "${tool}" >/dev/null || fail "${tool} is missing; run installer/install_dependencies.sh first"
+  done
+  mkdir -p "${folder}/parts" "${folder}/lists/partial" "${folder}/cache/archives/partial" "${folder}/source" "${logs}"
+
+  # Each of the machine's source lists again, with sources in place of binaries.
+  eval "$(apt-config shell list_file Dir::Etc::sourcelist/f list_parts Dir::Etc::sourceparts/d)"
+  for file in "${list_file}" "${list_parts%/}"/*.list "${list_parts%/}"/*.sources; do
+    [ -r "${file}" ] || continue
+    copy="${folder}/parts/$(basename -- "${file}")"
+    case "${file}" in
+      *.sources) sed -E 's/^Types:.*$/Types: deb-src/I' "${file}" >"${copy}" ;;
+      *) sed -nE '/cdrom:/d; s/^[[:space:]]*deb(-src)?([[:space:]].*)$/deb-src\2/p' "${file}" | sort -u >"${copy}" ;;
+    esac
+  done
+  local apt_options=(
+    -o "Dir::Etc::sourcelist=/dev/null"
+    -o "Dir::Etc::sourceparts=${folder}/parts"
+    -o "Dir::State::lists=${folder}/lists"
+    -o "Dir::Cache=${folder}/cache"
+  )
+  # Some lists may offer no sources; what counts is whether the package is found afterwards.
+  apt-get "${apt_options[@]}" update >"${logs}/update.log" 2>&1 || true
+  cd -- "${folder}/source" || fail "cannot enter ${folder}/source"
+  quietly "${logs}/source.log" apt-get "${apt_options[@]}" source "${package}"
 }
