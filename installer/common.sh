@@ -42,7 +42,8 @@ quietly() {
   fi
 }
 
-# Packages, the libraries that are built here, and a configured build of the preset named first; further arguments go to cmake.
+# Packages, the libraries that are built here, and a configured build of the preset named first; further arguments go to
+# cmake.
 prepare() {
   local preset="$1"
   shift

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tsan.sh [SUITE...]: looks for data races with ThreadSanitizer. Builds a TBB that it sees into (once), then the suites
-# that run on many threads, or those named, and runs them; fails on any report. Not part of continuous integration.
+# that run on many threads, or those named, and runs them; fails on any report. Takes too long for each change (10 min).
 # FOOTFALL_TEST_ROUNDS chooses how many random cases are tried: a tenth of the usual number unless it is set.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
