@@ -40,6 +40,6 @@ class ReleaseOnException {
 };
 
 /// Of what has at least so many triangles, freeing is worth another thread.
-inline constexpr std::size_t kLargeRelease = 1 << 16;
+inline constexpr std::size_t kLargeRelease = 1 << 14;
 
 }  // namespace footfall

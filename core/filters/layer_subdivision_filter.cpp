@@ -51,9 +51,12 @@ class LayerSubdivision {
         count_(static_cast<Index>(mesh.triangles.size())) {}
 
   std::vector<std::uint32_t> run(const StatePtr& before) {
-    tbb::parallel_invoke([&] { findOverlaps(before); }, [&] { region_ = findRegions(mesh_, topology_, regionCount_); });
+    tbb::parallel_invoke([&] { findOverlaps(before); },
+                         [&] {
+                           region_ = findRegions(mesh_, topology_, regionCount_);
+                           findLowest();
+                         });
     context_.checkCancelled();
-    findLowest();
     subdivideRegions();
     return colourPieces();
   }
@@ -227,8 +230,11 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
   const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
   LayerSubdivision subdivision(*state->kernel, *state->mesh, *topology, context);
-  auto mesh = std::make_shared<WalkableMesh>(*state->mesh);
-  mesh->layers = subdivision.run(recall.before);
+  std::shared_ptr<WalkableMesh> mesh;
+  std::vector<std::uint32_t> layers;
+  tbb::parallel_invoke([&] { layers = subdivision.run(recall.before); },
+                       [&] { mesh = std::make_shared<WalkableMesh>(*state->mesh); });
+  mesh->layers = std::move(layers);
   mesh->layerCount = 0;
   for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);
   outcome.fallbacks += subdivision.fallbacks();

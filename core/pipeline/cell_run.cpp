@@ -100,6 +100,8 @@ void CellRun::work() {
         join(next, thread);
       } else if (const std::size_t n = nextCell_.fetch_add(1); n < order_.size()) {
         begin(static_cast<Index>(order_[n]), thread);
+      } else if (const std::size_t m = nextRest_.fetch_add(1); m < order_.size()) {
+        runRest(static_cast<Index>(order_[m]), thread);
       } else if (const Index cell = cellToHelp(); cell >= 0) {
         runItems(cell, thread);
       } else {
@@ -169,8 +171,18 @@ void CellRun::begin(Index cell, int thread) {
     work.open = true;
   }
   changed_.notify_all();
-  runItems(cell, thread);
+  // Floors that all cells share can only be triangulated when all have had their part: the earlier, the better.
+  while (work.next.load(std::memory_order_relaxed) < work.shared && takeAndRun(cell, thread)) {
+  }
+  if (shares_.empty() || work.rest.exchange(Rest::Ready) == Rest::Wanted) runItems(cell, thread);
   done(cell, 1);
+}
+
+// What is left of a cell whose shares are done. If they are not, the thread that began it goes on by itself.
+void CellRun::runRest(Index cell, int thread) {
+  if (cells_[cell].rest.exchange(Rest::Wanted) != Rest::Ready) return;
+  current_[thread] = cell;
+  runItems(cell, thread);
 }
 
 // Shared floors and those that are a large share of the cell come first, each to be taken on its own.
@@ -182,32 +194,38 @@ void CellRun::sortOut(CellWork& work) const {
   };
   double sum = 0;
   for (const Index face : work.floors) sum += planArea(face);
-  const auto isLarge = [&](Index face) { return sharesOf_[face] >= 0 || planArea(face) > sum * kLargeShare; };
-  work.large = static_cast<std::size_t>(std::stable_partition(work.floors.begin(), work.floors.end(), isLarge) -
-                                        work.floors.begin());
+  const auto begin = work.floors.begin(), end = work.floors.end();
+  const auto shared = std::stable_partition(begin, end, [&](Index face) { return sharesOf_[face] >= 0; });
+  const auto large = std::stable_partition(shared, end, [&](Index face) { return planArea(face) > sum * kLargeShare; });
+  work.shared = static_cast<std::size_t>(shared - begin);
+  work.large = static_cast<std::size_t>(large - begin);
 }
 
-// First all floors of a cell are clipped, then all are triangulated: either keeps to its own part of the caches.
 void CellRun::runItems(Index cell, int thread) {
+  while (takeAndRun(cell, thread)) {
+  }
+}
+
+// First all floors of a cell are clipped, then all are triangulated: either keeps to its own part of the caches. False
+// when nothing is left to take.
+bool CellRun::takeAndRun(Index cell, int thread) {
   CellWork& work = cells_[cell];
   std::vector<Index> floors;
-  while (true) {
-    const double startMs = clock_.wallMs();
-    std::size_t finished = 0;
-    if (takeFloors(work, floors)) {
-      finished = clipFloors(cell, floors, *workers_[thread]);
-    } else if (takeCutFloors(work, floors)) {
-      finished = meshFloors(cell, floors, *workers_[thread]);
-    } else {
-      return;
-    }
-    record(cell, filters_.tests.size(), thread, startMs);
-    const std::size_t sum = itemsDone_.fetch_add(finished, std::memory_order_relaxed);
-    context_.progress(kShareOfProgress * static_cast<double>(sum) / static_cast<double>(itemsExpected_));
-    done(cell, finished);
-    Join next;
-    while (takeJoin(next)) join(next, thread);
-  }
+  const double startMs = clock_.wallMs();
+  std::size_t finished = 0;
+  if (takeFloors(work, floors))
+    finished = clipFloors(cell, floors, *workers_[thread]);
+  else if (takeCutFloors(work, floors))
+    finished = meshFloors(cell, floors, *workers_[thread]);
+  else
+    return false;
+  record(cell, filters_.tests.size(), thread, startMs);
+  const std::size_t sum = itemsDone_.fetch_add(finished, std::memory_order_relaxed);
+  context_.progress(kShareOfProgress * static_cast<double>(sum) / static_cast<double>(itemsExpected_));
+  done(cell, finished);
+  Join next;
+  while (takeJoin(next)) join(next, thread);
+  return true;
 }
 
 bool CellRun::takeFloors(CellWork& work, std::vector<Index>& floors) {

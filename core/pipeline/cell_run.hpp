@@ -47,12 +47,16 @@ class CellRun {
   [[nodiscard]] double workMs() const;
 
  private:
+  /// What is behind the shared floors of a cell.
+  enum class Rest : std::uint8_t { Unready, Ready, Wanted };
   struct CellWork {
     std::vector<Index> floors;  ///< that passed all tests
+    std::size_t shared = 0;     ///< how many of them, at the front, other cells have a part of
     std::size_t large = 0;      ///< how many of them, at the front, are to be taken one by one
     std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> left{1};  ///< items that are not done, and 1 until all are known
     std::atomic<bool> open{false};     ///< others may help
+    std::atomic<Rest> rest{Rest::Unready};
     std::atomic<std::uint64_t> trianglesOut{0};
     std::mutex mutex;                       ///< of the report and of the following
     std::vector<Index> smallCut, largeCut;  ///< floors that are clipped and not yet triangulated
@@ -80,7 +84,9 @@ class CellRun {
   void work();
   void begin(Index cell, int thread);
   void sortOut(CellWork& work) const;
+  void runRest(Index cell, int thread);
   void runItems(Index cell, int thread);
+  bool takeAndRun(Index cell, int thread);
   static bool takeFloors(CellWork& work, std::vector<Index>& floors);
   static bool takeCutFloors(CellWork& work, std::vector<Index>& floors);
   std::size_t clipFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own);
@@ -110,7 +116,7 @@ class CellRun {
   std::vector<std::uint8_t> passed_;
   ExactFallbacks fallbacks_;
 
-  std::atomic<std::size_t> nextCell_{0};
+  std::atomic<std::size_t> nextCell_{0}, nextRest_{0};
   std::atomic<std::size_t> itemsDone_{0};
   std::size_t itemsExpected_ = 0;
   std::vector<std::atomic<Index>> current_;      ///< for each thread the cell that it began last, or -1
