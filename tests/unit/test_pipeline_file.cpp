@@ -91,6 +91,7 @@ class TestPipelineFile : public QObject {
   void defaultsFollowTheScale_data();
   void defaultsFollowTheScale();
   void defaultPipelineIsTheShippedFile();
+  void parallelPipelineIsTheDefaultInABlock();
   void badFiles();
   void agent_data();
   void agent();
@@ -289,6 +290,14 @@ void TestPipelineFile::defaultsFollowTheScale() {
 void TestPipelineFile::defaultPipelineIsTheShippedFile() {
   QVERIFY(readPipelineFile(FOOTFALL_SOURCE_DIR "/resources/pipelines/default.pipeline") ==
           defaultPipeline(Environment{}));
+}
+
+void TestPipelineFile::parallelPipelineIsTheDefaultInABlock() {
+  Pipeline pipeline = readPipelineFile(FOOTFALL_SOURCE_DIR "/resources/pipelines/parallel.pipeline");
+  QCOMPARE(
+      std::erase_if(pipeline.steps, [](const PipelineStep& step) { return step.filter->kind != FilterKind::Filter; }),
+      std::size_t{2});
+  QVERIFY(pipeline == defaultPipeline(Environment{}));
 }
 
 void TestPipelineFile::badFiles() {
