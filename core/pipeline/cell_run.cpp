@@ -213,13 +213,14 @@ bool CellRun::takeAndRun(Index cell, int thread) {
   std::vector<Index> floors;
   const double startMs = clock_.wallMs();
   std::size_t finished = 0;
-  if (takeFloors(work, floors))
-    finished = clipFloors(cell, floors, *workers_[thread]);
-  else if (takeCutFloors(work, floors))
+  if (takeFloors(work, floors)) {
+    finished = clipFloors(cell, floors, thread, startMs);
+  } else if (takeCutFloors(work, floors)) {
     finished = meshFloors(cell, floors, *workers_[thread]);
-  else
+    record(cell, filters_.tests.size(), thread, startMs);
+  } else {
     return false;
-  record(cell, filters_.tests.size(), thread, startMs);
+  }
   const std::size_t sum = itemsDone_.fetch_add(finished, std::memory_order_relaxed);
   context_.progress(kShareOfProgress * static_cast<double>(sum) / static_cast<double>(itemsExpected_));
   done(cell, finished);
@@ -251,7 +252,8 @@ bool CellRun::takeCutFloors(CellWork& work, std::vector<Index>& floors) {
 }
 
 // Returns how many of the floors are finished with that.
-std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own) {
+std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, int thread, double startMs) {
+  ClearancePass::Worker& own = *workers_[thread];
   ClearancePass& pass = *filters_.clearance;
   std::vector<Index> large, small;
   std::uint64_t triangles = 0;
@@ -269,6 +271,8 @@ std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, Cl
   }
   CellWork& work = cells_[cell];
   work.trianglesOut.fetch_add(triangles, std::memory_order_relaxed);
+  // Before others can take what is left to do here, and finish the cell.
+  record(cell, filters_.tests.size(), thread, startMs);
   if (small.empty() && large.empty()) return floors.size();
   {
     const std::lock_guard lock(work.mutex);

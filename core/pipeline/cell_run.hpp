@@ -89,7 +89,7 @@ class CellRun {
   bool takeAndRun(Index cell, int thread);
   static bool takeFloors(CellWork& work, std::vector<Index>& floors);
   static bool takeCutFloors(CellWork& work, std::vector<Index>& floors);
-  std::size_t clipFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own);
+  std::size_t clipFloors(Index cell, const std::vector<Index>& floors, int thread, double startMs);
   std::size_t meshFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own);
   void clipShare(Index cell, Index face, ClearancePass::Worker& own);
   void join(const Join& join, int thread);
