@@ -8,8 +8,8 @@
 namespace footfall {
 namespace {
 
-// Below a few thousand triangles (design, section 4) even the estimate is of the size of the work itself.
-constexpr std::size_t kFewTriangles = 2000;
+// Below, the threads share the floors of one cell: even the estimate of the work would be a good part of it.
+constexpr std::size_t kFewTriangles = 16384;
 // Idle threads help with cells that are not finished, so that two cells for each thread balance. More would only cut
 // more floors, and so would cells of less than about 15 ms on one thread (a trivial triangle is some 4 microseconds of
 // clearance filter).
@@ -29,7 +29,8 @@ AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double
     return choice;
   }
   if (triangles < kFewTriangles) {
-    choice.reason = "One cell, because an environment of " + size + " is done before cells would pay.";
+    choice.reason =
+        "One cell, because an environment of " + size + " is done before cells would pay: threads share its floors.";
     return choice;
   }
   const auto depthOf = [](double cells) {
