@@ -14,42 +14,13 @@
 
 #include "core/environment/environment.hpp"
 #include "core/environment/import.hpp"
+#include "tests/unit/program_run.hpp"
+
+using namespace footfall::test;
 
 namespace {
 
-struct Outcome {
-  int exitCode = -1;
-  bool crashed = false;
-  QByteArray out;
-  QByteArray err;
-};
-
-Outcome footfallCells(const QStringList& arguments) {
-  QProcess process;
-  process.start(FOOTFALL_PROGRAM, QStringList("cells") + arguments);
-  process.closeWriteChannel();
-  Outcome outcome;
-  if (!process.waitForFinished(60000)) {
-    process.kill();
-    process.waitForFinished();
-  }
-  outcome.crashed = process.exitStatus() != QProcess::NormalExit;
-  outcome.exitCode = process.exitCode();
-  outcome.out = process.readAllStandardOutput();
-  outcome.err = process.readAllStandardError();
-  return outcome;
-}
-
-QByteArray contentOf(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void write(const QString& path, const QByteArray& content) {
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  QCOMPARE(file.write(content), content.size());
-}
+Outcome footfallCells(const QStringList& arguments) { return runProgram(QStringList("cells") + arguments); }
 
 // A floor of 12 by 6, and a wall across its middle.
 constexpr const char* kFloorZUp =

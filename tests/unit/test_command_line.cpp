@@ -14,41 +14,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/unit/program_run.hpp"
+
+using namespace footfall::test;
+
 namespace {
-
-struct Outcome {
-  int exitCode = -1;
-  bool crashed = false;
-  QByteArray out;
-  QByteArray err;
-};
-
-Outcome footfall(const QStringList& arguments) {
-  QProcess process;
-  process.start(FOOTFALL_PROGRAM, arguments);
-  process.closeWriteChannel();
-  Outcome outcome;
-  if (!process.waitForFinished(120000)) {
-    process.kill();
-    process.waitForFinished();
-  }
-  outcome.crashed = process.exitStatus() != QProcess::NormalExit;
-  outcome.exitCode = process.exitCode();
-  outcome.out = process.readAllStandardOutput();
-  outcome.err = process.readAllStandardError();
-  return outcome;
-}
-
-QByteArray contentOf(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void write(const QString& path, const QByteArray& content) {
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  QCOMPARE(file.write(content), content.size());
-}
 
 // A floor of 10 by 10, Z up, with a board of 2 by 2 one above it.
 constexpr const char* kFloorWithBoard =
@@ -131,17 +101,17 @@ void TestCommandLine::init() {
 }
 
 void TestCommandLine::version() {
-  const Outcome outcome = footfall({"--version"});
+  const Outcome outcome = runProgram({"--version"});
   QCOMPARE(outcome.exitCode, 0);
   QVERIFY(outcome.out.startsWith("footfall "));
   QVERIFY(outcome.out.at(9) >= '0' && outcome.out.at(9) <= '9');
 }
 
 void TestCommandLine::help() {
-  const Outcome outcome = footfall({"--help"});
+  const Outcome outcome = runProgram({"--help"});
   QCOMPARE(outcome.exitCode, 0);
   for (const char* word : {"run", "compare", "info", "filters", "--version"}) QVERIFY(outcome.out.contains(word));
-  const Outcome run = footfall({"run", "--help"});
+  const Outcome run = runProgram({"run", "--help"});
   QCOMPARE(run.exitCode, 0);
   for (const char* word :
        {"-p", "--filter", "--up", "--scale", "--both-sides", "--threads", "-o", "--stats", "--quiet"}) {
@@ -150,34 +120,34 @@ void TestCommandLine::help() {
 }
 
 void TestCommandLine::filtersAreListed() {
-  const Outcome outcome = footfall({"filters"});
+  const Outcome outcome = runProgram({"filters"});
   QCOMPARE(outcome.exitCode, 0);
   QVERIFY(outcome.out.contains("SlopeFilter max_slope"));
   QVERIFY(outcome.out.contains("Collapse"));
 }
 
 void TestCommandLine::oneFilterIsExplained() {
-  const Outcome outcome = footfall({"filters", "PEELFilter"});
+  const Outcome outcome = runProgram({"filters", "PEELFilter"});
   QCOMPARE(outcome.exitCode, 0);
   QVERIFY(outcome.out.startsWith("LayerSubdivisionFilter\n"));
   QVERIFY(outcome.out.contains("precondition:"));
 }
 
 void TestCommandLine::referenceAsMarkdown() {
-  const Outcome outcome = footfall({"filters", "--markdown"});
+  const Outcome outcome = runProgram({"filters", "--markdown"});
   QCOMPARE(outcome.exitCode, 0);
   QCOMPARE(outcome.out, contentOf(FOOTFALL_SOURCE_DIR "/docs/filters.md"));
 }
 
 void TestCommandLine::info() {
-  const Outcome outcome = footfall({"info", path("board.obj"), "--up", "z"});
+  const Outcome outcome = runProgram({"info", path("board.obj"), "--up", "z"});
   QCOMPARE(outcome.exitCode, 0);
   QVERIFY(outcome.out.contains("triangles") && outcome.out.contains('4'));
   QVERIFY(outcome.err.isEmpty());
 }
 
 void TestCommandLine::runWithDefaultPipeline() {
-  const Outcome outcome = footfall({"run", path("board.obj"), "--up", "z", "--scale", "1", "-o", path("out.obj")});
+  const Outcome outcome = runProgram({"run", path("board.obj"), "--up", "z", "--scale", "1", "-o", path("out.obj")});
   QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
   QVERIFY(outcome.out.contains("VerticalClearanceFilter 2"));
   QVERIFY(outcome.out.contains("LayerSubdivisionFilter"));
@@ -186,18 +156,18 @@ void TestCommandLine::runWithDefaultPipeline() {
 }
 
 void TestCommandLine::runWritesNothingByDefault() {
-  QCOMPARE(footfall({"run", path("board.obj"), "--up", "z"}).exitCode, 0);
+  QCOMPARE(runProgram({"run", path("board.obj"), "--up", "z"}).exitCode, 0);
   QCOMPARE(names(), QStringList{"board.obj"});
 }
 
 void TestCommandLine::quietRun() {
-  const Outcome outcome = footfall({"run", path("board.obj"), "--quiet", "--both-sides"});
+  const Outcome outcome = runProgram({"run", path("board.obj"), "--quiet", "--both-sides"});
   QCOMPARE(outcome.exitCode, 0);
   QVERIFY(outcome.out.isEmpty() && outcome.err.isEmpty());
 }
 
 void TestCommandLine::noProgressBarInAPipe() {
-  const Outcome outcome = footfall({"run", path("board.obj")});
+  const Outcome outcome = runProgram({"run", path("board.obj")});
   QCOMPARE(outcome.exitCode, 0);
   QVERIFY(outcome.err.isEmpty());
   QVERIFY(!outcome.out.contains('\r') && !outcome.out.contains('\x1b'));
@@ -205,8 +175,8 @@ void TestCommandLine::noProgressBarInAPipe() {
 
 void TestCommandLine::exportSaysHowItWasMade() {
   const Outcome outcome =
-      footfall({"run", path("board.obj"), "--up", "z", "--filter", "SlopeFilter 44.5", "--filter",
-                "VerticalClearanceFilter 1.5", "--filter", "#off AreaFilter 3", "-o", path("out.obj"), "--quiet"});
+      runProgram({"run", path("board.obj"), "--up", "z", "--filter", "SlopeFilter 44.5", "--filter",
+                  "VerticalClearanceFilter 1.5", "--filter", "#off AreaFilter 3", "-o", path("out.obj"), "--quiet"});
   QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
   QByteArray comments;
   for (const QByteArray& line : contentOf(path("out.obj")).split('\n')) {
@@ -222,7 +192,7 @@ void TestCommandLine::exportSaysHowItWasMade() {
 void TestCommandLine::sameBytesWithAnyNumberOfThreads() {
   for (const char* threads : {"1", "2", "5"}) {
     const Outcome outcome =
-        footfall({"run", path("board.obj"), "--up", "z", "--threads", threads, "-o", path(threads), "--quiet"});
+        runProgram({"run", path("board.obj"), "--up", "z", "--threads", threads, "-o", path(threads), "--quiet"});
     QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
     QCOMPARE(contentOf(path(threads)), contentOf(path("1")));
   }
@@ -230,8 +200,8 @@ void TestCommandLine::sameBytesWithAnyNumberOfThreads() {
 
 void TestCommandLine::statisticsSchema() {
   const QString pipeline = FOOTFALL_SOURCE_DIR "/resources/pipelines/thesis_sequential.pipeline";
-  const Outcome outcome = footfall({"run", path("board.obj"), "--up", "z", "-p", pipeline, "--stats",
-                                    path("stats.json"), "--threads", "2", "-o", path("out.obj")});
+  const Outcome outcome = runProgram({"run", path("board.obj"), "--up", "z", "-p", pipeline, "--stats",
+                                      path("stats.json"), "--threads", "2", "-o", path("out.obj")});
   QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
   const auto json = nlohmann::json::parse(contentOf(path("stats.json")).toStdString());
   QCOMPARE(json.at("steps").size(), std::size_t{9});
@@ -264,8 +234,8 @@ void TestCommandLine::statisticsSchema() {
 void TestCommandLine::parallelListingRuns() {
   const QString pipeline = FOOTFALL_SOURCE_DIR "/resources/pipelines/thesis_parallel.pipeline";
   const QString house = FOOTFALL_SOURCE_DIR "/samples/house/house.obj";
-  const Outcome outcome = footfall({"run", house, "-p", pipeline, "-o", path("out.obj"), "--stats", path("out.json"),
-                                    "--trace", path("trace.json"), "--threads", "2", "--speed-up"});
+  const Outcome outcome = runProgram({"run", house, "-p", pipeline, "-o", path("out.obj"), "--stats", path("out.json"),
+                                      "--trace", path("trace.json"), "--threads", "2", "--speed-up"});
   QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
   QVERIFY2(outcome.out.contains("block of "), outcome.out.constData());
   QVERIFY2(outcome.out.contains("speed-up "), outcome.out.constData());
@@ -337,7 +307,7 @@ void TestCommandLine::wrongUsageOrInput() {
   QFETCH(QStringList, arguments);
   QFETCH(QByteArray, says);
   arguments.replaceInStrings(QRegularExpression("^ENV$"), path("board.obj"));
-  const Outcome outcome = footfall(arguments);
+  const Outcome outcome = runProgram(arguments);
   QVERIFY(!outcome.crashed);
   QCOMPARE(outcome.exitCode, 2);
   QVERIFY2(outcome.err.contains(says), outcome.err.constData());
@@ -347,11 +317,11 @@ void TestCommandLine::wrongUsageOrInput() {
 }
 
 void TestCommandLine::failedRunKeepsAnEarlierFile() {
-  const Outcome missing = footfall({"run", path("board.obj"), "-o", path("nowhere/out.obj")});
+  const Outcome missing = runProgram({"run", path("board.obj"), "-o", path("nowhere/out.obj")});
   QCOMPARE(missing.exitCode, 1);
   QVERIFY2(missing.err.startsWith("footfall: ") && missing.err.count('\n') == 1, missing.err.constData());
   write(path("out.obj"), "earlier");
-  QCOMPARE(footfall({"run", path("board.obj"), "--filter", "SlopeFilter 95", "-o", path("out.obj")}).exitCode, 2);
+  QCOMPARE(runProgram({"run", path("board.obj"), "--filter", "SlopeFilter 95", "-o", path("out.obj")}).exitCode, 2);
   QCOMPARE(contentOf(path("out.obj")), QByteArray("earlier"));
   if (QFile::exists("/dev/full")) {
     QProcess process;

@@ -11,28 +11,12 @@
 #include "core/environment/navigation_mesh_reader.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/unit/environment_files.hpp"
+#include "tests/unit/program_run.hpp"
 
 using namespace footfall;
 using namespace footfall::test;
 
 namespace {
-
-struct Outcome {
-  int exitCode = -1;
-  QByteArray out, err;
-};
-
-Outcome program(const QStringList& arguments) {
-  QProcess process;
-  process.start(FOOTFALL_PROGRAM, arguments);
-  process.closeWriteChannel();
-  if (!process.waitForFinished(120000)) {
-    process.kill();
-    process.waitForFinished();
-  }
-  const bool normal = process.exitStatus() == QProcess::NormalExit;
-  return {normal ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
-}
 
 constexpr const char* kSquare = "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nf 1 2 3\nf 1 3 4\n";
 constexpr const char* kSquareAsPolygon = "v 0 0 0\nv 2 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nf 1 2 3 4 5\n";
@@ -166,7 +150,7 @@ void TestCompareFiles::upAxes() {
   const QString unstated = file("unstated.obj", flat);
   for (const QStringList& files :
        {QStringList{unstated, QString::fromStdString(z)}, QStringList{QString::fromStdString(z), unstated}}) {
-    const Outcome outcome = program(QStringList{"compare"} + files + QStringList{"--json"});
+    const Outcome outcome = runProgram(QStringList{"compare"} + files + QStringList{"--json"});
     QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
     const auto json = nlohmann::json::parse(outcome.out.toStdString());
     QVERIFY(json.at("equal") == true && json.at("a").at("up") == "z" && json.at("b").at("up") == "z");
@@ -205,7 +189,7 @@ void TestCompareFiles::refusedFiles() {
   const QString text = message(path);
   QVERIFY2(text.contains(says) && text.startsWith(QString::fromStdString(path)) && !text.contains('\n'),
            qPrintable(text));
-  const Outcome outcome = program({"compare", file("square.obj", kSquare), QString::fromStdString(path)});
+  const Outcome outcome = runProgram({"compare", file("square.obj", kSquare), QString::fromStdString(path)});
   QCOMPARE(outcome.exitCode, 2);
   QVERIFY(outcome.out.isEmpty());
   QCOMPARE(outcome.err.count('\n'), 1);
@@ -215,7 +199,7 @@ void TestCompareFiles::emptyExport() {
   const QByteArray empty =
       "# Walkable area by Footfall 1\n# content: 0 vertices, 0 triangles, 0 layers, 0 connections, 0 obstacle edges\n"
       "g walkable\n";
-  const Outcome outcome = program({"compare", file("empty.obj", empty), file("square.obj", kSquare), "--json"});
+  const Outcome outcome = runProgram({"compare", file("empty.obj", empty), file("square.obj", kSquare), "--json"});
   QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
   const auto json = nlohmann::json::parse(outcome.out.toStdString());
   QVERIFY(json.at("equal") == false && json.at("distances").is_null() && json.at("area_ratio").is_null());
@@ -224,22 +208,22 @@ void TestCompareFiles::emptyExport() {
 
 void TestCompareFiles::reportForPeople() {
   const QString square = file("square.obj", kSquare);
-  const Outcome same = program({"compare", square, file("polygon.obj", kSquareAsPolygon)});
+  const Outcome same = runProgram({"compare", square, file("polygon.obj", kSquareAsPolygon)});
   QVERIFY2(same.exitCode == 0 && same.err.isEmpty(), same.err.constData());
   QVERIFY(same.out.contains("Equal: both are the same set of points.\n"));
   QVERIFY(!same.out.contains('\r') && !same.out.contains('\x1b'));
-  const Outcome half = program({"compare", square, file("half.obj", kHalf)});
+  const Outcome half = runProgram({"compare", square, file("half.obj", kHalf)});
   QCOMPARE(half.exitCode, 0);
   QVERIFY(half.out.contains("Different: A holds all of B, and more."));
   QVERIFY(QString(half.out).contains(QRegularExpression("exact area +8 +0\n")));
   QVERIFY(half.out.contains("walkable space covered: 0.5 of A"));
-  QVERIFY(program({"compare", square, square}).out.contains("Equal"));
+  QVERIFY(runProgram({"compare", square, square}).out.contains("Equal"));
 }
 
 void TestCompareFiles::jsonKeys() {
   const Product product = exported("house", "SlopeFilter 45\nVerticalClearanceFilter 2\nLayerSubdivisionFilter\n");
   const QString house = file("house.obj", product.text);
-  const Outcome outcome = program(
+  const Outcome outcome = runProgram(
       {"compare", house, file("half.obj", kHalf), "--json", "--height", "0.5", "--error", "0.25", "--threads", "2"});
   QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
   const auto json = nlohmann::json::parse(outcome.out.toStdString());
@@ -277,13 +261,13 @@ void TestCompareFiles::jsonKeys() {
 
 void TestCompareFiles::exitCodes() {
   const QString square = file("square.obj", kSquare), half = file("half.obj", kHalf);
-  const auto code = [&](const QStringList& more) { return program(QStringList{"compare"} + more).exitCode; };
+  const auto code = [&](const QStringList& more) { return runProgram(QStringList{"compare"} + more).exitCode; };
   QCOMPARE(code({square, half}), 0);
   QCOMPARE(code({square, file("polygon.obj", kSquareAsPolygon), "--fail-if-different"}), 0);
   QCOMPARE(code({square, half, "--fail-above", "8"}), 0);
   QCOMPARE(code({square, half, "--fail-above", "7.9"}), 1);
   QCOMPARE(code({half, square, "--fail-above", "7.9"}), 1);
-  const Outcome outcome = program({"compare", square, half, "--fail-if-different", "--json"});
+  const Outcome outcome = runProgram({"compare", square, half, "--fail-if-different", "--json"});
   QCOMPARE(outcome.exitCode, 1);
   QVERIFY(outcome.err.contains("half.obj are not the same set of points") && outcome.err.count('\n') == 1);
   QVERIFY(nlohmann::json::parse(outcome.out.toStdString()).at("equal") == false);  // the report is there all the same
@@ -307,7 +291,7 @@ void TestCompareFiles::wrongUsage() {
   QFETCH(QStringList, arguments);
   QFETCH(QByteArray, says);
   arguments.replaceInStrings(QRegularExpression("^FILE$"), file("square.obj", kSquare));
-  const Outcome outcome = program(QStringList{"compare"} + arguments);
+  const Outcome outcome = runProgram(QStringList{"compare"} + arguments);
   QCOMPARE(outcome.exitCode, 2);
   QVERIFY2(outcome.err.contains(says) && outcome.err.count('\n') == 1, outcome.err.constData());
   QVERIFY(outcome.out.isEmpty());
