@@ -5,7 +5,6 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <span>

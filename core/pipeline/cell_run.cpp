@@ -337,7 +337,8 @@ void CellRun::join(const Join& join, int thread) {
   done(join.cell, 1);
 }
 
-// Where most is left; only cells that some thread began last can have anything left.
+// Where most is left, among the cells that threads took last. What is clipped elsewhere is triangulated by whoever
+// clipped it.
 Index CellRun::cellToHelp() {
   Index best = -1;
   std::size_t most = 0;

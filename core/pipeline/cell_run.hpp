@@ -119,7 +119,7 @@ class CellRun {
   std::atomic<std::size_t> nextCell_{0}, nextRest_{0};
   std::atomic<std::size_t> itemsDone_{0};
   std::size_t itemsExpected_ = 0;
-  std::vector<std::atomic<Index>> current_;      ///< for each thread the cell that it began last, or -1
+  std::vector<std::atomic<Index>> current_;      ///< for each thread the cell that it took last, or -1
   std::vector<ClearancePass::Worker*> workers_;  ///< of each thread
   std::vector<ThreadRecord> records_;            ///< of each thread
   std::mutex mutex_;                             ///< of the following

@@ -97,9 +97,8 @@ class Block {
   void runCells(std::size_t k, std::vector<FaceTest> tests, const PipelineStep* clearance) {
     const double startMs = clock_.wallMs();
     const Stopwatch watch;
-    const StrategyInput input = strategyInput(*state_, request_.steps, request_.threads, context_);
     if (mesh_ != state_->kernel->sharedMesh()) {  // a filter of the block moved vertices
-      floors_ = assignFloors(partition_, input);
+      floors_ = assignFloors(partition_, strategyInput(*state_, request_.steps, request_.threads, context_));
       mesh_ = state_->kernel->sharedMesh();
     }
     CellFilters filters{{}, tests, nullptr};

@@ -23,7 +23,8 @@ struct RunEvent {
     PartReady,    ///< `step`, `part` = a piece of the step's result, good enough to be shown while the rest is computed
     StepFinished,  ///< `step`; `part` may hold the step's whole result for display
     CellsMade,     ///< `block`: the cells of a parallel block that is about to run; nothing in them has run yet
-    CellFinished,  ///< `cell` and its `cellReport`; `part` may hold what its filters left, for display
+    CellFinished,  ///< `cell` and its `cellReport`; `part` may hold what its filters left, for display. Comes again
+                   ///< with each pass over the cells
   };
   Kind kind = Kind::Progress;
   std::size_t step = 0;
