@@ -10,6 +10,7 @@
 #include "core/environment/environment.hpp"
 #include "core/partitioning/partition.hpp"
 #include "ui/render_geometry.hpp"
+#include "ui/scene_picker.hpp"
 
 namespace footfall {
 
@@ -40,13 +41,8 @@ std::shared_ptr<const CellGeometry> makeCellGeometry(const Environment& environm
 /// The twelve edges of a box.
 std::vector<LineSegment> edgesOf(const CellBox& box);
 
-/// A line of sight, in the scene's coordinates.
-struct Ray {
-  Vec3 origin, direction;
-};
-
-/// The cell of the first triangle below `cut` that the ray meets, by where it meets it; where it meets none, by where
-/// it meets the bottom. Nothing outside of all cells.
+/// The cell of the first triangle below `cut` that the ray (in the scene's coordinates) meets, by where it meets it;
+/// where it meets none, by where it meets the bottom. Nothing outside of all cells.
 std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& environment,
                                     const CellGeometry& geometry, double cut);
 

@@ -18,7 +18,8 @@ bool sameImport(const ImportOptions& a, const ImportOptions& b) {
 }
 
 bool operator==(const DocumentState& a, const DocumentState& b) {
-  return a.filters == b.filters && sameImport(a.import, b.import);
+  return a.filters == b.filters && sameImport(a.import, b.import) && a.agents == b.agents && a.agent == b.agent &&
+         a.partRules == b.partRules && a.obstacles == b.obstacles;
 }
 
 /// The document before and after: a few hundred bytes, and nothing that could go out of step.
@@ -79,8 +80,12 @@ void Document::push(DocumentState next, const QString& text, const QString& merg
 void Document::setState(const DocumentState& state) {
   const bool filters = !(state.filters == state_.filters);
   const bool import = !sameImport(state.import, state_.import);
+  const bool agents = !(state.agents == state_.agents && state.agent == state_.agent);
+  const bool level = !(state.partRules == state_.partRules && state.obstacles == state_.obstacles);
   state_ = state;
   if (import) emit importChanged();
+  if (agents) emit agentsChanged();
+  if (level) emit levelChanged();
   if (filters) emit filtersChanged();
 }
 
@@ -180,11 +185,20 @@ void Document::setImportAndPipeline(const ImportOptions& options, const Pipeline
   push(std::move(next), text, mergeKey);
 }
 
-void Document::reset(const Pipeline& pipeline, const ImportOptions& import) {
+void Document::edit(DocumentState next, const QString& text, const QString& mergeKey) {
+  push(std::move(next), text, mergeKey);
+}
+
+void Document::reset(const Pipeline& pipeline, const ImportOptions& import) { reset(pipeline, import, {}); }
+
+void Document::reset(const Pipeline& pipeline, const ImportOptions& import, DocumentState rest) {
   undoStack_.clear();
+  state_ = std::move(rest);
   state_.import = import;
   state_.filters = entriesOf(pipeline);
   emit importChanged();
+  emit agentsChanged();
+  emit levelChanged();
   emit filtersChanged();
 }
 

@@ -1,4 +1,4 @@
-// What the user edits, with undo: the filter list and the import options.
+// What the user edits, with undo: filters, agents, import options, the roles of parts, and obstacles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "core/environment/environment.hpp"
+#include "core/environment/part_rules.hpp"
+#include "core/environment/placed_obstacle.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "ui/agent.hpp"
 
 namespace footfall {
 
@@ -23,6 +26,10 @@ struct FilterEntry {
 struct DocumentState {
   std::vector<FilterEntry> filters;
   ImportOptions import;
+  std::vector<Agent> agents;
+  int agent = 0;  ///< id of the one whose filters these are; 0: none
+  std::vector<PartRule> partRules;
+  std::vector<PlacedObstacle> obstacles;
 };
 
 bool sameImport(const ImportOptions& a, const ImportOptions& b);
@@ -56,12 +63,21 @@ class Document : public QObject {
   void setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,
                             const QString& mergeKey = {});
 
-  /// Starts anew, without undo.
+  /// Any edit as one entry; entries with the same merge key (not empty) that follow each other become one.
+  void edit(DocumentState next, const QString& text, const QString& mergeKey = {});
+  /// For filters that an edit() adds.
+  [[nodiscard]] int newFilterId() { return nextId_++; }
+
+  /// Starts anew, without undo. The overload replaces filters and import options and takes the rest from `rest`.
   void reset(const Pipeline& pipeline, const ImportOptions& import);
+  void reset(const Pipeline& pipeline, const ImportOptions& import, DocumentState rest);
 
  signals:
   void filtersChanged();
   void importChanged();
+  void agentsChanged();
+  /// The roles of parts or the obstacles are others: what runs compute on is another environment.
+  void levelChanged();
 
  private:
   friend class DocumentCommand;

@@ -35,12 +35,13 @@ void showDialog(QWidget* parent, const QString& title, const QString& nameFilter
   dialog->open();
 }
 
-QDockWidget* addDock(QMainWindow* window, const QString& title, const QString& name, QWidget* widget) {
+QDockWidget* addDock(QMainWindow* window, const QString& title, const QString& name, QWidget* widget,
+                     Qt::DockWidgetArea area = Qt::LeftDockWidgetArea) {
   auto* dock = new QDockWidget(title, window);
   dock->setObjectName(name);
   dock->setWidget(widget);
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-  window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+  window->addDockWidget(area, dock);
   return dock;
 }
 
@@ -118,83 +119,181 @@ void EditorWindow::createWidgets() {
 }
 
 void EditorWindow::createActions() {
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName(QStringLiteral("toolBar"));
-  bar->setMovable(false);
-  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  const auto add = [this](QMenu* menu, const QString& text, const QKeySequence& keys, auto run) {
-    QAction* action = menu->addAction(text);
-    action->setShortcut(keys);
-    connect(action, &QAction::triggered, this, run);
-    return action;
-  };
-  const auto onBar = [bar](QAction* action, const QString& text, const QString& help) {
-    action->setIconText(text);
-    action->setToolTip(action->shortcut().isEmpty()
-                           ? help
-                           : help + QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText)));
-    bar->addAction(action);
-  };
+  toolBar_ = addToolBar(tr("Tools"));
+  toolBar_->setObjectName(QStringLiteral("toolBar"));
+  toolBar_->setMovable(false);
+  toolBar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  for (const auto& [place, title] :
+       {std::pair{CommandMenu::File, tr("&File")}, std::pair{CommandMenu::Edit, tr("&Edit")},
+        std::pair{CommandMenu::Pipeline, tr("&Pipeline")}, std::pair{CommandMenu::Tools, tr("&Tools")},
+        std::pair{CommandMenu::View, tr("&View")}, std::pair{CommandMenu::Help, tr("&Help")}})
+    commands_.setMenu(place, menuBar()->addMenu(title));
+  createFileActions();
+  createEditActions();
+  createPipelineActions();
+  createViewActions();
+  createCellActions();
+  createHelpActions();
+}
 
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  onBar(add(file, tr("&Open..."), QKeySequence::Open, [this] { openDialog(); }), tr("Open"),
-        tr("Open an environment or a session"));
-  recent_.attachTo(file->addMenu(tr("Open &recent")));
-  file->addSeparator();
-  onBar(add(file, tr("&Save session..."), QKeySequence::Save, [this] { saveSessionDialog(); }), tr("Save session"),
-        tr("Save environment, filters and view"));
-  exportAction_ = add(file, tr("&Export OBJ..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportDialog(); });
+QAction* EditorWindow::onBar(QAction* action, const QString& text) {
+  action->setIconText(text);
+  toolBar_->addAction(action);
+  return action;
+}
+
+void EditorWindow::createFileActions() {
+  const QString open = QStringLiteral("open");
+  onBar(commands_.add({QStringLiteral("file.open"),
+                       CommandMenu::File,
+                       open,
+                       tr("&Open..."),
+                       tr("Open an environment or a session"),
+                       {QKeySequence::Open},
+                       QStringLiteral("open")},
+                      [this](bool) { openDialog(); }),
+        tr("Open"));
+  auto* recent = new QMenu(tr("Open &recent"), this);
+  recent_.attachTo(recent);
+  commands_.adopt(recent->menuAction(), {QStringLiteral("file.recent"), CommandMenu::File, open, {}, {}});
+  const QString save = QStringLiteral("save");
+  onBar(commands_.add({QStringLiteral("file.save"),
+                       CommandMenu::File,
+                       save,
+                       tr("&Save session..."),
+                       tr("Save environment, filters and view"),
+                       {QKeySequence::Save},
+                       QStringLiteral("save")},
+                      [this](bool) { saveSessionDialog(); }),
+        tr("Save session"));
+  exportAction_ = commands_.add({QStringLiteral("file.export"),
+                                 CommandMenu::File,
+                                 save,
+                                 tr("&Export OBJ..."),
+                                 tr("Write the walkable area"),
+                                 {QKeySequence(Qt::CTRL | Qt::Key_E)},
+                                 QStringLiteral("export")},
+                                [this](bool) { exportDialog(); });
   exportAction_->setEnabled(false);
-  onBar(exportAction_, tr("Export OBJ"), tr("Write the walkable area"));
-  bar->addSeparator();
-  file->addSeparator();
-  add(file, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+  onBar(exportAction_, tr("Export OBJ"));
+  toolBar_->addSeparator();
+  commands_.add(
+      {QStringLiteral("file.quit"), CommandMenu::File, QStringLiteral("quit"), tr("&Quit"), {}, {QKeySequence::Quit}},
+      [this](bool) { close(); });
+}
 
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+void EditorWindow::createEditActions() {
   QAction* undo = document_.undoStack()->createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
   QAction* redo = document_.undoStack()->createRedoAction(this, tr("&Redo"));
-  redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-  edit->addActions({undo, redo});
+  commands_.adopt(undo, {QStringLiteral("edit.undo"),
+                         CommandMenu::Edit,
+                         QStringLiteral("undo"),
+                         {},
+                         {},
+                         {QKeySequence::Undo},
+                         QStringLiteral("undo")});
+  commands_.adopt(redo, {QStringLiteral("edit.redo"),
+                         CommandMenu::Edit,
+                         QStringLiteral("undo"),
+                         {},
+                         {},
+                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
+                         QStringLiteral("redo")});
   for (const auto& [action, text] : {std::pair{undo, tr("Undo")}, std::pair{redo, tr("Redo")}}) {
     // The actions rename themselves after the edit; the tool bar's width must not change with them.
-    auto* button = new QToolButton(bar);
+    auto* button = new QToolButton(toolBar_);
     button->setDefaultAction(action);
     const auto rename = [button, name = text] { button->setText(name); };
     rename();
     connect(action, &QAction::changed, button, rename);
-    bar->addWidget(button);
+    toolBar_->addWidget(button);
   }
-  bar->addSeparator();
+  toolBar_->addSeparator();
+}
 
-  QMenu* pipeline = menuBar()->addMenu(tr("&Pipeline"));
-  add(pipeline, tr("&Open pipeline..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
-      [this] { openPipelineDialog(); });
-  add(pipeline, tr("&Save pipeline..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-      [this] { savePipelineDialog(); });
-  add(pipeline, tr("Use &default filters"), {}, [this] { useDefaultFilters(); });
-  pipeline->addSeparator();
-  add(pipeline, tr("&Run again"), Qt::Key_F5, [this] { controller_.runNow(); });
-  add(pipeline, tr("&Cancel"), {}, [this] { cancelWork(); });
-  pipeline->addSeparator();
+void EditorWindow::createPipelineActions() {
+  const QString files = QStringLiteral("files");
+  commands_.add({QStringLiteral("pipeline.open"),
+                 CommandMenu::Pipeline,
+                 files,
+                 tr("&Open pipeline..."),
+                 {},
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)}},
+                [this](bool) { openPipelineDialog(); });
+  commands_.add({QStringLiteral("pipeline.save"),
+                 CommandMenu::Pipeline,
+                 files,
+                 tr("&Save pipeline..."),
+                 {},
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}},
+                [this](bool) { savePipelineDialog(); });
+  commands_.add({QStringLiteral("pipeline.default"), CommandMenu::Pipeline, files, tr("Use &default filters"), {}},
+                [this](bool) { useDefaultFilters(); });
+  const QString runs = QStringLiteral("runs");
+  commands_.add({QStringLiteral("pipeline.run"),
+                 CommandMenu::Pipeline,
+                 runs,
+                 tr("&Run again"),
+                 {},
+                 {Qt::Key_F5},
+                 QStringLiteral("run")},
+                [this](bool) { controller_.runNow(); });
+  commands_.add(
+      {QStringLiteral("pipeline.cancel"), CommandMenu::Pipeline, runs, tr("&Cancel"), {}, {}, QStringLiteral("cancel")},
+      [this](bool) { cancelWork(); });
+}
 
-  QMenu* look = menuBar()->addMenu(tr("&View"));
-  onBar(add(look, tr("From the &top"), Qt::Key_T, [this] { view_->viewFromTop(); }), tr("Top"),
-        tr("Look straight down, as on a plan"));
-  onBar(add(look, tr("&Oblique"), Qt::Key_O, [this] { view_->viewOblique(); }), tr("Oblique"),
-        tr("Look from above at an angle"));
-  onBar(add(look, tr("&Fit"), Qt::Key_F, [this] { view_->fit(); }), tr("Fit"), tr("Bring everything into sight"));
-  add(look, tr("Zoom &in"), Qt::Key_Plus, [this] { view_->zoomBy(1.25); });
-  add(look, tr("Zoom o&ut"), Qt::Key_Minus, [this] { view_->zoomBy(0.8); });
-  createCellActions(pipeline, look, bar);
+void EditorWindow::createViewActions() {
+  const QString camera = QStringLiteral("camera");
+  onBar(commands_.add({QStringLiteral("view.top"),
+                       CommandMenu::View,
+                       camera,
+                       tr("From the &top"),
+                       tr("Look straight down, as on a plan"),
+                       {Qt::Key_T},
+                       QStringLiteral("camera-top")},
+                      [this](bool) { view_->viewFromTop(); }),
+        tr("Top"));
+  onBar(commands_.add({QStringLiteral("view.oblique"),
+                       CommandMenu::View,
+                       camera,
+                       tr("&Oblique"),
+                       tr("Look from above at an angle"),
+                       {Qt::Key_O},
+                       QStringLiteral("camera-oblique")},
+                      [this](bool) { view_->viewOblique(); }),
+        tr("Oblique"));
+  onBar(commands_.add({QStringLiteral("view.fit"),
+                       CommandMenu::View,
+                       camera,
+                       tr("&Fit"),
+                       tr("Bring everything into sight"),
+                       {Qt::Key_F},
+                       QStringLiteral("fit")},
+                      [this](bool) { view_->fit(); }),
+        tr("Fit"));
+  commands_.add({QStringLiteral("view.zoomIn"), CommandMenu::View, camera, tr("Zoom &in"), {}, {Qt::Key_Plus}},
+                [this](bool) { view_->zoomBy(1.25); });
+  commands_.add({QStringLiteral("view.zoomOut"), CommandMenu::View, camera, tr("Zoom o&ut"), {}, {Qt::Key_Minus}},
+                [this](bool) { view_->zoomBy(0.8); });
+}
 
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(help, tr("&Mouse and keys"), Qt::Key_F1, [this] {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), mouseHelp(), QMessageBox::Ok, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-  });
-  add(help, tr("&About Footfall"), {}, [this] {
+void EditorWindow::createHelpActions() {
+  const QString help = QStringLiteral("help");
+  commands_.add({QStringLiteral("help.keys"),
+                 CommandMenu::Help,
+                 help,
+                 tr("&Mouse and keys"),
+                 {},
+                 {Qt::Key_F1},
+                 QStringLiteral("help")},
+                [this](bool) {
+                  auto* box =
+                      new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), mouseHelp(), QMessageBox::Ok, this);
+                  box->setAttribute(Qt::WA_DeleteOnClose);
+                  box->open();
+                });
+  commands_.add({QStringLiteral("help.about"), CommandMenu::Help, help, tr("&About Footfall"), {}}, [this](bool) {
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Footfall"),
                                 tr("<b>Footfall %1</b><p>The exact walkable area of 3D environments.</p>"
                                    "<p>Free software under the GNU GPL, version 3 or later.</p>")
@@ -203,6 +302,33 @@ void EditorWindow::createActions() {
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
   });
+}
+
+QDockWidget* EditorWindow::addPanel(const Panel& panel, QWidget* widget) {
+  QDockWidget* dock = addDock(this, panel.title, panel.id, widget, panel.area);
+  dock->setFeatures(dock->features() | QDockWidget::DockWidgetClosable);
+  dock->setVisible(panel.shown);
+  commands_.adopt(dock->toggleViewAction(), {panel.id, CommandMenu::View, QStringLiteral("panels"), panel.title,
+                                             panel.help, panel.keys, panel.icon, true});
+  return dock;
+}
+
+QAction* EditorWindow::addTool(Command command, ViewTool* tool) {
+  command.menu = CommandMenu::Tools;
+  command.checkable = true;
+  QAction* action = commands_.add(command, [this, tool](bool on) {
+    if (on) {
+      view_->setTool(tool);
+      view_->setFocus();
+    } else if (view_->tool() == tool) {
+      view_->setTool(nullptr);
+    }
+  });
+  connect(view_, &LevelView::toolChanged, action, [this, action, tool] {
+    action->setChecked(view_->tool() == tool);
+    if (view_->tool() == tool && !tool->hint().isEmpty()) say(tool->hint());
+  });
+  return action;
 }
 
 QString EditorWindow::suggestedPath(const QString& ending) const {

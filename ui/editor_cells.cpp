@@ -26,13 +26,20 @@ void EditorWindow::createCellWidgets() {
   cellWatch_ = new CellWatch(document_, controller_, *view_, cells_, this);
 }
 
-void EditorWindow::createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar) {
-  QAction* parallel = pipeline->addAction(tr("Run in &parallel"));
-  parallel->setToolTip(tr("Put an automatic strategy and a Collapse around the local filters"));
-  connect(parallel, &QAction::triggered, load_, &LoadPanel::parallelBlockRequested);
-  QAction* preview = pipeline->addAction(tr("Pre&view cells"));
-  preview->setShortcut(Qt::SHIFT | Qt::Key_C);
-  connect(preview, &QAction::triggered, this, [this] { previewCells(cellWatch_->firstStrategy()); });
+void EditorWindow::createCellActions() {
+  const QString blocks = QStringLiteral("blocks");
+  QAction* parallel =
+      commands_.add({QStringLiteral("pipeline.parallel"), CommandMenu::Pipeline, blocks, tr("Run in &parallel"),
+                     tr("Put an automatic strategy and a Collapse around the local filters")},
+                    [this](bool) { emit load_->parallelBlockRequested(); });
+  QAction* preview = commands_.add({QStringLiteral("pipeline.previewCells"),
+                                    CommandMenu::Pipeline,
+                                    blocks,
+                                    tr("Pre&view cells"),
+                                    {},
+                                    {QKeySequence(Qt::SHIFT | Qt::Key_C)}},
+                                   [this](bool) { previewCells(cellWatch_->firstStrategy()); });
+  QMenu* pipeline = commands_.menu(CommandMenu::Pipeline);
   connect(pipeline, &QMenu::aboutToShow, this, [this, parallel, preview] {
     const bool hasStrategy = cellWatch_->firstStrategy() >= 0;
     parallel->setEnabled(loaded_.environment && !hasStrategy);
@@ -42,30 +49,34 @@ void EditorWindow::createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar
     for (QAction* action : {parallel, preview}) action->setEnabled(true);  // or their keys would be dead
   });
 
-  look->addSeparator();
-  bar->addSeparator();
-  cellsAction_ = look->addAction(tr("&Cells"));
-  cellsAction_->setCheckable(true);
-  cellsAction_->setShortcut(Qt::Key_C);
-  cellsAction_->setToolTip(tr("Show the cells of the parallel block (C)"));
-  connect(cellsAction_, &QAction::toggled, this, [this](bool on) {
-    cellWatch_->showCells(on);
-    legend_->showCells(on);
-    chooseLegend();
-    keepTimer_.start();
-  });
-  QAction* load = loadDock_->toggleViewAction();
-  load->setText(tr("&Load"));
-  load->setShortcut(Qt::Key_L);
-  load->setToolTip(tr("Show how the work was spread over threads (L)"));
+  toolBar_->addSeparator();
+  cellsAction_ = commands_.add({QStringLiteral("view.cells"),
+                                CommandMenu::View,
+                                QStringLiteral("cells"),
+                                tr("&Cells"),
+                                tr("Show the cells of the parallel block"),
+                                {Qt::Key_C},
+                                QStringLiteral("cells"),
+                                true},
+                               [this](bool on) {
+                                 cellWatch_->showCells(on);
+                                 legend_->showCells(on);
+                                 chooseLegend();
+                                 keepTimer_.start();
+                               });
+  QAction* load = commands_.adopt(loadDock_->toggleViewAction(), {QStringLiteral("view.load"),
+                                                                  CommandMenu::View,
+                                                                  QStringLiteral("cells"),
+                                                                  tr("&Load"),
+                                                                  tr("Show how the work was spread over threads"),
+                                                                  {Qt::Key_L},
+                                                                  QStringLiteral("load"),
+                                                                  true});
   connect(load, &QAction::toggled, this, [this](bool on) {
     cellWatch_->showLoad(on);
     keepTimer_.start();
   });
-  for (QAction* action : {cellsAction_, load}) {
-    look->addAction(action);
-    bar->addAction(action);
-  }
+  for (QAction* action : {cellsAction_, load}) toolBar_->addAction(action);
 }
 
 void EditorWindow::previewCells(int strategy) {

@@ -42,6 +42,7 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
   createActions();
   connectParts();
   connectCells();
+  createFeatures();
   keepTimer_.setSingleShot(true);
   keepTimer_.setInterval(kKeepAfterMs);
   connect(&keepTimer_, &QTimer::timeout, this, &EditorWindow::keepSession);
@@ -50,6 +51,7 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 EditorWindow::~EditorWindow() {
+  view_->setTool(nullptr);
   // What looks at cells goes before them, and says nothing about it.
   cellsAction_->disconnect(this);
   loadDock_->toggleViewAction()->disconnect(this);
@@ -69,6 +71,9 @@ void EditorWindow::connectParts() {
     keepTimer_.start();
   });
   connect(&document_, &Document::importChanged, this, &EditorWindow::applyImport);
+  for (const auto signal : {&Document::agentsChanged, &Document::levelChanged})
+    connect(&document_, signal, this, &EditorWindow::keepSoon);
+  connect(&composer_, &LevelComposer::edited, &controller_, &RunController::editEnvironment);
   connect(document_.undoStack(), &QUndoStack::cleanChanged, this, &EditorWindow::updateTitle);
   connect(import_, &ImportPanel::optionsEdited, this, &EditorWindow::editImport);
   connect(&recent_, &RecentFiles::chosen, this, &EditorWindow::open);
@@ -121,7 +126,10 @@ void EditorWindow::connectParts() {
 void EditorWindow::open(const QString& path) { openWith(path, std::nullopt, {}); }
 
 void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import) {
-  Opening opening{path, pipeline, import, std::nullopt, false, {}, {}};
+  Opening opening;
+  opening.path = path;
+  opening.pipeline = pipeline;
+  opening.import = import;
   try {
     if (isSessionFile(toPath(path))) {
       const Session session = readSession(toPath(path));
@@ -132,9 +140,17 @@ void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& 
         document_.replacePipeline(session.pipeline, tr("open %1").arg(QFileInfo(path).fileName()));
         return;
       }
-      opening = {
-          fromPath(session.environment), session.pipeline, session.import, session.camera, false, path, session.cells};
-      if (pipeline) opening.pipeline = pipeline;
+      opening.path = fromPath(session.environment);
+      if (!pipeline) opening.pipeline = session.pipeline;
+      opening.import = session.import;
+      opening.camera = session.camera;
+      opening.session = path;
+      opening.cells = session.cells;
+      opening.rest.agents = session.agents;
+      opening.rest.agent = session.agent;
+      opening.rest.partRules = session.partRules;
+      opening.rest.obstacles = session.obstacles;
+      opening.sections = session.sections;
       if (import.up) opening.import.up = import.up;
       if (import.metresPerUnit) opening.import.metresPerUnit = import.metresPerUnit;
     }
@@ -175,18 +191,21 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
     const Pipeline pipeline = opening.pipeline ? *opening.pipeline
                               : own            ? document_.pipeline()
                                                : defaultPipeline(environment);
-    document_.reset(pipeline, opening.import);
+    composer_.setLoaded(nullptr);  // the document is that of the new level from here on
+    document_.reset(pipeline, opening.import, opening.rest);
     sessionPath_ = opening.session;
     if (opening.camera) view_->setCameraPose(*opening.camera);
     if (opening.cells) setCellsShown(*opening.cells);
+    if (opening.sections) loadSections(*opening.sections);
     if (!opening.pipeline && own) {
       messages_->showHint(tr("Your filters were kept for this environment."), tr("Use default filters"),
                           [this] { useDefaultFilters(); });
     }
     if (remembering_) recent_.add(opening.session.isEmpty() ? opening.path : opening.session);
   }
-  cellWatch_->setEnvironment(loaded.environment, loaded.geometry->centre);
-  controller_.setEnvironment(loaded.environment, loaded.geometry->centre);
+  composer_.setLoaded(loaded.environment);
+  cellWatch_->setEnvironment(composer_.level(), loaded.geometry->centre);
+  controller_.setEnvironment(composer_.level(), loaded.geometry->centre);
   chooseLegend();
   cut_->show();
   if (!opening.reload) cutSlider()->setValue(cutSlider()->maximum());
@@ -315,7 +334,25 @@ Session EditorWindow::currentSession() const {
   session.pipeline = document_.pipeline();
   if (loaded_.environment) session.camera = view_->cameraPose();
   session.cells = cellsShown();
+  session.agents = document_.state().agents;
+  session.agent = document_.state().agent;
+  session.partRules = document_.state().partRules;
+  session.obstacles = document_.state().obstacles;
+  for (const SessionSection& section : sections_) session.sections[section.name.toStdString()] = section.save();
   return session;
+}
+
+void EditorWindow::addSessionSection(SessionSection section) { sections_.push_back(std::move(section)); }
+
+void EditorWindow::loadSections(const std::map<std::string, std::string>& sections) {
+  for (const SessionSection& section : sections_) {
+    const auto found = sections.find(section.name.toStdString());
+    try {
+      section.load(found == sections.end() ? std::string() : found->second);
+    } catch (const std::exception& error) {
+      messages_->showError(tr("session, '%1': %2; this part was left out").arg(section.name, error.what()));
+    }
+  }
 }
 
 void EditorWindow::saveSession(const QString& path) {
@@ -369,6 +406,8 @@ void EditorWindow::showResult() {
   exportAction_->setEnabled(true);
   if (!pendingExport_.isEmpty()) exportResult(std::exchange(pendingExport_, QString()));
 }
+
+void EditorWindow::say(const QString& text) { summary_->setText(text); }
 
 void EditorWindow::showProgress(const QString& text, double fraction) {
   summary_->setText(text);

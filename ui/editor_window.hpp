@@ -7,15 +7,22 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolBar>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "ui/cell_watch.hpp"
+#include "ui/commands.hpp"
 #include "ui/document.hpp"
 #include "ui/environment_loader.hpp"
 #include "ui/filter_list.hpp"
 #include "ui/import_panel.hpp"
 #include "ui/legend.hpp"
+#include "ui/level_composer.hpp"
 #include "ui/level_view.hpp"
 #include "ui/message_bar.hpp"
 #include "ui/recent_files.hpp"
@@ -23,6 +30,26 @@
 #include "ui/session.hpp"
 
 namespace footfall {
+
+/// A dock with one widget, and the command that shows and hides it (in the menu View, group "panels").
+struct Panel {
+  QString id;     ///< of the command; the dock's object name
+  QString title;  ///< of the dock and the command
+  QString help;
+  QList<QKeySequence> keys = {};
+  QString icon = {};
+  Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+  bool shown = false;  ///< at the first start
+};
+
+/// What a tool keeps in sessions, as a JSON text.
+struct SessionSection {
+  QString name;
+  std::function<std::string()> save;
+  /// Gets an empty text where the session has none of it. Throws std::exception with what is wrong; the message is
+  /// shown and the rest of the session counts.
+  std::function<void(const std::string&)> load;
+};
 
 /// Errors appear in the message bar, in the words of the exception, and leave everything as it was. Nothing here waits
 /// for a computation.
@@ -50,6 +77,23 @@ class EditorWindow : public QMainWindow {
   /// Whether what is shown was opened as a session.
   [[nodiscard]] bool openedSession() const { return !sessionPath_.isEmpty(); }
 
+  // --- For tools (ui/editor_features.cpp)
+  [[nodiscard]] CommandRegistry& commands() { return commands_; }
+  [[nodiscard]] QToolBar* toolBar() const { return toolBar_; }
+  QDockWidget* addPanel(const Panel& panel, QWidget* widget);
+  void addSessionSection(SessionSection section);
+  /// A command that switches the mouse to `tool`, checked while it has it. The tool must outlive the view.
+  QAction* addTool(Command command, ViewTool* tool);
+  /// In the status bar, until something else is said.
+  void say(const QString& text);
+  /// Writes in the background and tells errors; written() follows.
+  void writeInBackground(std::function<void()> write, const QString& path);
+  /// The level that runs compute on: with roles of parts and obstacles. Null when nothing is loaded.
+  [[nodiscard]] std::shared_ptr<const Environment> level() const { return composer_.level(); }
+  [[nodiscard]] LevelComposer& composer() { return composer_; }
+  /// Keeps the session soon (it survives a crash).
+  void keepSoon() { keepTimer_.start(); }
+
   [[nodiscard]] Document& document() { return document_; }
   [[nodiscard]] RunController& controller() { return controller_; }
   [[nodiscard]] const EnvironmentLoader& loader() const { return loader_; }
@@ -66,6 +110,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
   [[nodiscard]] QSlider* cutSlider() const { return cut_->findChild<QSlider*>(); }
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
+  /// As its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
   /// Neither loading, running nor exporting.
   [[nodiscard]] bool idle() const { return !loader_.busy() && !controller_.busy() && exports_ == 0; }
@@ -92,12 +137,22 @@ class EditorWindow : public QMainWindow {
     bool reload = false;  ///< the same file with other options
     QString session;      ///< the file that all this comes from, when it is one
     std::optional<CellsShown> cells;
+    DocumentState rest;  ///< of the session: agents, roles, obstacles
+    std::optional<std::map<std::string, std::string>> sections;
   };
 
   void createWidgets();
   void createActions();
+  void createFileActions();
+  void createEditActions();
+  void createPipelineActions();
+  void createViewActions();
+  void createHelpActions();
+  QAction* onBar(QAction* action, const QString& text);
   void createCellWidgets();
-  void createCellActions(QMenu* pipeline, QMenu* look, QToolBar* bar);
+  void createCellActions();
+  void createFeatures();
+  void loadSections(const std::map<std::string, std::string>& sections);
   void connectParts();
   void connectCells();
   void chooseLegend();
@@ -112,7 +167,6 @@ class EditorWindow : public QMainWindow {
   void editImport(const ImportOptions& options);
   void applyImport();
   void useDefaultFilters();
-  void writeInBackground(std::function<void()> write, const QString& path);
   void showResult();
   void showProgress(const QString& text, double fraction);
   void hideProgress();
@@ -124,6 +178,9 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] QString suggestedPath(const QString& ending) const;
 
   Document document_;
+  LevelComposer composer_{document_};
+  CommandRegistry commands_{this};
+  std::vector<SessionSection> sections_;
   CellModel cells_;
   LoadedEnvironment loaded_;
   std::optional<Opening> opening_;
@@ -151,6 +208,7 @@ class EditorWindow : public QMainWindow {
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QAction* exportAction_ = nullptr;
+  QToolBar* toolBar_ = nullptr;
   QTimer keepTimer_;
 
   // Last: their threads end before the rest goes.

@@ -6,22 +6,20 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace footfall {
 namespace {
 
 using qglviewer::Camera;
-using qglviewer::Quaternion;
 using qglviewer::Vec;
 
 constexpr double kSlowFrameMs = 30;
-constexpr int kRestMs = 200;      // without movement
-constexpr double kMargin = 1.08;  // around the scene when everything is to be in sight
+constexpr int kRestMs = 200;  // without movement
 
 Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
 
@@ -42,24 +40,9 @@ LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
 LevelView::~LevelView() {
   if (!ready_) return;
   makeCurrent();
+  overlayRenderer_.release();
   renderer_.release();
   doneCurrent();
-}
-
-void LevelView::bindMouse() {
-  clearMouseBindings();
-  clearShortcuts();
-  for (int key = Qt::Key_F1; key <= Qt::Key_F12; ++key) setPathKey(-key);  // no camera paths on function keys
-  setMouseBinding(Qt::NoModifier, Qt::LeftButton, CAMERA, ROTATE);
-  setMouseBinding(Qt::NoModifier, Qt::RightButton, CAMERA, TRANSLATE);
-  setMouseBinding(Qt::NoModifier, Qt::MiddleButton, CAMERA, TRANSLATE);
-  setMouseBinding(Qt::ShiftModifier, Qt::LeftButton, CAMERA, TRANSLATE);
-  setMouseBinding(Qt::ControlModifier, Qt::LeftButton, CAMERA, ZOOM);
-  setMouseBinding(Qt::NoModifier, Qt::LeftButton, RAP_FROM_PIXEL, true);
-  setWheelBinding(Qt::NoModifier, CAMERA, ZOOM);
-  camera()->frame()->setZoomSensitivity(1.0);
-  camera()->frame()->setWheelSensitivity(1.0);
-  camera()->frame()->setSpinningSensitivity(1e9);  // the camera stops with the mouse
 }
 
 void LevelView::init() {
@@ -69,7 +52,8 @@ void LevelView::init() {
   camera()->frame()->setRotatesAroundUpVector(true);
   camera()->setFieldOfView(M_PI / 4);
   connect(camera()->frame(), &qglviewer::ManipulatedFrame::manipulated, this, &LevelView::cameraMoved);
-  const QString problem = renderer_.initialize();
+  QString problem = renderer_.initialize();
+  if (problem.isEmpty()) problem = overlayRenderer_.initialize(renderer_.lineProgram());
   ready_ = problem.isEmpty();
   if (!ready_) emit failed(QStringLiteral("cannot show the scene: ") + problem);
 }
@@ -88,6 +72,12 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
     viewOblique();
     fitWhenSized_ = !isVisible();
   }
+  update();
+}
+
+void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
+  environment_ = std::move(geometry);
+  renderer_.setEnvironment(environment_);
   update();
 }
 
@@ -124,32 +114,9 @@ void LevelView::setMarkedCells(const MarkedCells& marked) {
   update();
 }
 
-void LevelView::frameCell(std::size_t cell) {
-  if (!cells_ || cell >= cells_->boxes.size()) return;
-  const CellBox& box = cells_->boxes[cell];
-  // Between the floors of the cell rather than between the sky and the cellar.
-  float lowest = std::numeric_limits<float>::max();
-  float highest = std::numeric_limits<float>::lowest();
-  for (std::size_t v = cells_->firstVertex[cell]; v < cells_->firstVertex[cell + 1]; ++v) {
-    lowest = std::min(lowest, cells_->surface[v].position[2]);
-    highest = std::max(highest, cells_->surface[v].position[2]);
-  }
-  if (lowest > highest) lowest = highest = box.lower[2];
-  std::vector<Vec3> corners;
-  for (const float x : {box.lower[0], box.upper[0]}) {
-    for (const float y : {box.lower[1], box.upper[1]}) {
-      for (const float z : {lowest, highest}) corners.push_back({x, y, z});
-    }
-  }
-  fitTo(corners);
-}
-
 std::optional<std::size_t> LevelView::cellAt(const QPoint& place) const {
   if (!parts_.cells || !cells_ || !environment_) return std::nullopt;
-  Vec origin, direction;
-  camera()->convertClickToLine(place, origin, direction);
-  return pickCell({{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}}, *environment_, *cells_,
-                  static_cast<double>(cutHeight()));
+  return pickCell(sceneRayAt(place), *environment_, *cells_, shownHeights().upper);
 }
 
 float LevelView::cutHeight() const {
@@ -160,17 +127,83 @@ float LevelView::cutHeight() const {
   return static_cast<float>(lower.z + (cut_ + 1e-4) * height);
 }
 
+HeightRange LevelView::shownHeights() const {
+  HeightRange shown;
+  shown.upper = static_cast<double>(cutHeight());
+  return shown;
+}
+
 void LevelView::hover(std::optional<std::size_t> cell) {
   if (std::exchange(hovered_, cell) != cell || cell) emit cellHovered(cell);
+}
+
+// --- Mouse and tools
+
+void LevelView::setTool(ViewTool* tool) {
+  if (tool == tool_) return;
+  ViewTool* const before = std::exchange(tool_, tool);
+  toolHasMouse_ = false;
+  if (before) before->ended();
+  if (tool_) {
+    setCursor(tool_->cursor());
+  } else {
+    unsetCursor();
+  }
+  emit toolChanged();
+  update();
+}
+
+void LevelView::setOverlay(const QString& name, ViewOverlay overlay) {
+  overlays_[name] = std::move(overlay);
+  update();
+}
+
+void LevelView::removeOverlay(const QString& name) {
+  if (overlays_.erase(name) > 0) update();
+}
+
+Ray LevelView::sceneRayAt(const QPoint& place) const {
+  Vec origin, direction;
+  camera()->convertClickToLine(place, origin, direction);
+  return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
+}
+
+Ray LevelView::rayAt(const QPoint& place) const {
+  Ray ray = sceneRayAt(place);
+  const Vec3 centre = environment_ ? environment_->centre : Vec3{};
+  ray.origin = {ray.origin.x + centre.x, ray.origin.y + centre.y, ray.origin.z + centre.z};
+  return ray;
+}
+
+std::optional<SurfacePoint> LevelView::pick(const QPoint& place) const {
+  if (!environment_) return std::nullopt;
+  std::optional<SurfacePoint> found = pickSurface(sceneRayAt(place), *environment_, shownHeights());
+  if (!found) return std::nullopt;
+  const Vec3& centre = environment_->centre;
+  found->point = {found->point.x + centre.x, found->point.y + centre.y, found->point.z + centre.z};
+  return found;
+}
+
+std::optional<QPointF> LevelView::project(const Vec3& place) const {
+  return OverlayRenderer::project(place, overlayLook());
 }
 
 void LevelView::mousePressEvent(QMouseEvent* event) {
   const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
   pressed_ = plain ? std::optional(event->pos()) : std::nullopt;
+  toolHasMouse_ = tool_ && tool_->mousePressed(toolMouse(*event));
+  if (toolHasMouse_) {
+    pressed_.reset();
+    return;
+  }
   QGLViewer::mousePressEvent(event);
 }
 
 void LevelView::mouseMoveEvent(QMouseEvent* event) {
+  if (tool_ && (toolHasMouse_ || event->buttons() == Qt::NoButton)) {
+    tool_->mouseMoved(toolMouse(*event));
+    if (toolHasMouse_) return;
+  }
   if (event->buttons() == Qt::NoButton) {
     hover(cellAt(event->pos()));
   } else if (pressed_ && (event->pos() - *pressed_).manhattanLength() >= QApplication::startDragDistance()) {
@@ -180,19 +213,42 @@ void LevelView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void LevelView::mouseReleaseEvent(QMouseEvent* event) {
+  if (std::exchange(toolHasMouse_, false)) {
+    if (tool_) tool_->mouseReleased(toolMouse(*event));
+    return;
+  }
   QGLViewer::mouseReleaseEvent(event);
-  if (!std::exchange(pressed_, std::nullopt) || !parts_.cells || !cells_) return;
-  emit cellClicked(cellAt(event->pos()));
+  if (!std::exchange(pressed_, std::nullopt)) return;
+  if (tool_) {
+    tool_->clicked(toolMouse(*event));
+  } else if (parts_.cells && cells_) {
+    emit cellClicked(cellAt(event->pos()));
+  }
 }
 
 void LevelView::mouseDoubleClickEvent(QMouseEvent* event) {
-  // The first click may have moved the camera: what is under the mouse now is not what was meant.
-  if (!parts_.cells || !cells_) QGLViewer::mouseDoubleClickEvent(event);
+  // The first click may have moved the camera: what is under the mouse now is not what was meant. A tool has taken it
+  // as a click.
+  if (!tool_ && (!parts_.cells || !cells_)) QGLViewer::mouseDoubleClickEvent(event);
 }
 
 void LevelView::leaveEvent(QEvent* event) {
   hover({});
+  if (tool_) tool_->mouseLeft();
   QGLViewer::leaveEvent(event);
+}
+
+void LevelView::keyPressEvent(QKeyEvent* event) {
+  if (tool_ && tool_->keyPressed(*event)) return;
+  if (tool_ && event->key() == Qt::Key_Escape) {
+    setTool(nullptr);
+    return;
+  }
+  if (!moveByKey(event->key())) QWidget::keyPressEvent(event);
+}
+
+ViewMouse LevelView::toolMouse(const QMouseEvent& event) {
+  return {event.pos(), event.button(), event.buttons(), event.modifiers()};
 }
 
 void LevelView::resizeGL(int width, int height) {
@@ -201,21 +257,32 @@ void LevelView::resizeGL(int width, int height) {
   fitWhenSized_ = false;
 }
 
-void LevelView::draw() {
-  if (!ready_) return;
-  lastFrameBegun_ = std::chrono::steady_clock::now();
+QMatrix4x4 LevelView::modelViewProjection() const {
   GLdouble modelView[16];
   GLdouble projection[16];
   camera()->getModelViewMatrix(modelView);
   camera()->getProjectionMatrix(projection);
-  SceneCamera scene;
+  QMatrix4x4 product;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
       double sum = 0;
       for (int k = 0; k < 4; ++k) sum += projection[k * 4 + row] * modelView[column * 4 + k];
-      scene.modelViewProjection(row, column) = static_cast<float>(sum);
+      product(row, column) = static_cast<float>(sum);
     }
   }
+  return product;
+}
+
+OverlayRenderer::Look LevelView::overlayLook() const {
+  return {modelViewProjection(), size() * devicePixelRatioF(), static_cast<float>(devicePixelRatioF()),
+          environment_ ? environment_->centre : Vec3{}};
+}
+
+void LevelView::draw() {
+  if (!ready_) return;
+  lastFrameBegun_ = std::chrono::steady_clock::now();
+  SceneCamera scene;
+  scene.modelViewProjection = modelViewProjection();
   const Vec eye = camera()->position();
   const Vec direction = camera()->viewDirection();
   scene.eye = QVector3D(static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
@@ -229,125 +296,21 @@ void LevelView::draw() {
   const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;
   if (hurried) parts.outlines = false;
   renderer_.draw(scene, parts, rest_.isActive());
+  overlayRenderer_.draw(overlays_, overlayLook());
   context()->functions()->glFinish();  // software OpenGL works on after the call
   lastFrameMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - lastFrameBegun_).count();
   if (!hurried) wholeFrameMs_ = lastFrameMs_;
 }
 
-void LevelView::lookAlong(const Vec& direction, const Vec& up, bool orthographic) {
-  camera()->setType(orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
-  const Vec d = direction.unit();
-  const Vec right = (d ^ up).unit();
-  const Vec upright = right ^ d;
-  Quaternion orientation;
-  orientation.setFromRotatedBasis(right, upright, -d);
-  camera()->setOrientation(orientation);
-  if (environment_) fitTo(environment_->detailExtremes);
-}
-
-void LevelView::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), true); }
-
-void LevelView::viewOblique() { lookAlong(Vec(0.5, 0.8, -0.9), Vec(0, 0, 1), false); }
-
-void LevelView::fit() {
-  if (environment_) fitTo(environment_->extremes);
-}
-
-void LevelView::fitTo(const std::vector<Vec3>& points) {
-  if (points.empty()) return;
-  const Vec right = camera()->rightVector();
-  const Vec up = camera()->upVector();
-  const Vec ahead = camera()->viewDirection();
-  const bool parallel = camera()->type() == Camera::ORTHOGRAPHIC;
-  const double tanVertical = std::tan(camera()->fieldOfView() / 2) / kMargin;
-  const double tanHorizontal = tanVertical * std::max(0.1, width() / std::max(1.0, static_cast<double>(height())));
-
-  // Each side of the view's pyramid (or prism) touches the scene's outermost point: along each of the two axes, p is in
-  // sight of the eye e when |p - e| <= tan * (depth of p - depth of e).
-  constexpr double kLowest = std::numeric_limits<double>::lowest();
-  std::array<double, 2> above{kLowest, kLowest};
-  std::array<double, 2> below{kLowest, kLowest};
-  double nearest = -kLowest;
-  double farthest = kLowest;
-  for (const Vec3& point : points) {
-    const Vec p = toVec(point);
-    const double depth = p * ahead;
-    nearest = std::min(nearest, depth);
-    farthest = std::max(farthest, depth);
-    for (const auto& [axis, offset, tan] :
-         {std::tuple{0, p * right, tanHorizontal}, std::tuple{1, p * up, tanVertical}}) {
-      const double narrowing = parallel ? 0 : tan * depth;
-      above[axis] = std::max(above[axis], offset - narrowing);
-      below[axis] = std::max(below[axis], -offset - narrowing);
-    }
-  }
-  const Vec sideways = right * ((above[0] - below[0]) / 2) + up * ((above[1] - below[1]) / 2);
-  const double reach = std::max((above[0] + below[0]) / (2 * tanHorizontal), (above[1] + below[1]) / (2 * tanVertical));
-  const double middle = (nearest + farthest) / 2;
-  // In a parallel projection the distance from the pivot only sets the scale.
-  const double eyeDepth = parallel ? middle - std::max(reach, sceneRadius() * 1e-3) : std::min(-reach, nearest);
-  camera()->setPivotPoint(sideways + ahead * middle);
-  camera()->setPosition(sideways + ahead * eyeDepth);
-  emit cameraMoved();
-  rest_.stop();  // one jump is no movement
-  update();
-}
-
-void LevelView::zoomBy(double factor) {
-  const Vec pivot = camera()->pivotPoint();
-  camera()->setPosition(pivot + (camera()->position() - pivot) / factor);
-  emit cameraMoved();
-  update();
-}
-
-void LevelView::keyPressEvent(QKeyEvent* event) {
-  const double step = 0.08 * (camera()->position() - camera()->pivotPoint()).norm();
-  Vec move;
-  switch (event->key()) {
-    case Qt::Key_Left:
-      move = camera()->rightVector() * -step;
-      break;
-    case Qt::Key_Right:
-      move = camera()->rightVector() * step;
-      break;
-    case Qt::Key_Up:
-      move = camera()->upVector() * step;
-      break;
-    case Qt::Key_Down:
-      move = camera()->upVector() * -step;
-      break;
-    default:
-      QWidget::keyPressEvent(event);
-      return;
-  }
-  camera()->setPosition(camera()->position() + move);
-  camera()->setPivotPoint(camera()->pivotPoint() + move);
-  emit cameraMoved();
-  update();
-}
-
-CameraPose LevelView::cameraPose() const {
-  CameraPose pose;
-  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
-  const Vec position = camera()->position();
-  const Vec pivot = camera()->pivotPoint();
-  pose.position = {position.x + origin.x, position.y + origin.y, position.z + origin.z};
-  pose.pivot = {pivot.x + origin.x, pivot.y + origin.y, pivot.z + origin.z};
-  const Quaternion orientation = camera()->orientation();
-  for (int i = 0; i < 4; ++i) pose.orientation[static_cast<std::size_t>(i)] = orientation[i];
-  pose.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
-  return pose;
-}
-
-void LevelView::setCameraPose(const CameraPose& pose) {
-  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
-  camera()->setType(pose.orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
-  camera()->setPivotPoint(Vec(pose.pivot.x - origin.x, pose.pivot.y - origin.y, pose.pivot.z - origin.z));
-  camera()->setOrientation(
-      Quaternion(pose.orientation[0], pose.orientation[1], pose.orientation[2], pose.orientation[3]));
-  camera()->setPosition(Vec(pose.position.x - origin.x, pose.position.y - origin.y, pose.position.z - origin.z));
-  fitWhenSized_ = false;
-  update();
+// Marks and labels: QPainter leaves OpenGL in a state of its own, so it comes last.
+void LevelView::paintGL() {
+  QGLViewer::paintGL();
+  const bool painted = ready_ && std::ranges::any_of(overlays_, [](const auto& entry) {
+                         return !entry.second.marks.empty() || !entry.second.labels.empty();
+                       });
+  if (!painted) return;
+  QPainter painter(this);
+  OverlayRenderer::paint(painter, overlays_, overlayLook());
 }
 
 }  // namespace footfall

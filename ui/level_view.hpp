@@ -7,10 +7,15 @@
 #include <QTimer>
 #include <array>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
 
+#include "ui/overlay_renderer.hpp"
+#include "ui/scene_picker.hpp"
 #include "ui/scene_renderer.hpp"
+#include "ui/view_overlay.hpp"
+#include "ui/view_tool.hpp"
 
 namespace footfall {
 
@@ -23,7 +28,8 @@ struct CameraPose {
 
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
 /// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
-/// shown, a click tells which one it hit, and a double click is no more than two of them.
+/// shown, a click tells which one it hit, and a double click is no more than two of them. A tool (setTool()) comes
+/// before all this.
 class LevelView : public QGLViewer {
   Q_OBJECT
 
@@ -33,6 +39,9 @@ class LevelView : public QGLViewer {
 
   /// Shows another environment without content. Moves the camera only when `fitCamera`.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera);
+  /// Shows an environment that has changed, with the same centre; content, cells and camera stay.
+  void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
+  [[nodiscard]] std::shared_ptr<const EnvironmentGeometry> environmentGeometry() const { return environment_; }
   void setContent(ViewContent content);
   [[nodiscard]] const ViewContent& content() const { return content_; }
 
@@ -50,6 +59,21 @@ class LevelView : public QGLViewer {
 
   /// Leaves out what is above a height, from 0 (the bottom) to 1 (nothing is left out): a look under roofs.
   void setCut(double fraction);
+
+  /// Gives the mouse to a tool, which must live until it has ended; null: back to the camera alone.
+  void setTool(ViewTool* tool);
+  [[nodiscard]] ViewTool* tool() const { return tool_; }
+  /// Drawn over the scene until it is removed; each name has one.
+  void setOverlay(const QString& name, ViewOverlay overlay);
+  void removeOverlay(const QString& name);
+  /// The line of sight through a place of the view, in the environment's coordinates.
+  [[nodiscard]] Ray rayAt(const QPoint& place) const;
+  /// The surface of the environment that is seen there, in the environment's coordinates; what is cut away is not.
+  [[nodiscard]] std::optional<SurfacePoint> pick(const QPoint& place) const;
+  /// Where a place of the environment is in the view; nothing when it is behind the eye.
+  [[nodiscard]] std::optional<QPointF> project(const Vec3& place) const;
+  /// What the height slider leaves, in the scene's coordinates.
+  [[nodiscard]] HeightRange shownHeights() const;
 
   /// Straight down, parallel projection, all detail in sight.
   void viewFromTop();
@@ -76,10 +100,13 @@ class LevelView : public QGLViewer {
   void cellHovered(std::optional<std::size_t> cell);
   /// A click, not a drag; nothing when it hit no cell.
   void cellClicked(std::optional<std::size_t> cell);
+  /// Another tool has the mouse, or none.
+  void toolChanged();
 
  protected:
   void init() override;
   void draw() override;
+  void paintGL() override;
   void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -90,12 +117,21 @@ class LevelView : public QGLViewer {
 
  private:
   void bindMouse();
+  bool moveByKey(int key);
+  static ViewMouse toolMouse(const QMouseEvent& event);
+  [[nodiscard]] Ray sceneRayAt(const QPoint& place) const;
+  [[nodiscard]] QMatrix4x4 modelViewProjection() const;
+  [[nodiscard]] OverlayRenderer::Look overlayLook() const;
   [[nodiscard]] float cutHeight() const;
   void hover(std::optional<std::size_t> cell);
   void fitTo(const std::vector<Vec3>& points);
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
 
   SceneRenderer renderer_;
+  OverlayRenderer overlayRenderer_;
+  std::map<QString, ViewOverlay> overlays_;
+  ViewTool* tool_ = nullptr;
+  bool toolHasMouse_ = false;
   std::shared_ptr<const EnvironmentGeometry> environment_;
   ViewContent content_;
   SceneParts parts_;

@@ -36,15 +36,30 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   provisional_ = false;
   statuses_.clear();
   cache_ = std::make_shared<ResultCache>();  // a run that is still ending keeps the old ones
+  forgetSteps();
+  showLastCells();
+  refreshStatuses();
+  emit statusChanged();
+  start();
+}
+
+// What is known of single steps by their filters belongs to one environment.
+void RunController::forgetSteps() {
   previews_ = std::make_shared<PreviewCache>();
   preparing_->cancel();
   preparing_ = std::make_shared<RunContext>();
   editPreviews_.clear();
   missing_.clear();
   knownBlocks_.clear();
-  showLastCells();
+}
+
+void RunController::editEnvironment(std::shared_ptr<const Environment> environment) {
+  stopJob(StepState::Stale);
+  environment_ = std::move(environment);
+  finishedKey_.clear();
+  for (auto& [id, status] : statuses_) status.prefix.clear();
+  forgetSteps();
   refreshStatuses();
-  emit statusChanged();
   start();
 }
 
@@ -175,6 +190,7 @@ void RunController::start() {
   job->centre = centre_;
   job->previews = previews_;
   job->follows = shown_.mesh != nullptr;
+  job->sameEnvironment = !finished_ || finished_->environment == environment_;
   for (const FilterEntry& entry : filters_) job->pipeline.steps.push_back(entry.step);
   job->prefixes.emplace_back();
   for (std::size_t i = 0; i < filters_.size(); ++i) {

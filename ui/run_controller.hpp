@@ -43,6 +43,10 @@ class RunController : public QObject {
 
   /// Drops all results. Null: nothing to run on.
   void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
+  /// The same level with something changed (an edit of the one before, so that runs take over what they can): the last
+  /// result stays in sight until the next one is there.
+  void editEnvironment(std::shared_ptr<const Environment> environment);
+  [[nodiscard]] std::shared_ptr<const Environment> environment() const { return environment_; }
   void setFilters(const std::vector<FilterEntry>& filters);
   /// Starts at once, even when nothing has changed (results of steps are still taken from the cache).
   void runNow();
@@ -86,6 +90,7 @@ class RunController : public QObject {
   void keepPreviews(const Job& job);
   void preparePreviews();
   void start();
+  void forgetSteps();
   void work(const std::shared_ptr<Job>& job);
   void scheduleDrain();
   void drain();

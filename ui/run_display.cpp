@@ -169,6 +169,7 @@ bool RunController::waitsForPicture() const { return shown_.mesh && !job_->lastP
 
 // The last step that has something to show.
 void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
+  if (!job_->sameEnvironment) return;  // pieces are put in by numbers of triangles
   for (std::size_t i = steps.size(); i-- > 0;) {
     const bool pieces = !steps[i].parts.empty();
     if (!pieces && !steps[i].whole.mesh) continue;

@@ -56,8 +56,9 @@ struct RunController::Job {
   std::optional<RunEventBuffer::Clock::time_point> lastPicture;
   // Over the last result: known from the edit itself, or else from the first step that differs once it has run.
   EditPreview::Surfaces changes;
-  std::size_t cellsTold = 0;  // events of cells that the window has heard of
-  bool waiting = false;       // for the frame that shows what is known from the edit
+  std::size_t cellsTold = 0;    // events of cells that the window has heard of
+  bool sameEnvironment = true;  // as the last finished run; numbers of triangles mean the same then
+  bool waiting = false;         // for the frame that shows what is known from the edit
   // The first step that is not the same as in the last finished run, and what it gave there.
   std::size_t firstChanged = 0;
   MeshPtr changedBefore;

@@ -9,7 +9,7 @@ namespace footfall {
 
 // An edit of one parameter, which stands for most of what somebody does here while looking at the view.
 void RunController::preview(Job& job) const {
-  if (!finished_ || !shown_.mesh) return;
+  if (!finished_ || !shown_.mesh || !job.sameEnvironment) return;
   std::vector<const PipelineStep*> before;
   for (const PipelineStep& step : finished_->pipeline.steps) {
     if (step.enabled) before.push_back(&step);

@@ -53,6 +53,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   /// Returns an empty text, or why the programs cannot be built, in one line.
   QString initialize();
   void release();
+  /// For others that draw lines in the same context.
+  [[nodiscard]] QOpenGLShaderProgram& lineProgram() { return lineProgram_; }
 
   /// Uploaded with the next draw(). Null: nothing.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);

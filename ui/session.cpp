@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/errors.hpp"
 
@@ -84,6 +87,90 @@ CellsShown cellsFrom(const Json& json) {
   return cells;
 }
 
+template <typename Value, std::size_t kCount>
+Value named(const Json& json, const char* key, const std::array<std::pair<const char*, Value>, kCount>& names) {
+  const auto text = json.at(key).get<std::string>();
+  std::string known;
+  for (const auto& [name, value] : names) {
+    if (text == name) return value;
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  throw InputError(std::string(key) + " is '" + text + "'; give one of " + known);
+}
+
+template <typename Value, std::size_t kCount>
+const char* nameOf(Value value, const std::array<std::pair<const char*, Value>, kCount>& names) {
+  return std::ranges::find(names, value, [](const auto& entry) { return entry.second; })->first;
+}
+
+constexpr std::array<std::pair<const char*, PartRole>, 3> kRoles = {
+    {{"floor", PartRole::Floor}, {"obstacle_only", PartRole::ObstacleOnly}, {"ignored", PartRole::Ignored}}};
+constexpr std::array<std::pair<const char*, PlacedObstacle::Shape>, 3> kShapes = {
+    {{"box", PlacedObstacle::Shape::Box},
+     {"cylinder", PlacedObstacle::Shape::Cylinder},
+     {"ramp", PlacedObstacle::Shape::Ramp}}};
+
+void requireFinite(const Vec3& v, const char* what) {
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+    throw InputError(std::string(what) + " is not finite; give three numbers");
+}
+
+PlacedObstacle obstacleFrom(const Json& json) {
+  PlacedObstacle obstacle;
+  obstacle.shape = named(json, "shape", kShapes);
+  obstacle.name = json.value("name", std::string());
+  obstacle.base = vectorFrom(json.at("base"));
+  obstacle.size = vectorFrom(json.at("size"));
+  obstacle.turn = json.value("turn", 0.0);
+  requireFinite(obstacle.base, "obstacles: base");
+  requireFinite(obstacle.size, "obstacles: size");
+  if (!(obstacle.size.x > 0 && obstacle.size.y > 0 && obstacle.size.z > 0) || !std::isfinite(obstacle.turn))
+    throw InputError("obstacles: a size is not above 0, or a turn not finite; mend or remove it");
+  return obstacle;
+}
+
+Agent agentFrom(const Json& json) {
+  Agent agent{0, json.at("name").get<std::string>(), json.at("height").get<double>(),
+              json.at("max_slope").get<double>()};
+  if (!(agent.height > 0 && std::isfinite(agent.height) && agent.maxSlope > 0 && agent.maxSlope < 90))
+    throw InputError("agents: '" + agent.name + "' needs a height above 0 and a slope between 0 and 90 degrees");
+  return agent;
+}
+
+void readLevel(const Json& json, Session& session) {
+  for (const Json& rule : json.value("parts", Json::array())) {
+    session.partRules.push_back(
+        {rule.value("mesh", std::string()), rule.value("material", std::string()), named(rule, "role", kRoles)});
+  }
+  for (const Json& obstacle : json.value("obstacles", Json::array())) {
+    session.obstacles.push_back(obstacleFrom(obstacle));
+    session.obstacles.back().id = static_cast<std::uint32_t>(session.obstacles.size());
+  }
+  for (const Json& agent : json.value("agents", Json::array())) {
+    session.agents.push_back(agentFrom(agent));
+    session.agents.back().id = static_cast<int>(session.agents.size());
+  }
+  const int agent = json.value("agent", 0);  // counts from 1
+  session.agent = agent > 0 && agent <= static_cast<int>(session.agents.size()) ? agent : 0;
+}
+
+void writeLevel(const Session& session, Json& json) {
+  for (const PartRule& rule : session.partRules)
+    json["parts"].push_back({{"mesh", rule.mesh}, {"material", rule.material}, {"role", nameOf(rule.role, kRoles)}});
+  for (const PlacedObstacle& obstacle : session.obstacles) {
+    json["obstacles"].push_back({{"shape", nameOf(obstacle.shape, kShapes)},
+                                 {"name", obstacle.name},
+                                 {"base", toJson(obstacle.base)},
+                                 {"size", toJson(obstacle.size)},
+                                 {"turn", obstacle.turn}});
+  }
+  for (std::size_t i = 0; i < session.agents.size(); ++i) {
+    const Agent& agent = session.agents[i];
+    json["agents"].push_back({{"name", agent.name}, {"height", agent.height}, {"max_slope", agent.maxSlope}});
+    if (agent.id == session.agent) json["agent"] = i + 1;
+  }
+}
+
 std::string relativeTo(const std::string& environment, const std::string& sessionPath) {
   std::error_code error;
   const fs::path folder = fs::weakly_canonical(fs::absolute(sessionPath), error).parent_path();
@@ -117,6 +204,9 @@ Session sessionFrom(const Json& json, const std::string& path) {
   for (const Json& step : json.at("pipeline")) session.pipeline.steps.push_back(stepFrom(step));
   if (json.contains("view")) session.camera = cameraFrom(json.at("view"));
   if (json.contains("cells")) session.cells = cellsFrom(json.at("cells"));
+  readLevel(json, session);
+  const Json tools = json.value("tools", Json::object());
+  for (const auto& [name, section] : tools.items()) session.sections[name] = section.dump();
   return session;
 }
 
@@ -141,6 +231,8 @@ std::string formatSession(const Session& session, const std::string& path) {
   }
   json["cells"] = {
       {"in_view", session.cells.inView}, {"load", session.cells.load}, {"colours", nameOf(session.cells.colouring)}};
+  writeLevel(session, json);
+  for (const auto& [name, section] : session.sections) json["tools"][name] = Json::parse(section);
   // Paths need not be UTF-8; a replaced letter is better than a session that cannot be saved.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

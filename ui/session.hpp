@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/environment/environment.hpp"
+#include "core/environment/part_rules.hpp"
+#include "core/environment/placed_obstacle.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "ui/agent.hpp"
 #include "ui/cell_colours.hpp"
 #include "ui/level_view.hpp"
 
@@ -25,6 +30,12 @@ struct Session {
   Pipeline pipeline;
   std::optional<CameraPose> camera;
   CellsShown cells;
+  std::vector<Agent> agents;
+  int agent = 0;
+  std::vector<PartRule> partRules;
+  std::vector<PlacedObstacle> obstacles;
+  /// What the editor's tools keep of their own (SessionSection), as JSON texts by name.
+  std::map<std::string, std::string> sections;
 };
 
 /// Extension of session files, without the dot.

@@ -37,6 +37,12 @@ struct SkippedElements {
   std::uint64_t polygons = 0;  ///< faces with fewer than three distinct corners, or that cannot be triangulated
 };
 
+/// One mesh with one material, as the file names them; either may be empty.
+struct EnvironmentPart {
+  std::string mesh, material;
+  bool operator==(const EnvironmentPart&) const = default;
+};
+
 struct EnvironmentEdit;  // core/environment/environment_edit.hpp
 
 /// A triangle soup. Coordinates are the file's own doubles; a Y-up file is turned by (x, y, z) -> (x, -z, y), which is
@@ -51,6 +57,9 @@ struct Environment {
   bool scaleGuessed = true;
   bool bothSides = false;
   SkippedElements skipped;
+  std::vector<EnvironmentPart> parts;      ///< in the order of their first triangles
+  std::vector<std::uint32_t> partOf;       ///< part of each triangle; empty when the file tells no parts apart
+  std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
   /// What it was made of, when it is another environment with something changed; else null.
   std::shared_ptr<const EnvironmentEdit> edit;
 };

@@ -1,0 +1,69 @@
+// Everything that can be done from a menu: menus, the tool bar, the list of keys and the command palette follow from
+// it. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QKeySequence>
+#include <QList>
+#include <QMenu>
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace footfall {
+
+enum class CommandMenu { File, Edit, Pipeline, Tools, View, Help };
+
+struct Command {
+  QString id;  ///< "view.top"; unique
+  CommandMenu menu = CommandMenu::View;
+  QString group;  ///< commands of one menu and group stand together, between separators
+  QString text;   ///< with an ellipsis where a dialog follows
+  QString help;   ///< one sentence; may be empty
+  QList<QKeySequence> keys = {};
+  QString icon = {};  ///< resources/icons/NAME.svg; may be empty
+  bool checkable = false;
+};
+
+/// Owns nothing but the order of things: actions belong to the object given to the constructor.
+class CommandRegistry : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CommandRegistry(QObject* parent);
+
+  /// `menus` are filled as commands come; those that came before are put in at once.
+  void setMenu(CommandMenu place, QMenu* menu);
+  /// `run` gets whether a checkable command is now on; it is called when somebody else checks it, too.
+  QAction* add(const Command& command, std::function<void(bool)> run);
+  /// An action that exists already (undo, a dock's): takes the keys, the help and the place of `command`, and keeps its
+  /// text where that of `command` is empty.
+  QAction* adopt(QAction* action, const Command& command);
+
+  struct Entry {
+    Command command;
+    QAction* action = nullptr;
+  };
+  /// In the order in which they were added.
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  /// Null before setMenu().
+  [[nodiscard]] QMenu* menu(CommandMenu place) const;
+  /// Null when there is none.
+  [[nodiscard]] QAction* find(const QString& id) const;
+
+ signals:
+  void added(const footfall::CommandRegistry::Entry& entry);
+
+ private:
+  void place(const Entry& entry);
+
+  std::vector<Entry> entries_;
+  std::map<CommandMenu, QMenu*> menus_;
+};
+
+/// "Open (Ctrl+O)": what a tool tip says of an action.
+QString withKeys(const QString& help, const QAction& action);
+
+}  // namespace footfall

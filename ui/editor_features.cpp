@@ -1,0 +1,9 @@
+// The editor's tools, each in files of its own: one line a tool.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor_window.hpp"
+
+namespace footfall {
+
+void EditorWindow::createFeatures() {}
+
+}  // namespace footfall

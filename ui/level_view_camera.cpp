@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LevelView's camera: how mouse and keys move it, and where it looks from.
+#include <QGLViewer/manipulatedCameraFrame.h>
+
+#include <QKeyEvent>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "ui/level_view.hpp"
+
+namespace footfall {
+namespace {
+
+using qglviewer::Camera;
+using qglviewer::Quaternion;
+using qglviewer::Vec;
+
+constexpr double kMargin = 1.08;  // around the scene when everything is to be in sight
+
+Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+void LevelView::bindMouse() {
+  clearMouseBindings();
+  clearShortcuts();
+  for (int key = Qt::Key_F1; key <= Qt::Key_F12; ++key) setPathKey(-key);  // no camera paths on function keys
+  setMouseBinding(Qt::NoModifier, Qt::LeftButton, CAMERA, ROTATE);
+  setMouseBinding(Qt::NoModifier, Qt::RightButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::NoModifier, Qt::MiddleButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::ShiftModifier, Qt::LeftButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::ControlModifier, Qt::LeftButton, CAMERA, ZOOM);
+  setMouseBinding(Qt::NoModifier, Qt::LeftButton, RAP_FROM_PIXEL, true);
+  setWheelBinding(Qt::NoModifier, CAMERA, ZOOM);
+  camera()->frame()->setZoomSensitivity(1.0);
+  camera()->frame()->setWheelSensitivity(1.0);
+  camera()->frame()->setSpinningSensitivity(1e9);  // the camera stops with the mouse
+}
+
+void LevelView::frameCell(std::size_t cell) {
+  if (!cells_ || cell >= cells_->boxes.size()) return;
+  const CellBox& box = cells_->boxes[cell];
+  // Between the floors of the cell rather than between the sky and the cellar.
+  float lowest = std::numeric_limits<float>::max();
+  float highest = std::numeric_limits<float>::lowest();
+  for (std::size_t v = cells_->firstVertex[cell]; v < cells_->firstVertex[cell + 1]; ++v) {
+    lowest = std::min(lowest, cells_->surface[v].position[2]);
+    highest = std::max(highest, cells_->surface[v].position[2]);
+  }
+  if (lowest > highest) lowest = highest = box.lower[2];
+  std::vector<Vec3> corners;
+  for (const float x : {box.lower[0], box.upper[0]}) {
+    for (const float y : {box.lower[1], box.upper[1]}) {
+      for (const float z : {lowest, highest}) corners.push_back({x, y, z});
+    }
+  }
+  fitTo(corners);
+}
+
+void LevelView::lookAlong(const Vec& direction, const Vec& up, bool orthographic) {
+  camera()->setType(orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
+  const Vec d = direction.unit();
+  const Vec right = (d ^ up).unit();
+  const Vec upright = right ^ d;
+  Quaternion orientation;
+  orientation.setFromRotatedBasis(right, upright, -d);
+  camera()->setOrientation(orientation);
+  if (environment_) fitTo(environment_->detailExtremes);
+}
+
+void LevelView::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), true); }
+
+void LevelView::viewOblique() { lookAlong(Vec(0.5, 0.8, -0.9), Vec(0, 0, 1), false); }
+
+void LevelView::fit() {
+  if (environment_) fitTo(environment_->extremes);
+}
+
+void LevelView::fitTo(const std::vector<Vec3>& points) {
+  if (points.empty()) return;
+  const Vec right = camera()->rightVector();
+  const Vec up = camera()->upVector();
+  const Vec ahead = camera()->viewDirection();
+  const bool parallel = camera()->type() == Camera::ORTHOGRAPHIC;
+  const double tanVertical = std::tan(camera()->fieldOfView() / 2) / kMargin;
+  const double tanHorizontal = tanVertical * std::max(0.1, width() / std::max(1.0, static_cast<double>(height())));
+
+  // Each side of the view's pyramid (or prism) touches the scene's outermost point: along each of the two axes, p is in
+  // sight of the eye e when |p - e| <= tan * (depth of p - depth of e).
+  constexpr double kLowest = std::numeric_limits<double>::lowest();
+  std::array<double, 2> above{kLowest, kLowest};
+  std::array<double, 2> below{kLowest, kLowest};
+  double nearest = -kLowest;
+  double farthest = kLowest;
+  for (const Vec3& point : points) {
+    const Vec p = toVec(point);
+    const double depth = p * ahead;
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+    for (const auto& [axis, offset, tan] :
+         {std::tuple{0, p * right, tanHorizontal}, std::tuple{1, p * up, tanVertical}}) {
+      const double narrowing = parallel ? 0 : tan * depth;
+      above[axis] = std::max(above[axis], offset - narrowing);
+      below[axis] = std::max(below[axis], -offset - narrowing);
+    }
+  }
+  const Vec sideways = right * ((above[0] - below[0]) / 2) + up * ((above[1] - below[1]) / 2);
+  const double reach = std::max((above[0] + below[0]) / (2 * tanHorizontal), (above[1] + below[1]) / (2 * tanVertical));
+  const double middle = (nearest + farthest) / 2;
+  // In a parallel projection the distance from the pivot only sets the scale.
+  const double eyeDepth = parallel ? middle - std::max(reach, sceneRadius() * 1e-3) : std::min(-reach, nearest);
+  camera()->setPivotPoint(sideways + ahead * middle);
+  camera()->setPosition(sideways + ahead * eyeDepth);
+  emit cameraMoved();
+  rest_.stop();  // one jump is no movement
+  update();
+}
+
+void LevelView::zoomBy(double factor) {
+  const Vec pivot = camera()->pivotPoint();
+  camera()->setPosition(pivot + (camera()->position() - pivot) / factor);
+  emit cameraMoved();
+  update();
+}
+
+bool LevelView::moveByKey(int key) {
+  const double step = 0.08 * (camera()->position() - camera()->pivotPoint()).norm();
+  Vec move;
+  switch (key) {
+    case Qt::Key_Left:
+      move = camera()->rightVector() * -step;
+      break;
+    case Qt::Key_Right:
+      move = camera()->rightVector() * step;
+      break;
+    case Qt::Key_Up:
+      move = camera()->upVector() * step;
+      break;
+    case Qt::Key_Down:
+      move = camera()->upVector() * -step;
+      break;
+    default:
+      return false;
+  }
+  camera()->setPosition(camera()->position() + move);
+  camera()->setPivotPoint(camera()->pivotPoint() + move);
+  emit cameraMoved();
+  update();
+  return true;
+}
+
+CameraPose LevelView::cameraPose() const {
+  CameraPose pose;
+  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
+  const Vec position = camera()->position();
+  const Vec pivot = camera()->pivotPoint();
+  pose.position = {position.x + origin.x, position.y + origin.y, position.z + origin.z};
+  pose.pivot = {pivot.x + origin.x, pivot.y + origin.y, pivot.z + origin.z};
+  const Quaternion orientation = camera()->orientation();
+  for (int i = 0; i < 4; ++i) pose.orientation[static_cast<std::size_t>(i)] = orientation[i];
+  pose.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
+  return pose;
+}
+
+void LevelView::setCameraPose(const CameraPose& pose) {
+  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
+  camera()->setType(pose.orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
+  camera()->setPivotPoint(Vec(pose.pivot.x - origin.x, pose.pivot.y - origin.y, pose.pivot.z - origin.z));
+  camera()->setOrientation(
+      Quaternion(pose.orientation[0], pose.orientation[1], pose.orientation[2], pose.orientation[3]));
+  camera()->setPosition(Vec(pose.position.x - origin.x, pose.position.y - origin.y, pose.position.z - origin.z));
+  fitWhenSized_ = false;
+  update();
+}
+
+}  // namespace footfall
