@@ -1,18 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/result_cache.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <utility>
 
 #include "core/environment/environment_edit.hpp"
+#include "core/pipeline/state_size.hpp"
 
 namespace footfall {
 
-ResultCache::ResultCache(std::size_t capacity) : impl_(std::make_unique<Impl>(capacity)) {}
+namespace {
+
+// The first state, seven filters of the default pipeline, a few more: without them every edit would start from nothing.
+constexpr std::size_t kLeastEntries = 12;
+
+std::size_t sizeOf(const CachedPrefix& prefix, CountedParts& counted) {
+  std::size_t bytes = prefix.state ? footfall::sizeOf(*prefix.state, counted) : 0;
+  if (prefix.mesh && counted.insert(prefix.mesh.get()).second) bytes += footfall::sizeOf(*prefix.mesh);
+  return bytes;
+}
+
+std::size_t machineMemory() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long size = sysconf(_SC_PAGESIZE);
+  constexpr std::size_t kUnknown = std::size_t{4} << 30;
+  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : kUnknown;
+}
+
+}  // namespace
+
+ResultCache::ResultCache(std::size_t capacity, std::size_t bytes) : impl_(std::make_unique<Impl>(capacity, bytes)) {}
 ResultCache::~ResultCache() = default;
 void ResultCache::clear() { impl_->clear(); }
+
+PrefixCache::PrefixCache(std::size_t capacity, std::size_t bytes)
+    : capacity_(capacity), mostBytes_(bytes > 0 ? bytes : machineMemory() / 8) {}
 
 std::list<PrefixCache::Entry>::iterator PrefixCache::locate(const EnvironmentPtr& environment, const std::string& key) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.environment.expired(); });
@@ -58,7 +84,28 @@ void PrefixCache::store(const EnvironmentPtr& environment, const std::string& ke
   const auto found = locate(environment, key);
   if (found != entries_.end()) dropped.splice(dropped.begin(), entries_, found);
   entries_.splice(entries_.begin(), added);
-  while (entries_.size() > capacity_) dropped.splice(dropped.begin(), entries_, std::prev(entries_.end()));
+  const std::size_t kept = countToKeep();
+  while (entries_.size() > kept) dropped.splice(dropped.begin(), entries_, std::prev(entries_.end()));
+}
+
+std::size_t PrefixCache::countToKeep() const {
+  CountedParts counted;
+  std::size_t bytes = 0;
+  std::size_t count = 0;
+  for (const Entry& entry : entries_) {
+    bytes += sizeOf(entry.prefix, counted);
+    if (count >= capacity_ || (bytes > mostBytes_ && count >= kLeastEntries)) break;
+    ++count;
+  }
+  return count;
+}
+
+std::size_t PrefixCache::bytes() {
+  const std::lock_guard lock(mutex_);
+  CountedParts counted;
+  std::size_t bytes = 0;
+  for (const Entry& entry : entries_) bytes += sizeOf(entry.prefix, counted);
+  return bytes;
 }
 
 void PrefixCache::clear() {

@@ -27,7 +27,8 @@ class PrefixCache {
  public:
   using EnvironmentPtr = std::shared_ptr<const Environment>;
 
-  explicit PrefixCache(std::size_t capacity) : capacity_(capacity) {}
+  /// `bytes` 0: an eighth of the machine's memory.
+  PrefixCache(std::size_t capacity, std::size_t bytes);
 
   /// `key` is prefixKey() of the steps. Touches the entry.
   std::optional<CachedPrefix> find(const EnvironmentPtr& environment, const std::string& key);
@@ -39,6 +40,8 @@ class PrefixCache {
   /// Replaces an entry with the same environment and key; the least recently used goes when there are too many.
   void store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix);
   void clear();
+  /// Of all entries together, about.
+  [[nodiscard]] std::size_t bytes();
 
  private:
   struct Entry {
@@ -48,9 +51,12 @@ class PrefixCache {
     CachedPrefix prefix;
   };
   std::list<Entry>::iterator locate(const EnvironmentPtr& environment, const std::string& key);
+  /// How many of the most recently used entries stay within the bounds.
+  [[nodiscard]] std::size_t countToKeep() const;
 
   std::mutex mutex_;
   std::size_t capacity_;
+  std::size_t mostBytes_;
   std::list<Entry> entries_;  // most recently used first
 };
 

@@ -39,10 +39,12 @@ struct RunResult {
 };
 
 /// States of earlier runs by environment, filters and parameters: changing the last filter re-runs only the last.
-/// Thread-safe. Keeps the states of the most recent runs only (least recently used go first).
+/// Thread-safe. Keeps the states of the most recent runs only (least recently used go first): `capacity` of them, and
+/// fewer when they hold more than about `bytes`, but never fewer than a run of a usual pipeline makes. 0 bytes: an
+/// eighth of the machine's memory.
 class ResultCache {
  public:
-  explicit ResultCache(std::size_t capacity = 32);
+  explicit ResultCache(std::size_t capacity = 32, std::size_t bytes = 0);
   ~ResultCache();
   ResultCache(const ResultCache&) = delete;
   ResultCache& operator=(const ResultCache&) = delete;

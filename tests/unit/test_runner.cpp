@@ -100,6 +100,7 @@ class TestRunner : public QObject {
   void equalEnvironmentsAreDifferentKeys();
   void negativeZeroIsZero();
   void leastRecentlyUsedGoesFirst();
+  void memoryBoundsTheCache();
   void clearedCache();
   void cacheSharedByThreads();
   void cachedPrefixSurvivesCancelling();
@@ -264,6 +265,23 @@ void TestRunner::leastRecentlyUsedGoesFirst() {
   QVERIFY(cached(three));
   QVERIFY(!cached(one));
   QVERIFY(!cached(two));
+}
+
+void TestRunner::memoryBoundsTheCache() {
+  RunContext context;
+  ResultCache ample(32, std::size_t{1} << 30), scarce(32, 1);
+  const EnvironmentPtr environment = floorWithBoard();
+  const auto lastIsCached = [&](int slope, ResultCache& cache) {
+    const Pipeline pipeline = pipelineOf("SlopeFilter " + std::to_string(slope) +
+                                         "\nVerticalClearanceFilter 1\nAreaFilter 0\nLayerSubdivisionFilter");
+    return runPipeline(environment, pipeline, context, &cache).steps.back().fromCache;
+  };
+  for (ResultCache* cache : {&ample, &scarce}) {
+    for (const int slope : {10, 20, 30, 40}) QVERIFY(!lastIsCached(slope, *cache));
+    QVERIFY(lastIsCached(40, *cache));  // a whole run is kept, whatever it takes
+  }
+  QVERIFY(lastIsCached(10, ample));
+  QVERIFY(!lastIsCached(10, scarce));
 }
 
 void TestRunner::clearedCache() {

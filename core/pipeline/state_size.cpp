@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/state_size.hpp"
+
+#include <vector>
+
+#include "core/filters/assembly_memory.hpp"
+#include "core/filters/mesh_topology.hpp"
+#include "core/filters/simplifier.hpp"
+
+namespace footfall {
+namespace {
+
+template <typename Element>
+std::size_t bytesOf(const std::vector<Element>& list) {
+  return list.capacity() * sizeof(Element);
+}
+
+std::size_t bytesOf(const WalkableMesh& mesh) {
+  return bytesOf(mesh.vertices) + bytesOf(mesh.triangles) + bytesOf(mesh.layers);
+}
+
+std::size_t bytesOf(const MeshTopology& topology) { return bytesOf(topology.sides) + bytesOf(topology.first); }
+
+// Faces keep their points, and about two triangles and one line a point.
+std::size_t bytesOf(const AssemblyMemory& memory) {
+  constexpr std::size_t kPerPoint =
+      sizeof(PlanPoint) + sizeof(ApproximatePoint) + sizeof(PlanLine) + 2 * sizeof(FaceMesh::Cell);
+  const JoinMemory& join = memory.join;
+  return bytesOf(memory.meshes) + bytesOf(memory.candidates) + bytesOf(join.entries) + bytesOf(join.vertexOf) +
+         bytesOf(join.between) + bytesOf(join.equal) + join.vertexOf.size() * kPerPoint;
+}
+
+std::size_t bytesOf(const SimplifierMemory& memory) {
+  return bytesOf(memory.neighbors) + bytesOf(memory.candidates) + bytesOf(memory.groupOf) + bytesOf(memory.triangles) +
+         bytesOf(memory.alive);
+}
+
+// A cut face has about as many points in its cuts as in its mesh.
+std::size_t cutsOf(const WalkableState& state) {
+  constexpr std::size_t kPerFace = sizeof(std::shared_ptr<const FaceCuts>) + 1;
+  constexpr std::size_t kPerPoint = sizeof(PlanPoint) + sizeof(PlanLine) + sizeof(CutSegment) + 1;
+  const std::size_t points = state.memory ? state.memory->join.vertexOf.size() : 0;
+  return state.walkable.size() * kPerFace + points * kPerPoint;
+}
+
+}  // namespace
+
+std::size_t sizeOf(const WalkableState& state, CountedParts& counted) {
+  std::size_t bytes = bytesOf(state.walkable) + bytesOf(state.removed);
+  const auto add = [&](const auto& part, auto size) {
+    if (part && counted.insert(part.get()).second) bytes += size(*part);
+  };
+  const auto own = [](const auto& part) { return bytesOf(part); };
+  add(state.mesh, own);
+  add(state.dropped, own);
+  add(state.topology, own);
+  add(state.memory, own);
+  add(state.simplifierMemory, own);
+  add(state.overlaps, own);
+  add(state.cuts, [&](const CutTable&) { return cutsOf(state); });
+  return bytes;
+}
+
+std::size_t sizeOf(const NavigationMesh& mesh) {
+  return bytesOf(mesh.vertices) + bytesOf(mesh.triangles) + bytesOf(mesh.layers) + bytesOf(mesh.sourceTriangles) +
+         bytesOf(mesh.obstacleEdges) + bytesOf(mesh.connections);
+}
+
+}  // namespace footfall
