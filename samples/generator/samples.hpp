@@ -14,6 +14,7 @@ Mesh makeVilla();
 Mesh makeDocks();
 Mesh makeArena();
 Mesh makeTower();
+Mesh makeRooms();
 
 struct Sample {
   std::string_view name;
@@ -21,12 +22,13 @@ struct Sample {
   Mesh (*make)();
 };
 
-inline constexpr std::array<Sample, 5> kSamples{{
+inline constexpr std::array<Sample, 6> kSamples{{
     {"house", "House: garden, ramps, overhangs and groups that do not touch each other.", makeHouse},
     {"villa", "Villa: coarse terrain with mesh errors, three storeys with furniture, trees, fences.", makeVilla},
     {"docks", "Docks: water and quay as giant triangles, ships, warehouses and very many obstacles.", makeDocks},
     {"arena", "Arena: oval stands, a ring road on pillars, many ramps, obstacles crowded in one place.", makeArena},
     {"tower", "Tower: 26 stacked boxes, so that everything lies above everything.", makeTower},
+    {"rooms", "Rooms: the user guide's level: a doorway that is too low, a crate, a gallery.", makeRooms},
 }};
 
 }  // namespace footfall::samples

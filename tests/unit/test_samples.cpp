@@ -49,7 +49,7 @@ namespace {
 
 void addSampleRows() {
   QTest::addColumn<QString>("name");
-  for (const char* name : {"house", "villa", "docks", "arena", "tower"}) QTest::newRow(name) << QString(name);
+  for (const char* name : {"house", "villa", "docks", "arena", "tower", "rooms"}) QTest::newRow(name) << QString(name);
 }
 
 }  // namespace
@@ -76,6 +76,7 @@ void TestSamples::sizes_data() {
   QTest::newRow("docks") << "docks" << 58000 << 60000;
   QTest::newRow("arena") << "arena" << 19500 << 20500;
   QTest::newRow("tower") << "tower" << 440 << 440;
+  QTest::newRow("rooms") << "rooms" << 266 << 266;
 }
 
 void TestSamples::sizes() {
