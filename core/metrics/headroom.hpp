@@ -34,8 +34,7 @@ class HeadroomTree {
   /// covers what lies inside or on its outline in the plan; walls cover nothing. What is above the place by no more
   /// than rounding its coordinates may have moved it does not count: that is the floor itself. Of several in one place
   /// the one with the smallest index.
-  [[nodiscard]] std::optional<Above> lowestAbove(const Vec3& place, double cap,
-                                                 std::vector<std::int32_t>& stack) const;
+  [[nodiscard]] std::optional<Above> lowestAbove(const Vec3& place, double cap, std::vector<std::int32_t>& stack) const;
 
   [[nodiscard]] const Environment& environment() const { return *environment_; }
 

@@ -139,8 +139,8 @@ class TestHeadroom : public QObject {
     const auto environment = importEnvironment((sharedEnvironments() + "/" + name + ".obj").toStdString());
     RunContext context;
     const double clearance = 2 / environment->metresPerUnit;
-    const Pipeline pipeline = parsePipeline(
-        "DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter " + std::to_string(clearance), "test");
+    const Pipeline pipeline =
+        parsePipeline("DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter " + std::to_string(clearance), "test");
     const RunResult result = runPipeline(environment, pipeline, context);
     const HeadroomTree tree(environment);
     std::vector<Vec3> middles;
