@@ -114,7 +114,58 @@ class Run {
     return result;
   }
 
+  // See stepStates(); there must be a cache.
+  std::vector<StatePtr> states() {
+    bring(0);
+    std::vector<StatePtr> states{current_.state};
+    for (std::size_t step = 0; step < steps_.size();) {
+      if (steps_[step]->filter->kind != FilterKind::Strategy) {
+        bring(++step);
+        states.push_back(current_.state);
+        continue;
+      }
+      StatePtr state = current_.state;
+      states.push_back(state);  // the strategy's
+      const std::size_t collapse = findCollapse(step);
+      bring(collapse + 1);
+      for (++step; step < collapse; ++step) {
+        // The last filter's is that of the block, and it is most of the work.
+        state = step + 1 < collapse ? applyAlone(step, state) : current_.state;
+        states.push_back(state);
+      }
+      states.push_back(current_.state);
+      ++step;
+    }
+    return states;
+  }
+
  private:
+  // Makes current_ what it is after the first `count` steps: one more than now, or those of a block.
+  void bring(std::size_t count) {
+    context_.checkCancelled();
+    if (auto found = cache_->find(environment_, prefixKey(steps_, count))) {
+      current_ = std::move(*found);
+      return;
+    }
+    const std::size_t next = current_.steps.size();
+    if (count == 0)
+      makeStart();
+    else if (steps_[next]->filter->kind == FilterKind::Strategy)
+      runBlockAt(next);
+    else
+      runStep(next);
+  }
+
+  StatePtr applyAlone(std::size_t index, const StatePtr& state) {
+    return guarded(placeOf(index) + ", " + std::string(steps_[index]->filter->name),
+                   [&] { return applyFilter(*steps_[index]->filter, steps_[index]->values, state, context_).state; });
+  }
+
+  [[nodiscard]] std::size_t findCollapse(std::size_t first) const {
+    while (steps_[first]->filter->kind != FilterKind::Collapse) ++first;
+    return first;
+  }
+
   // The longest known prefix; listeners hear of its steps as if they had run.
   void takeFromCache() {
     if (cache_ == nullptr) return;
@@ -168,8 +219,7 @@ class Run {
 
   void runBlockAt(std::size_t first) {
     context_.checkCancelled();
-    std::size_t last = first;
-    while (steps_[last]->filter->kind != FilterKind::Collapse) ++last;
+    const std::size_t last = findCollapse(first);
     BlockRequest request;
     request.steps.assign(steps_.begin() + static_cast<std::ptrdiff_t>(first),
                          steps_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
@@ -246,6 +296,15 @@ RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipe
   times.overhead =
       times.total - times.preprocessing - times.partitioning - times.parallel - times.merging - times.postprocessing;
   return result;
+}
+
+std::vector<StatePtr> stepStates(std::shared_ptr<const Environment> environment, const Pipeline& pipeline,
+                                 RunContext& context, ResultCache& cache, int threads) {
+  checkRunnable(pipeline);
+  const Stopwatch watch;
+  return onThreads(threads, [&](int workers) {
+    return Run(std::move(environment), pipeline, context, cache.impl_.get(), workers, watch).states();
+  });
 }
 
 Partition previewPartition(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,

@@ -52,6 +52,8 @@ class ResultCache {
 
  private:
   friend RunResult runPipeline(std::shared_ptr<const Environment>, const Pipeline&, RunContext&, ResultCache*, int);
+  friend std::vector<StatePtr> stepStates(std::shared_ptr<const Environment>, const Pipeline&, RunContext&,
+                                          ResultCache&, int);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
@@ -62,6 +64,12 @@ class ResultCache {
 /// after the last step has finished belongs to making the navigation mesh.
 RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
                       ResultCache* cache = nullptr, int threads = 0);
+
+/// The states that a run of the same pipeline goes through: before its first enabled step, and then after each. What
+/// the cache has is taken from there, the rest is run and kept, as by runPipeline(). Inside a parallel block the states
+/// are those of its filters one after the other, which give the same; a strategy changes nothing.
+std::vector<StatePtr> stepStates(std::shared_ptr<const Environment> environment, const Pipeline& pipeline,
+                                 RunContext& context, ResultCache& cache, int threads = 0);
 
 /// The cells that the parallel block of `step` (a strategy; index into Pipeline::steps) would have, without running any
 /// filter: all triangles that face up count as floors. Throws Cancelled or InputError.
