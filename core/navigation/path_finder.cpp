@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/navigation/path_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/environment/number_text.hpp"
+#include "core/navigation/path_search.hpp"
+#include "core/navigation/plan_crossing.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr std::uint32_t kNone = SurfaceTopology::kNone;
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+double slopeDegrees(const NavigationMesh& mesh, std::uint32_t t) {
+  const Triangle& f = mesh.triangles[t];
+  const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+  return std::atan2(std::hypot(uy * vz - uz * vy, uz * vx - ux * vz), ux * vy - uy * vx) * kDegrees;
+}
+
+/// Puts the points of a path together: where it crosses a side, it is on the side, at the height that the side has.
+class Tracer {
+ public:
+  Tracer(const NavigationMesh& mesh, const SurfaceTopology& topology, const SidePath& sides, PathResult& result)
+      : mesh_(mesh), topology_(topology), sides_(sides), result_(result) {}
+
+  void run() {
+    result_.points = {result_.start->position};
+    std::uint32_t triangle = sides_.startTriangle;
+    for (std::size_t i = 0; i < sides_.crossings.size(); ++i) {
+      add(crossing(i), triangle, nextBend(i) != kNone && isEndOf(nextBend(i), i));
+      triangle = sides_.crossings[i].triangle;
+    }
+    add(result_.end->position, triangle, false);
+  }
+
+ private:
+  /// The corner at which the straight piece through crossing i ends; kNone for the end of the path.
+  [[nodiscard]] std::uint32_t nextBend(std::size_t i) const {
+    const auto& all = sides_.crossings;
+    const std::uint32_t root = all[i].root;
+    while (i < all.size() && all[i].root == root) ++i;
+    return i < all.size() ? all[i].root : sides_.lastBend;
+  }
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> endsOf(std::size_t i) const {
+    const auto& [triangle, side, root] = sides_.crossings[i];
+    return {topology_.fans[triangle][side], topology_.fans[triangle][(side + 1) % 3]};
+  }
+  [[nodiscard]] bool isEndOf(std::uint32_t fan, std::size_t i) const {
+    const auto [left, right] = endsOf(i);
+    return fan == left || fan == right;
+  }
+  [[nodiscard]] const Vec3& point(std::uint32_t fan) const { return mesh_.vertices[topology_.fanVertices[fan]]; }
+
+  [[nodiscard]] Vec3 crossing(std::size_t i) const {
+    const auto [left, right] = endsOf(i);
+    const std::uint32_t root = sides_.crossings[i].root, bend = nextBend(i);
+    if (root != kNone && (root == left || root == right)) return point(root);
+    if (bend != kNone && (bend == left || bend == right)) return point(bend);
+    const Vec3& from = root == kNone ? result_.start->position : point(root);
+    const Vec3& to = bend == kNone ? result_.end->position : point(bend);
+    const Vec3 &l = point(left), &r = point(right);
+    return pointBetween(l, r, crossingParameter(from, to, l, r));
+  }
+
+  void add(const Vec3& p, std::uint32_t triangle, bool isBend) {
+    if (!(p == result_.points.back())) {
+      result_.points.push_back(p);
+      result_.triangles.push_back(triangle);
+    }
+    if (isBend && result_.points.size() > 1 &&
+        (result_.bends.empty() || result_.bends.back() + 1 < result_.points.size()))
+      result_.bends.push_back(result_.points.size() - 1);
+  }
+
+  const NavigationMesh& mesh_;
+  const SurfaceTopology& topology_;
+  const SidePath& sides_;
+  PathResult& result_;
+};
+
+void addFigures(const NavigationMesh& mesh, PathResult& result) {
+  // Along straight pieces, so that crossings, which are rounded, add nothing.
+  std::vector<std::size_t> corners = result.bends;
+  corners.push_back(result.points.size() - 1);
+  std::size_t last = 0;
+  for (const std::size_t corner : corners) {
+    result.planLength += planDistance(result.points[last], result.points[corner]);
+    last = corner;
+  }
+  for (std::size_t i = 0; i < result.triangles.size(); ++i) {
+    const Vec3 &a = result.points[i], &b = result.points[i + 1];
+    const std::uint32_t t = result.triangles[i];
+    const double plan = planDistance(a, b);
+    result.length += std::hypot(plan, b.z - a.z);
+    const double slope = slopeDegrees(mesh, t);
+    result.maxSlopeDegrees = std::max(result.maxSlopeDegrees, slope);
+    // On pieces of a few units in the last place the rounded direction means nothing: no piece is steeper than its
+    // triangle.
+    result.maxInclineDegrees =
+        std::max(result.maxInclineDegrees, std::min(slope, std::atan2(std::fabs(b.z - a.z), plan) * kDegrees));
+    if (!mesh.layers.empty() && (result.layers.empty() || result.layers.back() != mesh.layers[t]))
+      result.layers.push_back(mesh.layers[t]);
+  }
+  if (result.triangles.empty() && !mesh.layers.empty()) result.layers = {mesh.layers[result.start->triangle]};
+  result.connections = result.layers.empty() ? 0 : result.layers.size() - 1;
+}
+
+/// Three digits after the point are enough to tell a distance.
+std::string shortNumber(double x) {
+  std::string text;
+  appendNumber(text, std::fabs(x) < 1e12 ? std::round(x * 1000) / 1000 : x);
+  return text;
+}
+
+}  // namespace
+
+std::string describeFailure(const PathResult& result) {
+  switch (result.status) {
+    case PathStatus::Found:
+      return {};
+    case PathStatus::NothingWalkable:
+      return "nothing is walkable here";
+    case PathStatus::StartNotWalkable:
+      return "the start is not walkable; the nearest place that is lies " + shortNumber(result.start->distance) +
+             " away";
+    case PathStatus::TargetNotWalkable:
+      return "the target is not walkable; the nearest place that can be reached lies " +
+             shortNumber(result.end->distance) + " from it";
+    case PathStatus::NotConnected:
+      return "no way leads from the start to the target; the nearest place that can be reached lies " +
+             shortNumber(result.end->distance) + " from it";
+  }
+  return {};
+}
+
+PathFinder::PathFinder(std::shared_ptr<const NavigationMesh> mesh, const std::function<void()>& poll)
+    : mesh_(std::move(mesh)), topology_(makeSurfaceTopology(*mesh_, poll)), places_(*mesh_, topology_, poll) {}
+
+PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, const std::function<void()>& poll) const {
+  PathResult result;
+  result.from = from;
+  result.to = to;
+  if (topology_.componentCount == 0) return result;
+  result.start = places_.locate(from, reach);
+  result.end = places_.locate(to, reach);
+  if (!result.start) {
+    result.status = PathStatus::StartNotWalkable;
+    result.start = places_.nearest(from);
+    return result;
+  }
+  const std::uint32_t component = topology_.components[result.start->triangle];
+  if (!result.end) {
+    result.status = PathStatus::TargetNotWalkable;
+  } else if (topology_.components[result.end->triangle] != component) {
+    result.status = PathStatus::NotConnected;
+  } else {
+    result.status = PathStatus::Found;
+  }
+  if (!result.reached()) result.end = places_.nearest(to, component);
+  addPath(result, poll);
+  return result;
+}
+
+void PathFinder::addPath(PathResult& result, const std::function<void()>& poll) const {
+  const SidePath sides = searchPath(*mesh_, topology_, result.start->position, result.start->triangle,
+                                    result.end->position, result.end->triangle, poll);
+  result.expanded = sides.expanded;
+  if (!sides.found) return;
+  Tracer(*mesh_, topology_, sides, result).run();
+  addFigures(*mesh_, result);
+}
+
+}  // namespace footfall
