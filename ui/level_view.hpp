@@ -26,6 +26,11 @@ struct CameraPose {
   bool orthographic = false;
 };
 
+/// A box along the axes, in the environment's coordinates.
+struct SceneBox {
+  Vec3 lower, upper;
+};
+
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
 /// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
 /// shown, a click tells which one it hit, and a double click is no more than two of them. A tool (setTool()) comes
@@ -82,6 +87,15 @@ class LevelView : public QGLViewer {
   /// Everything in sight from where one looks now.
   void fit();
   void zoomBy(double factor);
+  /// Brings a box (environment coordinates) into sight, from where one looks now. A box with hardly any extent is shown
+  /// with its surroundings.
+  void frame(const Vec3& lower, const Vec3& upper);
+  /// Moves sideways until a place (environment coordinates) is in the middle; it becomes the pivot.
+  void lookAt(const Vec3& place);
+  /// What frameSelection() shows: what a tool has selected. Nothing: none.
+  void setSelectionBounds(const std::optional<SceneBox>& bounds) { selection_ = bounds; }
+  /// Brings the selection into sight, or what the mouse points at, or everything.
+  void frameSelection();
 
   [[nodiscard]] CameraPose cameraPose() const;
   void setCameraPose(const CameraPose& pose);
@@ -139,6 +153,7 @@ class LevelView : public QGLViewer {
   std::shared_ptr<const CellGeometry> cells_;
   std::optional<std::size_t> hovered_;
   std::optional<QPoint> pressed_;  ///< where a click may have begun
+  std::optional<SceneBox> selection_;
   bool ready_ = false;
   bool fitWhenSized_ = false;
   QTimer rest_;  ///< runs while the camera moves

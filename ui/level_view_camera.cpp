@@ -2,12 +2,15 @@
 // LevelView's camera: how mouse and keys move it, and where it looks from.
 #include <QGLViewer/manipulatedCameraFrame.h>
 
+#include <QCursor>
 #include <QKeyEvent>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
+#include <vector>
 
 #include "ui/level_view.hpp"
 
@@ -18,7 +21,8 @@ using qglviewer::Camera;
 using qglviewer::Quaternion;
 using qglviewer::Vec;
 
-constexpr double kMargin = 1.08;  // around the scene when everything is to be in sight
+constexpr double kMargin = 1.08;      // around the scene when everything is to be in sight
+constexpr double kLeastFrame = 0.01;  // of the scene's radius: nearer, there is nothing but one surface
 
 Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
 
@@ -117,6 +121,53 @@ void LevelView::fitTo(const std::vector<Vec3>& points) {
   emit cameraMoved();
   rest_.stop();  // one jump is no movement
   update();
+}
+
+void LevelView::frame(const Vec3& lower, const Vec3& upper) {
+  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
+  const Vec low = toVec(lower) - toVec(origin);
+  const Vec high = toVec(upper) - toVec(origin);
+  const Vec middle = (low + high) / 2;
+  const double least = kLeastFrame * sceneRadius();
+  Vec half = (high - low) / 2;
+  if (half.norm() < least) half = Vec(least, least, least) / std::sqrt(3.0);
+  std::vector<Vec3> corners;
+  for (const double x : {-half.x, half.x}) {
+    for (const double y : {-half.y, half.y}) {
+      for (const double z : {-half.z, half.z}) corners.push_back({middle.x + x, middle.y + y, middle.z + z});
+    }
+  }
+  fitTo(corners);
+}
+
+void LevelView::lookAt(const Vec3& place) {
+  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
+  const Vec target = toVec(place) - toVec(origin);
+  const double distance = (camera()->position() - camera()->pivotPoint()).norm();
+  camera()->setPivotPoint(target);
+  camera()->setPosition(target - camera()->viewDirection() * distance);
+  emit cameraMoved();
+  rest_.stop();  // one jump is no movement
+  update();
+}
+
+void LevelView::frameSelection() {
+  if (selection_) {
+    frame(selection_->lower, selection_->upper);
+    return;
+  }
+  const QPoint mouse = mapFromGlobal(QCursor::pos());
+  const std::optional<SurfacePoint> pointed = rect().contains(mouse) ? pick(mouse) : std::nullopt;
+  if (!pointed) {
+    fit();
+    return;
+  }
+  // Twice as near, at least.
+  const Vec3& p = pointed->point;
+  const Vec3 origin = environment_->centre;
+  const double reach = (toVec(p) - toVec(origin) - camera()->position()).norm() * std::tan(camera()->fieldOfView() / 2);
+  const double half = reach / 2 / std::sqrt(3.0);
+  frame({p.x - half, p.y - half, p.z - half}, {p.x + half, p.y + half, p.z + half});
 }
 
 void LevelView::zoomBy(double factor) {
