@@ -11,6 +11,7 @@
 #include "app/cells_command.hpp"
 #include "app/compare_command.hpp"
 #include "app/run_command.hpp"
+#include "app/why_command.hpp"
 #include "core/environment/import.hpp"
 #include "core/environment/info.hpp"
 #include "core/errors.hpp"
@@ -98,6 +99,28 @@ void addCompareArguments(CLI::App& command, CompareArguments& arguments) {
   command.add_flag("--quiet", arguments.quiet, "No progress bar");
 }
 
+void addWhyArguments(CLI::App& command, WhyArguments& arguments) {
+  command
+      .add_option("--at", arguments.place,
+                  "The place, in the file's frame and units: the highest triangle at or under this point counts")
+      ->required()
+      ->type_name("X Y Z");
+  CLI::Option* pipelineFile = command.add_option("-p,--pipeline", arguments.pipelineFile, "A pipeline file");
+  pipelineFile->type_name("FILE");
+  command
+      .add_option("--filter", arguments.filters,
+                  "One step of the pipeline; give it once for each step. Without steps and file the default pipeline "
+                  "runs")
+      ->allow_extra_args(false)
+      ->excludes(pipelineFile)
+      ->type_name("STEP");
+  command
+      .add_option("--threads", arguments.threads, "Threads to use at most; as many as there are processors by default")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+}
+
 void checkOutput() {
   if (!std::cout.flush()) throw RunError("standard output cannot be written; check where it leads");
 }
@@ -135,6 +158,11 @@ void runCommandLine(int argc, const char* const* argv) {
                        "Also run everything three times more, and three times on one thread without parallel blocks, "
                        "to tell the speed-up");
   runCommand->add_flag("--quiet", run.quiet, "No progress bar and no summary");
+
+  WhyArguments why;
+  CLI::App* whyCommand = app.add_subcommand("why", "Tell why a place is walkable, or which filter rejected it");
+  addEnvironmentArguments(*whyCommand, environment);
+  addWhyArguments(*whyCommand, why);
 
   CLI::App* infoCommand = app.add_subcommand("info", "Tell what an environment holds");
   addEnvironmentArguments(*infoCommand, environment);
@@ -190,7 +218,11 @@ void runCommandLine(int argc, const char* const* argv) {
     if (!outcome.difference.empty()) throw RunError(outcome.difference);
     return;
   }
-  if (runCommand->parsed()) {
+  if (whyCommand->parsed()) {
+    why.environment = environment.path;
+    why.importOptions = environment.importOptions();
+    std::cout << explainPlace(why);
+  } else if (runCommand->parsed()) {
     run.environment = environment.path;
     run.importOptions = environment.importOptions();
     std::cout << runAndExport(run);
