@@ -9,7 +9,6 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
-#include "core/environment/import.hpp"
 #include "core/environment/worker_arena.hpp"
 #include "core/errors.hpp"
 #include "core/navigation/path_finder.hpp"
@@ -23,7 +22,7 @@ namespace {
 
 void checkArguments(const PathArguments& arguments) {
   checkEnding(arguments.output, "-o", ".obj");
-  for (const std::string& input : {arguments.environment, arguments.pipelineFile})
+  for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
     if (sameFile(arguments.output, input))
       throw InputError(arguments.output + ": would be overwritten; give another file to write to");
   for (const auto& [option, p] : {std::pair{"--from", arguments.from}, std::pair{"--to", arguments.to}})
@@ -49,7 +48,7 @@ PathOutcome findPath(const PathArguments& arguments) {
 
   bar.begin("loading", 0);
   const std::shared_ptr<const Environment> environment = onThreads(arguments.threads, [&](int) {
-    return importEnvironment(arguments.environment, arguments.importOptions, &context);
+    return loadEnvironment(arguments.environment, &context);
   });
   if (!pipeline) pipeline = defaultPipeline(*environment);
   bar.begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline->steps, true, &PipelineStep::enabled)));

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "app/command_files.hpp"
 
 namespace footfall {
 
 struct PathArguments {
-  std::string environment;
-  ImportOptions importOptions;
+  EnvironmentChoice environment;
   std::array<double, 3> from{}, to{};  ///< in the file's own coordinates
   std::optional<double> reach;         ///< empty: just below the pipeline's clearance
   std::string pipelineFile;            ///< empty: `filters`, or the default pipeline when they are empty as well

@@ -12,7 +12,6 @@
 #include "app/progress_bar.hpp"
 #include "core/environment/export.hpp"
 #include "core/environment/gltf_export.hpp"
-#include "core/environment/import.hpp"
 #include "core/environment/worker_arena.hpp"
 #include "core/errors.hpp"
 #include "core/metrics/html_report.hpp"
@@ -33,7 +32,7 @@ void checkTargets(const RunArguments& arguments) {
   checkEnding(arguments.report, "--report", ".html");
   const std::array targets{arguments.output, arguments.statistics, arguments.trace, arguments.report};
   for (const std::string& target : targets)
-    for (const std::string& input : {arguments.environment, arguments.pipelineFile})
+    for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
       if (sameFile(target, input)) throw InputError(target + ": would be overwritten; give another file to write to");
   if (sameFile(arguments.output, arguments.statistics))
     throw InputError(arguments.output + ": cannot hold both the export and the statistics; give two files");
@@ -60,9 +59,8 @@ std::string runAndExport(const RunArguments& arguments) {
 
   const Stopwatch loading;
   bar.begin("loading", 0);
-  const std::shared_ptr<const Environment> environment = onThreads(arguments.threads, [&](int) {
-    return importEnvironment(arguments.environment, arguments.importOptions, &context);
-  });
+  const std::shared_ptr<const Environment> environment =
+      onThreads(arguments.threads, [&](int) { return loadEnvironment(arguments.environment, &context); });
   times.loadMs = loading.wallMs();
   if (!pipeline) pipeline = defaultPipeline(*environment);
 

@@ -11,7 +11,6 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
-#include "core/environment/import.hpp"
 #include "core/environment/number_text.hpp"
 #include "core/errors.hpp"
 #include "core/metrics/inspection_report.hpp"
@@ -57,7 +56,7 @@ std::string explainPlace(const WhyArguments& arguments) {
     fewerThreads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(arguments.threads));
 
   bar.begin("loading", 0);
-  const auto environment = importEnvironment(arguments.environment, arguments.importOptions, &context);
+  const auto environment = loadEnvironment(arguments.environment, &context);
   if (!pipeline) pipeline = defaultPipeline(*environment);
   const auto enabled = std::count_if(pipeline->steps.begin(), pipeline->steps.end(),
                                      [](const PipelineStep& step) { return step.enabled; });

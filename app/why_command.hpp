@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "app/command_files.hpp"
 
 namespace footfall {
 
 struct WhyArguments {
-  std::string environment;
-  ImportOptions importOptions;
+  EnvironmentChoice environment;
   std::array<double, 3> place{};     ///< in the file's frame and units
   std::string pipelineFile;          ///< empty: `filters`, or the default pipeline when they are empty as well
   std::vector<std::string> filters;  ///< one line of a pipeline file each
