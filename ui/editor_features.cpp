@@ -3,12 +3,16 @@
 #include "ui/editor_window.hpp"
 #include "ui/environment_tools.hpp"
 #include "ui/level_look.hpp"
+#include "ui/measure_panel.hpp"
+#include "ui/path_feature.hpp"
 
 namespace footfall {
 
 void EditorWindow::createFeatures() {
   new EnvironmentTools(*this);
   installLevelLook(*this);
+  new PathFeature(*this);
+  new MeasureFeature(*this);
 }
 
 }  // namespace footfall
