@@ -57,11 +57,12 @@ LAUNCHER
 done
 # The notices of what is in lib/ and plugins/, as Debian ships them.
 mkdir -p "${folder}/share/doc/footfall/libraries"
-while read -r file; do
-  owner="$(dpkg-query -S "$(basename -- "${file}")" 2>/dev/null | head -n 1 | cut -d: -f1 || true)"
+mapfile -t names < <(find "${folder}/lib" "${folder}/plugins" -name '*.so*' -type f -printf '*/%f\n')
+mapfile -t owners < <(dpkg-query -S "${names[@]}" 2>/dev/null | cut -d: -f1 | sort -u || true)
+for owner in "${owners[@]}"; do
   notice="/usr/share/doc/${owner}/copyright"
-  if [ -n "${owner}" ] && [ -f "${notice}" ]; then cp -L -- "${notice}" "${folder}/share/doc/footfall/libraries/${owner}"; fi
-done < <(find "${folder}/lib" "${folder}/plugins" -name '*.so*' -type f)
+  if [ -f "${notice}" ]; then cp -L -- "${notice}" "${folder}/share/doc/footfall/libraries/${owner}"; fi
+done
 
 tar -C "${repository}/build" --sort=name --owner=0 --group=0 --numeric-owner -czf "${folder}.tar.gz" "${name}"
 say "portable archive: ${folder}.tar.gz ($(du -h "${folder}.tar.gz" | cut -f1))"
