@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -110,7 +111,8 @@ QString MeasureTool::text() const {
 /// The vertex that is nearest to the line of sight on the screen, where it is near enough and not hidden.
 std::optional<Vec3> MeasureTool::vertexNear(const QPoint& place) const {
   const std::shared_ptr<const Environment> level = level_();
-  if (!level) return std::nullopt;
+  const std::shared_ptr<const EnvironmentGeometry> geometry = view_.environmentGeometry();
+  if (!level || !geometry) return std::nullopt;
   // How far apart in space two lines of sight are that are one pixel apart: more with the distance, in perspective.
   const Ray ray = view_.rayAt(place), next = view_.rayAt(place + QPoint(1, 0));
   const double length = std::sqrt(dot(ray.direction, ray.direction)),
@@ -135,15 +137,19 @@ std::optional<Vec3> MeasureTool::vertexNear(const QPoint& place) const {
   if (!nearest) return std::nullopt;
   const auto at = view_.project(*nearest);
   if (!at || std::hypot(at->x() - place.x(), at->y() - place.y()) > kSnapPixels) return std::nullopt;
+  // As the view has it.
+  const Vec3 fromCentre = minus(*nearest, geometry->centre);
+  const std::array<float, 3> shown{static_cast<float>(fromCentre.x), static_cast<float>(fromCentre.y),
+                                   static_cast<float>(fromCentre.z)};
   // In sight when a surface that has it as a corner is seen there, or right beside it: a corner of an outline is
   // between pixels.
   const QPoint pixel = at->toPoint();
   for (const QPoint& probe :
        {pixel, place, pixel + QPoint(2, 2), pixel + QPoint(-2, 2), pixel + QPoint(2, -2), pixel + QPoint(-2, -2)}) {
     const auto hit = view_.pick(probe);
-    if (!hit || hit->triangle >= level->triangles.size()) continue;
-    for (const std::uint32_t corner : level->triangles[hit->triangle])
-      if (level->vertices[corner] == *nearest) return nearest;
+    if (!hit || 3 * std::size_t{hit->triangle} + 2 >= geometry->surface.size()) continue;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (geometry->surface[3 * std::size_t{hit->triangle} + i].position == shown) return nearest;
   }
   return std::nullopt;
 }
