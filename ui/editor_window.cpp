@@ -13,6 +13,7 @@
 
 #include "core/environment/export.hpp"
 #include "core/pipeline/export_header.hpp"
+#include "ui/agent_rules.hpp"
 
 namespace footfall {
 namespace {
@@ -146,7 +147,7 @@ void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& 
         if (!loaded_.environment) {
           throw InputError(toPath(path) + ": names no environment; open one first, this session brings only filters");
         }
-        document_.replacePipeline(session.pipeline, tr("open %1").arg(QFileInfo(path).fileName()));
+        document_.replacePipeline(session.pipeline, tr("Open %1").arg(QFileInfo(path).fileName()));
         return;
       }
       opening.path = fromPath(session.environment);
@@ -250,7 +251,7 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
 
 void EditorWindow::openPipeline(const QString& path) {
   try {
-    document_.replacePipeline(readPipelineFile(toPath(path)), tr("open %1").arg(QFileInfo(path).fileName()));
+    document_.replacePipeline(readPipelineFile(toPath(path)), tr("Open %1").arg(QFileInfo(path).fileName()));
   } catch (const std::exception& error) {
     messages_->showError(QString::fromUtf8(error.what()));
   }
@@ -264,7 +265,7 @@ void EditorWindow::offerLastSession() {
 }
 
 void EditorWindow::useDefaultFilters() {
-  if (loaded_.environment) document_.replacePipeline(defaultPipeline(*loaded_.environment), tr("use default filters"));
+  if (loaded_.environment) document_.replacePipeline(defaultPipeline(*loaded_.environment), tr("Use default filters"));
 }
 
 // --- Import options
@@ -273,12 +274,14 @@ void EditorWindow::useDefaultFilters() {
 void EditorWindow::editImport(const ImportOptions& options) {
   if (!loaded_.environment) return;
   Pipeline pipeline = document_.pipeline();
+  std::optional<std::vector<Agent>> agents;
   QString mergeKey;
   if (options.metresPerUnit && options.metresPerUnit != document_.state().import.metresPerUnit) {
     pipeline = rescaleDefaults(pipeline, loaded_.environment->metresPerUnit, *options.metresPerUnit);
+    agents = rescaledAgents(document_.state().agents, loaded_.environment->metresPerUnit, *options.metresPerUnit);
     mergeKey = QStringLiteral("scale/%1").arg(import_->scaleField()->editSession());
   }
-  document_.setImportAndPipeline(options, pipeline, tr("change import options"), mergeKey);
+  document_.setImportAndPipeline(options, pipeline, tr("Change import options"), mergeKey, agents);
 }
 
 // The document's options have changed, by an edit or by undo: read the file again where that makes a difference.
