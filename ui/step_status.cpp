@@ -6,7 +6,7 @@
 namespace footfall {
 
 QString stateWord(StepState state) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("StepState", text); };
+  const auto tr = [](const char* text) { return QCoreApplication::translate("footfall", text); };
   switch (state) {
     case StepState::Fresh:
       return tr("not run yet");
