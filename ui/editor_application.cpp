@@ -7,7 +7,6 @@
 #include <QOpenGLContext>
 #include <QSaveFile>
 #include <QSettings>
-#include <QStyleFactory>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <cstdio>
@@ -15,7 +14,11 @@
 #include <memory>
 
 #include "ui/editor_window.hpp"
+#include "ui/guarded_application.hpp"
 #include "ui/icon.hpp"
+#include "ui/outline_style.hpp"
+#include "ui/theme.hpp"
+#include "ui/translations.hpp"
 
 namespace footfall {
 namespace {
@@ -138,25 +141,8 @@ void prepareApplication() {
   QApplication::setApplicationVersion(QStringLiteral(FOOTFALL_VERSION));
   QApplication::setWindowIcon(applicationIcon());
   QGuiApplication::setDesktopFileName(QStringLiteral("org.footfall.Editor"));
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  QPalette palette;
-  palette.setColor(QPalette::Window, QColor(240, 242, 245));
-  palette.setColor(QPalette::WindowText, QColor(28, 36, 44));
-  palette.setColor(QPalette::Base, Qt::white);
-  palette.setColor(QPalette::AlternateBase, QColor(246, 247, 249));
-  palette.setColor(QPalette::Text, QColor(28, 36, 44));
-  palette.setColor(QPalette::Button, QColor(236, 239, 242));
-  palette.setColor(QPalette::ButtonText, QColor(28, 36, 44));
-  palette.setColor(QPalette::Highlight, QColor(0, 114, 178));
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::ToolTipBase, QColor(255, 255, 250));
-  palette.setColor(QPalette::ToolTipText, QColor(28, 36, 44));
-  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, QColor(140, 146, 153));
-  }
-  QApplication::setPalette(palette);
-  QFile theme(QStringLiteral(":/resources/theme.qss"));
-  if (theme.open(QIODevice::ReadOnly)) qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+  QApplication::setStyle(new OutlineStyle);  // the application owns it
+  if (!Theme::instance()) new Theme(qApp);
 }
 
 int runEditor(int& argc, char** argv, const EditorOptions& options) {
@@ -164,9 +150,11 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   const std::string problem = displayProblem(probe);
   if (!problem.empty()) return fail(2, QString::fromStdString(problem));
   requestOpenGl();
-  QApplication application(argc, argv);
+  GuardedApplication application(argc, argv);
   probe.reset();
   prepareApplication();
+  loadTranslations(QString::fromStdString(options.language));
+  if (options.theme) Theme::instance()->show(*options.theme);
   if (QOpenGLContext context; !context.create()) {
     return fail(2,
                 QStringLiteral("no OpenGL on this display (%1); install a graphics driver or Mesa's software OpenGL, "
@@ -177,14 +165,11 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   const bool shooting = !options.screenshot.empty();
   window.setRemembering(!shooting);
   window.resize(options.size.isEmpty() ? QSize(1440, 900) : options.size);
-  if (!shooting && options.size.isEmpty()) {
-    window.restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());
-  }
+  if (!shooting) window.restoreLayout(options.size.isEmpty());
   if (options.cells) window.setCellsShown(*options.cells);
   window.show();
-  if (options.environment.empty()) {
-    window.offerLastSession();
-  } else {
+  if (!shooting) window.offerRestoring();
+  if (!options.environment.empty()) {
     const QString path = QFile::decodeName(options.environment.c_str());
     // After the loop has begun, so that a problem can end it.
     QMetaObject::invokeMethod(
