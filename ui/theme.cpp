@@ -24,7 +24,7 @@ struct Shades {
 
 // What the style sheet needs beyond the palette's roles, by the names that it has there. The longest first: one name
 // may begin like another.
-constexpr std::array<std::pair<const char*, Shades>, 11> kNamed = {{
+constexpr std::array<std::pair<const char*, Shades>, 13> kNamed = {{
     {"@accentSoft", {"#e3f0f9", "#1d3a4d"}},
     {"@accent", {"#0072b2", "#56b4e9"}},
     {"@errorSoft", {"#fbe3dc", "#4a2620"}},
