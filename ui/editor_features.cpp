@@ -3,6 +3,7 @@
 #include "ui/editor_window.hpp"
 #include "ui/environment_tools.hpp"
 #include "ui/filter_tools.hpp"
+#include "ui/inspection_feature.hpp"
 #include "ui/level_look.hpp"
 #include "ui/measure_panel.hpp"
 #include "ui/path_feature.hpp"
@@ -15,6 +16,7 @@ void EditorWindow::createFeatures() {
   installLevelLook(*this);
   new PathFeature(*this);
   new MeasureFeature(*this);
+  new InspectionFeature(*this);
 }
 
 }  // namespace footfall

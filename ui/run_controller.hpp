@@ -72,6 +72,8 @@ class RunController : public QObject {
   [[nodiscard]] bool settling() const;
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
+  /// The states of recent runs on this environment and its edits; for stepStates() of finishedRun(), on any thread.
+  [[nodiscard]] std::shared_ptr<ResultCache> cache() const { return cache_; }
   /// Whether an edit of the one parameter of a filter would be shown before the run: it is prepared after each run.
   [[nodiscard]] bool previews(int id) const;
   /// Whether finishedRun() belongs to the filter list as it is.

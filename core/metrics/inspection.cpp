@@ -226,4 +226,19 @@ std::optional<PickedPlace> Inspector::placeBelow(const Vec3& point) const {
   return PickedPlace{mesh.inputTriangles[face], {point.x, point.y, height->value.get_d()}};
 }
 
+std::optional<PickedPlace> Inspector::placeNear(const Vec3& point) const {
+  std::optional<PickedPlace> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < environment_->triangles.size(); ++t) {
+    const Triangle& triangle = environment_->triangles[t];
+    const auto& vertices = environment_->vertices;
+    const double distance =
+        squaredDistance(point, {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]});
+    if (!(distance < least)) continue;  // nor NaN
+    least = distance;
+    nearest = PickedPlace{static_cast<std::uint32_t>(t), point};
+  }
+  return nearest;
+}
+
 }  // namespace footfall

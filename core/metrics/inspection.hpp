@@ -89,6 +89,10 @@ class Inspector {
   /// where there is none.
   [[nodiscard]] std::optional<PickedPlace> placeBelow(const Vec3& point) const;
 
+  /// The place of the environment that is nearest to a point, in doubles; of several triangles the first. Empty where
+  /// there is none, or the point is not finite. Looks at every triangle.
+  [[nodiscard]] std::optional<PickedPlace> placeNear(const Vec3& point) const;
+
   [[nodiscard]] const Environment& environment() const { return *environment_; }
   [[nodiscard]] const Pipeline& pipeline() const { return pipeline_; }
   [[nodiscard]] const NavigationMesh& product() const { return *product_; }

@@ -10,7 +10,8 @@
 namespace footfall {
 
 /// For people: the place in the file's frame and units, its triangle, the slope, the free height, and the verdict with
-/// the filter and the triangle responsible. Triangles are numbered from 0 in the order of the file.
+/// the filter and the triangle responsible. Triangles are numbered from 0 in the order of the environment: what was
+/// left out of the file does not count.
 std::string formatExplanation(const Inspector& inspector, const PlaceExplanation& explanation);
 
 /// The same as JSON: `point`, `triangle`, `mesh`, `material`, `slope` (null: no area), `headroom` (null: unlimited),

@@ -298,6 +298,15 @@ class TestInspection : public QObject {
     QVERIFY(!explain(run, 4, {11.5, 0.25, 3}).floor);
   }
 
+  void obstaclesOnly() {
+    const auto level = Soup().floor(0, 0, 4, 4, 0).floor(10, 0, 14, 4, 0).environment();
+    level->obstacleOnly = {1, 1, 0, 0};
+    const Inspected run = inspect(level, Limits{}.pipeline());
+    const PlaceExplanation marked = explain(run, 0, {3, 1, 0});
+    QVERIFY(marked.verdict == PlaceVerdict::NeverFloor && !marked.step);
+    QVERIFY(explain(run, 2, {13, 1, 0}).verdict == PlaceVerdict::Walkable);
+  }
+
   void orderOfTheFilters() {
     const auto level = Soup().ramp(0, 0, 1, 1, 0, 3).ceiling(0, 0, 1, 1, 3.5).environment();
     const auto stepOf = [&](const std::string& filters) {
@@ -419,6 +428,15 @@ class TestInspection : public QObject {
     QVERIFY(below({1, 1, 2.9})->point == (Vec3{1, 1, 0}));
     QVERIFY(below({4, 4, 0})->triangle < 2);  // in a corner
     QVERIFY(!below({1, 1, -1}) && !below({5, 1, 9}));
+  }
+
+  void nearestPlace() {
+    const auto level = Soup().floor(0, 0, 4, 4, 0).floor(10, 0, 14, 4, 2).environment();
+    const Inspected run = inspect(level, Limits{}.pipeline());
+    QCOMPARE(run.inspector->placeNear({3, 1, 0.25})->triangle, 0U);
+    QCOMPARE(run.inspector->placeNear({1, 3, -0.25})->triangle, 1U);
+    QCOMPARE(run.inspector->placeNear({8, 1, 2})->triangle, 3U);
+    QVERIFY(!run.inspector->placeNear({std::numeric_limits<double>::quiet_NaN(), 0, 0}));
   }
 
   void randomSoups() {

@@ -1,0 +1,35 @@
+// Why a place is walkable or not, in the user's language.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <cstdint>
+
+#include "core/metrics/inspection.hpp"
+#include "ui/appearance.hpp"
+
+namespace footfall {
+
+class WhyText {
+  Q_DECLARE_TR_FUNCTIONS(WhyText)
+
+ public:
+  /// "Not walkable: too low"
+  static QString headline(const PlaceExplanation& told);
+  /// One or two sentences: what decided, and who is responsible.
+  static QString reason(const Inspector& inspector, const PlaceExplanation& told);
+  static QString slope(const PlaceExplanation& told);
+  static QString headroom(const Inspector& inspector, const PlaceExplanation& told);
+  /// In the file's frame.
+  static QString place(const Inspector& inspector, const Vec3& place);
+  /// "12 (door, wood)": the number, and the names of mesh and material where the file has some.
+  static QString triangle(const Inspector& inspector, std::uint32_t triangle);
+  /// In the environment's unit, and in metres where that is another one.
+  static QString length(double length, double metresPerUnit);
+  static QString area(double area, double metresPerUnit);
+  /// The colour and pattern that such places have in the view.
+  static Paint paint(const Inspector& inspector, const PlaceExplanation& told);
+};
+
+}  // namespace footfall
