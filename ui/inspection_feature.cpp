@@ -53,8 +53,11 @@ InspectionFeature::InspectionFeature(EditorWindow& window)
 
 void InspectionFeature::createWhy() {
   why_ = new WhyPanel;
-  whyDock_ = window_.addPanel({QStringLiteral("inspect.whyPanel"), tr("Why?"),
-                               tr("Show why the last place that was asked for is walkable or not")},
+  whyDock_ = window_.addPanel({QStringLiteral("inspect.whyPanel"),
+                               tr("Why?"),
+                               tr("Show why the last place that was asked for is walkable or not"),
+                               {},
+                               QStringLiteral("why")},
                               why_);
   QAction* action = window_.addTool({QStringLiteral("inspect.why"),
                                      CommandMenu::Tools,
@@ -92,8 +95,11 @@ void InspectionFeature::createWhy() {
 
 void InspectionFeature::createComponents() {
   components_ = new ComponentsPanel;
-  componentsDock_ = window_.addPanel({QStringLiteral("inspect.components"), tr("Components"),
-                                      tr("List the connected parts of the walkable area by their size")},
+  componentsDock_ = window_.addPanel({QStringLiteral("inspect.components"),
+                                      tr("Components"),
+                                      tr("List the connected parts of the walkable area by their size"),
+                                      {},
+                                      QStringLiteral("components")},
                                      components_);
   connect(componentsDock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
     watch_->setComponentsWanted(on);
