@@ -9,7 +9,10 @@
 namespace footfall {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ExportSettings", text); }
+/// For the translations.
+struct ExportTexts {
+  Q_DECLARE_TR_FUNCTIONS(footfall::ExportTexts)
+};
 
 }  // namespace
 
@@ -32,17 +35,17 @@ QString exportEnding(ExportKind kind) {
 QString exportName(ExportKind kind) {
   switch (kind) {
     case ExportKind::Obj:
-      return tr("Wavefront OBJ: exact, in the file's frame");
+      return ExportTexts::tr("Wavefront OBJ: exact, in the file's frame");
     case ExportKind::Gltf:
-      return tr("glTF, text: metres, Y up");
+      return ExportTexts::tr("glTF, text: metres, Y up");
     case ExportKind::Glb:
-      return tr("glTF, binary: metres, Y up");
+      return ExportTexts::tr("glTF, binary: metres, Y up");
     case ExportKind::Png:
-      return tr("PNG: the view as a picture");
+      return ExportTexts::tr("PNG: the view as a picture");
     case ExportKind::Html:
       break;
   }
-  return tr("HTML: a report with figures and pictures");
+  return ExportTexts::tr("HTML: a report with figures and pictures");
 }
 
 ExportKind exportKindOf(const QString& path, ExportKind usual) {
@@ -56,11 +59,13 @@ QList<PictureSize> pictureSizes(const QSize& view, double devicePixelRatio) {
   QList<PictureSize> sizes;
   for (const int times : {1, 2, 4}) {
     const QSize pixels = (QSizeF(view) * devicePixelRatio * times).toSize();
-    const QString name = times == 1 ? tr("As on the screen") : times == 2 ? tr("Twice that") : tr("Four times that");
+    const QString name = times == 1   ? ExportTexts::tr("As on the screen")
+                         : times == 2 ? ExportTexts::tr("Twice that")
+                                      : ExportTexts::tr("Four times that");
     sizes << PictureSize{QStringLiteral("%1, %2 × %3").arg(name).arg(pixels.width()).arg(pixels.height()), pixels,
                          devicePixelRatio * times};
   }
-  sizes << PictureSize{tr("4K, 3840 × 2160"), QSize(3840, 2160), 2};
+  sizes << PictureSize{ExportTexts::tr("4K, 3840 × 2160"), QSize(3840, 2160), 2};
   return sizes;
 }
 
