@@ -166,13 +166,13 @@ void EditorWindow::createFileActions() {
   exportAction_ = commands_.add({QStringLiteral("file.export"),
                                  CommandMenu::File,
                                  save,
-                                 tr("&Export OBJ..."),
-                                 tr("Write the walkable area"),
+                                 tr("&Export..."),
+                                 tr("Write the walkable area, a picture or a report"),
                                  {QKeySequence(Qt::CTRL | Qt::Key_E)},
                                  QStringLiteral("export")},
                                 [this](bool) { exportDialog(); });
   exportAction_->setEnabled(false);
-  onBar(exportAction_, tr("Export OBJ"));
+  onBar(exportAction_, tr("Export"));
   toolBar_->addSeparator();
   commands_.add(
       {QStringLiteral("file.quit"), CommandMenu::File, QStringLiteral("quit"), tr("&Quit"), {}, {QKeySequence::Quit}},
@@ -364,12 +364,6 @@ void EditorWindow::saveSessionDialog() {
   QFileDialog* dialog = showDialog(this, tr("Save the session"), tr("Sessions (*.%1)").arg(extension), suggested,
                                    extension, [this](const QString& path) { saveSession(path); });
   connect(dialog, &QFileDialog::rejected, this, [this] { afterSaving_ = nullptr; });
-}
-
-void EditorWindow::exportDialog() {
-  showDialog(this, tr("Export the walkable area"), tr("Wavefront OBJ (*.obj)"),
-             suggestedPath(QStringLiteral("-walkable.obj")), QStringLiteral("obj"),
-             [this](const QString& path) { exportResult(path); });
 }
 
 }  // namespace footfall

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/environment/export.hpp"
-#include "core/pipeline/export_header.hpp"
 #include "ui/editor_window.hpp"
 #include "ui/guarded_application.hpp"
 
@@ -41,24 +40,6 @@ void EditorWindow::writeInBackground(std::function<void()> write, const QString&
         },
         Qt::QueuedConnection);
   });
-}
-
-void EditorWindow::exportResult(const QString& path) {
-  if (!loaded_.environment) {
-    messages_->showError(tr("nothing to export; open an environment first"));
-    return;
-  }
-  if (!controller_.upToDate()) {
-    pendingExport_ = path;
-    if (!controller_.busy()) controller_.runNow();
-    return;
-  }
-  // The loaded environment: its scale may have changed since the run, its coordinates have not.
-  writeInBackground(
-      [run = controller_.finishedRun(), environment = loaded_.environment, target = toPath(path)] {
-        writeObj(target, *run->result.mesh, *environment, makeExportHeader(run->pipeline));
-      },
-      path);
 }
 
 void EditorWindow::savePipeline(const QString& path) {

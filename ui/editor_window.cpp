@@ -111,14 +111,14 @@ void EditorWindow::connectParts() {
   connect(&controller_, &RunController::cancelled, this, [this] {
     hideProgress();
     summary_->setText(tr("Cancelled; the view shows the result before. Press F5 to run again."));
-    pendingExport_.clear();
+    pendingExport_.reset();
   });
   connect(&controller_, &RunController::failed, this, [this](const QString& message) {
     hideProgress();
     summary_->setText(tr("The run failed; the view shows the result before"));
     messages_->showError(message);
     runErrorShown_ = true;
-    pendingExport_.clear();
+    pendingExport_.reset();
   });
 }
 
@@ -336,7 +336,7 @@ void EditorWindow::showResult() {
   summary_->setText(parts.join(QStringLiteral("   ·   ")));
   summary_->setToolTip(parts.join(QLatin1Char('\n')));
   exportAction_->setEnabled(true);
-  if (!pendingExport_.isEmpty()) exportResult(std::exchange(pendingExport_, QString()));
+  if (const auto pending = std::exchange(pendingExport_, std::nullopt)) exportResult(pending->first, pending->second);
 }
 
 void EditorWindow::say(const QString& text) { summary_->setText(text); }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/cell_watch.hpp"
@@ -18,6 +19,7 @@
 #include "ui/commands.hpp"
 #include "ui/document.hpp"
 #include "ui/environment_loader.hpp"
+#include "ui/export_settings.hpp"
 #include "ui/filter_list.hpp"
 #include "ui/height_slider.hpp"
 #include "ui/import_panel.hpp"
@@ -79,8 +81,10 @@ class EditorWindow : public QMainWindow {
   void openPipeline(const QString& path);
   void savePipeline(const QString& path);
   void saveSession(const QString& path);
-  /// Writes the last finished result, in the background.
+  /// Writes the last finished result, in the background; when the filters have changed since, after the next run. The
+  /// name's ending chooses the format. Without settings: all there is, in the file's frame and units.
   void exportResult(const QString& path);
+  void exportResult(const QString& path, const ExportSettings& settings);
   /// The same for what somebody chose: asks first what is to become of unsaved changes.
   void openAsking(const QString& path);
   /// Offers what was worked on when the program, or the machine, ended unexpectedly.
@@ -216,6 +220,10 @@ class EditorWindow : public QMainWindow {
   void savePipelineDialog();
   void saveSessionDialog();
   void exportDialog();
+  void writeResult(const QString& path, const ExportSettings& settings);
+  void writePicture(const QString& path, const ExportSettings& settings);
+  void writeReport(const QString& path, bool pictures);
+  [[nodiscard]] std::vector<ExportExtra> placedExtras() const;
   void startLoading(Opening opening);
   void takeLoaded(const LoadedEnvironment& loaded);
   void takeReread(const LoadedEnvironment& loaded);
@@ -240,8 +248,9 @@ class EditorWindow : public QMainWindow {
   LoadedEnvironment loaded_;
   std::optional<Opening> opening_;
   bool remembering_ = true;
-  int exports_ = 0;        ///< being written
-  QString pendingExport_;  ///< to be written when the run under way is finished
+  int exports_ = 0;  ///< being written
+  /// To be written when the run under way is finished.
+  std::optional<std::pair<QString, ExportSettings>> pendingExport_;
   bool runErrorShown_ = false;
   std::optional<double> guessedScale_;  ///< of the loaded file
   QString sessionPath_;

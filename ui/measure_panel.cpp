@@ -23,7 +23,7 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   table_->setToolTip(
       tr("Each piece between two places, in the environment's units; height and slope from the first "
          "place to the second"));
-  table_->setHorizontalHeaderLabels({tr("Distance"), tr("In plan"), tr("Height"), tr("Slope °"), tr("Slope %")});
+  table_->setHorizontalHeaderLabels({tr("Length"), tr("In plan"), tr("Height"), tr("Slope °"), tr("Slope %")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -30,7 +30,7 @@ void PathModel::setActive(bool active) {
   if (std::exchange(active_, active) != active) refresh(false);
 }
 
-void PathModel::setPlaces(const std::optional<Vec3>& start, const std::optional<Vec3>& target) {
+void PathModel::setPlaces(std::optional<Vec3> start, std::optional<Vec3> target) {
   if (start == start_ && target == target_) return;
   start_ = start;
   target_ = target;

@@ -27,7 +27,8 @@ class PathModel : public QObject {
   void setActive(bool active);
   void setStart(const std::optional<Vec3>& place) { setPlaces(place, target_); }
   void setTarget(const std::optional<Vec3>& place) { setPlaces(start_, place); }
-  void setPlaces(const std::optional<Vec3>& start, const std::optional<Vec3>& target);
+  /// Values, as the model's own places may be given.
+  void setPlaces(std::optional<Vec3> start, std::optional<Vec3> target);
 
   [[nodiscard]] const std::optional<Vec3>& start() const { return start_; }
   [[nodiscard]] const std::optional<Vec3>& target() const { return target_; }

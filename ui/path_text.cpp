@@ -4,17 +4,21 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 namespace footfall {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("PathText", text); }
+/// For the translations.
+struct PathText {
+  Q_DECLARE_TR_FUNCTIONS(footfall::PathText)
+};
 
 QString seconds(double time) {
-  if (time < 60) return tr("%1 s").arg(QString::number(time, 'f', 1));
+  if (time < 60) return PathText::tr("%1 s").arg(QString::number(time, 'f', 1));
   const int whole = static_cast<int>(std::lround(std::min(time, 1e8)));
-  return tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+  return PathText::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
 
 QString degrees(double angle) { return QString::number(angle, 'f', 1) + QStringLiteral("°"); }
@@ -40,15 +44,16 @@ QString failureText(const PathResult& result) {
     case PathStatus::Found:
       return {};
     case PathStatus::NothingWalkable:
-      return tr("Nothing is walkable here.");
+      return PathText::tr("Nothing is walkable here.");
     case PathStatus::StartNotWalkable:
-      return tr("The start is not walkable. The nearest place that is lies %1 away, at %2.")
+      return PathText::tr("The start is not walkable. The nearest place that is lies %1 away, at %2.")
           .arg(measureText(result.start->distance), placeText(result.start->position));
     case PathStatus::TargetNotWalkable:
-      return tr("The target is not walkable. One can come as near as %1 to it, at %2.")
+      return PathText::tr("The target is not walkable. One can come as near as %1 to it, at %2.")
           .arg(measureText(result.end->distance), placeText(result.end->position));
     case PathStatus::NotConnected:
-      return tr("No way leads there: start and target are on separate parts. One can come as near as %1, at %2.")
+      return PathText::tr(
+                 "No way leads there: start and target are on separate parts. One can come as near as %1, at %2.")
           .arg(measureText(result.end->distance), placeText(result.end->position));
   }
   return {};
@@ -58,21 +63,24 @@ QString pathText(const PathResult& result, double metresPerUnit, double speed) {
   if (!result.hasPath()) return {};
   QStringList lines;
   const double metres = result.length * metresPerUnit;
-  lines << (metresPerUnit == 1 ? tr("Length %1 m").arg(measureText(result.length))
-                               : tr("Length %1 units (%2 m)").arg(measureText(result.length), measureText(metres)));
-  lines << (result.bends.size() == 1
-                ? tr("In the plan %1, 1 bend").arg(measureText(result.planLength))
-                : tr("In the plan %1, %2 bends").arg(measureText(result.planLength)).arg(result.bends.size()));
-  if (speed > 0) lines << tr("%1 at %2 m/s").arg(seconds(metres / speed), measureText(speed));
+  lines << (metresPerUnit == 1
+                ? PathText::tr("Length %1 m").arg(measureText(result.length))
+                : PathText::tr("Length %1 units (%2 m)").arg(measureText(result.length), measureText(metres)));
+  lines
+      << (result.bends.size() == 1
+              ? PathText::tr("In the plan %1, 1 bend").arg(measureText(result.planLength))
+              : PathText::tr("In the plan %1, %2 bends").arg(measureText(result.planLength)).arg(result.bends.size()));
+  if (speed > 0) lines << PathText::tr("%1 at %2 m/s").arg(seconds(metres / speed), measureText(speed));
   if (!result.layers.empty()) {
     QStringList layers;
     for (const std::uint32_t layer : result.layers) layers << QString::number(layer);
     if (layers.size() > 12) layers = layers.mid(0, 11) << QStringLiteral("…") << layers.last();
-    lines << (result.layers.size() == 1
-                  ? tr("On layer %1").arg(layers.first())
-                  : tr("Layers %1 (%2 connections)").arg(layers.join(QStringLiteral(" → "))).arg(result.connections));
+    lines << (result.layers.size() == 1 ? PathText::tr("On layer %1").arg(layers.first())
+                                        : PathText::tr("Layers %1 (%2 connections)")
+                                              .arg(layers.join(QStringLiteral(" → ")))
+                                              .arg(result.connections));
   }
-  lines << tr("Slope up to %1, climbs or falls up to %2")
+  lines << PathText::tr("Slope up to %1, climbs or falls up to %2")
                .arg(degrees(result.maxSlopeDegrees), degrees(result.maxInclineDegrees));
   return lines.join(QLatin1Char('\n'));
 }

@@ -116,7 +116,8 @@ class TestPathTool : public QObject {
     press("pathSwap");
     QCOMPARE(model().start()->x, 2.0);
     press("pathCopy");
-    QVERIFY(QApplication::clipboard()->text().startsWith("Start 2, -2, 0\nTarget 1, -2, 0\nLength "));
+    const QString copied = QApplication::clipboard()->text();
+    QVERIFY2(copied.startsWith("Start 2, -2, 0\nTarget 1, -2, 0\nLength "), qPrintable(copied));
     press("pathClear");
     QVERIFY(!model().start() && !model().target() && !model().result());
     QVERIFY(field("pathTargetZ")->text().isEmpty());
