@@ -2,12 +2,11 @@
 #include "ui/agent_results.hpp"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <utility>
 #include <vector>
 
-#include "core/filters/disjoint_sets.hpp"
+#include "core/metrics/components.hpp"
 #include "ui/agent_rules.hpp"
 
 namespace footfall {
@@ -20,37 +19,12 @@ std::string keyOf(Pipeline pipeline) {
   return formatPipeline(pipeline);
 }
 
-std::size_t countComponents(const NavigationMesh& mesh, const RunContext& context) {
-  std::vector<std::pair<std::array<std::uint32_t, 2>, Index>> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[i][k];
-      const std::uint32_t b = mesh.triangles[i][(k + 1) % 3];
-      sides.push_back({{std::min(a, b), std::max(a, b)}, static_cast<Index>(i)});
-    }
-  }
-  context.checkCancelled();
-  std::ranges::sort(sides);
-  context.checkCancelled();
-  DisjointSets sets(mesh.triangles.size());
-  std::size_t count = mesh.triangles.size();
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (sides[i].first != sides[i - 1].first) continue;
-    const Index a = sets.find(sides[i - 1].second);
-    const Index b = sets.find(sides[i].second);
-    if (a == b) continue;
-    sets.unite(a, b);
-    --count;
-  }
-  return count;
-}
-
 }  // namespace
 
 AgentFigures figuresOf(const FinishedRun& run, const RunContext& context) {
   const NavigationMesh& mesh = *run.result.mesh;
-  return {run.result.summary.area, mesh.layerCount, countComponents(mesh, context), mesh.connections.size()};
+  const Components components = findComponents(mesh, [&context] { context.checkCancelled(); });
+  return {run.result.summary.area, mesh.layerCount, components.list.size(), mesh.connections.size()};
 }
 
 AgentResults::AgentResults(Document& document, RunController& controller, QObject* parent)

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMimeData>
+#include <chrono>
 
 #include "ui/agent_rules.hpp"
 #include "ui/welcome_page.hpp"
@@ -99,8 +100,11 @@ void EditorWindow::connectParts() {
     emit loadFailed(message);
   });
 
-  connect(&controller_, &RunController::progressed, this,
-          [this](double fraction, const QString& text) { showProgress(text, fraction); });
+  connect(&controller_, &RunController::progressed, this, [this](double fraction, const QString& text) {
+    std::optional<double> left;
+    if (const auto remaining = controller_.remaining()) left = std::chrono::duration<double>(*remaining).count();
+    showProgress(text, fraction, left);
+  });
   connect(&controller_, &RunController::contentReady, this, [this](const ViewContent& content) {
     view_->setContent(content);
     legend_->describe(content);
@@ -341,9 +345,9 @@ void EditorWindow::showResult() {
 
 void EditorWindow::say(const QString& text) { summary_->setText(text); }
 
-void EditorWindow::showProgress(const QString& text, double fraction) {
+void EditorWindow::showProgress(const QString& text, double fraction, std::optional<double> secondsLeft) {
   summary_->setText(text);
-  progress_->showProgress(fraction);
+  progress_->showProgress(fraction, secondsLeft);
   cancel_->show();
 }
 

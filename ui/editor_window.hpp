@@ -231,7 +231,7 @@ class EditorWindow : public QMainWindow {
   void applyImport();
   void useDefaultFilters();
   void showResult();
-  void showProgress(const QString& text, double fraction);
+  void showProgress(const QString& text, double fraction, std::optional<double> secondsLeft = {});
   void hideProgress();
   void cancelWork();
   void placeOverlays();

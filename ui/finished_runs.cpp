@@ -26,6 +26,7 @@ std::size_t bytesOf(const FinishedRun& run, const ViewContent& content) {
   std::size_t bytes = run.result.mesh ? bytesOf(*run.result.mesh) : 0;
   for (const auto& geometry : content.walkable) bytes += bytesOf(*geometry);
   for (const ViewContent::Removed& removed : content.removed) bytes += bytesOf(*removed.before);
+  if (content.environmentLayers) bytes += bytesOf(*content.environmentLayers);
   return bytes;
 }
 

@@ -16,14 +16,13 @@ constexpr int kMark = 16;
 StaleBadge::StaleBadge(RunController& controller, QWidget* view) : QFrame(view), controller_(controller), view_(view) {
   setObjectName(QStringLiteral("staleBadge"));
   setAccessibleName(tr("Out of date"));
-  auto* mark = new QLabel(this);
-  mark->setPixmap(stateMark(StepState::Stale, QPalette(QColor(255, 243, 214)), kMark, devicePixelRatioF()));
+  mark_ = new QLabel(this);
   auto* words = new QLabel(tr("Out of date: the filters have changed"), this);
   run_ = new QPushButton(tr("Run (F5)"), this);
   run_->setToolTip(tr("Run the filters as they are now"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 4, 4, 4);
-  layout->addWidget(mark);
+  layout->addWidget(mark_);
   layout->addWidget(words);
   layout->addWidget(run_);
   connect(run_, &QPushButton::clicked, &controller_, &RunController::runNow);
@@ -38,7 +37,10 @@ StaleBadge::StaleBadge(RunController& controller, QWidget* view) : QFrame(view),
 
 void StaleBadge::follow() {
   const bool stale = controller_.environment() && !controller_.busy() && !controller_.upToDate();
-  if (stale) place();
+  if (stale) {
+    mark_->setPixmap(stateMark(StepState::Stale, palette(), kMark, devicePixelRatioF()));
+    place();
+  }
   setVisible(stale);
 }
 

@@ -28,6 +28,7 @@ class StaleBadge : public QFrame {
 
   RunController& controller_;
   QWidget* view_;
+  QLabel* mark_;
   QPushButton* run_;
 };
 
