@@ -1,9 +1,10 @@
 // The editor's tools, each in files of its own: one line a tool.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor_window.hpp"
+#include "ui/obstacle_features.hpp"
 
 namespace footfall {
 
-void EditorWindow::createFeatures() {}
+void EditorWindow::createFeatures() { addObstacleFeatures(*this); }
 
 }  // namespace footfall

@@ -151,7 +151,8 @@ std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 
 
 }  // namespace
 
-std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment) {
+std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
+                                                                   const std::optional<Vec3>& origin) {
   auto geometry = std::make_shared<EnvironmentGeometry>();
   const std::vector<Vec3>& vertices = environment.vertices;
   Vec3 lower = vertices.empty() ? Vec3{} : vertices[environment.triangles.front()[0]];
@@ -163,7 +164,8 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
     }
   }
   // Halves first: the sum of two large bounds may overflow.
-  const Vec3 centre{lower.x / 2 + upper.x / 2, lower.y / 2 + upper.y / 2, lower.z / 2 + upper.z / 2};
+  const Vec3 middle{lower.x / 2 + upper.x / 2, lower.y / 2 + upper.y / 2, lower.z / 2 + upper.z / 2};
+  const Vec3 centre = origin.value_or(middle);
   geometry->centre = centre;
   geometry->lower = {lower.x - centre.x, lower.y - centre.y, lower.z - centre.z};
   geometry->upper = {upper.x - centre.x, upper.y - centre.y, upper.z - centre.z};
