@@ -7,6 +7,7 @@
 
 #include "core/environment/environment.hpp"
 #include "ui/document.hpp"
+#include "ui/part_level.hpp"
 
 namespace footfall {
 
@@ -19,7 +20,14 @@ class LevelComposer : public QObject {
   explicit LevelComposer(Document& document, QObject* parent = nullptr);
 
   /// Starts anew from an environment as its file gave it (null: none), with the document as it is; tells nobody.
-  void setLoaded(std::shared_ptr<const Environment> loaded);
+  void setLoaded(std::shared_ptr<const Environment> loaded,
+                 std::shared_ptr<const EnvironmentGeometry> geometry = nullptr);
+  /// The same file, read again; edited() follows when something differs.
+  void replaceLoaded(std::shared_ptr<const Environment> loaded);
+  /// The loaded environment with the roles of its parts, before obstacles.
+  [[nodiscard]] PartLevel& parts() { return parts_; }
+  /// Roles are being worked in: edited() is still to come.
+  [[nodiscard]] bool busy() const { return parts_.busy(); }
   /// Null when nothing is loaded.
   [[nodiscard]] const std::shared_ptr<const Environment>& level() const { return level_; }
 
@@ -30,8 +38,11 @@ class LevelComposer : public QObject {
  private:
   void compose();
 
+  void recompose();
+
   Document& document_;
-  std::shared_ptr<const Environment> loaded_, level_;
+  PartLevel parts_;
+  std::shared_ptr<const Environment> level_;
 };
 
 }  // namespace footfall

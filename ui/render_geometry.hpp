@@ -47,7 +47,9 @@ struct MeshGeometry {
   std::uint32_t layers = 0;
 };
 
-std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment);
+/// Around `centre`, or the middle of the bounds.
+std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
+                                                                   const std::optional<Vec3>& centre = std::nullopt);
 
 /// `paint` for everything, or layer colours where it is empty.
 std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh, const Vec3& centre,
