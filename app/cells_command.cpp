@@ -11,7 +11,6 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
-#include "core/environment/import.hpp"
 #include "core/errors.hpp"
 #include "core/metrics/cells_report.hpp"
 #include "core/partitioning/cut_export.hpp"
@@ -24,7 +23,7 @@ namespace {
 
 void checkTarget(const CellsArguments& arguments) {
   checkEnding(arguments.output, "-o", ".obj");
-  for (const std::string& input : {arguments.environment, arguments.pipelineFile})
+  for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
     if (sameFile(arguments.output, input))
       throw InputError(arguments.output + ": would be overwritten; give another file to write to");
 }
@@ -110,7 +109,7 @@ std::string previewCells(const CellsArguments& arguments) {
     fewerThreads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(arguments.threads));
 
   bar.begin("loading", 0);
-  const auto environment = importEnvironment(arguments.environment, arguments.importOptions, &context);
+  const auto environment = loadEnvironment(arguments.environment, &context);
   if (!pipeline) pipeline = defaultPipeline(*environment);
   const Pipeline block = blockOf(*pipeline, strategy);
 

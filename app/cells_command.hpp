@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "app/command_files.hpp"
 
 namespace footfall {
 
 struct CellsArguments {
-  std::string environment;
-  ImportOptions importOptions;
+  EnvironmentChoice environment;
   std::string strategy;              ///< as in a pipeline file; empty: the pipeline's first, or AutoStrategy
   std::string pipelineFile;          ///< empty: `filters`, or the default pipeline when they are empty as well
   std::vector<std::string> filters;  ///< one line of a pipeline file each

@@ -6,9 +6,27 @@
 #include <filesystem>
 
 #include "core/environment/import.hpp"
+#include "core/environment/part_rules.hpp"
 #include "core/errors.hpp"
 
 namespace footfall {
+
+std::shared_ptr<const Environment> loadEnvironment(const EnvironmentChoice& choice, RunContext* context) {
+  const auto environment = importEnvironment(choice.path, choice.import, context);
+  std::vector<PartRule> rules;
+  const auto add = [&](const std::vector<std::string>& names, PartRole role, const char* option) {
+    for (const std::string& name : names) {
+      const std::vector<PartRule> named = rulesForName(*environment, name, role, option);
+      rules.insert(rules.end(), named.begin(), named.end());
+    }
+  };
+  add(choice.obstacleOnly, PartRole::ObstacleOnly, "--obstacle-only");
+  add(choice.ignored, PartRole::Ignored, "--ignore");
+  auto chosen = applyPartRules(environment, rules);
+  if (chosen->triangles.empty())
+    throw InputError("--ignore: nothing of " + choice.path + " is left; ignore fewer meshes or materials");
+  return chosen;
+}
 
 std::optional<Pipeline> givenPipeline(const std::string& file, const std::vector<std::string>& steps) {
   if (!file.empty()) return readPipelineFile(file);

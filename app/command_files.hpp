@@ -2,13 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/environment/environment.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "core/pipeline/run_context.hpp"
 
 namespace footfall {
+
+/// The environment that is named, and what of it is meant.
+struct EnvironmentChoice {
+  std::string path;
+  ImportOptions import;
+  /// Meshes, materials or MESH/MATERIAL.
+  std::vector<std::string> ignored, obstacleOnly;
+};
+
+/// Imports the environment and gives its parts their roles. Throws InputError, also when a name means nothing or
+/// nothing is left, or Cancelled.
+std::shared_ptr<const Environment> loadEnvironment(const EnvironmentChoice& choice, RunContext* context = nullptr);
 
 /// The pipeline of a file or of steps, one line of a pipeline file each; empty when neither is given and the default
 /// pipeline is meant, which needs the environment's scale. Throws InputError.

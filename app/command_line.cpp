@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/cells_command.hpp"
+#include "app/command_files.hpp"
 #include "app/compare_command.hpp"
 #include "app/run_command.hpp"
-#include "core/environment/import.hpp"
 #include "core/environment/info.hpp"
 #include "core/errors.hpp"
 #include "core/filters/descriptor_text.hpp"
@@ -24,8 +24,9 @@ struct EnvironmentArguments {
   std::string up;
   std::optional<double> metresPerUnit;
   bool bothSides = false;
+  std::vector<std::string> ignored, obstacleOnly;
 
-  [[nodiscard]] ImportOptions importOptions() const {
+  [[nodiscard]] EnvironmentChoice choice() const {
     ImportOptions options;
     if (!up.empty()) options.up = up == "y" ? UpAxis::Y : UpAxis::Z;
     if (metresPerUnit && !(std::isfinite(*metresPerUnit) && *metresPerUnit > 0)) {
@@ -33,7 +34,7 @@ struct EnvironmentArguments {
     }
     options.metresPerUnit = metresPerUnit;
     options.bothSides = bothSides;
-    return options;
+    return {path, options, ignored, obstacleOnly};
   }
 };
 
@@ -47,6 +48,17 @@ void addEnvironmentArguments(CLI::App& command, EnvironmentArguments& arguments)
       ->type_name("METRES");
   command.add_flag("--both-sides", arguments.bothSides,
                    "Take both sides of every triangle as its upper side, for files with unreliable winding");
+  command
+      .add_option("--ignore", arguments.ignored,
+                  "A mesh, a material or MESH/MATERIAL to leave out altogether; give it once for each. `footfall info` "
+                  "lists the names")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  command
+      .add_option("--obstacle-only", arguments.obstacleOnly,
+                  "A mesh, a material or MESH/MATERIAL that is an obstacle, but never walkable; give it once for each")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
 }
 
 void printFilters(const std::string& name, bool markdown) {
@@ -62,7 +74,7 @@ void printFilters(const std::string& name, bool markdown) {
 }
 
 void printInfo(const EnvironmentArguments& arguments) {
-  const auto environment = importEnvironment(arguments.path, arguments.importOptions());
+  const auto environment = loadEnvironment(arguments.choice());
   std::cout << formatInfo(*environment, inspectEnvironment(*environment));
 }
 
@@ -191,12 +203,10 @@ void runCommandLine(int argc, const char* const* argv) {
     return;
   }
   if (runCommand->parsed()) {
-    run.environment = environment.path;
-    run.importOptions = environment.importOptions();
+    run.environment = environment.choice();
     std::cout << runAndExport(run);
   } else if (cellsCommand->parsed()) {
-    cells.environment = environment.path;
-    cells.importOptions = environment.importOptions();
+    cells.environment = environment.choice();
     std::cout << previewCells(cells);
   } else if (infoCommand->parsed()) {
     printInfo(environment);

@@ -10,7 +10,6 @@
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
 #include "core/environment/export.hpp"
-#include "core/environment/import.hpp"
 #include "core/environment/worker_arena.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/metrics/run_statistics.hpp"
@@ -27,7 +26,7 @@ void checkTargets(const RunArguments& arguments) {
   checkEnding(arguments.statistics, "--stats", ".json");
   checkEnding(arguments.trace, "--trace", ".json");
   for (const std::string& target : {arguments.output, arguments.statistics, arguments.trace}) {
-    for (const std::string& input : {arguments.environment, arguments.pipelineFile}) {
+    for (const std::string& input : {arguments.environment.path, arguments.pipelineFile}) {
       if (sameFile(target, input)) throw InputError(target + ": would be overwritten; give another file to write to");
     }
   }
@@ -64,9 +63,8 @@ std::string runAndExport(const RunArguments& arguments) {
 
   const Stopwatch loading;
   bar.begin("loading", 0);
-  const std::shared_ptr<const Environment> environment = onThreads(arguments.threads, [&](int) {
-    return importEnvironment(arguments.environment, arguments.importOptions, &context);
-  });
+  const std::shared_ptr<const Environment> environment =
+      onThreads(arguments.threads, [&](int) { return loadEnvironment(arguments.environment, &context); });
   times.loadMs = loading.wallMs();
   if (!pipeline) pipeline = defaultPipeline(*environment);
 

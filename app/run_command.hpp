@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "app/command_files.hpp"
 
 namespace footfall {
 
 struct RunArguments {
-  std::string environment;
-  ImportOptions importOptions;
+  EnvironmentChoice environment;
   std::string pipelineFile;          ///< empty: `filters`, or the default pipeline when they are empty as well
   std::vector<std::string> filters;  ///< one line of a pipeline file each
   int threads = 0;                   ///< 0: as many as the machine has

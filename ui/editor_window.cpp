@@ -62,6 +62,8 @@ EditorWindow::~EditorWindow() {
   document_.disconnect();
   document_.undoStack()->disconnect();
   controller_.disconnect();
+  composer_.disconnect();
+  composer_.parts().disconnect();
   loader_.disconnect();
 }
 
@@ -74,6 +76,8 @@ void EditorWindow::connectParts() {
   for (const auto signal : {&Document::agentsChanged, &Document::levelChanged})
     connect(&document_, signal, this, &EditorWindow::keepSoon);
   connect(&composer_, &LevelComposer::edited, &controller_, &RunController::editEnvironment);
+  connect(&composer_.parts(), &PartLevel::failed, messages_, &MessageBar::showError);
+  connect(&controller_, &RunController::finished, &composer_.parts(), &PartLevel::setComputed);
   connect(document_.undoStack(), &QUndoStack::cleanChanged, this, &EditorWindow::updateTitle);
   connect(import_, &ImportPanel::optionsEdited, this, &EditorWindow::editImport);
   connect(&recent_, &RecentFiles::chosen, this, &EditorWindow::open);
@@ -91,8 +95,13 @@ void EditorWindow::connectParts() {
     summary_->setText(tr("Loading cancelled"));
   });
   connect(&loader_, &EnvironmentLoader::failed, this, [this](const QString& message) {
+    const bool reread = opening_ && opening_->reread;
     opening_.reset();
     hideProgress();
+    if (reread) {
+      emit rereadFailed(message);
+      return;
+    }
     messages_->showError(message);
     emit loadFailed(message);
   });
@@ -168,7 +177,32 @@ void EditorWindow::startLoading(Opening opening) {
   loader_.load(opening_->path, opening_->import);
 }
 
+void EditorWindow::reread() {
+  if (!loaded_.environment || loader_.busy()) return;
+  Opening opening;
+  opening.path = fromPath(loaded_.environment->source);
+  opening.import = document_.state().import;
+  opening.reload = opening.reread = true;
+  opening_ = std::move(opening);
+  loader_.load(opening_->path, opening_->import, loaded_.geometry->centre);
+}
+
+void EditorWindow::takeReread(const LoadedEnvironment& loaded) {
+  loaded_ = loaded;
+  if (loaded.environment->scaleGuessed) guessedScale_ = loaded.environment->metresPerUnit;
+  const Vec3 &lower = loaded.geometry->lower, &upper = loaded.geometry->upper;
+  import_->setEnvironment(loaded.environment.get(), {upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
+  composer_.replaceLoaded(loaded.environment);
+  emit rereadDone();
+}
+
 void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
+  if (opening_ && opening_->reread) {
+    opening_.reset();
+    hideProgress();
+    takeReread(loaded);
+    return;
+  }
   const Opening opening = std::exchange(opening_, std::nullopt).value_or(Opening{});
   const std::shared_ptr<const Environment> before = loaded_.environment;
   const Environment& environment = *loaded.environment;
@@ -203,7 +237,7 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
     }
     if (remembering_) recent_.add(opening.session.isEmpty() ? opening.path : opening.session);
   }
-  composer_.setLoaded(loaded.environment);
+  composer_.setLoaded(loaded.environment, loaded.geometry);
   cellWatch_->setEnvironment(composer_.level(), loaded.geometry->centre);
   controller_.setEnvironment(composer_.level(), loaded.geometry->centre);
   chooseLegend();

@@ -64,6 +64,9 @@ class EditorWindow : public QMainWindow {
   void open(const QString& path);
   /// The same, with a pipeline in place of the default one (or the session's), and with import options.
   void openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import);
+  /// Reads the file again, which another program has saved. All else stays, and runs compute what differs. Errors are
+  /// told by rereadFailed() alone.
+  void reread();
   /// Reads a pipeline file into the list, one edit.
   void openPipeline(const QString& path);
   void savePipeline(const QString& path);
@@ -113,11 +116,15 @@ class EditorWindow : public QMainWindow {
   /// As its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
   /// Neither loading, running nor exporting.
-  [[nodiscard]] bool idle() const { return !loader_.busy() && !controller_.busy() && exports_ == 0; }
+  [[nodiscard]] bool idle() const {
+    return !loader_.busy() && !controller_.busy() && !composer_.busy() && exports_ == 0;
+  }
 
  signals:
   void environmentLoaded();
   void loadFailed(const QString& message);
+  void rereadDone();
+  void rereadFailed(const QString& message);
   /// A file has been saved or exported.
   void written(const QString& path);
 
@@ -135,6 +142,7 @@ class EditorWindow : public QMainWindow {
     ImportOptions import;
     std::optional<CameraPose> camera;
     bool reload = false;  ///< the same file with other options
+    bool reread = false;  ///< the same file with the same options
     QString session;      ///< the file that all this comes from, when it is one
     std::optional<CellsShown> cells;
     DocumentState rest;  ///< of the session: agents, roles, obstacles
@@ -164,6 +172,7 @@ class EditorWindow : public QMainWindow {
   void exportDialog();
   void startLoading(Opening opening);
   void takeLoaded(const LoadedEnvironment& loaded);
+  void takeReread(const LoadedEnvironment& loaded);
   void editImport(const ImportOptions& options);
   void applyImport();
   void useDefaultFilters();

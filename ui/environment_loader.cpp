@@ -15,11 +15,11 @@ EnvironmentLoader::~EnvironmentLoader() {
   if (context_) context_->cancel();
 }
 
-void EnvironmentLoader::load(const QString& path, const ImportOptions& options) {
+void EnvironmentLoader::load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre) {
   if (context_) context_->cancel();
   context_ = std::make_shared<RunContext>();
   emit started(path);
-  queue_.post([this, context = context_, options, name = QFile::encodeName(path).toStdString()] {
+  queue_.post([this, context = context_, options, centre, name = QFile::encodeName(path).toStdString()] {
     LoadedEnvironment result;
     result.options = options;
     QString error;
@@ -27,7 +27,7 @@ void EnvironmentLoader::load(const QString& path, const ImportOptions& options) 
       context->checkCancelled();
       result.environment = onThreads(0, [&](int) { return importEnvironment(name, options, context.get()); });
       context->checkCancelled();
-      result.geometry = makeEnvironmentGeometry(*result.environment);
+      result.geometry = makeEnvironmentGeometry(*result.environment, centre);
     } catch (const Cancelled&) {
       result = {};
     } catch (const std::bad_alloc&) {

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <memory>
+#include <optional>
 
 #include "core/environment/environment.hpp"
 #include "core/pipeline/run_context.hpp"
@@ -27,7 +28,8 @@ class EnvironmentLoader : public QObject {
   explicit EnvironmentLoader(QObject* parent = nullptr);
   ~EnvironmentLoader() override;
 
-  void load(const QString& path, const ImportOptions& options);
+  /// The geometry is made around `centre`, when one is given: that of the version before.
+  void load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre = std::nullopt);
   void cancel();
   [[nodiscard]] bool busy() const { return context_ != nullptr; }
 

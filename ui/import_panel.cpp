@@ -57,6 +57,12 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   bothSides_->setObjectName(QStringLiteral("bothSides"));
   bothSides_->setToolTip(
       tr("For files whose triangles face the wrong way: whatever faces down is taken as facing up."));
+  watch_ = new QCheckBox(tr("Watch the file"), this);
+  watch_->setObjectName(QStringLiteral("watchFile"));
+  watch_->setToolTip(
+      tr("Reads the file again when another program has saved it. Camera, filters, roles and obstacles stay, and only "
+         "what "
+         "differs is computed again."));
 
   auto* scaleRow = new QHBoxLayout;
   scaleRow->addWidget(scale_);
@@ -72,7 +78,11 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   layout->addWidget(figures_);
   layout->addLayout(form);
   layout->addWidget(scaleError_);
-  layout->addWidget(bothSides_);
+  auto* boxes = new QHBoxLayout;
+  boxes->addWidget(bothSides_);
+  boxes->addWidget(watch_);
+  boxes->addStretch(1);
+  layout->addLayout(boxes);
 
   connect(up_, &QComboBox::activated, this, [this](int index) {
     options_.up = index == 0 ? std::nullopt : std::optional(index == 1 ? UpAxis::Y : UpAxis::Z);

@@ -26,6 +26,8 @@ class ImportPanel : public QWidget {
   [[nodiscard]] QComboBox* upBox() const { return up_; }
   [[nodiscard]] NumberField* scaleField() const { return scale_; }
   [[nodiscard]] QCheckBox* bothSidesBox() const { return bothSides_; }
+  /// Whether the file is read again when another program saves it. Remembered by the caller.
+  [[nodiscard]] QCheckBox* watchBox() const { return watch_; }
 
  signals:
   void optionsEdited(const footfall::ImportOptions& options);
@@ -40,7 +42,7 @@ class ImportPanel : public QWidget {
   QLabel *name_, *figures_, *scaleNote_, *scaleError_;
   QComboBox* up_;
   NumberField* scale_;
-  QCheckBox* bothSides_;
+  QCheckBox *bothSides_, *watch_;
 };
 
 }  // namespace footfall

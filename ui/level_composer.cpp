@@ -20,22 +20,37 @@ bool sameShape(const PlacedObstacle& a, const PlacedObstacle& b) {
 
 LevelComposer::LevelComposer(Document& document, QObject* parent) : QObject(parent), document_(document) {
   connect(&document_, &Document::levelChanged, this, [this] {
-    const std::shared_ptr<const Environment> before = level();
-    compose();
-    if (level() && level() != before) emit edited(level());
+    parts_.setRules(document_.state().partRules);
+    recompose();
   });
+  connect(&parts_, &PartLevel::changed, this, &LevelComposer::recompose);
 }
 
-void LevelComposer::setLoaded(std::shared_ptr<const Environment> loaded) {
-  loaded_ = std::move(loaded);
+void LevelComposer::setLoaded(std::shared_ptr<const Environment> loaded,
+                              std::shared_ptr<const EnvironmentGeometry> geometry) {
   base_ = nullptr;
   current_ = computed_ = {};
+  parts_.setLoaded(std::move(loaded), std::move(geometry), document_.state().partRules);
   compose();
 }
 
+void LevelComposer::replaceLoaded(std::shared_ptr<const Environment> loaded) {
+  parts_.replaceLoaded(std::move(loaded), document_.state().partRules);
+}
+
+void LevelComposer::recompose() {
+  const std::shared_ptr<const Environment> before = level();
+  compose();
+  if (level() && level() != before) emit edited(level());
+}
+
 void LevelComposer::compose() {
-  if (!loaded_) return;
-  applyRules();
+  if (parts_.base() != base_) {
+    base_ = parts_.base();
+    current_ = {base_, {}};
+    computed_ = {};
+  }
+  if (!base_) return;
   const std::vector<PlacedObstacle>& wanted = document_.state().obstacles;
   if (holds(current_, wanted)) return;
   if (computed_.level && holds(computed_, wanted)) {
@@ -43,13 +58,6 @@ void LevelComposer::compose() {
     return;
   }
   current_ = withObstacles(computed_.level ? computed_ : current_, wanted);
-}
-
-void LevelComposer::applyRules() {
-  if (base_ == loaded_) return;
-  base_ = loaded_;
-  current_ = {base_, {}};
-  computed_ = {};
 }
 
 bool LevelComposer::holds(const Composed& composed, const std::vector<PlacedObstacle>& wanted) {

@@ -13,6 +13,7 @@
 #include "core/environment/environment.hpp"
 #include "core/environment/placed_obstacle.hpp"
 #include "ui/document.hpp"
+#include "ui/part_level.hpp"
 
 namespace footfall {
 
@@ -27,7 +28,14 @@ class LevelComposer : public QObject {
   explicit LevelComposer(Document& document, QObject* parent = nullptr);
 
   /// Starts anew from an environment as its file gave it (null: none), with the document as it is; tells nobody.
-  void setLoaded(std::shared_ptr<const Environment> loaded);
+  void setLoaded(std::shared_ptr<const Environment> loaded,
+                 std::shared_ptr<const EnvironmentGeometry> geometry = nullptr);
+  /// The same file, read again; edited() follows when something differs.
+  void replaceLoaded(std::shared_ptr<const Environment> loaded);
+  /// The loaded environment with the roles of its parts, before obstacles.
+  [[nodiscard]] PartLevel& parts() { return parts_; }
+  /// Roles are being worked in: edited() is still to come.
+  [[nodiscard]] bool busy() const { return parts_.busy(); }
   /// Null when nothing is loaded.
   [[nodiscard]] const std::shared_ptr<const Environment>& level() const { return current_.level; }
   /// The same without obstacles; its triangles are the first ones of the level.
@@ -60,13 +68,14 @@ class LevelComposer : public QObject {
     std::vector<Placed> placed;  ///< in the order of their triangles
   };
 
+  void recompose();
   void compose();
-  void applyRules();
   [[nodiscard]] Composed withObstacles(const Composed& from, const std::vector<PlacedObstacle>& wanted);
   static bool holds(const Composed& composed, const std::vector<PlacedObstacle>& wanted);
 
   Document& document_;
-  std::shared_ptr<const Environment> loaded_, base_;
+  PartLevel parts_;
+  std::shared_ptr<const Environment> base_;
   Composed current_;
   Composed computed_;  ///< no level: none has results
 };

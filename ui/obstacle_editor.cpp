@@ -9,6 +9,7 @@ namespace footfall {
 namespace {
 
 constexpr int kRestMs = 150;
+constexpr int kPauseMs = 600;
 
 double metresPerUnit(const LevelComposer& composer) { return composer.level() ? composer.level()->metresPerUnit : 1; }
 
@@ -29,6 +30,9 @@ ObstacleEditor::ObstacleEditor(Document& document, LevelComposer& composer, RunC
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, &ObstacleEditor::commit);
+  pause_.setSingleShot(true);
+  pause_.setInterval(kPauseMs);
+  connect(&pause_, &QTimer::timeout, this, &ObstacleEditor::endDrag);
   connect(&document_, &Document::levelChanged, this, &ObstacleEditor::documentChanged);
   const auto proceed = [this] {
     if (drag_) commit();
@@ -134,16 +138,28 @@ void ObstacleEditor::change(const PlacedObstacle& changed, const QString& text, 
   document_.edit(std::move(next), text.arg(fromName(changed)), mergeKey);
 }
 
-void ObstacleEditor::startDrag(std::uint32_t id, const PlacedObstacle& live, const QString& text) {
+void ObstacleEditor::changeSoon(const PlacedObstacle& next, const QString& text, const QString& mergeKey) {
+  const PlacedObstacle* known = find(next.id);
+  if (!known) return;
+  const QString named = text.arg(fromName(*known));
+  const bool follows = drag_ && pause_.isActive() && drag_->id == next.id && drag_->text == named &&
+                       (mergeKey.isEmpty() || drag_->mergeKey == mergeKey);
+  if (!follows) startDrag(PlacedObstacle(*known), named, mergeKey);
+  pause_.start();
+  dragTo(next);
+}
+
+void ObstacleEditor::startDrag(const PlacedObstacle& live, const QString& text, const QString& mergeKey) {
   endDrag();
-  drag_ = Drag{id, text, QStringLiteral("obstacle/drag/%1").arg(++drags_), live, document_.state()};
-  selected_ = id;
+  const QString key = mergeKey.isEmpty() ? QStringLiteral("obstacle/drag/%1").arg(++drags_) : mergeKey;
+  drag_ = Drag{live.id, text, key, live, document_.state()};
+  selected_ = live.id;
   emit changed();
 }
 
 void ObstacleEditor::beginDrag(std::uint32_t id, const QString& text) {
   if (const PlacedObstacle* obstacle = inDocument(id))
-    startDrag(id, PlacedObstacle(*obstacle), text.arg(fromName(*obstacle)));
+    startDrag(PlacedObstacle(*obstacle), text.arg(fromName(*obstacle)));
 }
 
 void ObstacleEditor::beginDragOfCopy(std::uint32_t id) {
@@ -153,7 +169,7 @@ void ObstacleEditor::beginDragOfCopy(std::uint32_t id) {
   PlacedObstacle copy = *original;
   copy.id = newId();
   copy.name = newName(nameOf(copy.shape)).toStdString();
-  startDrag(copy.id, copy, text);
+  startDrag(copy, text);
 }
 
 void ObstacleEditor::dragTo(const PlacedObstacle& next) {
@@ -193,6 +209,7 @@ void ObstacleEditor::commit() {
 }
 
 void ObstacleEditor::endDrag() {
+  pause_.stop();
   if (!drag_) return;
   commit();
   drag_.reset();
@@ -203,6 +220,7 @@ void ObstacleEditor::endDrag() {
 void ObstacleEditor::cancelDrag() {
   if (!drag_) return;
   rest_.stop();
+  pause_.stop();
   const Drag drag = *std::exchange(drag_, std::nullopt);
   if (drag.committed) {
     DocumentState back = document_.state();
@@ -217,6 +235,7 @@ void ObstacleEditor::cancelDrag() {
 void ObstacleEditor::documentChanged() {
   if (!committing_) {
     rest_.stop();
+    pause_.stop();
     drag_.reset();
     if (selected_ && !inDocument(*selected_)) selected_.reset();
   }

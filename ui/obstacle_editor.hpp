@@ -46,7 +46,11 @@ class ObstacleEditor : public QObject {
   /// same merge key that follow each other are one.
   void change(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
 
-  // Drags, of the mouse or of a key that is held.
+  /// For edits that follow each other quickly (a key that is held, a number that is typed): as change(), but like a
+  /// drag, which ends when nothing follows for a while. Without a merge key, those between two pauses are one edit.
+  void changeSoon(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
+
+  // Drags of the mouse.
 
   /// `text` as for change().
   void beginDrag(std::uint32_t id, const QString& text);
@@ -76,7 +80,7 @@ class ObstacleEditor : public QObject {
   [[nodiscard]] const PlacedObstacle* inDocument(std::uint32_t id) const;
   [[nodiscard]] QString newName(const QString& stem) const;
   [[nodiscard]] std::uint32_t newId() const;
-  void startDrag(std::uint32_t id, const PlacedObstacle& live, const QString& text);
+  void startDrag(const PlacedObstacle& live, const QString& text, const QString& mergeKey = {});
   void commit();
   void documentChanged();
 
@@ -87,7 +91,8 @@ class ObstacleEditor : public QObject {
   std::optional<Drag> drag_;
   bool committing_ = false;
   int drags_ = 0;
-  QTimer rest_;  ///< of the mouse
+  QTimer rest_;   ///< of the mouse
+  QTimer pause_;  ///< ends what changeSoon() began
 };
 
 }  // namespace footfall

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/obstacle_features.hpp"
 
-#include <QGLViewer/camera.h>
-
 #include <QDockWidget>
 #include <QEvent>
 #include <QKeyEvent>
@@ -40,7 +38,7 @@ PlaceObstacleTool& ObstacleFeatures::placeTool(Shape shape) { return *place_[sta
 // The view and the cells show the level that runs compute on; numbers of triangles mean the same everywhere. The
 // composer hears of results before the editor does, which then makes the next level from them.
 void ObstacleFeatures::followLevel() {
-  connect(&window_, &EditorWindow::environmentLoaded, this, [this] { geometry_->setLoaded(window_.environment()); });
+  connect(&window_, &EditorWindow::environmentLoaded, this, [this] { geometry_->follow(); });
   connect(&window_.composer(), &LevelComposer::edited, this,
           [this] { window_.cellWatch().editEnvironment(window_.level()); });
   connect(&window_.controller(), &RunController::finished, this,
@@ -58,7 +56,8 @@ void ObstacleFeatures::createTools() {
                    group,
                    tr("&Select and move obstacles"),
                    tr("Select obstacles; move, turn and resize them with handles"),
-                   {Qt::Key_V}},
+                   {Qt::Key_V},
+                   QStringLiteral("move")},
                   select_);
   const std::array<QString, 3> texts{tr("Place a &box"), tr("Place a &cylinder"), tr("Place a &ramp")};
   const std::array<QString, 3> helps{
@@ -70,8 +69,11 @@ void ObstacleFeatures::createTools() {
     const auto i = static_cast<std::size_t>(shape);
     auto* tool = new PlaceObstacleTool(shape, context, this);
     place_.push_back(tool);
+    constexpr std::array<const char*, 3> kIcons{"obstacle-box", "obstacle-cylinder", "obstacle-ramp"};
     constexpr std::array<const char*, 3> kIds{"obstacle.box", "obstacle.cylinder", "obstacle.ramp"};
-    window_.addTool({QLatin1String(kIds[i]), CommandMenu::Tools, group, texts[i], helps[i], {keys[i]}}, tool);
+    window_.addTool(
+        {QLatin1String(kIds[i]), CommandMenu::Tools, group, texts[i], helps[i], {keys[i]}, QLatin1String(kIcons[i])},
+        tool);
     connect(tool, &PlaceObstacleTool::placed, this, [this](bool more) {
       if (!more) window_.view().setTool(select_);
     });
@@ -88,7 +90,10 @@ void ObstacleFeatures::createPanel() {
     window_.view().setTool(&placeTool(shape));
     window_.view().setFocus();
   });
+  connect(panel_, &ObstaclePanel::duplicateRequested, this, &ObstacleFeatures::duplicate);
   connect(panel_, &ObstaclePanel::frameRequested, this, &ObstacleFeatures::frame);
+  panel_->setPlacing(false);
+  connect(&window_, &EditorWindow::environmentLoaded, panel_, [this] { panel_->setPlacing(true); });
   connect(panel_, &ObstaclePanel::stickingChanged, this, [this](bool on) { select_->setSticking(on); });
 }
 
@@ -100,14 +105,16 @@ void ObstacleFeatures::createCommands() {
                                           group,
                                           tr("&Duplicate obstacle"),
                                           tr("A copy beside the selected obstacle"),
-                                          {QKeySequence(Qt::CTRL | Qt::Key_D)}},
+                                          {QKeySequence(Qt::CTRL | Qt::Key_D)},
+                                          QStringLiteral("duplicate")},
                                          [this](bool) { duplicate(); });
   QAction* remove = window_.commands().add({QStringLiteral("obstacle.delete"),
                                             CommandMenu::Tools,
                                             group,
                                             tr("D&elete obstacle"),
                                             tr("Take the selected obstacle out of the level"),
-                                            {QKeySequence::Delete}},
+                                            {QKeySequence::Delete},
+                                            QStringLiteral("remove")},
                                            [this](bool) {
                                              if (const auto* o = editor_->selected()) editor_->remove(o->id);
                                            });
@@ -161,16 +168,11 @@ void ObstacleFeatures::showSelection() {
 
 void ObstacleFeatures::frame(std::uint32_t id) {
   const PlacedObstacle* o = editor_->find(id);
-  const auto geometry = window_.view().environmentGeometry();
-  if (!o || !geometry) return;
-  const Vec3 middle = placeOn(*o, {0, 0, o->size.z / 2});
-  const Vec3& c = geometry->centre;
-  const qglviewer::Vec at(middle.x - c.x, middle.y - c.y, middle.z - c.z);
-  qglviewer::Camera& camera = *window_.view().camera();
-  camera.setPivotPoint(at);
-  camera.fitSphere(at, 2 * std::sqrt(o->size.x * o->size.x + o->size.y * o->size.y + o->size.z * o->size.z));
-  emit window_.view().cameraMoved();
-  window_.view().update();
+  if (!o) return;
+  // However it is turned.
+  const double reach = std::hypot(o->size.x, o->size.y) / 2;
+  window_.view().frame({o->base.x - reach, o->base.y - reach, o->base.z},
+                       {o->base.x + reach, o->base.y + reach, o->base.z + o->size.z});
 }
 
 bool ObstacleFeatures::eventFilter(QObject* watched, QEvent* event) {
@@ -181,7 +183,5 @@ bool ObstacleFeatures::eventFilter(QObject* watched, QEvent* event) {
   }
   return QObject::eventFilter(watched, event);
 }
-
-void addObstacleFeatures(EditorWindow& window) { new ObstacleFeatures(window); }
 
 }  // namespace footfall

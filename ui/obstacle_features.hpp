@@ -47,6 +47,4 @@ class ObstacleFeatures : public QObject {
   QDockWidget* dock_ = nullptr;
 };
 
-void addObstacleFeatures(EditorWindow& window);
-
 }  // namespace footfall

@@ -130,9 +130,7 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
   });
   connect(list_, &QListWidget::itemDoubleClicked, this,
           [this](QListWidgetItem* item) { emit frameRequested(item->data(Qt::UserRole).toUInt()); });
-  connect(duplicate_, &QToolButton::clicked, this, [this] {
-    if (const PlacedObstacle* o = editor_.selected()) editor_.duplicate(o->id, {o->size.x, 0, 0});
-  });
+  connect(duplicate_, &QToolButton::clicked, this, &ObstaclePanel::duplicateRequested);
   connect(delete_, &QToolButton::clicked, this, [this] {
     if (const PlacedObstacle* o = editor_.selected()) editor_.remove(o->id);
   });
@@ -195,8 +193,8 @@ void ObstaclePanel::editField(std::size_t index, double value) {
   PlacedObstacle next = *selected;
   numberOf(next, index) = value;
   const QString text = index < 3 ? tr("move %1") : index < 6 ? tr("resize %1") : tr("turn %1");
-  editor_.change(next, text,
-                 QStringLiteral("obstacle/%1/%2/%3").arg(next.id).arg(index).arg(fields_[index]->editSession()));
+  editor_.changeSoon(next, text,
+                     QStringLiteral("obstacle/%1/%2/%3").arg(next.id).arg(index).arg(fields_[index]->editSession()));
 }
 
 void ObstaclePanel::showProblem() {

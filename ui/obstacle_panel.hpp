@@ -27,12 +27,13 @@ class ObstaclePanel : public QWidget {
   [[nodiscard]] NumberField* field(std::size_t index) const { return fields_[index]; }
   [[nodiscard]] QLineEdit* nameField() const { return name_; }
   [[nodiscard]] QCheckBox* stickBox() const { return stick_; }
-  /// Adds an obstacle of a shape where the view looks.
+  /// Nothing can be placed while nothing is loaded.
   void setPlacing(bool possible);
 
  signals:
   void placeRequested(footfall::PlacedObstacle::Shape shape);
   void frameRequested(std::uint32_t id);
+  void duplicateRequested();
   void stickingChanged(bool on);
 
  private:

@@ -10,8 +10,6 @@
 namespace footfall {
 namespace {
 
-constexpr int kNudgesMs = 600;  // between two that are one edit
-
 const QString kHandles = QStringLiteral("obstacle.handles");
 
 QString textOf(std::optional<ObstacleHandle> handle) {
@@ -34,11 +32,6 @@ QString textOf(std::optional<ObstacleHandle> handle) {
 
 SelectObstacleTool::SelectObstacleTool(ObstacleContext context, QObject* parent)
     : QObject(parent), context_(std::move(context)), ground_(context_.view, context_.composer) {
-  nudges_.setSingleShot(true);
-  nudges_.setInterval(kNudgesMs);
-  connect(&nudges_, &QTimer::timeout, this, [this] {
-    if (!hold_) context_.editor.endDrag();
-  });
   connect(&context_.editor, &ObstacleEditor::changed, this, [this] {
     if (!context_.editor.dragging()) hold_.reset();  // undo came between
     refresh();
@@ -68,7 +61,6 @@ std::optional<ObstacleGizmo> SelectObstacleTool::gizmo() const {
 
 void SelectObstacleTool::beginHold(const ViewMouse& mouse, std::uint32_t id, std::optional<ObstacleHandle> handle,
                                    double height) {
-  nudges_.stop();
   if (mouse.modifiers.testFlag(Qt::AltModifier)) {
     context_.editor.beginDragOfCopy(id);
   } else {
@@ -190,9 +182,7 @@ bool SelectObstacleTool::nudge(int key, bool coarse) {
   const auto moved = [&](double place, int by) { return by == 0 ? place : roundTo(place + by * step, step / 1000); };
   next.base = {moved(next.base.x, way[0]), moved(next.base.y, way[1]), moved(next.base.z, way[2])};
   if (sticking_ && way[2] == 0) stick(next, next.base.z);
-  if (!nudges_.isActive() || !context_.editor.dragging()) context_.editor.beginDrag(next.id, tr("move %1"));
-  nudges_.start();
-  context_.editor.dragTo(next);
+  context_.editor.changeSoon(next, tr("move %1"));
   return true;
 }
 
@@ -209,7 +199,6 @@ bool SelectObstacleTool::keyPressed(const QKeyEvent& event) {
 void SelectObstacleTool::ended() {
   hold_.reset();
   hovered_.reset();
-  nudges_.stop();
   context_.editor.endDrag();
   context_.view.removeOverlay(kHandles);
 }

@@ -4,7 +4,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <functional>
 #include <optional>
 
@@ -67,7 +66,6 @@ class SelectObstacleTool : public QObject, public ViewTool {
   bool sticking_ = true;
   std::optional<ObstacleHandle> hovered_;
   std::optional<Hold> hold_;
-  QTimer nudges_;  ///< ends a row of them
 };
 
 /// One click places an obstacle of one metre on the surface under the mouse; pressing and dragging draws its base, and

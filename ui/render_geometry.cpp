@@ -152,10 +152,11 @@ std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 
 }  // namespace
 
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
-                                                                   const std::optional<Vec3>& origin) {
+                                                                   const std::optional<Vec3>& givenCentre) {
   auto geometry = std::make_shared<EnvironmentGeometry>();
   const std::vector<Vec3>& vertices = environment.vertices;
-  Vec3 lower = vertices.empty() ? Vec3{} : vertices[environment.triangles.front()[0]];
+  Vec3 lower =
+      environment.triangles.empty() ? givenCentre.value_or(Vec3{}) : vertices[environment.triangles.front()[0]];
   Vec3 upper = lower;
   for (const Triangle& triangle : environment.triangles) {
     for (const Vec3* p : cornersOf(vertices, triangle)) {
@@ -165,7 +166,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   }
   // Halves first: the sum of two large bounds may overflow.
   const Vec3 middle{lower.x / 2 + upper.x / 2, lower.y / 2 + upper.y / 2, lower.z / 2 + upper.z / 2};
-  const Vec3 centre = origin.value_or(middle);
+  const Vec3 centre = givenCentre.value_or(middle);
   geometry->centre = centre;
   geometry->lower = {lower.x - centre.x, lower.y - centre.y, lower.z - centre.z};
   geometry->upper = {upper.x - centre.x, upper.y - centre.y, upper.z - centre.z};
@@ -173,12 +174,13 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   std::vector<Vec3> normals;
   normals.reserve(environment.triangles.size());
   geometry->surface.reserve(environment.triangles.size() * 3);
-  for (const Triangle& triangle : environment.triangles) {
-    const auto corners = cornersOf(vertices, triangle);
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
+    const auto corners = cornersOf(vertices, environment.triangles[t]);
+    const bool mayBeFloor = environment.obstacleOnly.empty() || environment.obstacleOnly[t] == 0;
     const Vec3 normal = unitNormal(*corners[0], *corners[1], *corners[2]);
     normals.push_back(normal);
     const double up = environment.bothSides ? std::abs(normal.z) : normal.z;
-    addTriangle(geometry->surface, corners, centre, normal, wallPaint(), up > kWallNormalZ);
+    addTriangle(geometry->surface, corners, centre, normal, wallPaint(), mayBeFloor && up > kWallNormalZ);
   }
 
   geometry->extremes = extremePoints(geometry->surface);

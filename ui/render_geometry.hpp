@@ -47,7 +47,7 @@ struct MeshGeometry {
   std::uint32_t layers = 0;
 };
 
-/// About the middle of its bounds, or about `centre`: what belongs to an environment that is shown already.
+/// Around `centre`, or the middle of the bounds.
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
                                                                    const std::optional<Vec3>& centre = std::nullopt);
 

@@ -2,6 +2,7 @@
 #include "core/environment/assimp_reader.hpp"
 
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 
 #include "core/environment/collada_asset.hpp"
 #include "core/environment/input_file.hpp"
+#include "core/environment/part_names.hpp"
 #include "core/environment/polygon_triangulation.hpp"
 #include "core/environment/truncation_check.hpp"
 
@@ -61,7 +63,7 @@ double determinant(const Affine& m) {
 class SceneReader {
  public:
   SceneReader(const std::string& path, const aiScene& scene, Environment& environment, RunContext* context)
-      : path_(path), scene_(scene), environment_(environment), context_(context) {}
+      : path_(path), scene_(scene), environment_(environment), context_(context), parts_(environment.parts) {}
 
   /// Depth first with a stack of our own: a file may nest its nodes deeper than the call stack is.
   void read(const Affine& rootTransform) {
@@ -74,18 +76,39 @@ class SceneReader {
           failInput(path_, 0, "node '" + std::string(node->mName.C_Str()) + "' refers to a mesh that is not there",
                     "export the file again");
         }
-        mesh(*scene_.mMeshes[node->mMeshes[i]], world);
+        const aiMesh& shape = *scene_.mMeshes[node->mMeshes[i]];
+        mesh(shape, world);
+        if (environment_.partOf.size() < environment_.triangles.size())
+          environment_.partOf.resize(environment_.triangles.size(), partOf(*node, shape));
       }
       for (unsigned i = node->mNumChildren; i-- > 0;) {
         const aiNode* child = node->mChildren[i];
         stack.emplace_back(child, world * toAffine(child->mTransformation));
       }
     }
+    dropUnnamedPart(environment_);
   }
 
  private:
   void poll() {
     if (++polls_ % 4096 == 0 && context_ != nullptr) context_->checkCancelled();
+  }
+
+  /// Named by the node, which is what users see as an object in their editors, else by the mesh. What Assimp makes up
+  /// where a file has no names is none.
+  std::uint32_t partOf(const aiNode& node, const aiMesh& mesh) {
+    const auto given = [](const aiString& name) {
+      const std::string_view text(name.C_Str());
+      const bool isMadeUp = text.starts_with('<') && text.ends_with('>');
+      return isMadeUp ? std::string_view() : text;
+    };
+    std::string_view meshName = given(node.mName);
+    if (meshName.empty()) meshName = given(mesh.mName);
+    aiString material;
+    if (mesh.mMaterialIndex < scene_.mNumMaterials)
+      scene_.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, material);
+    const std::string_view materialName = given(material);
+    return parts_.numberOf(meshName, materialName == AI_DEFAULT_MATERIAL_NAME ? std::string_view() : materialName);
   }
 
   void mesh(const aiMesh& mesh, const Affine& world) {
@@ -134,6 +157,7 @@ class SceneReader {
   const aiScene& scene_;
   Environment& environment_;
   RunContext* context_;
+  PartList parts_;
   std::vector<std::uint32_t> corners_;
   std::size_t polls_ = 0;
 };

@@ -17,9 +17,9 @@ struct FileFrame {
   std::optional<double> metresPerUnit;
 };
 
-/// Fills `vertices`, `triangles` and `skipped` in the file's own frame (no axis is turned, no unit applied) with the
-/// meshes of all nodes. Assimp stores floats; node transforms are multiplied and applied in double, and a mirroring
-/// one reverses the winding, as glTF 2.0 (3.7.4) asks. Vertices are not merged; polygons are split by
+/// Fills `vertices`, `triangles`, `skipped`, `parts` and `partOf` in the file's own frame (no axis is turned, no unit
+/// applied) with the meshes of all nodes. Assimp stores floats; node transforms are multiplied and applied in double,
+/// and a mirroring one reverses the winding, as glTF 2.0 (3.7.4) asks. Vertices are not merged; polygons are split by
 /// triangulatePolygon().
 ///
 /// Throws InputError, one line with what Assimp says, for a file that it cannot read, for coordinates that are NaN or

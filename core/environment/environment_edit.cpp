@@ -23,6 +23,26 @@ void checkSoup(const TriangleSoup& soup) {
 
 constexpr std::uint32_t kGone = 0xFFFFFFFF;
 
+/// What belongs to each triangle besides its corners; `result` has its edit already.
+void carryAttributes(const Environment& base, Environment& result, std::size_t added) {
+  const std::vector<std::uint32_t>& kept = result.edit->keptTriangles;
+  result.parts = base.parts;
+  if (!base.partOf.empty()) {
+    result.partOf.reserve(kept.size() + added);
+    for (const std::uint32_t t : kept) result.partOf.push_back(base.partOf[t]);
+    if (added > 0) {
+      const auto unnamed = std::find(result.parts.begin(), result.parts.end(), EnvironmentPart{});
+      const auto part = static_cast<std::uint32_t>(unnamed - result.parts.begin());
+      if (unnamed == result.parts.end()) result.parts.emplace_back();
+      result.partOf.resize(kept.size() + added, part);
+    }
+  }
+  if (base.obstacleOnly.empty()) return;
+  result.obstacleOnly.reserve(kept.size() + added);
+  for (const std::uint32_t t : kept) result.obstacleOnly.push_back(base.obstacleOnly[t]);
+  result.obstacleOnly.resize(kept.size() + added, 0);
+}
+
 }  // namespace
 
 std::shared_ptr<const Environment> editEnvironment(const std::shared_ptr<const Environment>& base,
@@ -30,13 +50,18 @@ std::shared_ptr<const Environment> editEnvironment(const std::shared_ptr<const E
                                                    const TriangleSoup& added) {
   checkSoup(added);
   const std::size_t count = base->triangles.size();
-  std::vector<char> gone(count, 0);
-  for (const std::uint32_t t : removed) {
+  for (const std::uint32_t t : removed)
     if (t >= count)
       throw InputError("there is no triangle " + std::to_string(t) + " to remove; the environment has " +
                        std::to_string(count));
-    gone[t] = 1;
-  }
+  return editedCopy(base, removed, added);
+}
+
+std::shared_ptr<Environment> editedCopy(const std::shared_ptr<const Environment>& base,
+                                        const std::vector<std::uint32_t>& removed, const TriangleSoup& added) {
+  const std::size_t count = base->triangles.size();
+  std::vector<char> gone(count, 0);
+  for (const std::uint32_t t : removed) gone[t] = 1;
   // A vertex goes when removed triangles alone used it.
   std::vector<char> lost(base->vertices.size(), 0);
   for (const std::uint32_t t : removed)
@@ -74,6 +99,7 @@ std::shared_ptr<const Environment> editEnvironment(const std::shared_ptr<const E
   result->vertices.insert(result->vertices.end(), added.vertices.begin(), added.vertices.end());
   for (const Triangle& t : added.triangles) result->triangles.push_back({first + t[0], first + t[1], first + t[2]});
   result->edit = std::move(edit);
+  carryAttributes(*base, *result, added.triangles.size());
   return result;
 }
 

@@ -25,10 +25,17 @@ struct TriangleSoup {
 };
 
 /// `base` without the triangles `removed` (ascending numbers) and with `added` at its end. Vertices that no triangle
-/// uses any more go with them. Throws InputError when a number is out of range or a coordinate is not finite.
+/// uses any more go with them. Triangles keep their parts and roles; those that were added belong to a part without
+/// names, where there are parts at all, and have no role. Throws InputError when a number is out of range or a
+/// coordinate is not finite.
 std::shared_ptr<const Environment> editEnvironment(const std::shared_ptr<const Environment>& base,
                                                    const std::vector<std::uint32_t>& removed,
                                                    const TriangleSoup& added);
+
+/// `base` without the triangles `removed` (ascending, valid numbers), for callers that change more before they share
+/// it.
+std::shared_ptr<Environment> editedCopy(const std::shared_ptr<const Environment>& base,
+                                        const std::vector<std::uint32_t>& removed, const TriangleSoup& added = {});
 
 using ObstacleId = std::uint32_t;
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/environment/number_text.hpp"
+#include "core/environment/part_names.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall {
@@ -77,15 +78,19 @@ EnvironmentInfo inspectEnvironment(const Environment& environment) {
   }
 
   constexpr double kSlope = 45;
-  for (const Triangle& t : environment.triangles) {
+  for (std::size_t i = 0; i < environment.triangles.size(); ++i) {
+    const Triangle& t = environment.triangles[i];
+    const bool isNoFloor = !environment.obstacleOnly.empty() && environment.obstacleOnly[i] != 0;
     const Vec3 &a = environment.vertices[t[0]], &b = environment.vertices[t[1]], &c = environment.vertices[t[2]];
     if (isDegenerate(a, b, c)) {
       ++info.degenerate;
-    } else if (isWithinSlope(a, b, c, kSlope) || (environment.bothSides && isWithinSlope(a, c, b, kSlope))) {
+    } else if (!isNoFloor &&
+               (isWithinSlope(a, b, c, kSlope) || (environment.bothSides && isWithinSlope(a, c, b, kSlope)))) {
       ++info.walkable45;
     }
   }
 
+  info.partTriangles = countPartTriangles(environment);
   const std::vector<std::uint32_t> position = numberPositions(environment.vertices);
   std::vector<Triangle> byPosition = environment.triangles;
   for (Triangle& t : byPosition) {
@@ -120,6 +125,10 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
   appendLine(text, "skipped",
              number(environment.skipped.points) + " points, " + number(environment.skipped.lines) + " lines, " +
                  number(environment.skipped.polygons) + " polygons");
+  if (environment.parts.empty()) return text;
+  appendLine(text, "parts (MESH/MATERIAL)", number(environment.parts.size()));
+  for (std::size_t p = 0; p < environment.parts.size(); ++p)
+    text += "  " + partLabel(environment.parts[p]) + ": " + number(info.partTriangles[p]) + " triangles\n";
   return text;
 }
 

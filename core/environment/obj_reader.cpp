@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/environment/input_file.hpp"
+#include "core/environment/obj_parts.hpp"
 #include "core/environment/parallel_ranges.hpp"
 #include "core/environment/polygon_triangulation.hpp"
 
@@ -59,6 +60,9 @@ class ObjParser {
     parseStatements();
     checkForwardReferences();
     splitPolygons(environment_.vertices);
+    ObjPartAssigner parts(environment_, environment_.triangles.size());
+    parts.add(parts_, environment_.triangles.size());
+    parts.finish();
   }
 
   void parseStatements() {
@@ -74,6 +78,8 @@ class ObjParser {
 
   /// The largest vertex index that was used before so many vertices were known, or 0.
   [[nodiscard]] std::uint64_t largestForward() const { return largestForward_; }
+  /// What names the parts; triangles are counted right after splitPolygons().
+  [[nodiscard]] const ObjPartChanges& parts() const { return parts_; }
 
   /// Puts the triangles of the polygons between those of the triangular faces, in the order of the file.
   void splitPolygons(const std::vector<Vec3>& vertices) {
@@ -99,6 +105,7 @@ class ObjParser {
     }
     copyUpTo(faces.size());
     moveGroups(added);
+    parts_.countPolygons(added);
   }
 
  private:
@@ -307,6 +314,9 @@ class ObjParser {
     if (keyword == "l") ++environment_.skipped.lines;
     if (groups_ != nullptr && keyword == "l") line();
     if (groups_ != nullptr && keyword == "g") group();
+    if (keyword == "o") partName(ObjPartChanges::Object);
+    if (keyword == "g") partName(ObjPartChanges::Group);
+    if (keyword == "usemtl") partName(ObjPartChanges::Material);
     if (keyword == "p") {
       for (skipBlanks(); !atEndOfValues(); skipBlanks()) {
         ++environment_.skipped.points;
@@ -336,6 +346,16 @@ class ObjParser {
     polygonsBefore_.push_back(polygons_.size());
   }
 
+  /// The name goes to the end of the line, or to a comment behind a blank.
+  void partName(ObjPartChanges::Kind kind) {
+    skipBlanks();
+    const char* stop = cursor_;
+    while (*stop != '\n' && *stop != '\0' && !(*stop == '#' && isBlank(stop[-1]))) ++stop;
+    while (stop > cursor_ && isBlank(stop[-1])) --stop;
+    parts_.add(kind, {cursor_, static_cast<std::size_t>(stop - cursor_)}, environment_.triangles.size(),
+               polygons_.size());
+  }
+
   /// The groups counted triangular faces only: `added[i]` triangles came of the first i polygons.
   void moveGroups(const std::vector<std::size_t>& added) {
     if (groups_ == nullptr) return;
@@ -352,6 +372,7 @@ class ObjParser {
   RunContext* context_;
   ObjGroups* groups_;
   std::vector<std::size_t> polygonsBefore_;  ///< for each group
+  ObjPartChanges parts_;
   std::size_t line_ = 1;
   std::vector<std::uint32_t> corners_;  ///< corners of all pending polygons, then of the face being read
   std::size_t faceStart_ = 0;
@@ -431,12 +452,15 @@ bool readInStretches(const std::string& path, std::string_view text, Environment
   for (const auto& stretch : stretches) triangleCount += stretch->found.triangles.size();
   std::vector<Triangle>& triangles = environment.triangles;
   triangles.reserve(triangleCount);
+  ObjPartAssigner parts(environment, triangleCount);
   for (const auto& stretch : stretches) {
+    parts.add(stretch->parser.parts(), stretch->found.triangles.size());
     triangles.insert(triangles.end(), stretch->found.triangles.begin(), stretch->found.triangles.end());
     environment.skipped.points += stretch->found.skipped.points;
     environment.skipped.lines += stretch->found.skipped.lines;
     environment.skipped.polygons += stretch->found.skipped.polygons;
   }
+  parts.finish();
   return true;
 }
 

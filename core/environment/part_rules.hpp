@@ -1,7 +1,8 @@
-// What the user says about the parts of an environment.
+// What the user says about the parts of an environment: left out, or obstacles that nobody walks on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,18 +10,35 @@
 
 namespace footfall {
 
+/// 'Obstacle only' and 'never walkable' are one role: what was rejected as a floor remains an obstacle (design,
+/// section 2).
 enum class PartRole {
-  Floor,         ///< as usual: walkable where the filters leave it
-  ObstacleOnly,  ///< never walkable, but an obstacle
-  Ignored,       ///< not there at all
+  Floor,         ///< as usual: walkable where the filters let it be, and an obstacle
+  ObstacleOnly,  ///< an obstacle, never walkable
+  Ignored        ///< not there at all
 };
 
-/// Of the part with these names; parts without a rule are floors. Names last over reading a file again, numbers need
-/// not.
+/// The role of one part, named exactly as the file names it; an empty name stands for a part without that name.
 struct PartRule {
   std::string mesh, material;
   PartRole role = PartRole::Floor;
   bool operator==(const PartRule&) const = default;
 };
+
+/// For each of Environment::parts its role: that of the last rule that names it. Rules for parts that are not there
+/// have no effect, so that they can outlive a version of the file. An environment without parts has one all the same,
+/// without names: the list then has one entry.
+std::vector<PartRole> rolesOf(const Environment& environment, const std::vector<PartRule>& rules);
+
+/// `base` without the triangles of ignored parts and with Environment::obstacleOnly set for the others, as an edit of
+/// `base`: a run with the results of `base` at hand computes only what the rules can affect. `base` itself when the
+/// rules change nothing. Nothing may be left: the result then has no triangles.
+std::shared_ptr<const Environment> applyPartRules(const std::shared_ptr<const Environment>& base,
+                                                  const std::vector<PartRule>& rules);
+
+/// Rules that give `role` to the parts that `name` means: a mesh, a material, or MESH/MATERIAL. Throws InputError, with
+/// the names that there are, when it means none; `option` begins the message.
+std::vector<PartRule> rulesForName(const Environment& environment, const std::string& name, PartRole role,
+                                   const std::string& option);
 
 }  // namespace footfall

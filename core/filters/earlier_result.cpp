@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <numeric>
 
 #include "core/filters/assembly_memory.hpp"
 
 namespace footfall {
 namespace {
+
+// So many boxes are worth a tree.
+constexpr std::size_t kManyBoxes = 32;
 
 bool overlaps(const Box& a, const Box& b) {
   return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] && a.upper[1] >= b.lower[1] &&
@@ -62,6 +66,14 @@ EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> 
   if (!edit_) return;
   removed_ = boxAround(edit_->removed);
   added_ = boxAround(edit_->added);
+  if (edit_->removed.size() + edit_->added.size() < kManyBoxes) return;
+  std::vector<Box> boxes = edit_->removed;
+  boxes.insert(boxes.end(), edit_->added.begin(), edit_->added.end());
+  std::vector<std::int32_t> ids(boxes.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  auto tree = std::make_shared<TriangleTree>();
+  tree->build(boxes, ids);
+  tree_ = std::move(tree);
 }
 
 bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) const {
@@ -75,6 +87,17 @@ bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) cons
 
 bool EarlierResult::isTouched(const Box& box) const {
   if (!edit_) return false;
+  if (tree_) {
+    if (!overlaps(removed_, box) && !overlaps(added_, box)) return false;
+    std::vector<std::int32_t> stack;
+    bool isFound = false;
+    tree_->visitOverlapping(box, stack, [&](std::int32_t id) {
+      const auto i = static_cast<std::size_t>(id), removed = edit_->removed.size();
+      isFound = overlaps(i < removed ? edit_->removed[i] : edit_->added[i - removed], box);
+      return !isFound;
+    });
+    return isFound;
+  }
   const auto any = [&](const Box& all, const std::vector<Box>& boxes) {
     return overlaps(all, box) &&
            std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return overlaps(b, box); });

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/environment/triangle_tree.hpp"
 #include "core/exact/source_edit.hpp"
 #include "core/filters/face_mesh.hpp"
 #include "core/filters/filter.hpp"
@@ -51,9 +52,10 @@ class EarlierResult {
   [[nodiscard]] PlanLine renumbered(PlanLine line) const;
 
   StatePtr before_;
-  std::shared_ptr<const SourceEdit> edit_;  ///< null: the same mesh
-  bool sameHeights_;                        ///< levels mean what they meant
-  Box removed_, added_;                     ///< around all that went and came
+  std::shared_ptr<const SourceEdit> edit_;    ///< null: the same mesh
+  bool sameHeights_;                          ///< levels mean what they meant
+  Box removed_, added_;                       ///< around all that went and came
+  std::shared_ptr<const TriangleTree> tree_;  ///< over both, where they are many
 };
 
 }  // namespace footfall

@@ -29,7 +29,10 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
   state->environment = std::move(environment);
   state->walkable.resize(mesh->triangles.size());
   state->removed.assign(mesh->triangles.size(), 0);
-  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) state->walkable[t] = static_cast<char>(mesh->facing[t] > 0);
+  const std::vector<std::uint8_t>& obstacleOnly = state->environment->obstacleOnly;
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t)
+    state->walkable[t] =
+        static_cast<char>(mesh->facing[t] > 0 && (obstacleOnly.empty() || obstacleOnly[mesh->inputTriangles[t]] == 0));
   state->kernel = std::make_shared<PlanKernel>(std::move(mesh), std::vector<double>{});
   return state;
 }

@@ -9,6 +9,7 @@
 #include "core/environment/environment_edit.hpp"
 #include "core/environment/export.hpp"
 #include "core/environment/import.hpp"
+#include "core/environment/part_rules.hpp"
 #include "core/pipeline/runner.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/level_composer.hpp"
@@ -201,6 +202,48 @@ class TestLevelComposer : public QObject {
       const std::string live = exported(composer.level(), &cache);
       QVERIFY(live == exported(fromNothing(*loaded, document.state().obstacles), nullptr));
       if (below(4) != 0) composer.setComputed(composer.level());
+    }
+  }
+
+  // Parts are ignored and come back while obstacles stand in the level.
+  void rolesOfPartsAndObstacles() {
+    auto loaded = std::make_shared<Environment>(*house());
+    loaded->parts = {{"ground", ""}, {"rest", ""}};
+    loaded->partOf.assign(loaded->triangles.size(), 0);
+    for (std::size_t t = 0; t < loaded->triangles.size(); t += 3) loaded->partOf[t] = 1;
+    Document document;
+    LevelComposer composer(document);
+    composer.setLoaded(loaded, makeEnvironmentGeometry(*loaded));
+    ResultCache cache;
+    const auto agrees = [&] {
+      const auto level = composer.level();
+      const auto base = applyPartRules(loaded, document.state().partRules);
+      checkNumbers(composer, document.state().obstacles);
+      const bool same = exported(level, &cache) == exported(fromNothing(*base, document.state().obstacles), nullptr);
+      composer.setComputed(level);
+      composer.parts().setComputed();
+      return same;
+    };
+    setObstacles(document, {box(1, {0, 0, 0}), box(2, {2, 1, 0}, {1, 2, 1}, 30)});
+    QVERIFY(agrees());
+    const auto setRole = [&](PartRole role) {
+      DocumentState next = document.state();
+      next.partRules = {{"rest", "", role}};
+      document.edit(std::move(next), QStringLiteral("role"));
+    };
+    for (const PartRole role : {PartRole::Ignored, PartRole::ObstacleOnly, PartRole::Ignored, PartRole::Floor}) {
+      setRole(role);
+      QTRY_VERIFY(!composer.busy());
+      QVERIFY(agrees());
+      std::vector<PlacedObstacle> moved = document.state().obstacles;
+      moved[0].base.x += 0.25;
+      setObstacles(document, moved);
+      QVERIFY(agrees());
+    }
+    for (int i = 0; i < 5; ++i) {
+      document.undoStack()->undo();
+      QTRY_VERIFY(!composer.busy());
+      QVERIFY(agrees());
     }
   }
 

@@ -281,7 +281,7 @@ class TestObstacleTools : public QObject {
     QCOMPARE(obstacle().base.x, 1.5);
     QCOMPARE(obstacle().size.z, 2.25);
     QCOMPARE(obstacle().turn, 30.0);
-    QCOMPARE(window_->document().undoStack()->count(), 5);  // one for each field
+    QTRY_COMPARE(window_->document().undoStack()->count(), 5);  // one for each field
     // What is no extent is explained, and the last one stays.
     type(3, "-1");
     QVERIFY(!panel.field(3)->problem().isEmpty());

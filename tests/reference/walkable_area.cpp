@@ -137,6 +137,7 @@ WalkableArea computeWalkableArea(const Environment& environment, const Agent& ag
   WalkableArea area;
   const auto count = static_cast<std::uint32_t>(environment.triangles.size());
   for (std::uint32_t t = 0; t < count; ++t) {
+    if (!environment.obstacleOnly.empty() && environment.obstacleOnly[t] != 0) continue;  // rejected from the start
     const auto corners = upwardCorners(environment, t);
     if (!corners || (agent.slope && !isWithinSlope(*corners, *agent.slope))) continue;
     const Linear plane = *planeThrough(*corners);

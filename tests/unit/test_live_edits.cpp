@@ -11,54 +11,15 @@
 #include <vector>
 
 #include "core/environment/environment_edit.hpp"
-#include "core/environment/export.hpp"
 #include "core/environment/import.hpp"
 #include "core/errors.hpp"
-#include "core/pipeline/runner.hpp"
-#include "tests/support/run_filters.hpp"
+#include "tests/support/live_runs.hpp"
 #include "tests/support/soup_generators.hpp"
 
 using namespace footfall;
 using namespace footfall::test;
 
 namespace {
-
-TriangleSoup soupFor(const Soup& soup) {
-  TriangleSoup result;
-  for (const auto& t : soup.triangles()) {
-    const auto first = static_cast<std::uint32_t>(result.vertices.size());
-    result.vertices.insert(result.vertices.end(), t.begin(), t.end());
-    result.triangles.push_back({first, first + 1, first + 2});
-  }
-  return result;
-}
-
-std::string exported(const RunResult& result, const Environment& environment) {
-  return formatObj(*result.mesh, environment, {});
-}
-
-RunResult run(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache* cache,
-              int threads = 2) {
-  RunContext context;
-  return runPipeline(environment, parsePipeline(pipeline, "test"), context, cache, threads);
-}
-
-/// With the results of earlier runs at hand, and from nothing.
-bool agrees(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache& cache) {
-  const RunResult live = run(environment, pipeline, &cache);
-  const RunResult fresh = run(environment, pipeline, nullptr);
-  return exported(live, *environment) == exported(fresh, *environment) &&
-         live.mesh->sourceTriangles == fresh.mesh->sourceTriangles &&
-         live.mesh->obstacleEdges == fresh.mesh->obstacleEdges &&
-         live.summary.obstacleEdges == fresh.summary.obstacleEdges &&
-         std::equal(live.steps.begin(), live.steps.end(), fresh.steps.begin(), fresh.steps.end(),
-                    [](const StepStatistics& a, const StepStatistics& b) { return a.out.area == b.out.area; });
-}
-
-std::string defaultFilters(double slope, double clearance) {
-  return "DuplicationFilter 0\nDegeneracyFilter\nSlopeFilter " + std::to_string(slope) + "\nVerticalClearanceFilter " +
-         std::to_string(clearance) + "\nAreaFilter 0.5\nSimplificationFilter\nLayerSubdivisionFilter\n";
-}
 
 std::string sample(const std::string& name) {
   return std::string(FOOTFALL_SOURCE_DIR) + "/samples/" + name + "/" + name + ".obj";

@@ -1,0 +1,28 @@
+// Runs with the results of earlier ones at hand, held against runs from nothing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/environment/environment_edit.hpp"
+#include "core/pipeline/runner.hpp"
+#include "tests/support/soup.hpp"
+
+namespace footfall::test {
+
+TriangleSoup soupFor(const Soup& soup);
+
+RunResult run(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache* cache,
+              int threads = 2);
+
+/// The bytes of an export.
+std::string exported(const RunResult& result, const Environment& environment);
+
+/// Runs with the results of earlier runs at hand, and from nothing: the same bytes and figures?
+bool agrees(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache& cache);
+
+/// The default pipeline.
+std::string defaultFilters(double slope, double clearance);
+
+}  // namespace footfall::test
