@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "core/environment/import.hpp"
 #include "core/environment/part_rules.hpp"
@@ -34,6 +35,17 @@ std::optional<Pipeline> givenPipeline(const std::string& file, const std::vector
   std::string text;
   for (const std::string& step : steps) text += step + '\n';
   return parsePipeline(text, "--filter");
+}
+
+RunResult runNamingFile(const std::string& pipelineFile, std::shared_ptr<const Environment> environment,
+                        const Pipeline& pipeline, RunContext& context, int threads) {
+  try {
+    return runPipeline(std::move(environment), pipeline, context, nullptr, threads);
+  } catch (const InputError& error) {
+    // The runner knows the line, but not the file that it is in.
+    if (pipelineFile.empty()) throw;
+    throw InputError(pipelineFile + ": " + error.what());
+  }
 }
 
 bool sameFile(const std::string& a, const std::string& b) {

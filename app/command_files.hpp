@@ -9,6 +9,7 @@
 
 #include "core/environment/environment.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "core/pipeline/runner.hpp"
 #include "core/pipeline/run_context.hpp"
 
 namespace footfall {
@@ -28,6 +29,10 @@ std::shared_ptr<const Environment> loadEnvironment(const EnvironmentChoice& choi
 /// The pipeline of a file or of steps, one line of a pipeline file each; empty when neither is given and the default
 /// pipeline is meant, which needs the environment's scale. Throws InputError.
 std::optional<Pipeline> givenPipeline(const std::string& file, const std::vector<std::string>& steps);
+
+/// runPipeline() whose errors name the pipeline's file, where there is one.
+RunResult runNamingFile(const std::string& pipelineFile, std::shared_ptr<const Environment> environment,
+                        const Pipeline& pipeline, RunContext& context, int threads);
 
 /// Whether both names are given and lead to one file.
 bool sameFile(const std::string& a, const std::string& b);

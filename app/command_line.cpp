@@ -2,6 +2,7 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <optional>
@@ -11,7 +12,9 @@
 #include "app/cells_command.hpp"
 #include "app/command_files.hpp"
 #include "app/compare_command.hpp"
+#include "app/path_command.hpp"
 #include "app/run_command.hpp"
+#include "app/why_command.hpp"
 #include "core/environment/info.hpp"
 #include "core/errors.hpp"
 #include "core/filters/descriptor_text.hpp"
@@ -110,8 +113,96 @@ void addCompareArguments(CLI::App& command, CompareArguments& arguments) {
   command.add_flag("--quiet", arguments.quiet, "No progress bar");
 }
 
+void addWhyArguments(CLI::App& command, WhyArguments& arguments) {
+  command
+      .add_option("--at", arguments.place,
+                  "The place, in the file's frame and units: the highest triangle at or under this point counts")
+      ->required()
+      ->type_name("X Y Z");
+  CLI::Option* pipelineFile = command.add_option("-p,--pipeline", arguments.pipelineFile, "A pipeline file");
+  pipelineFile->type_name("FILE");
+  command
+      .add_option("--filter", arguments.filters,
+                  "One step of the pipeline; give it once for each step. Without steps and file the default pipeline "
+                  "runs")
+      ->allow_extra_args(false)
+      ->excludes(pipelineFile)
+      ->type_name("STEP");
+  command
+      .add_option("--threads", arguments.threads, "Threads to use at most; as many as there are processors by default")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+}
+
 void checkOutput() {
   if (!std::cout.flush()) throw RunError("standard output cannot be written; check where it leads");
+}
+
+void addExportArguments(CLI::App& command, RunArguments& run) {
+  const auto leaveOut = [&command](const char* name, bool& option, const char* help) {
+    command.add_flag_callback(
+        name, [&option] { option = false; }, help);
+  };
+  ExportOptions& options = run.exportOptions;
+  leaveOut("--no-layers", options.layers, "Export one group of triangles in place of one for each layer");
+  leaveOut("--no-connections", options.connections, "Leave out the lines where two layers meet");
+  leaveOut("--no-obstacle-edges", options.obstacleEdges, "Leave out the lines of obstacle edges");
+  command
+      .add_option_function<std::string>(
+          "--export-up", [&options](const std::string& up) { options.up = up == "y" ? UpAxis::Y : UpAxis::Z; },
+          "Up axis of an OBJ export, y or z; the environment's when left out. glTF is always Y up")
+      ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case))
+      ->type_name("y|z");
+  command
+      .add_option("--export-scale", options.scale,
+                  "Multiply the coordinates of the export; 1 (the default) keeps the environment's units, in which OBJ "
+                  "is exact. glTF is in metres before that")
+      ->type_name("S");
+}
+
+struct PathCommand {
+  PathArguments arguments;
+  std::vector<double> from, to;
+};
+
+void addPathArguments(CLI::App& command, PathCommand& path) {
+  PathArguments& arguments = path.arguments;
+  command.add_option("--from", path.from, "Where to start, in the file's own coordinates")
+      ->expected(3)
+      ->required()
+      ->type_name("X Y Z");
+  command.add_option("--to", path.to, "Where to go")->expected(3)->required()->type_name("X Y Z");
+  command
+      .add_option("--reach", arguments.reach,
+                  "How far above or below a place the walkable area may lie, in the file's units; less than the "
+                  "clearance by default, so that a place on an obstacle is not walkable")
+      ->type_name("H");
+  CLI::Option* file = command.add_option("-p,--pipeline", arguments.pipelineFile, "A pipeline file");
+  file->type_name("FILE");
+  command.add_option("--filter", arguments.filters, "One step of the pipeline; give it once for each step")
+      ->allow_extra_args(false)
+      ->excludes(file)
+      ->type_name("STEP");
+  command
+      .add_option("--threads", arguments.threads, "Threads to use at most; as many as there are processors by default")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command.add_option("-o,--output", arguments.output, "Write the path as a polyline to this OBJ file")
+      ->type_name("PATH.obj");
+  command.add_flag("--json", arguments.json, "The report as JSON");
+  command.add_flag("--quiet", arguments.quiet, "No progress bar");
+}
+
+/// Prints the report; a path that ends before its target is an error all the same.
+void runPathCommand(PathCommand& path, const EnvironmentArguments& environment) {
+  std::copy_n(path.from.begin(), 3, path.arguments.from.begin());
+  std::copy_n(path.to.begin(), 3, path.arguments.to.begin());
+  path.arguments.environment = environment.choice();
+  const PathOutcome outcome = findPath(path.arguments);
+  std::cout << outcome.report;
+  checkOutput();
+  if (!outcome.failure.empty()) throw RunError(outcome.failure);
 }
 
 }  // namespace
@@ -137,16 +228,24 @@ void runCommandLine(int argc, const char* const* argv) {
   runCommand->add_option("--threads", run.threads, "Threads to use at most; as many as there are processors by default")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  runCommand->add_option("-o,--output", run.output, "Write the walkable area to this OBJ file")->type_name("OUT.obj");
+  runCommand->add_option("-o,--output", run.output, "Write the walkable area to this OBJ, glTF or GLB file")
+      ->type_name("OUT.obj|OUT.gltf|OUT.glb");
+  addExportArguments(*runCommand, run);
   runCommand->add_option("--stats", run.statistics, "Write times and counts to this file")->type_name("FILE.json");
   runCommand
       ->add_option("--trace", run.trace,
                    "Write the timeline of the run to this file, for Perfetto (ui.perfetto.dev) or chrome://tracing")
       ->type_name("FILE.json");
+  runCommand->add_option("--report", run.report, "Write figures and times as one HTML file")->type_name("FILE.html");
   runCommand->add_flag("--speed-up", run.speedUp,
                        "Also run everything three times more, and three times on one thread without parallel blocks, "
                        "to tell the speed-up");
   runCommand->add_flag("--quiet", run.quiet, "No progress bar and no summary");
+
+  WhyArguments why;
+  CLI::App* whyCommand = app.add_subcommand("why", "Tell why a place is walkable, or which filter rejected it");
+  addEnvironmentArguments(*whyCommand, environment);
+  addWhyArguments(*whyCommand, why);
 
   CLI::App* infoCommand = app.add_subcommand("info", "Tell what an environment holds");
   addEnvironmentArguments(*infoCommand, environment);
@@ -173,6 +272,11 @@ void runCommandLine(int argc, const char* const* argv) {
   cellsCommand->add_option("-o,--output", cells.output, "Write the environment, cut along the cells, to this OBJ file")
       ->type_name("CELLS.obj");
   cellsCommand->add_flag("--json", cells.json, "The report as JSON");
+
+  PathCommand path;
+  CLI::App* pathCommand = app.add_subcommand("path", "Find the shortest path between two places");
+  addEnvironmentArguments(*pathCommand, environment);
+  addPathArguments(*pathCommand, path);
 
   CompareArguments compare;
   CLI::App* compareCommand = app.add_subcommand("compare", "Tell how two navigation meshes differ");
@@ -202,7 +306,11 @@ void runCommandLine(int argc, const char* const* argv) {
     if (!outcome.difference.empty()) throw RunError(outcome.difference);
     return;
   }
-  if (runCommand->parsed()) {
+  if (pathCommand->parsed()) return runPathCommand(path, environment);
+  if (whyCommand->parsed()) {
+    why.environment = environment.choice();
+    std::cout << explainPlace(why);
+  } else if (runCommand->parsed()) {
     run.environment = environment.choice();
     std::cout << runAndExport(run);
   } else if (cellsCommand->parsed()) {

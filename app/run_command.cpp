@@ -4,13 +4,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
 #include "core/environment/export.hpp"
+#include "core/environment/gltf_export.hpp"
 #include "core/environment/worker_arena.hpp"
+#include "core/errors.hpp"
+#include "core/metrics/html_report.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/metrics/run_statistics.hpp"
 #include "core/metrics/run_trace.hpp"
@@ -22,31 +26,23 @@ namespace footfall {
 namespace {
 
 void checkTargets(const RunArguments& arguments) {
-  checkEnding(arguments.output, "-o", ".obj");
+  if (!arguments.output.empty()) exportFormatOf(arguments.output);
   checkEnding(arguments.statistics, "--stats", ".json");
   checkEnding(arguments.trace, "--trace", ".json");
-  for (const std::string& target : {arguments.output, arguments.statistics, arguments.trace}) {
-    for (const std::string& input : {arguments.environment.path, arguments.pipelineFile}) {
+  checkEnding(arguments.report, "--report", ".html");
+  const std::array targets{arguments.output, arguments.statistics, arguments.trace, arguments.report};
+  for (const std::string& target : targets)
+    for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
       if (sameFile(target, input)) throw InputError(target + ": would be overwritten; give another file to write to");
-    }
-  }
   if (sameFile(arguments.output, arguments.statistics))
     throw InputError(arguments.output + ": cannot hold both the export and the statistics; give two files");
-  for (const std::string& other : {arguments.output, arguments.statistics}) {
+  for (const std::string& other : {arguments.output, arguments.statistics})
     if (sameFile(arguments.trace, other))
       throw InputError(arguments.trace + ": cannot hold both the timeline and another file; give two files");
-  }
-}
-
-RunResult runNamingFile(const RunArguments& arguments, std::shared_ptr<const Environment> environment,
-                        const Pipeline& pipeline, RunContext& context) {
-  try {
-    return runPipeline(std::move(environment), pipeline, context, nullptr, arguments.threads);
-  } catch (const InputError& error) {
-    // The runner knows the line, but not the file that it is in.
-    if (arguments.pipelineFile.empty()) throw;
-    throw InputError(arguments.pipelineFile + ": " + error.what());
-  }
+  for (const std::string& other : {arguments.output, arguments.statistics, arguments.trace})
+    if (sameFile(arguments.report, other))
+      throw InputError(arguments.report + ": cannot hold both the report and another file; give two files");
+  checkScale(arguments.exportOptions, {});
 }
 
 }  // namespace
@@ -69,13 +65,13 @@ std::string runAndExport(const RunArguments& arguments) {
   if (!pipeline) pipeline = defaultPipeline(*environment);
 
   bar.begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline->steps, true, &PipelineStep::enabled)));
-  const RunResult result = runNamingFile(arguments, environment, *pipeline, context);
+  const RunResult result = runNamingFile(arguments.pipelineFile, environment, *pipeline, context, arguments.threads);
 
   if (!arguments.output.empty()) {
     const Stopwatch exporting;
     bar.begin("exporting", 0);
     context.checkCancelled();
-    writeObj(arguments.output, *result.mesh, *environment, makeExportHeader(*pipeline));
+    writeExport(arguments.output, *result.mesh, *environment, makeExportHeader(*pipeline), arguments.exportOptions);
     times.exportMs = exporting.wallMs();
   }
   times.totalMs = total.wallMs();
@@ -86,6 +82,10 @@ std::string runAndExport(const RunArguments& arguments) {
   if (!arguments.statistics.empty()) {
     context.checkCancelled();
     writeFileSafely(arguments.statistics, formatStatistics(*environment, result, times));
+  }
+  if (!arguments.report.empty()) {
+    context.checkCancelled();
+    writeFileSafely(arguments.report, formatHtmlReport(*environment, *pipeline, result, times));
   }
   if (!arguments.trace.empty()) {
     context.checkCancelled();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/environment/export.hpp"
 #include "app/command_files.hpp"
 
 namespace footfall {
@@ -14,10 +15,12 @@ struct RunArguments {
   std::string pipelineFile;          ///< empty: `filters`, or the default pipeline when they are empty as well
   std::vector<std::string> filters;  ///< one line of a pipeline file each
   int threads = 0;                   ///< 0: as many as the machine has
-  std::string output;                ///< empty: nothing is exported
-  std::string statistics;            ///< empty: no statistics are written
-  std::string trace;                 ///< empty: no timeline is written
-  bool speedUp = false;              ///< also measure the speed-up against one thread
+  std::string output;                ///< empty: nothing is exported; else .obj, .gltf or .glb
+  ExportOptions exportOptions;
+  std::string statistics;  ///< empty: no statistics are written
+  std::string trace;       ///< empty: no timeline is written
+  std::string report;      ///< empty: no HTML report is written
+  bool speedUp = false;    ///< also measure the speed-up against one thread
   bool quiet = false;
 };
 

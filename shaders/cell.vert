@@ -5,8 +5,10 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in uint cell;
 
+out float gl_ClipDistance[3];
+
 uniform mat4 modelViewProjection;
-uniform float cut;  // what is higher is left out
+uniform vec4 clipPlanes[3];  // what is behind one of them is left out
 uniform sampler2D colours;
 uniform vec4 onlyColour;  // for all cells, unless its alpha is 0
 
@@ -14,7 +16,7 @@ flat out vec4 paint;  // alpha 0: the cell has no colour yet
 
 void main() {
   gl_Position = modelViewProjection * vec4(position, 1.0);
-  gl_ClipDistance[0] = cut - position.z;
+  for (int i = 0; i < 3; ++i) gl_ClipDistance[i] = dot(clipPlanes[i], vec4(position, 1.0));
   if (onlyColour.a > 0.0) {
     paint = onlyColour;
     return;

@@ -4,9 +4,14 @@
 
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
+layout(location = 2) in uvec2 layers;  // on either side; 0x7fffffff: none
+
+out float gl_ClipDistance[3];
 
 uniform mat4 modelViewProjection;
-uniform float cut;  // what is higher is left out
+uniform vec4 clipPlanes[3];  // what is behind one of them is left out
+uniform bool layered;        // some layers are hidden
+uniform sampler2D shownLayers;
 uniform vec2 viewport;  // device pixels
 uniform float width;    // device pixels
 uniform float lift;     // towards the eye, in normalized depth
@@ -19,11 +24,19 @@ vec4 clipNear(vec4 a, vec4 b) {
   return da >= 0.0 || db <= 0.0 ? a : mix(a, b, (0.0001 * db - da) / (db - da));
 }
 
+// Layers beyond the texture, the number for none among them, are shown.
+bool isHidden(uint of) {
+  ivec2 size = textureSize(shownLayers, 0);
+  int row = int(of) / size.x;
+  return row < size.y && texelFetch(shownLayers, ivec2(int(of) % size.x, row), 0).r == 0.0;
+}
+
 void main() {
   vec4 a = modelViewProjection * vec4(from, 1.0);
   vec4 b = modelViewProjection * vec4(to, 1.0);
-  if (a.z + a.w <= 0.0 && b.z + b.w <= 0.0) {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // behind the eye: clipped
+  bool hidden = layered && isHidden(layers.x) && isHidden(layers.y);
+  if (hidden || (a.z + a.w <= 0.0 && b.z + b.w <= 0.0)) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // clipped, as what is behind the eye
     return;
   }
   vec4 start = clipNear(a, b), end = clipNear(b, a);
@@ -33,7 +46,7 @@ void main() {
   vec2 across = vec2(-along.y, along.x);
 
   bool atEnd = (gl_VertexID & 2) != 0;
-  gl_ClipDistance[0] = cut - (atEnd ? to.z : from.z);
+  for (int i = 0; i < 3; ++i) gl_ClipDistance[i] = dot(clipPlanes[i], vec4(atEnd ? to : from, 1.0));
   float side = (gl_VertexID & 1) != 0 ? 1.0 : -1.0;
   vec4 p = atEnd ? end : start;
   // One pixel more on each side for the soft edge; half a width beyond each end, so that segments that meet leave no

@@ -6,13 +6,19 @@ flat in vec3 shade;
 flat in int pattern;  // ui/appearance.hpp: 0 plain, 1 rising stripes, 2 falling stripes, 3 dots
 
 uniform float patternScale;  // device pixels a logical pixel
+uniform bool hatchBacks;     // so that a cut reads: what is seen from behind is hatched
 
 out vec4 fragment;
 
 void main() {
+  vec2 p = gl_FragCoord.xy / patternScale;
+  if (hatchBacks && !gl_FrontFacing) {
+    float hatch = step(mod(p.x + p.y, 6.0), 1.5);
+    fragment = vec4(mix(shade * 0.55, vec3(0.16), 0.55 * hatch), 1.0);
+    return;
+  }
   float ink = 0.0;
   if (pattern != 0) {
-    vec2 p = gl_FragCoord.xy / patternScale;
     if (pattern == 1) ink = step(mod(p.x - p.y, 8.0), 2.5);
     else if (pattern == 2) ink = step(mod(p.x + p.y, 8.0), 2.5);
     else ink = step(distance(mod(p, 6.0), vec2(3.0)), 1.6);

@@ -5,21 +5,40 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;  // w: pattern, 0 to 127 / 127
 layout(location = 2) in vec4 colour;  // alpha 0: takes the uniform paint
+layout(location = 3) in uint layer;   // 0x7fffffff: none; the highest bit: plain floor in place of it when it is hidden
+
+out float gl_ClipDistance[3];
 
 uniform mat4 modelViewProjection;
-uniform float cut;  // what is higher is left out
-uniform vec3 eye;          // in the scene's coordinates
+uniform vec4 clipPlanes[3];  // what is behind one of them is left out
+uniform bool layered;        // some layers are hidden
+uniform sampler2D shownLayers;
+uniform vec3 eye;            // in the scene's coordinates
 uniform vec3 viewDirection;
 uniform bool orthographic;
 uniform float pale;        // from 0, the paint's own colour, to 1, hardly any: for what something is drawn over
 uniform vec4 floorPaint;   // rgb and pattern for triangles with alpha 0
+uniform vec4 plainFloor;   // of hidden layers
+uniform vec4 onlyPaint;    // for everything, where `only` is set
+uniform bool only;
+uniform bool unlit;
 
 flat out vec3 shade;
 flat out int pattern;
 
+// Layers beyond the texture, the number for none among them, are shown.
+bool isHidden(uint of) {
+  ivec2 size = textureSize(shownLayers, 0);
+  int row = int(of) / size.x;
+  return row < size.y && texelFetch(shownLayers, ivec2(int(of) % size.x, row), 0).r == 0.0;
+}
+
 void main() {
   gl_Position = modelViewProjection * vec4(position, 1.0);
-  gl_ClipDistance[0] = cut - position.z;
+  for (int i = 0; i < 3; ++i) gl_ClipDistance[i] = dot(clipPlanes[i], vec4(position, 1.0));
+  bool hidden = layered && isHidden(layer & 0x7fffffffu);
+  bool stays = (layer & 0x80000000u) != 0u;
+  if (hidden && !stays) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
   vec3 n = normal.xyz;
   vec3 toEye = orthographic ? -viewDirection : normalize(eye - position);
   float facing = dot(n, toEye);
@@ -30,7 +49,9 @@ void main() {
   float light = 0.42 + 0.22 * sky + 0.24 * sun + 0.14 * head;
   if (facing < 0.0) light *= 0.8;
 
-  bool floored = colour.a == 0.0;
-  pattern = int((floored ? floorPaint.a : normal.w) * 127.0 + 0.5);
-  shade = mix(floored ? floorPaint.rgb : colour.rgb, vec3(0.9), pale) * light;
+  vec4 paint = colour.a == 0.0 ? floorPaint : vec4(colour.rgb, normal.w);
+  if (only) paint = onlyPaint;
+  if (hidden) paint = plainFloor;
+  pattern = int(paint.a * 127.0 + 0.5);
+  shade = mix(paint.rgb, vec3(0.9), pale) * (unlit ? 1.0 : light);
 }

@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -61,13 +62,44 @@ QColor highlightColour() { return {255, 196, 0}; }
 QColor backgroundLower() { return {247, 248, 250}; }
 QColor backgroundUpper() { return {221, 227, 234}; }
 
+Paint paleWalkablePaint() { return {QColor(226, 238, 233), Pattern::Plain}; }
+
+Paint sourcePaint(std::uint32_t triangle) {
+  // Neighbours in the file are often neighbours in space: their numbers are spread.
+  return layerPaint((triangle * 2654435761U >> 16U) % 18);
+}
+
+QColor wireColour() { return {70, 78, 88}; }
+QColor hiddenLineFill() { return {250, 250, 251}; }
+
+QColor heatColour(double value) {
+  static const std::array<QColor, 11> kViridis = {
+      QColor(0x44, 0x01, 0x54), QColor(0x48, 0x24, 0x75), QColor(0x41, 0x44, 0x87), QColor(0x35, 0x5F, 0x8D),
+      QColor(0x2A, 0x78, 0x8E), QColor(0x21, 0x90, 0x8C), QColor(0x22, 0xA8, 0x84), QColor(0x44, 0xBF, 0x70),
+      QColor(0x7A, 0xD1, 0x51), QColor(0xBB, 0xDF, 0x27), QColor(0xFD, 0xE7, 0x25)};
+  const double place = std::clamp(value, 0.0, 1.0) * (kViridis.size() - 1);
+  const auto first = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
+  const auto part = static_cast<float>(place - static_cast<double>(first));
+  const QColor& a = kViridis[first];
+  const QColor& b = kViridis[first + 1];
+  const auto mixed = [part](float from, float to) { return from + part * (to - from); };
+  return QColor::fromRgbF(mixed(a.redF(), b.redF()), mixed(a.greenF(), b.greenF()), mixed(a.blueF(), b.blueF()));
+}
+
 const RemovalStyle* removalStyle(std::string_view filter) {
   static const std::array<RemovalStyle, 3> kStyles = {{
-      {"SlopeFilter", QStringLiteral("Too steep"), {QColor(176, 150, 128), Pattern::RisingStripes}},
+      {"SlopeFilter",
+       QStringLiteral("Too steep"),
+       {QColor(176, 150, 128), Pattern::RisingStripes},
+       {QColor(230, 159, 0), Pattern::RisingStripes}},
       {"VerticalClearanceFilter",
        QStringLiteral("Too little headroom"),
-       {QColor(150, 138, 176), Pattern::FallingStripes}},
-      {"AreaFilter", QStringLiteral("Too small an area"), {QColor(146, 160, 168), Pattern::Dots}},
+       {QColor(150, 138, 176), Pattern::FallingStripes},
+       {QColor(204, 121, 167), Pattern::FallingStripes}},
+      {"AreaFilter",
+       QStringLiteral("Too small an area"),
+       {QColor(146, 160, 168), Pattern::Dots},
+       {QColor(0, 114, 178), Pattern::Dots}},
   }};
   for (const RemovalStyle& style : kStyles) {
     if (style.filter == filter) return &style;

@@ -43,11 +43,23 @@ QColor highlightColour();
 QColor backgroundLower();
 QColor backgroundUpper();
 
+/// Walkable area where the reasons for what is not are of interest.
+Paint paleWalkablePaint();
+/// Pieces of one triangle of the environment; neighbours may share a colour, so their border needs a line.
+Paint sourcePaint(std::uint32_t triangle);
+/// In wireframes and hidden-line pictures: edges, and what lies between them.
+QColor wireColour();
+QColor hiddenLineFill();
+/// From 0 (dark) to 1 (light): viridis, evenly spaced to the eye also with the common colour deficiencies (Smith and
+/// van der Walt 2015).
+QColor heatColour(double value);
+
 /// How places that one filter removed are shown: why they are not walkable.
 struct RemovalStyle {
   std::string_view filter;  ///< FilterDescriptor::name
   QString reason;           ///< for the legend, e.g. "Too steep"
   Paint paint;
+  Paint vivid;  ///< where only the reasons are of interest
 };
 
 /// Null for filters that remove no places (or none that are worth a colour).

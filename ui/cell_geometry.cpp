@@ -256,7 +256,7 @@ std::vector<LineSegment> edgesOf(const CellBox& box) {
 }
 
 std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& environment,
-                                    const CellGeometry& geometry, double cut) {
+                                    const CellGeometry& geometry, const ShownSpace& shown) {
   Hit nearest;
   const auto corner = [&](std::size_t vertex) {
     const auto& p = environment.surface[vertex].position;
@@ -265,7 +265,8 @@ std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& e
   for (std::size_t v = 0; v + 2 < environment.surface.size(); v += 3) {
     const std::array<Vec3, 3> triangle = {corner(v), corner(v + 1), corner(v + 2)};
     const std::optional<double> distance = meet(ray, triangle);
-    if (!distance || *distance >= nearest.distance || pointOn(ray, *distance).z > cut) continue;
+    if (!distance || *distance >= nearest.distance || !shown.contains(pointOn(ray, *distance))) continue;
+    if (shown.shows && !shown.shows(static_cast<std::uint32_t>(v / 3))) continue;
     nearest = {*distance, std::min({triangle[0].z, triangle[1].z, triangle[2].z})};
   }
   if (std::isinf(nearest.distance)) {

@@ -41,9 +41,9 @@ std::shared_ptr<const CellGeometry> makeCellGeometry(const Environment& environm
 /// The twelve edges of a box.
 std::vector<LineSegment> edgesOf(const CellBox& box);
 
-/// The cell of the first triangle below `cut` that the ray (in the scene's coordinates) meets, by where it meets it;
+/// The cell of the first triangle within `shown` that the ray (in the scene's coordinates) meets, by where it meets it;
 /// where it meets none, by where it meets the bottom. Nothing outside of all cells.
 std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& environment,
-                                    const CellGeometry& geometry, double cut);
+                                    const CellGeometry& geometry, const ShownSpace& shown);
 
 }  // namespace footfall

@@ -88,7 +88,7 @@ void CellRenderer::drawRange(const Look& look, std::size_t first, std::size_t co
   if (count == 0) return;
   program_.bind();
   program_.setUniformValue("modelViewProjection", look.modelViewProjection);
-  program_.setUniformValue("cut", look.cut);
+  look.clip.setTo(program_);
   program_.setUniformValue("patternScale", look.devicePixelRatio);
   program_.setUniformValue("opacity", opacity);
   program_.setUniformValue("colours", 0);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ui/cell_geometry.hpp"
+#include "ui/clip_planes.hpp"
 
 namespace footfall {
 
@@ -25,7 +26,7 @@ class CellRenderer : protected QOpenGLExtraFunctions {
   /// How a frame sees the cells.
   struct Look {
     QMatrix4x4 modelViewProjection;
-    float cut = 0;
+    ClipPlanes clip;
     float devicePixelRatio = 1;
   };
 

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QSlider>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -15,8 +14,6 @@
 
 namespace footfall {
 namespace {
-
-constexpr int kCutSteps = 500;
 
 /// Shows a file dialog without waiting for it; `use` gets the chosen path.
 template <typename Use>
@@ -68,20 +65,9 @@ void EditorWindow::createWidgets() {
   view_->installEventFilter(this);
   legend_ = new Legend(view_);
   legend_->hide();
-  cut_ = new QFrame(view_);
-  cut_->setObjectName(QStringLiteral("cut"));
-  cut_->setToolTip(tr("Leave out what is higher, to look under roofs. The result stays the same."));
-  auto* slider = new QSlider(Qt::Vertical, cut_);
-  slider->setRange(0, kCutSteps);
-  slider->setValue(kCutSteps);
-  slider->setFocusPolicy(Qt::NoFocus);  // the keys belong to the view
-  auto* cutLayout = new QVBoxLayout(cut_);
-  cutLayout->setContentsMargins(4, 6, 4, 6);
-  cutLayout->addWidget(new QLabel(tr("Height"), cut_), 0, Qt::AlignHCenter);
-  cutLayout->addWidget(slider, 1, Qt::AlignHCenter);
-  connect(slider, &QSlider::valueChanged, view_,
-          [this](int value) { view_->setCut(static_cast<double>(value) / kCutSteps); });
-  cut_->hide();
+  heights_ = new HeightSlider(view_);
+  connect(heights_, &HeightSlider::rangeChanged, view_, &LevelView::setHeights);
+  heights_->hide();
   welcome_ = new QLabel(tr("Open an environment (Ctrl+O), or drop a file here"), view_);
   welcome_->setObjectName(QStringLiteral("welcome"));
   welcome_->setAlignment(Qt::AlignCenter);

@@ -1,13 +1,15 @@
-// The editor's tools, each in files of its own: one line a tool.
+// The editor's tools, each in files of its own: one line a tool. All are children of the window.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor_window.hpp"
 #include "ui/environment_tools.hpp"
+#include "ui/level_look.hpp"
 #include "ui/obstacle_features.hpp"
 
 namespace footfall {
 
 void EditorWindow::createFeatures() {
-  new EnvironmentTools(*this);  // a child of the window
+  new EnvironmentTools(*this);
+  installLevelLook(*this);
   new ObstacleFeatures(*this);
 }
 

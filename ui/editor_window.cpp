@@ -241,8 +241,7 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
   cellWatch_->setEnvironment(composer_.level(), loaded.geometry->centre);
   controller_.setEnvironment(composer_.level(), loaded.geometry->centre);
   chooseLegend();
-  cut_->show();
-  if (!opening.reload) cutSlider()->setValue(cutSlider()->maximum());
+  heights_->show();
   placeOverlays();
   updateTitle();
   keepTimer_.start();
@@ -472,7 +471,8 @@ void EditorWindow::updateTitle() {
 void EditorWindow::placeOverlays() {
   legend_->adjustSize();
   legend_->move(12, view_->height() - legend_->height() - 12);
-  cut_->setGeometry(view_->width() - 66, 12, 54, std::min(260, view_->height() - 24));
+  heights_->setGeometry(view_->width() - heights_->sizeHint().width() - 12, 12, heights_->sizeHint().width(),
+                        std::min(heights_->sizeHint().height(), view_->height() - 24));
   cellLegend_->adjustSize();
   cellLegend_->move(view_->width() - cellLegend_->width() - 12, view_->height() - cellLegend_->height() - 12);
   welcome_->setGeometry(view_->rect());

@@ -6,7 +6,6 @@
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSlider>
 #include <QToolBar>
 #include <functional>
 #include <map>
@@ -20,6 +19,7 @@
 #include "ui/document.hpp"
 #include "ui/environment_loader.hpp"
 #include "ui/filter_list.hpp"
+#include "ui/height_slider.hpp"
 #include "ui/import_panel.hpp"
 #include "ui/legend.hpp"
 #include "ui/level_composer.hpp"
@@ -111,7 +111,7 @@ class EditorWindow : public QMainWindow {
   void setCellsShown(const CellsShown& shown);
   [[nodiscard]] CellsShown cellsShown() const;
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
-  [[nodiscard]] QSlider* cutSlider() const { return cut_->findChild<QSlider*>(); }
+  [[nodiscard]] HeightSlider& heightSlider() { return *heights_; }
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
   /// As its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
@@ -203,7 +203,7 @@ class EditorWindow : public QMainWindow {
 
   LevelView* view_ = nullptr;
   Legend* legend_ = nullptr;
-  QFrame* cut_ = nullptr;
+  HeightSlider* heights_ = nullptr;
   CellLegend* cellLegend_ = nullptr;
   LoadPanel* load_ = nullptr;
   QDockWidget* loadDock_ = nullptr;

@@ -9,7 +9,6 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace footfall {
@@ -91,12 +90,45 @@ void LevelView::setContent(ViewContent content) {
 }
 
 void LevelView::setParts(const SceneParts& parts) {
+  const ViewMode mode = parts_.mode;
   parts_ = parts;
+  parts_.mode = mode;
   update();
 }
 
-void LevelView::setCut(double fraction) {
-  cut_ = fraction;
+void LevelView::setMode(ViewMode mode) {
+  parts_.mode = mode;
+  update();
+}
+
+void LevelView::setField(std::shared_ptr<const FieldGeometry> field, const FieldScale& scale) {
+  renderer_.setField(std::move(field));
+  setFieldScale(scale);
+}
+
+void LevelView::setFieldScale(const FieldScale& scale) {
+  renderer_.setFieldScale(scale);
+  update();
+}
+
+void LevelView::setSources(std::shared_ptr<const MeshGeometry> sources) {
+  renderer_.setSources(std::move(sources));
+  update();
+}
+
+void LevelView::setHeights(const HeightRange& heights) {
+  heights_ = heights;
+  update();
+}
+
+void LevelView::setCutPlane(const std::optional<CutPlane>& cut) {
+  cut_ = cut;
+  update();
+}
+
+void LevelView::setHiddenLayers(const std::set<std::uint32_t>& hidden) {
+  hidden_ = hidden;
+  renderer_.setHiddenLayers(hidden);
   update();
 }
 
@@ -119,21 +151,39 @@ void LevelView::setMarkedCells(const MarkedCells& marked) {
 
 std::optional<std::size_t> LevelView::cellAt(const QPoint& place) const {
   if (!parts_.cells || !cells_ || !environment_) return std::nullopt;
-  return pickCell(sceneRayAt(place), *environment_, *cells_, shownHeights().upper);
+  return pickCell(sceneRayAt(place), *environment_, *cells_, shown());
 }
 
-float LevelView::cutHeight() const {
-  if (cut_ >= 1 || !environment_) return std::numeric_limits<float>::max();
-  const Vec3& lower = environment_->lower;
-  const double height = environment_->upper.z - lower.z;
+ShownSpace LevelView::shown() const {
+  ShownSpace shown;
+  if (!environment_) return shown;
+  const Vec3& centre = environment_->centre;
   // A little more, so that a floor at exactly this height is still there.
-  return static_cast<float>(lower.z + (cut_ + 1e-4) * height);
+  const double more = 1e-4 * (environment_->upper.z - environment_->lower.z);
+  constexpr HeightRange kAll;
+  if (heights_.upper < kAll.upper) shown.heights.upper = heights_.upper - centre.z + more;
+  if (heights_.lower > kAll.lower) shown.heights.lower = heights_.lower - centre.z - more;
+  shown.cut = cut_;
+  if (cut_) shown.cut->at -= cut_->nx * centre.x + cut_->ny * centre.y;
+  if (!hidden_.empty() && content_.environmentLayers) {
+    shown.shows = [layers = content_.environmentLayers, this](std::uint32_t triangle) {
+      return triangle >= layers->size() || !hidden_.contains((*layers)[triangle]);
+    };
+  }
+  return shown;
 }
 
-HeightRange LevelView::shownHeights() const {
-  HeightRange shown;
-  shown.upper = static_cast<double>(cutHeight());
-  return shown;
+ClipPlanes LevelView::clipPlanes() const {
+  const ShownSpace left = shown();
+  constexpr HeightRange kAll;
+  ClipPlanes clip;
+  if (left.heights.upper < kAll.upper) clip.planes[0] = {0, 0, -1, static_cast<float>(left.heights.upper)};
+  if (left.heights.lower > kAll.lower) clip.planes[1] = {0, 0, 1, static_cast<float>(-left.heights.lower)};
+  if (left.cut) {
+    clip.planes[2] = {static_cast<float>(-left.cut->nx), static_cast<float>(-left.cut->ny), 0,
+                      static_cast<float>(left.cut->at)};
+  }
+  return clip;
 }
 
 void LevelView::hover(std::optional<std::size_t> cell) {
@@ -180,7 +230,7 @@ Ray LevelView::rayAt(const QPoint& place) const {
 
 std::optional<SurfacePoint> LevelView::pick(const QPoint& place) const {
   if (!environment_) return std::nullopt;
-  std::optional<SurfacePoint> found = pickSurface(sceneRayAt(place), *environment_, shownHeights());
+  std::optional<SurfacePoint> found = pickSurface(sceneRayAt(place), *environment_, shown());
   if (!found) return std::nullopt;
   const Vec3& centre = environment_->centre;
   found->point = {found->point.x + centre.x, found->point.y + centre.y, found->point.z + centre.z};
@@ -293,7 +343,7 @@ void LevelView::draw() {
       QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
   scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
   scene.devicePixelRatio = static_cast<float>(devicePixelRatioF());
-  scene.cut = cutHeight();
+  scene.clip = clipPlanes();
   scene.viewport = size() * devicePixelRatioF();
   SceneParts parts = parts_;
   const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;

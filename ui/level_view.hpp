@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "ui/overlay_renderer.hpp"
 #include "ui/scene_picker.hpp"
@@ -62,8 +63,24 @@ class LevelView : public QGLViewer {
   /// What one sees at a place of the view; nothing where there is no cell, or none are shown.
   [[nodiscard]] std::optional<std::size_t> cellAt(const QPoint& place) const;
 
-  /// Leaves out what is above a height, from 0 (the bottom) to 1 (nothing is left out): a look under roofs.
-  void setCut(double fraction);
+  /// Leaves out what is above or below, in the environment's coordinates: a look under roofs, or at one storey. What
+  /// lies at a limit stays.
+  void setHeights(const HeightRange& heights);
+  [[nodiscard]] const HeightRange& heights() const { return heights_; }
+  /// Leaves out what lies before a vertical plane (environment coordinates). Nothing: no plane.
+  void setCutPlane(const std::optional<CutPlane>& cut);
+  [[nodiscard]] const std::optional<CutPlane>& cutPlane() const { return cut_; }
+  /// Leaves out layers, by number, with the floors of the environment under them.
+  void setHiddenLayers(const std::set<std::uint32_t>& hidden);
+  [[nodiscard]] const std::set<std::uint32_t>& hiddenLayers() const { return hidden_; }
+
+  void setMode(ViewMode mode);
+  [[nodiscard]] ViewMode mode() const { return parts_.mode; }
+  /// What heat maps show; null: nothing yet.
+  void setField(std::shared_ptr<const FieldGeometry> field, const FieldScale& scale);
+  void setFieldScale(const FieldScale& scale);
+  /// The walkable pieces for ViewMode::SourceTriangles, relative to the centre of the environment; null: none yet.
+  void setSources(std::shared_ptr<const MeshGeometry> sources);
 
   /// Gives the mouse to a tool, which must live until it has ended; null: back to the camera alone.
   void setTool(ViewTool* tool);
@@ -77,8 +94,8 @@ class LevelView : public QGLViewer {
   [[nodiscard]] std::optional<SurfacePoint> pick(const QPoint& place) const;
   /// Where a place of the environment is in the view; nothing when it is behind the eye.
   [[nodiscard]] std::optional<QPointF> project(const Vec3& place) const;
-  /// What the height slider leaves, in the scene's coordinates.
-  [[nodiscard]] HeightRange shownHeights() const;
+  /// What heights, cut plane and hidden layers leave, in the scene's coordinates.
+  [[nodiscard]] ShownSpace shown() const;
 
   /// Straight down, parallel projection, all detail in sight.
   void viewFromTop();
@@ -136,7 +153,7 @@ class LevelView : public QGLViewer {
   [[nodiscard]] Ray sceneRayAt(const QPoint& place) const;
   [[nodiscard]] QMatrix4x4 modelViewProjection() const;
   [[nodiscard]] OverlayRenderer::Look overlayLook() const;
-  [[nodiscard]] float cutHeight() const;
+  [[nodiscard]] ClipPlanes clipPlanes() const;
   void hover(std::optional<std::size_t> cell);
   void fitTo(const std::vector<Vec3>& points);
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
@@ -149,7 +166,9 @@ class LevelView : public QGLViewer {
   std::shared_ptr<const EnvironmentGeometry> environment_;
   ViewContent content_;
   SceneParts parts_;
-  double cut_ = 1;
+  HeightRange heights_;
+  std::optional<CutPlane> cut_;
+  std::set<std::uint32_t> hidden_;
   std::shared_ptr<const CellGeometry> cells_;
   std::optional<std::size_t> hovered_;
   std::optional<QPoint> pressed_;  ///< where a click may have begun

@@ -35,6 +35,13 @@ std::shared_ptr<const EnvironmentGeometry> withObstacles(const std::shared_ptr<c
   join(&EnvironmentGeometry::extremes);
   join(&EnvironmentGeometry::detailExtremes);
   join(&EnvironmentGeometry::creases);
+  geometry->creaseTriangles = base->creaseTriangles;
+  for (const auto& [a, b] : added->creaseTriangles) {
+    const auto shifted = [first](std::uint32_t t) { return t == kNoLayer ? t : t + static_cast<std::uint32_t>(first); };
+    geometry->creaseTriangles.push_back({shifted(a), shifted(b)});
+  }
+  geometry->floors = base->floors;  // an obstacle is no storey
+  geometry->bothSides = base->bothSides;
   return geometry;
 }
 

@@ -3,9 +3,9 @@
 
 #include <QFontMetricsF>
 #include <QVector4D>
-#include <limits>
 #include <vector>
 
+#include "ui/clip_planes.hpp"
 #include "ui/render_geometry.hpp"
 
 namespace footfall {
@@ -78,7 +78,8 @@ void OverlayRenderer::drawLines(const ViewOverlay::Lines& lines, const Look& loo
     segments.push_back({toScene(from, look.centre), toScene(to, look.centre)});
   lineProgram_->bind();
   lineProgram_->setUniformValue("modelViewProjection", look.modelViewProjection);
-  lineProgram_->setUniformValue("cut", std::numeric_limits<float>::max());
+  ClipPlanes().setTo(*lineProgram_);
+  lineProgram_->setUniformValue("layered", false);
   lineProgram_->setUniformValue(
       "viewport", QVector2D(static_cast<float>(look.viewport.width()), static_cast<float>(look.viewport.height())));
   const QOpenGLVertexArrayObject::Binder bound(&lineArray_);

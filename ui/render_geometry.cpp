@@ -27,6 +27,12 @@ Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return length > 0 ? Vec3{n.x / length, n.y / length, n.z / length} : Vec3{0, 0, 1};
 }
 
+double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
+  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
+  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
+}
+
 bool isCrease(const Vec3& a, const Vec3& b) { return std::abs(a.x * b.x + a.y * b.y + a.z * b.z) < kCreaseCosine; }
 
 std::int8_t toByte(double component) { return static_cast<std::int8_t>(std::lround(component * 127)); }
@@ -149,6 +155,111 @@ std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 
   return segments;
 }
 
+std::vector<std::uint32_t> surfaceLayersOf(const NavigationMesh& mesh, const EnvironmentLayers* environment) {
+  if (!environment) return {};
+  std::vector<std::uint32_t> layers(mesh.triangles.size(), kNoLayer);
+  for (std::size_t t = 0; t < layers.size(); ++t) {
+    const std::uint32_t source = t < mesh.sourceTriangles.size() ? mesh.sourceTriangles[t] : kNoLayer;
+    const std::uint32_t below = source < environment->size() ? (*environment)[source] : kNoLayer;
+    layers[t] = mesh.layers.empty() ? below : below == kNoLayer ? mesh.layers[t] | kFloorStays : mesh.layers[t];
+  }
+  return layers;
+}
+
+std::vector<LayerFigures> figuresOf(const NavigationMesh& mesh, const Vec3& centre) {
+  std::vector<LayerFigures> figures(std::max<std::size_t>(mesh.layerCount, 1));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    LayerFigures& layer = figures[mesh.layers.empty() ? 0 : mesh.layers[t]];
+    const auto corners = cornersOf(mesh.vertices, mesh.triangles[t]);
+    for (const Vec3* corner : corners) {
+      const auto p = toFloats(*corner, centre);
+      if (layer.triangles == 0 && corner == corners[0]) layer.lower = layer.upper = p;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        layer.lower[axis] = std::min(layer.lower[axis], p[axis]);
+        layer.upper[axis] = std::max(layer.upper[axis], p[axis]);
+      }
+    }
+    layer.area += areaOf(*corners[0], *corners[1], *corners[2]);
+    ++layer.triangles;
+  }
+  return figures;
+}
+
+/// The layers at the edges of a mesh with layers, by the numbers of their vertices.
+class EdgeLayers {
+ public:
+  explicit EdgeLayers(const NavigationMesh& mesh) : mesh_(mesh) {}
+
+  /// In the order of forEachEdge(); kNoLayer without layers.
+  template <typename Use>
+  LineLayers add(Use first, Use last) {
+    if (mesh_.layers.empty()) return {kNoLayer, kNoLayer};
+    const LineLayers layers{mesh_.layers[first->triangle], mesh_.layers[(last - 1)->triangle]};
+    if (last - first == 1 || layers[0] != layers[1]) known_.push_back({first->low, first->high, layers});
+    return layers;
+  }
+
+  /// After all have been added.
+  [[nodiscard]] std::vector<LineLayers> of(const std::vector<std::array<std::uint32_t, 2>>& edges) const {
+    std::vector<LineLayers> found;
+    if (mesh_.layers.empty()) return found;
+    found.reserve(edges.size());
+    for (const auto& [a, b] : edges) {
+      const std::array key{std::min(a, b), std::max(a, b)};
+      const auto at = std::ranges::lower_bound(known_, key, {}, [](const Known& k) {
+        return std::array{k.low, k.high};
+      });
+      const bool there = at != known_.end() && at->low == key[0] && at->high == key[1];
+      found.push_back(there ? at->layers : LineLayers{kNoLayer, kNoLayer});
+    }
+    return found;
+  }
+
+ private:
+  struct Known {
+    std::uint32_t low, high;
+    LineLayers layers;
+  };
+  const NavigationMesh& mesh_;
+  std::vector<Known> known_;
+};
+
+// Bins of height with more level floor than their neighbours and than one twentieth of the fullest.
+std::vector<double> findFloors(const EnvironmentGeometry& geometry) {
+  constexpr std::size_t kBins = 400;
+  constexpr double kWorth = 0.05;
+  constexpr float kLevelNormal = 0.9F * 127;
+  const double height = geometry.upper.z - geometry.lower.z;
+  if (!(height > 0)) return {};
+  struct Bin {
+    double area = 0, areaTimesHeight = 0;
+  };
+  std::vector<Bin> bins(kBins);
+  for (std::size_t v = 0; v + 2 < geometry.surface.size(); v += 3) {
+    const SurfaceVertex* corner = &geometry.surface[v];
+    if (static_cast<float>(corner->normal[2]) < kLevelNormal) continue;
+    const auto at = [&](std::size_t k) {
+      return Vec3{corner[k].position[0], corner[k].position[1], corner[k].position[2]};
+    };
+    const double middle = (at(0).z + at(1).z + at(2).z) / 3;
+    const double place = (middle - geometry.lower.z) / height * kBins;
+    Bin& bin = bins[static_cast<std::size_t>(std::clamp(place, 0.0, kBins - 1.0))];
+    const double area = areaOf(at(0), at(1), at(2));
+    bin.area += area;
+    bin.areaTimesHeight += area * middle;
+  }
+  const double most = std::ranges::max_element(bins, {}, &Bin::area)->area;
+  constexpr std::size_t kReach = 6;  // of one floor: steps and thresholds are no storeys
+  std::vector<double> floors;
+  for (std::size_t i = 0; i < kBins; ++i) {
+    bool peak = bins[i].area > kWorth * most;
+    for (std::size_t k = i > kReach ? i - kReach : 0; peak && k < std::min(kBins, i + kReach + 1); ++k)
+      peak = bins[k].area < bins[i].area || (bins[k].area == bins[i].area && k >= i);
+    if (peak) floors.push_back(bins[i].areaTimesHeight / bins[i].area);
+  }
+  return floors;
+}
+
 }  // namespace
 
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
@@ -191,13 +302,31 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
     if (!crease) crease = isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
     if (crease) {
       geometry->creases.push_back({toFloats(vertices[first->low], centre), toFloats(vertices[first->high], centre)});
+      geometry->creaseTriangles.push_back(last - first > 2 ? std::array{kNoLayer, kNoLayer}
+                                                           : std::array{first->triangle, (last - 1)->triangle});
     }
   });
+  geometry->bothSides = environment.bothSides;
+  geometry->floors = findFloors(*geometry);
   return geometry;
 }
 
+std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh, std::size_t triangles) {
+  if (mesh.layers.empty()) return nullptr;
+  constexpr std::uint32_t kNotSeen = kNoLayer - 1;
+  auto layers = std::make_shared<EnvironmentLayers>(triangles, kNotSeen);
+  for (std::size_t t = 0; t < mesh.triangles.size() && t < mesh.sourceTriangles.size(); ++t) {
+    if (mesh.sourceTriangles[t] >= triangles) continue;
+    std::uint32_t& layer = (*layers)[mesh.sourceTriangles[t]];
+    layer = layer == kNotSeen || layer == mesh.layers[t] ? mesh.layers[t] : kNoLayer;
+  }
+  std::ranges::replace(*layers, kNotSeen, kNoLayer);
+  return layers;
+}
+
 std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh, const Vec3& centre,
-                                                     const std::optional<Paint>& paint) {
+                                                     const std::optional<Paint>& paint,
+                                                     const EnvironmentLayers* environmentLayers) {
   auto geometry = std::make_shared<MeshGeometry>();
   geometry->layers = mesh.layerCount;
   geometry->surface.reserve(mesh.triangles.size() * 3);
@@ -209,15 +338,22 @@ std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh,
     normals.push_back(unitNormal(*corners[0], *corners[1], *corners[2]));
     addTriangle(geometry->surface, corners, centre, normals.back(), colour, false);
   }
+  geometry->surfaceLayers = surfaceLayersOf(mesh, environmentLayers);
   if (paint) return geometry;  // what was removed shows no lines
+  geometry->figures = figuresOf(mesh, centre);
+  EdgeLayers edgeLayers(mesh);
   forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
+    const LineLayers layers = edgeLayers.add(first, last);
     const bool sharp = last - first == 2 && isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
     if (last - first != 1 && !sharp) return;
     (sharp ? geometry->creases : geometry->outline)
         .push_back({toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+    if (!mesh.layers.empty()) (sharp ? geometry->creaseLayers : geometry->outlineLayers).push_back(layers);
   });
   geometry->obstacleEdges = toSegments(mesh.obstacleEdges, mesh.vertices, centre);
   geometry->connections = toSegments(mesh.connections, mesh.vertices, centre);
+  geometry->obstacleEdgeLayers = edgeLayers.of(mesh.obstacleEdges);
+  geometry->connectionLayers = edgeLayers.of(mesh.connections);
   return geometry;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,6 +28,18 @@ struct LineSegment {
   std::array<float, 3> from{}, to{};
 };
 
+/// The layer of what belongs to none, or to several: it is always shown.
+inline constexpr std::uint32_t kNoLayer = 0x7fffffff;
+/// Added to the layer of a surface that is shown as plain floor while its layer is hidden: other layers lie on the same
+/// triangle of the environment, which therefore stays.
+inline constexpr std::uint32_t kFloorStays = 0x80000000;
+
+/// Of each triangle of an environment: the layer that all walkable pieces of it belong to, or kNoLayer.
+using EnvironmentLayers = std::vector<std::uint32_t>;
+
+/// On either side of a line; it is shown when one of them is.
+using LineLayers = std::array<std::uint32_t, 2>;
+
 struct EnvironmentGeometry {
   Vec3 centre;        ///< of the bounds, in the environment's coordinates: the origin of everything here
   Vec3 lower, upper;  ///< bounds relative to the centre
@@ -36,6 +49,19 @@ struct EnvironmentGeometry {
   /// The same for where its detail is, when that is a small part of it: a town in the middle of an endless plain.
   std::vector<Vec3> detailExtremes;
   std::vector<LineSegment> creases;  ///< open, non-manifold and sharp edges
+  /// The triangles at each crease: twice the same at an open edge, kNoLayer twice where there are more than two.
+  std::vector<std::array<std::uint32_t, 2>> creaseTriangles;
+  /// Heights (relative to the centre) at which there is much floor, from the lowest up: storeys, terraces, decks.
+  std::vector<double> floors;
+  bool bothSides = false;  ///< fronts and backs of triangles mean nothing
+};
+
+/// Of one layer, or of all that is walkable where there are no layers.
+struct LayerFigures {
+  double area = 0;  ///< of the surface, square units
+  std::uint32_t triangles = 0;
+  /// Bounds relative to the centre.
+  std::array<float, 3> lower{}, upper{};
 };
 
 struct MeshGeometry {
@@ -45,15 +71,25 @@ struct MeshGeometry {
   std::vector<LineSegment> obstacleEdges;
   std::vector<LineSegment> connections;
   std::uint32_t layers = 0;
+  /// For each triangle and line of the above; all empty without layers.
+  std::vector<std::uint32_t> surfaceLayers;
+  std::vector<LineLayers> creaseLayers, outlineLayers, obstacleEdgeLayers, connectionLayers;
+  /// One for each layer, one for the whole without layers, none for what is only shown with a paint of its own.
+  std::vector<LayerFigures> figures;
 };
 
 /// Around `centre`, or the middle of the bounds.
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
                                                                    const std::optional<Vec3>& centre = std::nullopt);
 
-/// `paint` for everything, or layer colours where it is empty.
+/// By the source triangles of a mesh with layers; null for one without.
+std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh, std::size_t triangles);
+
+/// `paint` for everything, or layer colours where it is empty. With `environmentLayers`, its parts can be hidden with
+/// the layers; those of a mesh without layers follow their triangles of the environment.
 std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh, const Vec3& centre,
-                                                     const std::optional<Paint>& paint = std::nullopt);
+                                                     const std::optional<Paint>& paint = std::nullopt,
+                                                     const EnvironmentLayers* environmentLayers = nullptr);
 
 /// What the view shows over the environment.
 struct ViewContent {
@@ -69,6 +105,8 @@ struct ViewContent {
   std::vector<std::shared_ptr<const MeshGeometry>> walkable;  ///< the result, or its parts while a run goes on
   /// What is not as in all of the above any more: surfaces that are drawn over it, each over the ones before.
   std::vector<std::shared_ptr<const MeshGeometry>> changes;
+  /// Which triangles of the environment go with which layer; null without layers.
+  std::shared_ptr<const EnvironmentLayers> environmentLayers;
 };
 
 }  // namespace footfall

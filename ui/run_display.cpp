@@ -81,6 +81,8 @@ void RunController::showLastResult() {
 
 ViewContent RunController::makeContent(const Job& job, const RunResult& result) {
   ViewContent content;
+  if (result.mesh) content.environmentLayers = makeEnvironmentLayers(*result.mesh, job.environment->triangles.size());
+  const EnvironmentLayers* layers = content.environmentLayers.get();
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
     const RemovalStyle* style = removalStyle(job.steps[i]->filter->name);
     if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;  // it removed nothing
@@ -89,10 +91,10 @@ ViewContent RunController::makeContent(const Job& job, const RunResult& result) 
       continue;  // the environment's own floors stand for what was there before
     }
     if (const MeshPtr before = job.previews->find(job.prefixes[i])) {
-      content.removed.push_back({style, makeMeshGeometry(*before, job.centre, style->paint)});
+      content.removed.push_back({style, makeMeshGeometry(*before, job.centre, style->paint, layers)});
     }
   }
-  if (result.mesh) content.walkable.push_back(makeMeshGeometry(*result.mesh, job.centre));
+  if (result.mesh) content.walkable.push_back(makeMeshGeometry(*result.mesh, job.centre, std::nullopt, layers));
   return content;
 }
 

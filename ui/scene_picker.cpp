@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene_picker.hpp"
 
+#include <vector>
+
 namespace footfall {
 
 // Möller and Trumbore 1997.
@@ -30,7 +32,7 @@ Vec3 pointOn(const Ray& ray, double distance) {
           ray.origin.z + distance * ray.direction.z};
 }
 
-std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometry& geometry, const HeightRange& shown) {
+std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometry& geometry, const ShownSpace& shown) {
   std::optional<SurfacePoint> nearest;
   double distance = std::numeric_limits<double>::infinity();
   const std::vector<SurfaceVertex>& surface = geometry.surface;
@@ -42,7 +44,7 @@ std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometr
     const std::optional<double> met = meet(ray, {corner(v), corner(v + 1), corner(v + 2)});
     if (!met || *met >= distance) continue;
     const Vec3 point = pointOn(ray, *met);
-    if (point.z > shown.upper || point.z < shown.lower) continue;
+    if (!shown.contains(point) || (shown.shows && !shown.shows(static_cast<std::uint32_t>(v / 3)))) continue;
     distance = *met;
     nearest = {static_cast<std::uint32_t>(v / 3), point};
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -30,14 +31,34 @@ struct HeightRange {
   bool operator==(const HeightRange&) const = default;
 };
 
+/// A vertical plane that cuts away what lies before it: what is left has nx * x + ny * y <= at.
+struct CutPlane {
+  double nx = 1, ny = 0;  ///< a unit vector in the plan
+  double at = 0;
+  bool operator==(const CutPlane&) const = default;
+};
+
+/// What of the scene is left to see.
+struct ShownSpace {
+  HeightRange heights;
+  std::optional<CutPlane> cut;
+  /// Of the triangles of the environment; empty: all are shown.
+  std::function<bool(std::uint32_t triangle)> shows = {};
+
+  [[nodiscard]] bool contains(const Vec3& place) const {
+    return place.z <= heights.upper && place.z >= heights.lower &&
+           (!cut || cut->nx * place.x + cut->ny * place.y <= cut->at);
+  }
+};
+
 Vec3 pointOn(const Ray& ray, double distance);
 
 /// The ray's parameter where it meets the triangle, from either side; above 0. Nothing where it misses or lies in its
 /// plane.
 std::optional<double> meet(const Ray& ray, const std::array<Vec3, 3>& triangle);
 
-/// The first triangle that the ray meets within `shown`. Ray, heights and result are in the scene's coordinates, those
+/// The first triangle that the ray meets within `shown`. Ray, limits and result are in the scene's coordinates, those
 /// of `geometry`. Looks at every triangle: 1 ms for about 100,000.
-std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometry& geometry, const HeightRange& shown);
+std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometry& geometry, const ShownSpace& shown);
 
 }  // namespace footfall

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene_renderer.hpp"
 
+#include <QOpenGLContext>
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <utility>
 
 #include "ui/appearance.hpp"
-
-#ifndef GL_CLIP_DISTANCE0
-#define GL_CLIP_DISTANCE0 0x3000  // the headers of OpenGL ES do not know it
-#endif
 
 namespace footfall {
 namespace {
@@ -31,22 +27,23 @@ bool preparePicture(std::unique_ptr<QOpenGLFramebufferObject>& picture, const QS
   return true;
 }
 
-constexpr float kUnderCells = 0.9F;  // colours of cells are to look as in their legend
-
 QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
 
 }  // namespace
 
 QString SceneRenderer::initialize() {
   initializeOpenGLFunctions();
-  for (const auto& [program, name] :
-       {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
-        std::pair{&backgroundProgram_, "background"}, std::pair{&cells_.program(), "cell"}}) {
+  for (const auto& [program, name] : {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
+                                      std::pair{&backgroundProgram_, "background"},
+                                      std::pair{&cells_.program(), "cell"}, std::pair{&fieldProgram_, "field"}}) {
     const QString problem = buildProgram(*program, QString::fromLatin1(name));
     if (!problem.isEmpty()) return problem;
   }
   emptyArray_.create();
   cells_.initialize();
+  batches_.initialize();
+  polygonMode_ =
+      reinterpret_cast<decltype(polygonMode_)>(QOpenGLContext::currentContext()->getProcAddress("glPolygonMode"));
   environmentPending_ = environment_ != nullptr;
   contentPending_ = true;
   return {};
@@ -59,11 +56,16 @@ void SceneRenderer::release() {
   walkable_.clear();
   changes_.clear();
   cellBorders_.reset();
+  fieldSurface_.reset();
+  sourceBatches_ = {};
+  if (scaleTexture_ != 0) glDeleteTextures(1, &scaleTexture_);
+  scaleTexture_ = 0;
+  batches_.release();
   cells_.release();
   still_.reset();
   picture_.reset();
   emptyArray_.destroy();
-  for (QOpenGLShaderProgram* program : {&surfaceProgram_, &lineProgram_, &backgroundProgram_}) {
+  for (QOpenGLShaderProgram* program : {&surfaceProgram_, &lineProgram_, &backgroundProgram_, &fieldProgram_}) {
     program->removeAllShaders();
   }
 }
@@ -85,69 +87,83 @@ void SceneRenderer::setCells(std::shared_ptr<const CellGeometry> geometry, CellC
   bordersPending_ = true;
 }
 
-SceneRenderer::BatchPtr SceneRenderer::makeSurface(const std::vector<SurfaceVertex>& vertices) {
-  auto batch = std::make_shared<Batch>();
-  batch->count = static_cast<int>(vertices.size());
-  if (vertices.empty()) return batch;
-  batch->array.create();
-  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
-  batch->buffer.create();
-  batch->buffer.bind();
-  batch->buffer.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(SurfaceVertex)));
-  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-  constexpr int kStride = sizeof(SurfaceVertex);
-  for (GLuint location = 0; location < 3; ++location) glEnableVertexAttribArray(location);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(SurfaceVertex, position)));
-  glVertexAttribPointer(1, 4, GL_BYTE, GL_TRUE, kStride, offset(offsetof(SurfaceVertex, normal)));
-  glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, offset(offsetof(SurfaceVertex, colour)));
-  batch->buffer.release();
-  return batch;
+void SceneRenderer::setField(std::shared_ptr<const FieldGeometry> field) {
+  field_ = std::move(field);
+  fieldPending_ = true;
 }
 
-SceneRenderer::BatchPtr SceneRenderer::makeLines(const std::vector<LineSegment>& segments) {
-  auto batch = std::make_shared<Batch>();
-  batch->count = static_cast<int>(segments.size());
-  if (segments.empty()) return batch;
-  batch->array.create();
-  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
-  batch->buffer.create();
-  batch->buffer.bind();
-  batch->buffer.allocate(segments.data(), static_cast<int>(segments.size() * sizeof(LineSegment)));
-  for (GLuint location = 0; location < 2; ++location) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(LineSegment),
-                          reinterpret_cast<const void*>(location * sizeof(LineSegment::from)));
-    glVertexAttribDivisor(location, 1);
-  }
-  batch->buffer.release();
-  return batch;
+void SceneRenderer::setSources(std::shared_ptr<const MeshGeometry> sources) {
+  sources_ = std::move(sources);
+  sourcesPending_ = true;
 }
+
+void SceneRenderer::setHiddenLayers(const std::set<std::uint32_t>& hidden) { batches_.setHiddenLayers(hidden); }
 
 // The same geometry comes again and again while a run goes on: what is there already stays.
 SceneRenderer::MeshBatches SceneRenderer::takeBatches(const GeometryPtr& geometry, bool withLines,
                                                       const std::vector<MeshBatches>& known) {
   const auto found = std::ranges::find(known, geometry, &MeshBatches::geometry);
   if (found != known.end()) return *found;
-  MeshBatches batches{geometry, makeSurface(geometry->surface), {}, {}, {}, {}};
-  if (withLines) {
-    batches.creases = makeLines(geometry->creases);
-    batches.outline = makeLines(geometry->outline);
-    batches.obstacleEdges = makeLines(geometry->obstacleEdges);
-    batches.connections = makeLines(geometry->connections);
-  }
+  MeshBatches batches{geometry, batches_.makeSurface(geometry->surface), {}, {}, {}, {}};
+  batches_.setSurfaceLayers(batches.surface, geometry->surfaceLayers);
+  if (!withLines) return batches;
+  const auto lines = [this](const std::vector<LineSegment>& segments, const std::vector<LineLayers>& layers) {
+    const BatchPtr batch = batches_.makeLines(segments);
+    batches_.setLineLayers(batch, layers);
+    return batch;
+  };
+  batches.creases = lines(geometry->creases, geometry->creaseLayers);
+  batches.outline = lines(geometry->outline, geometry->outlineLayers);
+  batches.obstacleEdges = lines(geometry->obstacleEdges, geometry->obstacleEdgeLayers);
+  batches.connections = lines(geometry->connections, geometry->connectionLayers);
   return batches;
 }
 
+// The layers of the environment's triangles come with results.
+void SceneRenderer::uploadEnvironmentLayers() {
+  shownEnvironmentLayers_ = content_.environmentLayers;
+  if (!environment_) return;
+  static const EnvironmentLayers kNone;
+  const EnvironmentLayers& known = shownEnvironmentLayers_ ? *shownEnvironmentLayers_ : kNone;
+  const bool fits = known.size() * 3 == environment_->surface.size();
+  batches_.setSurfaceLayers(environmentSurface_, fits ? known : kNone);
+  const auto layerOf = [&](std::uint32_t triangle) { return triangle < known.size() ? known[triangle] : kNoLayer; };
+  std::vector<LineLayers> creases;
+  if (fits) {
+    creases.reserve(environment_->creaseTriangles.size());
+    for (const auto& [a, b] : environment_->creaseTriangles) creases.push_back({layerOf(a), layerOf(b)});
+  }
+  batches_.setLineLayers(environmentCreases_, creases);
+  if (!field_) return;
+  std::vector<std::uint32_t> field;
+  if (shownEnvironmentLayers_) {
+    field.reserve(field_->sources.size());
+    for (const std::uint32_t source : field_->sources) field.push_back(layerOf(source));
+  }
+  batches_.setSurfaceLayers(fieldSurface_, field);
+}
+
 void SceneRenderer::uploadPending() {
+  bool layersPending = environmentPending_ || fieldPending_;
   if (environmentPending_) {
     environmentPending_ = false;
-    environmentSurface_ = environment_ ? makeSurface(environment_->surface) : nullptr;
-    environmentCreases_ = environment_ ? makeLines(environment_->creases) : nullptr;
+    environmentSurface_ = environment_ ? batches_.makeSurface(environment_->surface) : nullptr;
+    environmentCreases_ = environment_ ? batches_.makeLines(environment_->creases) : nullptr;
   }
   if (bordersPending_) {
     bordersPending_ = false;
-    cellBorders_ = cells_.geometry() ? makeLines(cells_.geometry()->borders) : nullptr;
+    cellBorders_ = cells_.geometry() ? batches_.makeLines(cells_.geometry()->borders) : nullptr;
   }
+  if (fieldPending_) {
+    fieldPending_ = false;
+    fieldSurface_ = field_ ? batches_.makeField(field_->surface) : nullptr;
+  }
+  if (sourcesPending_) {
+    sourcesPending_ = false;
+    sourceBatches_ = sources_ ? takeBatches(sources_, true, {}) : MeshBatches{};
+  }
+  if (contentPending_ && shownEnvironmentLayers_ != content_.environmentLayers) layersPending = true;
+  if (layersPending) uploadEnvironmentLayers();
   if (!contentPending_) return;
   contentPending_ = false;
   std::vector<MeshBatches> removed, walkable, changes;
@@ -159,60 +175,13 @@ void SceneRenderer::uploadPending() {
   changes_ = std::move(changes);
 }
 
-void SceneRenderer::drawBackground() {
-  glDisable(GL_DEPTH_TEST);
-  glDepthMask(GL_FALSE);
-  backgroundProgram_.bind();
-  backgroundProgram_.setUniformValue("lower", toVector(backgroundLower()));
-  backgroundProgram_.setUniformValue("upper", toVector(backgroundUpper()));
-  const QOpenGLVertexArrayObject::Binder bound(&emptyArray_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-}
-
-void SceneRenderer::drawSurface(const BatchPtr& batch, float offset) {
-  if (!batch || batch->count == 0) return;
-  glPolygonOffset(offset, 4 * offset);
-  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
-  glDrawArrays(GL_TRIANGLES, 0, batch->count);
-}
-
-void SceneRenderer::drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift) {
-  if (!batch || batch->count == 0) return;
-  lineProgram_.setUniformValue("colour", QVector4D(toVector(colour), 1));
-  lineProgram_.setUniformValue("width", width);
-  lineProgram_.setUniformValue("lift", lift);
-  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch->count);
-}
-
-void SceneRenderer::useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera) {
-  program.bind();
-  program.setUniformValue("modelViewProjection", camera.modelViewProjection);
-  program.setUniformValue("cut", camera.cut);
-}
-
-// The environment without anything on it.
-void SceneRenderer::drawStill(const StillKey& key) {
-  drawBackground();
-  glEnable(GL_CLIP_DISTANCE0);
-  if (key.surface) {
-    beginSurfaces(key.camera, key.pale);
-    surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
-    drawSurface(environmentSurface_, key.offset);
-    glDisable(GL_POLYGON_OFFSET_FILL);
-  }
-  if (key.creases) {
-    beginLines(key.camera);
-    drawLines(environmentCreases_, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
-    endLines();
-  }
-  glDisable(GL_CLIP_DISTANCE0);
-}
-
 SceneRenderer::ContentKey SceneRenderer::contentKey(const StillKey& still, const SceneParts& parts) const {
-  ContentKey key{still, parts, {}, {}, 0};
+  ContentKey key{still, parts, {}, {}, 0, nullptr, {}};
+  if (isHeatMap(parts.mode)) {
+    key.field = field_;
+    key.scale = fieldScale_;
+  }
+  if (parts.mode == ViewMode::SourceTriangles) key.surfaces = {sources_, nullptr};
   if (showsCells(parts)) {
     key.cells = cells_.geometry();
     key.cellColours = cells_.version();
@@ -270,126 +239,29 @@ bool SceneRenderer::copyContent(const ContentKey& key) {
   return copyToFrame(*picture_, frame);
 }
 
-void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  useCamera(surfaceProgram_, camera);
-  surfaceProgram_.setUniformValue("eye", camera.eye);
-  surfaceProgram_.setUniformValue("pale", pale);
-  surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
-  surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
-  surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
-}
-
-void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
-  beginSurfaces(camera, showsCells(parts) ? kUnderCells : 0);
-  if (parts.walkable) {
-    for (const MeshBatches& mesh : walkable_) drawSurface(mesh.surface, 0);
-  }
-  // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each. The
-  // nearest come first, so that what they hide is not painted.
-  for (std::size_t i = removed_.size(); i-- > 0;) {
-    if (parts.removed && parts.environment) drawSurface(removed_[i].surface, static_cast<float>(removed_.size() - i));
-  }
-  glDisable(GL_POLYGON_OFFSET_FILL);
-}
-
-void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
-  glEnable(GL_CLIP_DISTANCE0);
-  drawSurfaces(camera, parts);
-  if (showsCells(parts)) drawCells(camera, parts);
-  drawAllLines(camera, parts);
-  glDisable(GL_CLIP_DISTANCE0);
-}
-
-// Nearer than everything that they change, each nearer than the one before.
-void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& parts) {
-  if (changes_.empty() || !parts.walkable) return;
-  glEnable(GL_CLIP_DISTANCE0);
-  beginSurfaces(camera);
-  float offset = 0;
-  for (const MeshBatches& mesh : changes_) drawSurface(mesh.surface, offset -= 1);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glDisable(GL_CLIP_DISTANCE0);
-}
-
-// Over the surfaces and under their lines: what is walkable can still be told by its outline.
-void SceneRenderer::drawCells(const SceneCamera& camera, const SceneParts& parts) {
-  cells_.draw({camera.modelViewProjection, camera.cut, camera.devicePixelRatio});
-  beginLines(camera);
-  // Many cells have thin borders, or there would be nothing else to see.
-  constexpr float kMany = 40;
-  const auto cells = static_cast<float>(cells_.geometry()->boxes.size());
-  const float pixel = camera.devicePixelRatio * std::clamp(std::sqrt(kMany / cells), 0.35F, 1.0F);
-  if (parts.outlines) drawLines(cellBorders_, outlineColour(), 3.6F * pixel, 1.1e-4F);
-  drawLines(cellBorders_, cellBorderColour(), 2.0F * pixel, 1.2e-4F);
-  endLines();
-}
-
-// Through everything, so that a cell behind a wall is found as well.
-void SceneRenderer::drawMarkedCells(const SceneCamera& camera, const SceneParts& parts) {
-  if (!showsCells(parts)) return;
-  for (const auto& [cell, colour] :
-       {std::pair{marked_.selected, selectedCellColour()}, std::pair{marked_.hovered, hoveredCellColour()}}) {
-    if (!cell || *cell >= cells_.geometry()->boxes.size()) continue;
-    glEnable(GL_CLIP_DISTANCE0);
-    cells_.drawCell({camera.modelViewProjection, camera.cut, camera.devicePixelRatio}, *cell, colour, 0.35F);
-    glDisable(GL_CLIP_DISTANCE0);
-    const BatchPtr edges = makeLines(edgesOf(cells_.geometry()->boxes[*cell]));
-    glDisable(GL_DEPTH_TEST);
-    beginLines(camera);
-    drawLines(edges, outlineColour(), 4.4F * camera.devicePixelRatio, 0);
-    drawLines(edges, colour, 2.4F * camera.devicePixelRatio, 0);
-    endLines();
-    glEnable(GL_DEPTH_TEST);
-  }
-}
-
-void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& parts) {
-  beginLines(camera);
-  const float pixel = camera.devicePixelRatio;
-  for (const MeshBatches& mesh : walkable_) {
-    if (parts.walkable && parts.outlines) {
-      drawLines(mesh.creases, creaseColour(), 1.0F * pixel, 3e-5F);
-      drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 8e-5F);
-    }
-    if (parts.connections) {
-      drawLines(mesh.connections, outlineColour(), 4.5F * pixel, 1.1e-4F);
-      drawLines(mesh.connections, connectionColour(), 2.5F * pixel, 1.2e-4F);
-    }
-    if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.8F * pixel, 1.6e-4F);
-  }
-  endLines();
-}
-
-void SceneRenderer::beginLines(const SceneCamera& camera) {
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
-  glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later
-  useCamera(lineProgram_, camera);
-  lineProgram_.setUniformValue(
-      "viewport", QVector2D(static_cast<float>(camera.viewport.width()), static_cast<float>(camera.viewport.height())));
-}
-
-void SceneRenderer::endLines() {
-  lineProgram_.release();
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-}
-
 void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, bool moving) {
   uploadPending();
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  const Paint floor = content_.firstRemoval && parts.removed ? content_.firstRemoval->paint : undecidedPaint();
+  const bool reasons = content_.firstRemoval && parts.removed;
+  const bool vivid = parts.mode == ViewMode::RejectedBy;
+  Paint floor = undecidedPaint();
+  if (reasons && (parts.mode == ViewMode::Result || vivid))
+    floor = vivid ? content_.firstRemoval->vivid : content_.firstRemoval->paint;
   // Behind everything that may come on top: a step for each of it, but the same for a few more or less.
   constexpr std::size_t kSteps = 4;
   const auto offset = static_cast<float>((removed_.size() / kSteps + 1) * kSteps);
+  const bool surface = parts.environment && parts.mode != ViewMode::WalkableOnly;
+  const bool wires = parts.mode == ViewMode::Wireframe || parts.mode == ViewMode::HiddenLine;
   const StillKey key{environment_,
+                     content_.environmentLayers,
+                     batches_.hiddenLayers(),
                      camera,
-                     parts.environment,
-                     parts.environment && parts.outlines,
+                     parts.mode,
+                     surface,
+                     surface && parts.outlines && !wires,
                      QVector4D(toVector(floor.colour), static_cast<float>(floor.pattern) / 127.0F),
                      offset,
                      showsCells(parts) ? kUnderCells : 0};
@@ -397,7 +269,7 @@ void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, boo
     drawStill(key);
     drawContent(camera, parts);
   }
-  drawChanges(camera, parts);
+  if (parts.mode <= ViewMode::RejectedBy) drawChanges(camera, parts);
   drawMarkedCells(camera, parts);
 }
 

@@ -3,19 +3,22 @@
 #pragma once
 
 #include <QMatrix4x4>
-#include <QOpenGLBuffer>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 #include <QString>
-#include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "ui/cell_renderer.hpp"
+#include "ui/clip_planes.hpp"
+#include "ui/field_geometry.hpp"
 #include "ui/render_geometry.hpp"
+#include "ui/scene_batches.hpp"
+#include "ui/view_mode.hpp"
 
 namespace footfall {
 
@@ -26,8 +29,9 @@ struct SceneParts {
   bool removed = true;
   bool obstacleEdges = true;
   bool connections = true;
-  bool outlines = true;  ///< creases of the environment and outlines of the walkable area
-  bool cells = false;    ///< of a parallel block, over everything that faces up
+  bool outlines = true;              ///< creases of the environment and outlines of the walkable area
+  bool cells = false;                ///< of a parallel block, over everything that faces up
+  ViewMode mode = ViewMode::Result;  ///< LevelView::setMode() knows better than who switches parts
   bool operator==(const SceneParts&) const = default;
 };
 
@@ -37,7 +41,7 @@ struct SceneCamera {
   bool orthographic = false;
   QSize viewport;  ///< device pixels
   float devicePixelRatio = 1;
-  float cut = std::numeric_limits<float>::max();  ///< what is higher is left out
+  ClipPlanes clip;
   bool operator==(const SceneCamera&) const = default;
 };
 
@@ -62,6 +66,13 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
   void setCellColours(CellColours colours) { cells_.setColours(std::move(colours)); }
   void setMarkedCells(const MarkedCells& marked) { marked_ = marked; }
+  /// For heat maps. Null: none yet.
+  void setField(std::shared_ptr<const FieldGeometry> field);
+  void setFieldScale(const FieldScale& scale) { fieldScale_ = scale; }
+  /// For ViewMode::SourceTriangles, in place of the walkable surfaces. Null: none yet.
+  void setSources(std::shared_ptr<const MeshGeometry> sources);
+  /// By number; lines between two of them go with them.
+  void setHiddenLayers(const std::set<std::uint32_t>& hidden);
 
   /// `moving`: the camera will be elsewhere in the next frame. While it rests, pictures of the environment alone and of
   /// it with the content and the cells, but without changes and marks, are drawn once and kept: frames after that cost
@@ -69,13 +80,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void draw(const SceneCamera& camera, const SceneParts& parts, bool moving);
 
  private:
-  /// A vertex array with its buffer.
-  struct Batch {
-    QOpenGLVertexArrayObject array;
-    QOpenGLBuffer buffer{QOpenGLBuffer::VertexBuffer};
-    int count = 0;  ///< vertices of a surface, instances of lines
-  };
-  using BatchPtr = std::shared_ptr<Batch>;
+  using BatchPtr = SceneBatchPtr;
   using GeometryPtr = std::shared_ptr<const MeshGeometry>;
   struct MeshBatches {
     GeometryPtr geometry;  ///< what they were made of, which may come again with other content
@@ -85,7 +90,10 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   /// All that the picture of the environment depends on.
   struct StillKey {
     std::shared_ptr<const EnvironmentGeometry> environment;
+    std::shared_ptr<const EnvironmentLayers> layers;
+    std::set<std::uint32_t> hidden;
     SceneCamera camera;
+    ViewMode mode = ViewMode::Result;
     bool surface = false, creases = false;
     QVector4D floorPaint;
     float offset = 0;
@@ -99,17 +107,25 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     std::vector<GeometryPtr> surfaces;
     std::shared_ptr<const CellGeometry> cells;
     int cellColours = 0;
+    std::shared_ptr<const FieldGeometry> field;
+    FieldScale scale;
     bool operator==(const ContentKey&) const = default;
   };
   /// Colour and depth of a frame.
   using Picture = std::unique_ptr<QOpenGLFramebufferObject>;
 
   void uploadPending();
+  void uploadEnvironmentLayers();
   MeshBatches takeBatches(const GeometryPtr& geometry, bool withLines, const std::vector<MeshBatches>& known);
   [[nodiscard]] ContentKey contentKey(const StillKey& still, const SceneParts& parts) const;
 
+  static constexpr float kUnderCells = 0.9F;  ///< pale: colours of cells are to look as in their legend
+
   void useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera);
+  void beginClip(const SceneCamera& camera);
+  void endClip();
   void drawStill(const StillKey& key);
+  void drawWires(const BatchPtr& batch, const SceneCamera& camera, const QColor& colour, bool ownColours);
   void drawContent(const SceneCamera& camera, const SceneParts& parts);
   void drawChanges(const SceneCamera& camera, const SceneParts& parts);
   [[nodiscard]] bool showsCells(const SceneParts& parts) const { return parts.cells && cells_.geometry(); }
@@ -119,22 +135,34 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   bool copyContent(const ContentKey& key);
   bool copyToFrame(const QOpenGLFramebufferObject& picture, GLint frame);
   void beginSurfaces(const SceneCamera& camera, float pale = 0);
+  void setOnlyPaint(const std::optional<Paint>& paint, bool unlit = false);
   void drawSurfaces(const SceneCamera& camera, const SceneParts& parts);
+  void drawWalkable(const SceneCamera& camera, ViewMode mode);
+  void drawField(const SceneCamera& camera);
   void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
-  BatchPtr makeSurface(const std::vector<SurfaceVertex>& vertices);
-  BatchPtr makeLines(const std::vector<LineSegment>& segments);
   void drawBackground();
   void drawSurface(const BatchPtr& batch, float offset);
   void beginLines(const SceneCamera& camera);
   void endLines();
   void drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift);
 
-  QOpenGLShaderProgram surfaceProgram_, lineProgram_, backgroundProgram_;
+  QOpenGLShaderProgram surfaceProgram_, lineProgram_, backgroundProgram_, fieldProgram_;
+  SceneBatches batches_;
+  /// Not in OpenGL ES; null where it is missing: wires are then filled.
+  void(QOPENGLF_APIENTRYP polygonMode_)(GLenum face, GLenum mode) = nullptr;
+  GLuint scaleTexture_ = 0;
   QOpenGLVertexArrayObject emptyArray_;
 
   std::shared_ptr<const EnvironmentGeometry> environment_;
   ViewContent content_;
   bool environmentPending_ = false, contentPending_ = false;
+  std::shared_ptr<const EnvironmentLayers> shownEnvironmentLayers_;
+  std::shared_ptr<const FieldGeometry> field_;
+  bool fieldPending_ = false, sourcesPending_ = false;
+  FieldScale fieldScale_;
+  BatchPtr fieldSurface_;
+  GeometryPtr sources_;
+  MeshBatches sourceBatches_;
 
   BatchPtr environmentSurface_, environmentCreases_;
   Picture still_;  ///< belongs to stillKey_

@@ -128,6 +128,18 @@ void takeGroups(const ObjGroups& all, NavigationMeshFile& file) {
   }
 }
 
+/// Obstacles that an export shows beside the walkable area stand behind it, with vertices of their own.
+void dropExtras(ObjGroups& groups, Environment& soup, const StatedContent& stated) {
+  const auto first = std::find_if(groups.groups.begin(), groups.groups.end(),
+                                  [](const auto& group) { return group.name.starts_with("placed_"); });
+  if (!stated.isExport || !stated.vertices || first == groups.groups.end()) return;
+  if (*stated.vertices > soup.vertices.size()) return;  // cut off: the counts tell
+  soup.triangles.resize(first->firstTriangle);
+  groups.segments.resize(first->firstSegment);
+  soup.vertices.resize(*stated.vertices);
+  groups.groups.erase(first, groups.groups.end());
+}
+
 void checkCount(const std::string& path, std::optional<std::uint64_t> stated, std::size_t found, const char* what) {
   if (!stated || *stated == found) return;
   failInput(path, 0,
@@ -160,6 +172,7 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   Environment soup;
   ObjGroups groups;
   readObj(path, std::move(text), soup, context, &groups);
+  dropExtras(groups, soup, stated);
 
   NavigationMeshFile file;
   file.path = path;

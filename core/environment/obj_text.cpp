@@ -35,6 +35,7 @@ void appendHeader(std::string& text, std::string_view title, const Environment& 
   appendComment(text, "source: ", name);
   appendComment(text, "pipeline: ", header.pipeline);
   appendComment(text, "agent: ", header.agent);
+  appendComment(text, "note: ", header.note);
   std::string frame = environment.up == UpAxis::Y ? "Y up, " : "Z up, ";
   appendNumber(frame, environment.metresPerUnit);
   appendComment(text, "frame: ", frame + " metres per unit");

@@ -152,7 +152,9 @@ class TestCellsInView : public QObject {
     const auto geometry = makeCellGeometry(environment, shown->centre, cells, [] {});
     const double z = shown->centre.z;
     const auto at = [&](double x, double y, double cut) {
-      return pickCell(down(x - shown->centre.x, y - shown->centre.y), *shown, *geometry, cut - z).value_or(99);
+      ShownSpace left;
+      left.heights.upper = cut - z;
+      return pickCell(down(x - shown->centre.x, y - shown->centre.y), *shown, *geometry, left).value_or(99);
     };
     QCOMPARE(at(0, 0, 100), std::size_t{0});
     QCOMPARE(at(2, 0, 100), std::size_t{1});
@@ -479,7 +481,7 @@ class TestCellsInView : public QObject {
     QTRY_VERIFY(window_->cellWatch().upToDate());
     const QRect cells = window_->cellLegend().geometry();
     QVERIFY(window_->view().rect().contains(cells));
-    QVERIFY(!cells.intersects(window_->cutSlider()->parentWidget()->geometry()));
+    QVERIFY(!cells.intersects(window_->heightSlider().geometry()));
     const auto* legend = window_->findChild<Legend*>();
     QVERIFY(!legend->isVisible() || !cells.intersects(legend->geometry()));
   }

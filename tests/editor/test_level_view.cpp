@@ -112,7 +112,7 @@ class TestLevelView : public QObject {
     QVERIFY(openZUp(window, writeFile(folder, "roof.obj", floorObj() + roof), "SlopeFilter 45\n"));
     window.view().viewFromTop();
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
-    window.cutSlider()->setValue(window.cutSlider()->maximum() / 2);
+    window.heightSlider().setRange({.upper = 2.5});
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);
   }
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/path_command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/command_files.hpp"
+#include "app/interrupt_watcher.hpp"
+#include "app/progress_bar.hpp"
+#include "core/environment/worker_arena.hpp"
+#include "core/errors.hpp"
+#include "core/navigation/path_finder.hpp"
+#include "core/navigation/path_report.hpp"
+#include "core/navigation/place_reach.hpp"
+#include "core/pipeline/export_header.hpp"
+#include "core/pipeline/runner.hpp"
+
+namespace footfall {
+namespace {
+
+void checkArguments(const PathArguments& arguments) {
+  checkEnding(arguments.output, "-o", ".obj");
+  for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
+    if (sameFile(arguments.output, input))
+      throw InputError(arguments.output + ": would be overwritten; give another file to write to");
+  for (const auto& [option, p] : {std::pair{"--from", arguments.from}, std::pair{"--to", arguments.to}})
+    for (const double x : p)
+      if (!std::isfinite(x)) throw InputError(std::string(option) + ": takes three finite numbers; give X Y Z");
+  if (arguments.reach && !(*arguments.reach >= 0))
+    throw InputError("--reach: must be a height in the file's units; give a number that is not negative");
+}
+
+/// Import turns Y-up files to Z up; so it does with places.
+Vec3 turned(const std::array<double, 3>& p, UpAxis up) {
+  return up == UpAxis::Y ? Vec3{p[0], -p[2], p[1]} : Vec3{p[0], p[1], p[2]};
+}
+
+}  // namespace
+
+PathOutcome findPath(const PathArguments& arguments) {
+  checkArguments(arguments);
+  std::optional<Pipeline> pipeline = givenPipeline(arguments.pipelineFile, arguments.filters);
+  ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO) != 0);
+  RunContext context([&bar](const RunEvent& event) { bar.show(event); });
+  const InterruptWatcher watcher(context);
+
+  bar.begin("loading", 0);
+  const std::shared_ptr<const Environment> environment = onThreads(arguments.threads, [&](int) {
+    return loadEnvironment(arguments.environment, &context);
+  });
+  if (!pipeline) pipeline = defaultPipeline(*environment);
+  bar.begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline->steps, true, &PipelineStep::enabled)));
+  const RunResult run = runNamingFile(arguments.pipelineFile, environment, *pipeline, context, arguments.threads);
+
+  bar.begin("looking for the path", 0);
+  const auto poll = [&context] { context.checkCancelled(); };
+  const PathFinder finder(run.mesh, poll);
+  const PathResult path = finder.find(turned(arguments.from, environment->up), turned(arguments.to, environment->up),
+                                      arguments.reach.value_or(placeReach(*pipeline)), poll);
+  if (!arguments.output.empty() && path.hasPath())
+    writeFileSafely(arguments.output, formatPathObj(*environment, makeExportHeader(*pipeline), path));
+  bar.clear();
+  return {arguments.json ? formatPathJson(*run.mesh, *environment, path) : formatPath(*environment, path),
+          path.reached() ? std::string() : environment->source + ": " + describeFailure(path)};
+}
+
+}  // namespace footfall

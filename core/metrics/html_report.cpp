@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrics/html_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <numeric>
+#include <vector>
+
+#include "core/environment/base64.hpp"
+#include "core/filters/descriptor_text.hpp"
+#include "core/metrics/process_usage.hpp"
+#include "core/navigation/surface_topology.hpp"
+#include "core/pipeline/export_header.hpp"
+
+#ifndef FOOTFALL_VERSION
+#define FOOTFALL_VERSION "unknown"
+#endif
+
+namespace footfall {
+namespace {
+
+constexpr std::size_t kMostRows = 20;  // of lists that can have thousands
+
+// Blue for bars: Okabe and Ito's, darker or lighter as the background needs it.
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; --text: #1d2226; --quiet: #58636b; --page: #ffffff; --line: #d5dade; --bar: #0072b2; }
+@media (prefers-color-scheme: dark) {
+  :root { --text: #e6e9eb; --quiet: #a3adb4; --page: #1b1f22; --line: #3b4349; --bar: #56b4e9; }
+}
+body { margin: 2rem auto; max-width: 62rem; padding: 0 1rem; background: var(--page); color: var(--text);
+       font: 1rem/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.6rem; margin: 0 0 .25rem; }
+h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
+p { margin: .25rem 0; }
+.quiet { color: var(--quiet); }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; }
+th, td { padding: .3rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+th { font-weight: 600; }
+.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.scale { width: 12rem; }
+.bar { display: block; height: .8rem; margin-top: .35rem; min-width: 1px; background: var(--bar); }
+pre { padding: .75rem; border: 1px solid var(--line); overflow-x: auto; }
+figure { margin: 1rem 0; }
+figure img { max-width: 100%; height: auto; border: 1px solid var(--line); }
+figcaption { color: var(--quiet); }
+@media print { body { max-width: none; margin: 0; } figure, tr { break-inside: avoid; } }
+)";
+
+std::string number(double value, const char* format) {
+  std::array<char, 400> buffer;
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+std::string milliseconds(double ms) { return number(ms, ms < 10 ? "%.2f ms" : "%.0f ms"); }
+std::string shortNumber(double x) { return number(x, "%.6g"); }
+
+/// Thousands apart, which is how people read them.
+std::string grouped(std::uint64_t n) {
+  std::string text = std::to_string(n);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(text.begin() + static_cast<std::ptrdiff_t>(i - 3), ',');
+  return text;
+}
+
+std::string counted(std::uint64_t n, const char* one, const char* many) {
+  return grouped(n) + ' ' + (n == 1 ? one : many);
+}
+
+/// A table with titles; columns from `firstNumber` on are numbers, except where a title is empty: bars.
+class Table {
+ public:
+  explicit Table(const std::vector<std::string>& titles, std::size_t firstNumber)
+      : titles_(titles), firstNumber_(firstNumber) {
+    html_ = "<div class=\"wide\"><table>\n<thead><tr>";
+    for (std::size_t i = 0; i < titles.size(); ++i)
+      html_ += "<th scope=\"col\"" + classOf(i) + '>' + escapeHtml(titles[i]) + "</th>";
+    html_ += "</tr></thead>\n<tbody>\n";
+  }
+  /// Cells are text; under an empty title a number from 0 to 100.
+  void row(const std::vector<std::string>& cells) {
+    html_ += "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      html_ += "<td" + classOf(i) + '>';
+      html_ +=
+          titles_[i].empty() ? "<span class=\"bar\" style=\"width: " + cells[i] + "%\"></span>" : escapeHtml(cells[i]);
+      html_ += "</td>";
+    }
+    html_ += "</tr>\n";
+  }
+  [[nodiscard]] std::string finish() const { return html_ + "</tbody>\n</table></div>\n"; }
+
+ private:
+  [[nodiscard]] std::string classOf(std::size_t column) const {
+    if (titles_[column].empty()) return " class=\"scale\"";
+    return column >= firstNumber_ ? " class=\"number\"" : "";
+  }
+  std::vector<std::string> titles_;
+  std::size_t firstNumber_;
+  std::string html_;
+};
+
+std::string percent(double part, double whole) {
+  return number(whole > 0 ? std::clamp(100 * part / whole, 0.0, 100.0) : 0, "%.1f");
+}
+
+double areaOf(const NavigationMesh& mesh, const Triangle& t) {
+  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+  return std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+}
+
+struct Group {
+  std::size_t triangles = 0;
+  double area = 0;
+};
+
+std::vector<Group> sumGroups(const NavigationMesh& mesh, const std::vector<std::uint32_t>& groupOf, std::size_t count) {
+  std::vector<Group> groups(count);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (groupOf[i] >= count) continue;
+    ++groups[groupOf[i]].triangles;
+    groups[groupOf[i]].area += areaOf(mesh, mesh.triangles[i]);
+  }
+  return groups;
+}
+
+std::string environmentSection(const Environment& environment, const Pipeline& pipeline, const ProgramTimes& times) {
+  const ExportHeader header = makeExportHeader(pipeline);
+  std::string html =
+      "<section>\n<h2>Environment</h2>\n<p>" +
+      escapeHtml(counted(environment.triangles.size(), "triangle", "triangles") + ", " +
+                 counted(environment.vertices.size(), "vertex", "vertices") + "; " +
+                 (environment.up == UpAxis::Y ? "Y up" : "Z up") + (environment.upGuessed ? " (guessed)" : "") + ", " +
+                 shortNumber(environment.metresPerUnit) + " metres per unit" +
+                 (environment.scaleGuessed ? " (guessed)" : "") +
+                 (environment.bothSides ? ", both sides count as up" : "")) +
+      "</p>\n";
+  if (times.loadMs > 0) html += "<p class=\"quiet\">Loaded in " + milliseconds(times.loadMs) + "</p>\n";
+  html += "</section>\n<section>\n<h2>Agent and pipeline</h2>\n<p>" + escapeHtml(header.agent) + "</p>\n<pre>" +
+          escapeHtml(header.pipeline) + "</pre>\n</section>\n";
+  return html;
+}
+
+std::string stepName(const StepStatistics& step) {
+  const FilterDescriptor* filter = findFilter(step.name);
+  return filter == nullptr ? step.name : formatStep({filter, step.parameters, true, 0});
+}
+
+std::string stepsSection(const RunResult& result) {
+  double longest = std::max(result.startMs, result.finishMs);
+  for (const StepStatistics& step : result.steps) longest = std::max(longest, step.wallMs);
+  Table table({"Step", "", "Time", "Triangles", "Area", "Note"}, 2);
+  const auto row = [&](const std::string& name, double ms, const std::string& triangles, const std::string& area,
+                       const std::string& note) {
+    table.row({name, percent(ms, longest), milliseconds(ms), triangles, area, note});
+  };
+  if (!result.steps.empty()) {
+    const StateSummary& first = result.steps.front().in;
+    row("(start)", result.startMs, grouped(first.triangles), shortNumber(first.area), "");
+  }
+  for (const StepStatistics& step : result.steps)
+    row(stepName(step), step.wallMs, grouped(step.out.triangles), shortNumber(step.out.area),
+        step.fromCache ? step.note.empty() ? "from the cache" : step.note + "; from the cache" : step.note);
+  row("(navigation mesh)", result.finishMs, result.mesh ? grouped(result.mesh->triangles.size()) : "", "", "");
+  return "<section>\n<h2>Steps</h2>\n" + table.finish() + "<p class=\"quiet\">The run took " +
+         milliseconds(result.totalMs) + " on " +
+         escapeHtml(counted(static_cast<std::uint64_t>(result.threads), "thread", "threads")) + " (" +
+         milliseconds(result.cpuMs) + " of processor time); the most memory held at once was " +
+         number(static_cast<double>(peakRssBytes()) / 1048576.0, "%.0f") + " MiB.</p>\n</section>\n";
+}
+
+std::string groupsTable(const char* title, const std::string& prefix, const std::vector<Group>& groups, bool byArea) {
+  std::vector<std::size_t> order(groups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (byArea)
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return groups[a].area > groups[b].area; });
+  double largest = 0;
+  for (const Group& group : groups) largest = std::max(largest, group.area);
+  Table table({title, "", "Area", "Triangles"}, 2);
+  const std::size_t shown = std::min(order.size(), kMostRows);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Group& group = groups[order[i]];
+    table.row({prefix + std::to_string(byArea ? i + 1 : order[i]), percent(group.area, largest),
+               shortNumber(group.area), grouped(group.triangles)});
+  }
+  std::string html = table.finish();
+  if (shown < order.size()) {
+    double rest = 0;
+    for (std::size_t i = shown; i < order.size(); ++i) rest += groups[order[i]].area;
+    html += "<p class=\"quiet\">and " + grouped(order.size() - shown) + " more with an area of " + shortNumber(rest) +
+            " together</p>\n";
+  }
+  return html;
+}
+
+std::string resultSection(const RunResult& result) {
+  if (!result.mesh) return {};
+  const NavigationMesh& mesh = *result.mesh;
+  const SurfaceTopology topology = makeSurfaceTopology(mesh);
+  std::string html = "<section>\n<h2>Result</h2>\n<p>" +
+                     escapeHtml(counted(mesh.triangles.size(), "walkable triangle", "walkable triangles") + ", " +
+                                counted(mesh.vertices.size(), "vertex", "vertices") + ", area " +
+                                shortNumber(result.summary.area) + "; " + counted(mesh.layerCount, "layer", "layers") +
+                                ", " + counted(mesh.connections.size(), "connection", "connections") + ", " +
+                                counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + "; " +
+                                counted(topology.componentCount, "connected part", "connected parts")) +
+                     "</p>\n";
+  if (mesh.layerCount > 0) html += groupsTable("Layer", "layer_", sumGroups(mesh, mesh.layers, mesh.layerCount), false);
+  if (topology.componentCount > 0) {
+    html += "<h3>Connected parts, the largest first</h3>\n" +
+            groupsTable("Part", "", sumGroups(mesh, topology.components, topology.componentCount), true);
+  }
+  return html + "</section>\n";
+}
+
+std::string blockSection(const BlockReport& block, int threads) {
+  std::string html = "<section>\n<h2>Cells and threads</h2>\n<p>" +
+                     escapeHtml(block.strategy + ": " + counted(block.cells.size(), "cell", "cells") +
+                                (block.reason.empty() ? "" : "; " + block.reason)) +
+                     "</p>\n<p class=\"quiet\">Partitioning " + milliseconds(block.partitioningMs) + ", cells " +
+                     milliseconds(block.parallelMs) + ", merging " + milliseconds(block.mergingMs) + "; imbalance " +
+                     number(block.imbalance(threads), "%.2f") + "</p>\n";
+  const std::vector<double> busy = block.busyMs(threads);
+  const double most = busy.empty() ? 0 : *std::max_element(busy.begin(), busy.end());
+  Table lanes({"Thread", "", "Busy"}, 2);
+  for (std::size_t i = 0; i < busy.size(); ++i)
+    lanes.row({std::to_string(i), percent(busy[i], most), milliseconds(busy[i])});
+  html += lanes.finish();
+
+  std::vector<std::size_t> order(block.cells.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return block.cells[a].workMs() > block.cells[b].workMs(); });
+  Table cells({"Cell", "", "Work", "Thread", "Triangles in", "Triangles out"}, 2);
+  for (std::size_t i = 0; i < std::min(order.size(), kMostRows); ++i) {
+    const CellReport& cell = block.cells[order[i]];
+    cells.row({std::to_string(order[i]), percent(cell.workMs(), block.cells[order[0]].workMs()),
+               milliseconds(cell.workMs()), std::to_string(cell.thread), grouped(cell.trianglesIn),
+               grouped(cell.trianglesOut)});
+  }
+  html += cells.finish();
+  if (order.size() > kMostRows)
+    html += "<p class=\"quiet\">and " + grouped(order.size() - kMostRows) + " cells with less work</p>\n";
+  return html + "</section>\n";
+}
+
+std::string picturesSection(std::span<const ReportPicture> pictures) {
+  if (pictures.empty()) return {};
+  std::string html = "<section>\n<h2>Pictures</h2>\n";
+  for (const ReportPicture& picture : pictures) {
+    const std::string caption = escapeHtml(picture.caption);
+    html += "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + toBase64(picture.png) +
+            "\"/><figcaption>" + caption + "</figcaption></figure>\n";
+  }
+  return html + "</section>\n";
+}
+
+}  // namespace
+
+std::string formatHtmlReport(const Environment& environment, const Pipeline& pipeline, const RunResult& result,
+                             const ProgramTimes& times, std::span<const ReportPicture> pictures) {
+  const std::string name = escapeHtml(std::filesystem::path(environment.source).filename().string());
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<meta name=\"generator\" content=\"Footfall " FOOTFALL_VERSION "\"/>\n<title>" +
+      name + ": walkable area</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + name +
+      "</h1>\n<p class=\"quiet\">Walkable area, computed by Footfall " FOOTFALL_VERSION
+      ". Lengths and areas are in the units of the environment.</p>\n";
+  html += environmentSection(environment, pipeline, times);
+  html += resultSection(result);
+  html += stepsSection(result);
+  for (const BlockReport& block : result.blocks) html += blockSection(block, result.threads);
+  html += picturesSection(pictures);
+  return html + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace footfall

@@ -1,0 +1,28 @@
+// What a path has to tell: as text, as JSON and as OBJ.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/environment/environment.hpp"
+#include "core/environment/export.hpp"
+#include "core/navigation/path_finder.hpp"
+
+namespace footfall {
+
+/// A point in the frame of the environment's file, "1 2.5 -3": the way the user wrote it.
+std::string formatPlace(const Vec3& p, UpAxis up);
+
+/// A few lines for a terminal or a log; places in the frame of the environment's file, lengths in its units.
+std::string formatPath(const Environment& environment, const PathResult& path);
+
+/// One JSON object: `status` ("found", "nothing_walkable", "start_not_walkable", "target_not_walkable",
+/// "not_connected"), `message` (empty when found), `from`, `to` (as asked for), `start`, `end` (null or `position`,
+/// `distance` from what was asked for, `layer` or null), `length`, `plan_length`, `layers`, `connections`, `bends` and
+/// `points` (lists of points), `max_slope_degrees`, `max_incline_degrees`. Points are [x, y, z] in the file's frame.
+std::string formatPathJson(const NavigationMesh& mesh, const Environment& environment, const PathResult& path);
+
+/// The path as one polyline (`g path`, one `l` element), in the frame and units of the environment's file.
+std::string formatPathObj(const Environment& environment, const ExportHeader& header, const PathResult& path);
+
+}  // namespace footfall

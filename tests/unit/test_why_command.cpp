@@ -1,0 +1,126 @@
+// `footfall why` as a user meets it: words, JSON and bad input.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTemporaryDir>
+#include <QtTest>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/program_run.hpp"
+
+using namespace footfall::test;
+
+namespace {
+
+Outcome footfallWhy(const QStringList& arguments) { return runProgram(QStringList("why") + arguments); }
+
+// A floor of 12 by 6; over its left third a slab at 1.5 that faces down; Z up and Y up.
+constexpr const char* kZUp =
+    "v 0 0 0\nv 12 0 0\nv 12 6 0\nv 0 6 0\nv 0 0 1.5\nv 4 0 1.5\nv 4 6 1.5\nv 0 6 1.5\n"
+    "f 1 2 3\nf 1 3 4\nf 5 7 6\nf 5 8 7\n";
+constexpr const char* kYUp =
+    "v 0 0 0\nv 12 0 0\nv 12 0 -6\nv 0 0 -6\nv 0 1.5 0\nv 4 1.5 0\nv 4 1.5 -6\nv 0 1.5 -6\n"
+    "f 1 2 3\nf 1 3 4\nf 5 7 6\nf 5 8 7\n";
+
+}  // namespace
+
+class TestWhyCommand : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    QVERIFY(folder_->isValid());
+    write(path("z.obj"), kZUp);
+    write(path("y.obj"), kYUp);
+  }
+
+  void help() {
+    const Outcome outcome = footfallWhy({"--help"});
+    QCOMPARE(outcome.exitCode, 0);
+    for (const char* word : {"--at", "-p", "--filter", "--up", "--scale", "--both-sides", "--threads", "--json"})
+      QVERIFY2(outcome.out.contains(word), word);
+    QVERIFY(runProgram({"--help"}).out.contains("why"));
+  }
+
+  void walkable() {
+    const Outcome outcome = footfallWhy({path("z.obj"), "--up", "z", "--at", "8", "3", "0"});
+    QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+    QVERIFY(outcome.err.isEmpty());
+    QVERIFY2(outcome.out.contains("8 3 0 on triangle ") && outcome.out.contains("walkable, layer 0, component 1 of 1"),
+             outcome.out.constData());
+    QVERIFY(outcome.out.contains("slope: 0 degrees") && outcome.out.contains("unlimited"));
+    QVERIFY(!outcome.out.contains("not walkable") && !outcome.out.contains("rejected"));
+  }
+
+  void rejected() {
+    for (const QStringList& arguments : {QStringList{path("z.obj"), "--up", "z", "--at", "1", "3", "0.5"},
+                                         QStringList{path("y.obj"), "--up", "y", "--at", "1", "0.5", "-3"}}) {
+      const Outcome outcome =
+          footfallWhy(arguments + QStringList{"--filter", "SlopeFilter 45", "--filter", "VerticalClearanceFilter 2"});
+      QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+      QVERIFY2(outcome.out.contains("is 1.5 above where 2 are needed"), outcome.out.constData());
+      QVERIFY(outcome.out.contains("rejected by step 2: VerticalClearanceFilter 2"));
+      QVERIFY(outcome.out.startsWith(arguments[2] == "z" ? "1 3 0 on " : "1 0 -3 on "));
+    }
+  }
+
+  void pipelineFile() {
+    write(path("p.pipeline"), "SlopeFilter 45\nVerticalClearanceFilter 1\nAreaFilter 100\n");
+    const Outcome outcome = footfallWhy({"--at", "1", "3", "0", "-p", path("p.pipeline"), path("z.obj"), "--up", "z"});
+    QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
+    QVERIFY2(outcome.out.contains("has an area of 72") && outcome.out.contains("AreaFilter 100"),
+             outcome.out.constData());
+  }
+
+  void json() {
+    const Outcome low = footfallWhy({path("y.obj"), "--up", "y", "--at", "1", "0", "-3", "--json"});
+    QVERIFY2(low.exitCode == 0, low.err.constData());
+    const auto object = nlohmann::json::parse(low.out.toStdString());
+    QCOMPARE(object["verdict"].get<std::string>(), std::string("too_low"));
+    QCOMPARE(object["walkable"].get<bool>(), false);
+    QCOMPARE(object["filter"].get<std::string>(), std::string("VerticalClearanceFilter"));
+    QCOMPARE(object["step"].get<int>(), 4);
+    QCOMPARE(object["obstacle_height"].get<double>(), 1.5);
+    QVERIFY(object["obstacle"].get<int>() >= 2);
+    QVERIFY((object["point"].get<std::vector<double>>() == std::vector<double>{1, 0, -3}));
+    QVERIFY(object["layer"].is_null() && object["component"].is_null());
+    const Outcome free = footfallWhy({path("z.obj"), "--up", "z", "--at", "8", "3", "99", "--json"});
+    const auto place = nlohmann::json::parse(free.out.toStdString());
+    QCOMPARE(place["walkable"].get<bool>(), true);
+    QCOMPARE(place["component"].get<int>(), 1);
+    QVERIFY(place["headroom"].is_null() && place["step"].is_null());
+  }
+
+  void badInput_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("no place") << QStringList{"z.obj"} << "--at is required";
+    QTest::newRow("two numbers") << QStringList{"z.obj", "--at", "1", "2"} << "--at";
+    QTest::newRow("no number") << QStringList{"z.obj", "--at", "1", "2", "up"} << "--at";
+    QTest::newRow("nan") << QStringList{"z.obj", "--at", "1", "nan", "0"} << "three finite numbers";
+    QTest::newRow("infinite") << QStringList{"z.obj", "--at", "1", "2", "inf"} << "three finite numbers";
+    QTest::newRow("outside") << QStringList{"z.obj", "--up", "z", "--at", "-1", "2", "0"} << "nothing is at or under";
+    QTest::newRow("below") << QStringList{"z.obj", "--up", "z", "--at", "1", "2", "-1"}
+                           << "goes from 0 0 0 to 12 6 1.5";
+    QTest::newRow("no file") << QStringList{"none.obj", "--at", "1", "2", "0"} << "none.obj";
+    QTest::newRow("filter") << QStringList{"z.obj", "--at", "1", "2", "0", "--filter", "Slope"} << "unknown filter";
+  }
+  void badInput() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, message);
+    arguments[0] = path(arguments[0]);
+    const Outcome outcome = footfallWhy(arguments);
+    QCOMPARE(outcome.exitCode, 2);
+    QVERIFY(outcome.out.isEmpty() && !outcome.crashed);
+    QVERIFY2(outcome.err.contains(message.toUtf8()), outcome.err.constData());
+    QCOMPARE(outcome.err.count('\n'), 1);
+  }
+
+ private:
+  [[nodiscard]] QString path(const QString& name) const { return folder_->filePath(name); }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_APPLESS_MAIN(TestWhyCommand)
+#include "test_why_command.moc"

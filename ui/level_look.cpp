@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level_look.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/errors.hpp"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr HeightRange kAll;
+
+Vec3 placed(const std::array<float, 3>& p, const Vec3& centre) {
+  return {p[0] + centre.x, p[1] + centre.y, p[2] + centre.z};
+}
+
+}  // namespace
+
+LevelLook::LevelLook(EditorWindow& window) : QObject(&window), window_(window) {
+  setObjectName(QStringLiteral("levelLook"));
+  addLayers();
+  connect(&window_, &EditorWindow::environmentLoaded, this, &LevelLook::takeEnvironment);
+  connect(&window_.heightSlider(), &HeightSlider::rangeChanged, &window_, &EditorWindow::keepSoon);
+  window_.addSessionSection(
+      {QStringLiteral("look"), [this] { return save(); }, [this](const std::string& text) { load(text); }});
+}
+
+void LevelLook::addLayers() {
+  layers_ = new LayerPanel(&window_);
+  window_.addPanel({QStringLiteral("panel.layers"),
+                    tr("Layers"),
+                    tr("List the layers, hide and show them"),
+                    {},
+                    QStringLiteral("layers"),
+                    Qt::RightDockWidgetArea,
+                    false},
+                   layers_);
+  connect(layers_, &LayerPanel::hiddenChanged, &window_.view(), &LevelView::setHiddenLayers);
+  connect(layers_, &LayerPanel::hiddenChanged, &window_, &EditorWindow::keepSoon);
+  connect(layers_, &LayerPanel::frameRequested, this, [this](const LayerFigures& layer) {
+    const auto geometry = window_.view().environmentGeometry();
+    if (geometry) window_.view().frame(placed(layer.lower, geometry->centre), placed(layer.upper, geometry->centre));
+  });
+  connect(&window_.controller(), &RunController::finished, this, [this] {
+    const ViewContent& content = window_.view().content();
+    layers_->setResult(content.walkable.empty() ? nullptr : content.walkable.front());
+  });
+  const QString group = QStringLiteral("floors");
+  window_.commands().add({QStringLiteral("view.nextFloor"),
+                          CommandMenu::View,
+                          group,
+                          tr("Next floor &up"),
+                          tr("Show only the next layer, or the next storey where there are no layers"),
+                          {Qt::Key_PageUp}},
+                         [this](bool) { stepFloor(1); });
+  window_.commands().add({QStringLiteral("view.previousFloor"),
+                          CommandMenu::View,
+                          group,
+                          tr("Next floor &down"),
+                          tr("Show only the layer before, or the storey below"),
+                          {Qt::Key_PageDown}},
+                         [this](bool) { stepFloor(-1); });
+  window_.commands().add({QStringLiteral("view.allFloors"),
+                          CommandMenu::View,
+                          group,
+                          tr("Show &all floors"),
+                          tr("Show all layers and heights again"),
+                          {QKeySequence(Qt::SHIFT | Qt::Key_PageUp)}},
+                         [this](bool) {
+                           layers_->showAll();
+                           window_.heightSlider().reset();
+                         });
+}
+
+void LevelLook::stepFloor(int direction) {
+  if (layers_->layers() > 1) {
+    layers_->stepSolo(direction);
+    return;
+  }
+  HeightSlider& heights = window_.heightSlider();
+  const auto floors = static_cast<int>(heights.floors().size());
+  if (floors == 0) return;
+  const std::optional<int> now = heights.shownFloor();
+  heights.showFloor(now ? (*now + direction + floors) % floors : direction > 0 ? 0 : floors - 1);
+}
+
+void LevelLook::takeEnvironment() {
+  const auto geometry = window_.view().environmentGeometry();
+  if (!geometry) return;
+  HeightSlider& heights = window_.heightSlider();
+  const QString source = QString::fromStdString(window_.environment()->source);
+  const bool other = source != source_;
+  source_ = source;
+  const HeightRange before = heights.range();
+  const double z = geometry->centre.z;
+  std::vector<double> floors = geometry->floors;
+  for (double& floor : floors) floor += z;
+  heights.setLevel(geometry->lower.z + z, geometry->upper.z + z, floors);
+  if (other) layers_->setResult(nullptr);
+  if (pending_) {
+    layers_->setHidden(pending_->hidden);
+    heights.setRange(pending_->heights);
+    pending_.reset();
+  } else if (other) {
+    layers_->showAll();
+  } else {
+    heights.setRange(before);  // the same file, read again
+  }
+}
+
+std::string LevelLook::save() const {
+  Json json;
+  json["hidden_layers"] = layers_->hidden();
+  const HeightRange& heights = window_.heightSlider().range();
+  if (heights.lower > kAll.lower) json["lower"] = heights.lower;
+  if (heights.upper < kAll.upper) json["upper"] = heights.upper;
+  return json.dump();
+}
+
+void LevelLook::load(const std::string& text) {
+  pending_.emplace();
+  if (text.empty()) return;
+  try {
+    const Json json = Json::parse(text);
+    Kept kept;
+    kept.hidden = json.value("hidden_layers", kept.hidden);
+    kept.heights.lower = json.value("lower", kAll.lower);
+    kept.heights.upper = json.value("upper", kAll.upper);
+    pending_ = kept;
+  } catch (const Json::exception&) {
+    throw InputError("something is missing or of the wrong type");
+  }
+}
+
+void installLevelLook(EditorWindow& window) { new LevelLook(window); }
+
+}  // namespace footfall

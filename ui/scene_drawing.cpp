@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SceneRenderer's strokes: what each mode draws, and how.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "ui/appearance.hpp"
+#include "ui/scene_renderer.hpp"
+
+#ifndef GL_CLIP_DISTANCE0
+#define GL_CLIP_DISTANCE0 0x3000  // the headers of OpenGL ES do not know these
+#endif
+#ifndef GL_LINE
+#define GL_LINE 0x1B01
+#define GL_FILL 0x1B02
+#endif
+#ifndef GL_POLYGON_OFFSET_LINE
+#define GL_POLYGON_OFFSET_LINE 0x2A02
+#endif
+
+namespace footfall {
+namespace {
+
+constexpr int kScaleColours = 256;
+
+QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
+
+QVector4D toVector(const Paint& paint) { return {toVector(paint.colour), static_cast<float>(paint.pattern) / 127.0F}; }
+
+}  // namespace
+
+void SceneRenderer::beginClip(const SceneCamera& camera) {
+  if (!camera.clip.active()) return;
+  for (GLenum i = 0; i < 3; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
+}
+
+void SceneRenderer::endClip() {
+  for (GLenum i = 0; i < 3; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
+}
+
+void SceneRenderer::drawBackground() {
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  backgroundProgram_.bind();
+  backgroundProgram_.setUniformValue("lower", toVector(backgroundLower()));
+  backgroundProgram_.setUniformValue("upper", toVector(backgroundUpper()));
+  const QOpenGLVertexArrayObject::Binder bound(&emptyArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::drawSurface(const BatchPtr& batch, float offset) {
+  if (!batch || batch->count == 0) return;
+  glPolygonOffset(offset, 4 * offset);
+  batches_.useLayers(surfaceProgram_, *batch);
+  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
+  glDrawArrays(GL_TRIANGLES, 0, batch->count);
+}
+
+void SceneRenderer::drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift) {
+  if (!batch || batch->count == 0) return;
+  lineProgram_.setUniformValue("colour", QVector4D(toVector(colour), 1));
+  lineProgram_.setUniformValue("width", width);
+  lineProgram_.setUniformValue("lift", lift);
+  batches_.useLayers(lineProgram_, *batch);
+  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch->count);
+}
+
+void SceneRenderer::useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera) {
+  program.bind();
+  program.setUniformValue("modelViewProjection", camera.modelViewProjection);
+  camera.clip.setTo(program);
+  program.setUniformValue("layered", false);
+}
+
+// The environment without anything on it.
+void SceneRenderer::drawStill(const StillKey& key) {
+  drawBackground();
+  beginClip(key.camera);
+  const bool wires = key.mode == ViewMode::Wireframe || key.mode == ViewMode::HiddenLine;
+  if (key.surface && key.mode != ViewMode::Wireframe) {
+    beginSurfaces(key.camera, key.pale);
+    if (wires) setOnlyPaint(Paint{hiddenLineFill()}, true);
+    surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
+    drawSurface(environmentSurface_, key.offset);
+    setOnlyPaint(std::nullopt);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+  if (key.surface && wires) drawWires(environmentSurface_, key.camera, wireColour(), false);
+  if (key.creases) {
+    beginLines(key.camera);
+    drawLines(environmentCreases_, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
+    endLines();
+  }
+  endClip();
+}
+
+// The edges of all triangles of a surface.
+void SceneRenderer::drawWires(const BatchPtr& batch, const SceneCamera& camera, const QColor& colour, bool ownColours) {
+  if (!batch || batch->count == 0 || !polygonMode_) return;
+  beginSurfaces(camera);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  surfaceProgram_.setUniformValue("hatchBacks", false);
+  surfaceProgram_.setUniformValue("unlit", true);
+  if (!ownColours) setOnlyPaint(Paint{colour}, true);
+  polygonMode_(GL_FRONT_AND_BACK, GL_LINE);
+  glLineWidth(camera.devicePixelRatio);
+  // Under the edges of what is walkable.
+  glEnable(GL_POLYGON_OFFSET_LINE);
+  drawSurface(batch, ownColours ? 0 : 0.5F);
+  glDisable(GL_POLYGON_OFFSET_LINE);
+  glLineWidth(1);
+  polygonMode_(GL_FRONT_AND_BACK, GL_FILL);
+  setOnlyPaint(std::nullopt);
+}
+
+void SceneRenderer::setOnlyPaint(const std::optional<Paint>& paint, bool unlit) {
+  surfaceProgram_.setUniformValue("only", paint.has_value());
+  surfaceProgram_.setUniformValue("unlit", unlit);
+  if (paint) surfaceProgram_.setUniformValue("onlyPaint", toVector(*paint));
+}
+
+void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  useCamera(surfaceProgram_, camera);
+  surfaceProgram_.setUniformValue("eye", camera.eye);
+  surfaceProgram_.setUniformValue("pale", pale);
+  surfaceProgram_.setUniformValue("viewDirection", camera.viewDirection);
+  surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
+  surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
+  surfaceProgram_.setUniformValue("plainFloor", toVector(undecidedPaint()));
+  surfaceProgram_.setUniformValue("hatchBacks", camera.clip.active() && environment_ && !environment_->bothSides);
+  setOnlyPaint(std::nullopt);
+}
+
+void SceneRenderer::drawWalkable(const SceneCamera& camera, ViewMode mode) {
+  if (mode == ViewMode::SourceTriangles && sourceBatches_.surface) {
+    drawSurface(sourceBatches_.surface, 0);
+    return;
+  }
+  if (mode == ViewMode::RejectedBy) setOnlyPaint(paleWalkablePaint());
+  for (const MeshBatches& mesh : walkable_) {
+    if (mode == ViewMode::Wireframe || mode == ViewMode::HiddenLine) {
+      drawWires(mesh.surface, camera, {}, true);
+    } else {
+      drawSurface(mesh.surface, 0);
+    }
+  }
+  setOnlyPaint(std::nullopt);
+}
+
+void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
+  beginSurfaces(camera, showsCells(parts) ? kUnderCells : 0);
+  if (parts.walkable) drawWalkable(camera, parts.mode);
+  const bool vivid = parts.mode == ViewMode::RejectedBy;
+  // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each. The
+  // nearest come first, so that what they hide is not painted.
+  const bool removed = parts.removed && parts.environment && (parts.mode == ViewMode::Result || vivid);
+  for (std::size_t i = removed_.size(); removed && i-- > 0;) {
+    if (vivid) setOnlyPaint(content_.removed[i].style->vivid);
+    drawSurface(removed_[i].surface, static_cast<float>(removed_.size() - i));
+  }
+  setOnlyPaint(std::nullopt);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+// In place of all other floors.
+void SceneRenderer::drawField(const SceneCamera& camera) {
+  if (!fieldSurface_ || fieldSurface_->count == 0) return;
+  useCamera(fieldProgram_, camera);
+  glActiveTexture(GL_TEXTURE0);
+  if (scaleTexture_ == 0) {
+    std::vector<std::uint8_t> colours;
+    for (int i = 0; i < kScaleColours; ++i) {
+      const QColor colour = heatColour(i / (kScaleColours - 1.0));
+      for (const int part : {colour.red(), colour.green(), colour.blue(), 255})
+        colours.push_back(static_cast<std::uint8_t>(part));
+    }
+    glGenTextures(1, &scaleTexture_);
+    glBindTexture(GL_TEXTURE_2D, scaleTexture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kScaleColours, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, colours.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  }
+  glBindTexture(GL_TEXTURE_2D, scaleTexture_);
+  const bool descending = fieldScale_.aboveIsRejected;  // light is good to walk on
+  const auto ends =
+      descending ? std::pair{fieldScale_.upper, fieldScale_.lower} : std::pair{fieldScale_.lower, fieldScale_.upper};
+  fieldProgram_.setUniformValue("scale", 0);
+  fieldProgram_.setUniformValue("range", QVector2D(static_cast<float>(ends.first), static_cast<float>(ends.second)));
+  const float sign = !fieldScale_.limit ? 0.0F : fieldScale_.aboveIsRejected ? 1.0F : -1.0F;
+  fieldProgram_.setUniformValue("limit", QVector2D(static_cast<float>(fieldScale_.limit.value_or(0)), sign));
+  fieldProgram_.setUniformValue("tolerance", static_cast<float>(1e-4 * (fieldScale_.upper - fieldScale_.lower)));
+  fieldProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
+  batches_.useLayers(fieldProgram_, *fieldSurface_);
+  const QOpenGLVertexArrayObject::Binder bound(&fieldSurface_->array);
+  glDrawArrays(GL_TRIANGLES, 0, fieldSurface_->count);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  fieldProgram_.release();
+}
+
+void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
+  beginClip(camera);
+  if (isHeatMap(parts.mode)) {
+    drawField(camera);
+  } else {
+    drawSurfaces(camera, parts);
+  }
+  if (showsCells(parts)) drawCells(camera, parts);
+  drawAllLines(camera, parts);
+  endClip();
+}
+
+// Nearer than everything that they change, each nearer than the one before.
+void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& parts) {
+  if (changes_.empty() || !parts.walkable) return;
+  beginClip(camera);
+  beginSurfaces(camera);
+  float offset = 0;
+  for (const MeshBatches& mesh : changes_) drawSurface(mesh.surface, offset -= 1);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  endClip();
+}
+
+// Over the surfaces and under their lines: what is walkable can still be told by its outline.
+void SceneRenderer::drawCells(const SceneCamera& camera, const SceneParts& parts) {
+  cells_.draw({camera.modelViewProjection, camera.clip, camera.devicePixelRatio});
+  beginLines(camera);
+  // Many cells have thin borders, or there would be nothing else to see.
+  constexpr float kMany = 40;
+  const auto cells = static_cast<float>(cells_.geometry()->boxes.size());
+  const float pixel = camera.devicePixelRatio * std::clamp(std::sqrt(kMany / cells), 0.35F, 1.0F);
+  if (parts.outlines) drawLines(cellBorders_, outlineColour(), 3.6F * pixel, 1.1e-4F);
+  drawLines(cellBorders_, cellBorderColour(), 2.0F * pixel, 1.2e-4F);
+  endLines();
+}
+
+// Through everything, so that a cell behind a wall is found as well.
+void SceneRenderer::drawMarkedCells(const SceneCamera& camera, const SceneParts& parts) {
+  if (!showsCells(parts)) return;
+  for (const auto& [cell, colour] :
+       {std::pair{marked_.selected, selectedCellColour()}, std::pair{marked_.hovered, hoveredCellColour()}}) {
+    if (!cell || *cell >= cells_.geometry()->boxes.size()) continue;
+    beginClip(camera);
+    cells_.drawCell({camera.modelViewProjection, camera.clip, camera.devicePixelRatio}, *cell, colour, 0.35F);
+    endClip();
+    const BatchPtr edges = batches_.makeLines(edgesOf(cells_.geometry()->boxes[*cell]));
+    glDisable(GL_DEPTH_TEST);
+    beginLines(camera);
+    drawLines(edges, outlineColour(), 4.4F * camera.devicePixelRatio, 0);
+    drawLines(edges, colour, 2.4F * camera.devicePixelRatio, 0);
+    endLines();
+    glEnable(GL_DEPTH_TEST);
+  }
+}
+
+void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& parts) {
+  beginLines(camera);
+  const float pixel = camera.devicePixelRatio;
+  const bool wires = parts.mode == ViewMode::Wireframe || parts.mode == ViewMode::HiddenLine;
+  if (parts.mode == ViewMode::SourceTriangles && parts.walkable && parts.outlines)
+    drawLines(sourceBatches_.creases, outlineColour(), 1.0F * pixel, 5e-5F);
+  for (const MeshBatches& mesh : walkable_) {
+    if (parts.walkable && parts.outlines && !wires) {
+      drawLines(mesh.creases, creaseColour(), 1.0F * pixel, 3e-5F);
+      drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 8e-5F);
+    }
+    if (parts.connections) {
+      drawLines(mesh.connections, outlineColour(), 4.5F * pixel, 1.1e-4F);
+      drawLines(mesh.connections, connectionColour(), 2.5F * pixel, 1.2e-4F);
+    }
+    if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.8F * pixel, 1.6e-4F);
+  }
+  endLines();
+}
+
+void SceneRenderer::beginLines(const SceneCamera& camera) {
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
+  glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later
+  useCamera(lineProgram_, camera);
+  lineProgram_.setUniformValue(
+      "viewport", QVector2D(static_cast<float>(camera.viewport.width()), static_cast<float>(camera.viewport.height())));
+}
+
+void SceneRenderer::endLines() {
+  lineProgram_.release();
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace footfall

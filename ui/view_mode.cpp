@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view_mode.hpp"
+
+#include <QCoreApplication>
+
+namespace footfall {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ViewMode", text); }
+
+}  // namespace
+
+std::string_view nameOf(ViewMode mode) {
+  switch (mode) {
+    case ViewMode::Result:
+      return "result";
+    case ViewMode::Wireframe:
+      return "wireframe";
+    case ViewMode::HiddenLine:
+      return "hidden-line";
+    case ViewMode::WalkableOnly:
+      return "walkable";
+    case ViewMode::RejectedBy:
+      return "rejected";
+    case ViewMode::Slope:
+      return "slope";
+    case ViewMode::Clearance:
+      return "clearance";
+    case ViewMode::SourceTriangles:
+      return "source";
+  }
+  return {};
+}
+
+std::optional<ViewMode> viewModeFrom(std::string_view name) {
+  for (const ViewMode mode : kViewModes) {
+    if (nameOf(mode) == name) return mode;
+  }
+  return std::nullopt;
+}
+
+QString labelOf(ViewMode mode) {
+  switch (mode) {
+    case ViewMode::Result:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Result"));
+    case ViewMode::Wireframe:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Wireframe"));
+    case ViewMode::HiddenLine:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Hidden line"));
+    case ViewMode::WalkableOnly:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Walkable only"));
+    case ViewMode::RejectedBy:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Rejected by"));
+    case ViewMode::Slope:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Slope"));
+    case ViewMode::Clearance:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Clearance"));
+    case ViewMode::SourceTriangles:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Source triangles"));
+  }
+  return {};
+}
+
+QString helpOf(ViewMode mode) {
+  switch (mode) {
+    case ViewMode::Result:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "What is walkable, and why the rest is not"));
+    case ViewMode::Wireframe:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "The edges of all triangles; nothing hides anything"));
+    case ViewMode::HiddenLine:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "The edges of the triangles that are in front"));
+    case ViewMode::WalkableOnly:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "The walkable area without the environment"));
+    case ViewMode::RejectedBy:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Floors in the colour of the filter that removed them"));
+    case ViewMode::Slope:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Floors by their slope in degrees, with the limit of the filter"));
+    case ViewMode::Clearance:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Floors by the free height above them, with the limit of the filter"));
+    case ViewMode::SourceTriangles:
+      return tr(QT_TRANSLATE_NOOP("ViewMode", "Walkable pieces by the triangle of the environment they come from"));
+  }
+  return {};
+}
+
+bool needsResult(ViewMode mode) {
+  return mode == ViewMode::WalkableOnly || mode == ViewMode::RejectedBy || mode == ViewMode::SourceTriangles;
+}
+
+}  // namespace footfall
