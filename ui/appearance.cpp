@@ -53,12 +53,6 @@ QColor creaseColour() { return {118, 123, 130}; }
 QColor cellBorderColour() { return {255, 255, 255}; }
 QColor hoveredCellColour() { return {255, 255, 255}; }
 QColor selectedCellColour() { return {255, 196, 0}; }
-QColor axisColour(int axis) {
-  constexpr std::array<QRgb, 3> kAxes{0xD55E00, 0x009E73, 0x0072B2};
-  return QColor::fromRgb(kAxes[static_cast<std::size_t>(axis)]);
-}
-QColor handleColour() { return {240, 240, 240}; }
-QColor highlightColour() { return {255, 196, 0}; }
 QColor backgroundLower() { return {247, 248, 250}; }
 QColor backgroundUpper() { return {221, 227, 234}; }
 

@@ -36,10 +36,6 @@ QColor creaseColour();
 QColor cellBorderColour();
 QColor hoveredCellColour();
 QColor selectedCellColour();
-/// Of handles that move along X (0), Y (1) and Z (2), of the other handles, and of what the mouse is on.
-QColor axisColour(int axis);
-QColor handleColour();
-QColor highlightColour();
 QColor backgroundLower();
 QColor backgroundUpper();
 

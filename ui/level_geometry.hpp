@@ -3,13 +3,17 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 
+#include "ui/background_queue.hpp"
 #include "ui/level_composer.hpp"
 #include "ui/level_view.hpp"
 
 namespace footfall {
 
-/// Follows the composer at once, so that numbers of triangles mean the same in the view and in the level.
+/// Follows the composer at once, so that numbers of triangles mean the same in the view and in the level. For more than
+/// 250,000 triangles the copies are made in the background: the view is then a moment behind, and numbers of obstacles'
+/// triangles with it; those of the environment stay what they are.
 class LevelGeometry : public QObject {
   Q_OBJECT
 
@@ -20,8 +24,11 @@ class LevelGeometry : public QObject {
   void follow();
 
  private:
+  void show(const std::shared_ptr<const EnvironmentGeometry>& geometry);
+
   LevelComposer& composer_;
   LevelView& view_;
+  BackgroundQueue queue_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall

@@ -4,11 +4,13 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QKeyEvent>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "ui/appearance.hpp"
+#include "ui/handle_colours.hpp"
 #include "ui/obstacle_geometry.hpp"
 
 namespace footfall {
@@ -122,8 +124,13 @@ void ObstacleFeatures::createCommands() {
     action->setShortcutContext(Qt::WidgetShortcut);
     window_.view().addAction(action);
     panel_->list()->addAction(action);
-    const auto enable = [this, action] { action->setEnabled(editor_->selected() != nullptr); };
+    // Other tools have marks of their own that Del takes away.
+    const auto enable = [this, action] {
+      const ViewTool* tool = window_.view().tool();
+      action->setEnabled(editor_->selected() && (!tool || tool == select_ || std::ranges::count(place_, tool) > 0));
+    };
     connect(editor_, &ObstacleEditor::changed, action, enable);
+    connect(&window_.view(), &LevelView::toolChanged, action, enable);
     enable();
   }
 }
@@ -176,10 +183,14 @@ void ObstacleFeatures::frame(std::uint32_t id) {
 }
 
 bool ObstacleFeatures::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
-      window_.view().tool()) {
-    event->accept();
-    return true;
+  if (event->type() == QEvent::ShortcutOverride && window_.view().tool()) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool nudges =
+        window_.view().tool() == select_ && editor_->selected() && (key == Qt::Key_PageUp || key == Qt::Key_PageDown);
+    if (key == Qt::Key_Escape || nudges) {
+      event->accept();
+      return true;
+    }
   }
   return QObject::eventFilter(watched, event);
 }

@@ -26,7 +26,7 @@ class ObstacleFeatures : public QObject {
   [[nodiscard]] ObstaclePanel& panel() { return *panel_; }
 
  protected:
-  /// While something is dragged, Esc takes it back and does not cancel the run.
+  /// Esc belongs to a tool and does not cancel the run; page keys to what is selected.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

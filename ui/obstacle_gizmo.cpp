@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ui/appearance.hpp"
+#include "ui/handle_colours.hpp"
 
 namespace footfall {
 namespace {
@@ -244,7 +245,11 @@ ViewOverlay ObstacleGizmo::overlay(std::optional<Handle> marked) const {
   const QColor rim = outlineColour();
   const std::vector<Vec3> circle = ring();
   ViewOverlay::Lines turn{{}, colour(Handle::Turn), 3, rim};
-  for (std::size_t i = 1; i < circle.size(); ++i) turn.segments.push_back({circle[i - 1], circle[i]});
+  for (std::size_t i = 1; i < circle.size(); ++i) {
+    // They overlap: their ends are soft.
+    const Vec3 more = (circle[i] - circle[i - 1]) * 0.2;
+    turn.segments.push_back({circle[i - 1] - more, circle[i] + more});
+  }
   overlay.lines.push_back(std::move(turn));
   for (const Handle arrow : kArrows) {
     if (!isThere(arrow)) continue;

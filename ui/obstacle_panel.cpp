@@ -93,6 +93,8 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
     fields_[i]->setObjectName(QStringLiteral("obstacle") + names[i].simplified().remove(QLatin1Char(' ')));
     fields_[i]->setAccessibleName(names[i]);
     fields_[i]->setToolTip(helps[i]);
+    fields_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // the view needs the width
+    fields_[i]->setMinimumWidth(58);
     connect(fields_[i], &NumberField::valueEdited, this, [this, i](double value) { editField(i, value); });
     connect(fields_[i], &NumberField::problemChanged, this, &ObstaclePanel::showProblem);
   }

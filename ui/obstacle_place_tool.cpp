@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/appearance.hpp"
+#include "ui/handle_colours.hpp"
 #include "ui/obstacle_geometry.hpp"
 #include "ui/obstacle_tools.hpp"
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/appearance.hpp"
 #include "ui/obstacle_geometry.hpp"
 #include "ui/obstacle_tools.hpp"
 

@@ -52,6 +52,11 @@ std::shared_ptr<const Environment> fromNothing(const Environment& loaded,
     level->vertices.insert(level->vertices.end(), soup.vertices.begin(), soup.vertices.end());
     for (const Triangle& t : soup.triangles) level->triangles.push_back({first + t[0], first + t[1], first + t[2]});
   }
+  if (!level->partOf.empty()) {
+    level->parts.emplace_back();
+    level->partOf.resize(level->triangles.size(), static_cast<std::uint32_t>(level->parts.size() - 1));
+  }
+  if (!level->obstacleOnly.empty()) level->obstacleOnly.resize(level->triangles.size(), 0);
   return level;
 }
 

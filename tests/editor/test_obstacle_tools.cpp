@@ -199,8 +199,9 @@ class TestObstacleTools : public QObject {
     const QPoint from = handle(Handle::MovePlan);
     send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton, {});
     int whileMoving = 0;
-    for (int i = 1; i <= 60; ++i) {
-      send(QEvent::MouseMove, from + QPoint(3 * i, 0), Qt::NoButton, Qt::LeftButton, {});
+    // Back and forth, until there are some or it is clear that there will be none.
+    for (int i = 1; i <= 2000 && whileMoving < 5; ++i) {
+      send(QEvent::MouseMove, from + QPoint(i % 180, 0), Qt::NoButton, Qt::LeftButton, {});
       QTest::qWait(8);
       whileMoving = static_cast<int>(finished.count());
     }
