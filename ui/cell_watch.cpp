@@ -69,6 +69,12 @@ void CellWatch::setEnvironment(std::shared_ptr<const Environment> environment, c
   model_.setBlocks({});
 }
 
+void CellWatch::editEnvironment(std::shared_ptr<const Environment> environment) {
+  preview_.cancel();
+  environment_ = std::move(environment);
+  draped_.reset();  // over floors that may have changed
+}
+
 int CellWatch::firstStrategy() const {
   const auto& filters = document_.filters();
   const auto found = std::ranges::find_if(filters, isStrategy);

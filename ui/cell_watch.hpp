@@ -27,6 +27,8 @@ class CellWatch : public QObject {
   ~CellWatch() override;
 
   void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
+  /// The same level with something changed: the cells in sight stay until the next run has its own.
+  void editEnvironment(std::shared_ptr<const Environment> environment);
   /// Shows the cells that the strategy of a filter entry would make, without a run; until the next run has cells.
   void preview(int id);
   /// The strategy whose cells a preview would show when nothing else is said: the first one; -1 when there is none.

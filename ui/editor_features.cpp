@@ -7,6 +7,7 @@
 #include "ui/level_look.hpp"
 #include "ui/measure_panel.hpp"
 #include "ui/path_feature.hpp"
+#include "ui/obstacle_features.hpp"
 
 namespace footfall {
 
@@ -17,6 +18,7 @@ void EditorWindow::createFeatures() {
   new PathFeature(*this);
   new MeasureFeature(*this);
   new InspectionFeature(*this);
+  new ObstacleFeatures(*this);
 }
 
 }  // namespace footfall

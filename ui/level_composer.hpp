@@ -3,16 +3,24 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/environment/environment.hpp"
+#include "core/environment/placed_obstacle.hpp"
 #include "ui/document.hpp"
 #include "ui/part_level.hpp"
 
 namespace footfall {
 
-/// Follows the document's part rules and obstacles. Each level is an edit of the one before it (EnvironmentEdit), so
-/// that runs compute only what a change can affect.
+/// Follows the document's part rules and obstacles. Obstacles are solid and come after all other triangles. However
+/// many of them an edit changes (undo and sessions change several), the level is one edit (EnvironmentEdit) of the last
+/// one that has results, so that runs compute only what the change can affect and runs that were overtaken cost
+/// nothing later.
 class LevelComposer : public QObject {
   Q_OBJECT
 
@@ -29,20 +37,47 @@ class LevelComposer : public QObject {
   /// Roles are being worked in: edited() is still to come.
   [[nodiscard]] bool busy() const { return parts_.busy(); }
   /// Null when nothing is loaded.
-  [[nodiscard]] const std::shared_ptr<const Environment>& level() const { return level_; }
+  [[nodiscard]] const std::shared_ptr<const Environment>& level() const { return current_.level; }
+  /// The same without obstacles; its triangles are the first ones of the level.
+  [[nodiscard]] const std::shared_ptr<const Environment>& base() const { return base_; }
+  /// A run on this level has finished. Levels that are not known any more are ignored.
+  void setComputed(const std::shared_ptr<const Environment>& level);
+
+  /// Triangles of the level, from the first one on.
+  struct Triangles {
+    std::uint32_t first = 0, count = 0;
+  };
+  /// Of an obstacle; none when the level does not have it.
+  [[nodiscard]] Triangles trianglesOf(std::uint32_t obstacle) const;
+  /// Id of the obstacle that a triangle of the level belongs to.
+  [[nodiscard]] std::optional<std::uint32_t> obstacleOf(std::uint32_t triangle) const;
 
  signals:
   /// An edit of the document has made another level.
   void edited(const std::shared_ptr<const footfall::Environment>& level);
+  /// An obstacle cannot be part of the level; the others are.
+  void failed(const QString& message);
 
  private:
-  void compose();
+  struct Placed {
+    PlacedObstacle obstacle;
+    Triangles triangles;
+  };
+  struct Composed {
+    std::shared_ptr<const Environment> level;
+    std::vector<Placed> placed;  ///< in the order of their triangles
+  };
 
   void recompose();
+  void compose();
+  [[nodiscard]] Composed withObstacles(const Composed& from, const std::vector<PlacedObstacle>& wanted);
+  static bool holds(const Composed& composed, const std::vector<PlacedObstacle>& wanted);
 
   Document& document_;
   PartLevel parts_;
-  std::shared_ptr<const Environment> level_;
+  std::shared_ptr<const Environment> base_;
+  Composed current_;
+  Composed computed_;  ///< no level: none has results
 };
 
 }  // namespace footfall

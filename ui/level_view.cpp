@@ -78,6 +78,9 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
 void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
   environment_ = std::move(geometry);
   renderer_.setEnvironment(environment_);
+  // What has grown must not be cut off behind.
+  if (environment_)
+    setSceneRadius(std::max({sceneRadius(), toVec(environment_->lower).norm(), toVec(environment_->upper).norm()}));
   update();
 }
 

@@ -28,7 +28,9 @@ struct KnownSample {
 };
 
 // The generator's samples; more folders may lie beside them.
-constexpr std::array<KnownSample, 5> kSamples = {{
+constexpr std::array<KnownSample, 6> kSamples = {{
+    {"rooms", QT_TRANSLATE_NOOP("footfall::WelcomePage", "Rooms"),
+     QT_TRANSLATE_NOOP("footfall::WelcomePage", "266 triangles: the tour's level, with a doorway that is too low")},
     {"house", QT_TRANSLATE_NOOP("footfall::WelcomePage", "House"),
      QT_TRANSLATE_NOOP("footfall::WelcomePage", "820 triangles: ramps, an overhang, walls without thickness")},
     {"villa", QT_TRANSLATE_NOOP("footfall::WelcomePage", "Villa"),

@@ -1,0 +1,57 @@
+// The dock "Obstacles": a list of what was placed, and the numbers of the selected one.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QToolButton>
+#include <QWidget>
+#include <array>
+
+#include "ui/number_field.hpp"
+#include "ui/obstacle_editor.hpp"
+
+namespace footfall {
+
+/// All edits can be undone; what is typed into one field at a time is one of them. The selection is that of the editor.
+class ObstaclePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ObstaclePanel(ObstacleEditor& editor, QWidget* parent = nullptr);
+
+  [[nodiscard]] QListWidget* list() const { return list_; }
+  /// x, y, z of its base; length, width, height; turn.
+  [[nodiscard]] NumberField* field(std::size_t index) const { return fields_[index]; }
+  [[nodiscard]] QLineEdit* nameField() const { return name_; }
+  [[nodiscard]] QCheckBox* stickBox() const { return stick_; }
+  /// Nothing can be placed while nothing is loaded.
+  void setPlacing(bool possible);
+
+ signals:
+  void placeRequested(footfall::PlacedObstacle::Shape shape);
+  void frameRequested(std::uint32_t id);
+  void duplicateRequested();
+  void stickingChanged(bool on);
+
+ private:
+  static constexpr std::size_t kFields = 7;
+
+  void showObstacles();
+  void showSelected();
+  void editField(std::size_t index, double value);
+  void showProblem();
+
+  ObstacleEditor& editor_;
+  QListWidget* list_;
+  QToolButton *add_, *duplicate_, *delete_;
+  QWidget* form_;
+  QLineEdit* name_;
+  std::array<NumberField*, kFields> fields_{};
+  QLabel* problem_;
+  QCheckBox* stick_;
+};
+
+}  // namespace footfall
