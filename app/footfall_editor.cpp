@@ -47,6 +47,10 @@ int main(int argc, char** argv) {
   app.add_option("--cell-colours", colouring, "what the colours of cells mean")
       ->check(CLI::IsMember({"thread", "time", "triangles", "cost"}))
       ->capture_default_str();
+  std::string theme;
+  app.add_option("--theme", theme, "light, dark or as the system, for this time")
+      ->check(CLI::IsMember({"light", "dark", "system"}));
+  app.add_option("--language", options.language, "language for this time, e.g. de")->type_name("CODE");
   try {
     app.parse(argc, argv);
     if (!options.screenshot.empty() && options.environment.empty()) {
@@ -60,6 +64,11 @@ int main(int argc, char** argv) {
     if (!up.empty()) options.import.up = up == "y" ? footfall::UpAxis::Y : footfall::UpAxis::Z;
     if (*scaleOption) options.import.metresPerUnit = scale;
     options.top = view == "top";
+    if (!theme.empty()) {
+      options.theme = theme == "light"  ? footfall::ThemeChoice::Light
+                      : theme == "dark" ? footfall::ThemeChoice::Dark
+                                        : footfall::ThemeChoice::System;
+    }
     if (*showOption) {
       const auto wants = [&](const char* part) { return std::find(shown.begin(), shown.end(), part) != shown.end(); };
       options.cells = {wants("cells"), wants("timeline"), *footfall::colouringFrom(colouring)};

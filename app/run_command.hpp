@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/export.hpp"
 #include "app/command_files.hpp"
+#include "core/environment/export.hpp"
 
 namespace footfall {
 

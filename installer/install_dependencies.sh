@@ -14,7 +14,10 @@ packages=(
   libassimp-dev zlib1g-dev libminizip-dev libcgal-dev libcli11-dev libgmp-dev libmpfr-dev libtbb-dev nlohmann-json3-dev
   # the editor; fonts, because a bare system has none and Qt then draws empty boxes
   fonts-dejavu-core libegl-dev libgl-dev libgl1-mesa-dri libglu1-mesa-dev libopengl-dev libqcustomplot-dev
-  libqt6opengl6-dev qmake6 qt6-base-dev qt6-base-dev-tools qt6-qpa-plugins qt6-svg-dev
+  libqt6opengl6-dev qmake6 qt6-base-dev qt6-base-dev-tools qt6-l10n-tools qt6-qpa-plugins qt6-svg-dev
+  qt6-tools-dev qt6-tools-dev-tools qt6-translations-l10n
+  # the package: icons in all sizes, checks of its files, a clean root to install it in
+  appstream debian-archive-keyring desktop-file-utils gzip librsvg2-bin man-db mmdebstrap shared-mime-info
   # testing
   clang-format librapidcheck-dev xauth xvfb
   # peers that the benchmark compares with

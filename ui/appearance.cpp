@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/theme.hpp"
+
 namespace footfall {
 namespace {
 
@@ -53,8 +55,8 @@ QColor creaseColour() { return {118, 123, 130}; }
 QColor cellBorderColour() { return {255, 255, 255}; }
 QColor hoveredCellColour() { return {255, 255, 255}; }
 QColor selectedCellColour() { return {255, 196, 0}; }
-QColor backgroundLower() { return {247, 248, 250}; }
-QColor backgroundUpper() { return {221, 227, 234}; }
+QColor backgroundLower() { return isDarkTheme() ? QColor(44, 49, 55) : QColor(247, 248, 250); }
+QColor backgroundUpper() { return isDarkTheme() ? QColor(24, 27, 31) : QColor(221, 227, 234); }
 
 Paint paleWalkablePaint() { return {QColor(226, 238, 233), Pattern::Plain}; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/background_queue.hpp"
 
+#include <cstdio>
+#include <exception>
 #include <utility>
 
 #ifdef __linux__
@@ -51,7 +53,12 @@ void BackgroundQueue::work(const std::stop_token& stop) {
       job = std::move(jobs_.front());
       jobs_.pop_front();
     }
-    job();
+    try {
+      job();
+    } catch (const std::exception& error) {
+      // It should have told this itself; the program and the jobs behind it go on.
+      std::fprintf(stderr, "footfall-editor: a job in the background ended early (%s)\n", error.what());
+    }
   }
 }
 

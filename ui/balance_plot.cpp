@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "ui/cell_colours.hpp"
+#include "ui/plot_theme.hpp"
 
 namespace footfall {
 namespace {
@@ -19,10 +20,8 @@ void calm(QCustomPlot& plot) {
     axis->setTickLabelFont(small);
     axis->setLabelFont(small);
     axis->setSubTicks(false);
-    axis->setBasePen(QPen(QColor(150, 158, 168)));
-    axis->setTickPen(QPen(QColor(150, 158, 168)));
-    axis->grid()->setPen(QPen(QColor(225, 229, 234)));
   }
+  new PlotTheme(&plot);
   plot.yAxis->grid()->setVisible(false);
   plot.setInteractions(QCP::iNone);
 }
@@ -65,7 +64,7 @@ BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
   bars_->setBrush(QColor(0, 114, 178));
   bars_->setAntialiased(false);
   mean_ = new QCPItemStraightLine(this);
-  mean_->setPen(QPen(QColor(176, 32, 0), 1.5, Qt::DashLine));
+  mean_->setPen(QPen(QColor(213, 94, 0), 1.5, Qt::DashLine));
   mean_->setClipToAxisRect(true);
 }
 
@@ -125,7 +124,7 @@ PhasePlot::PhasePlot(QWidget* parent) : QCustomPlot(parent) {
   for (QCPBars*& bar : bars_) {
     bar = new QCPBars(yAxis, xAxis);  // the plot owns it
     bar->setWidth(1);
-    bar->setPen(QPen(Qt::white, 0));
+    bar->setPen(QPen(plotLineColour(), 0));
     bar->setAntialiased(false);
     if (below) bar->moveAbove(below);
     below = bar;

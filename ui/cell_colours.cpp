@@ -9,7 +9,7 @@
 namespace footfall {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CellColours", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
 
 double valueOf(const CellReport& cell, CellColouring colouring) {
   switch (colouring) {

@@ -62,7 +62,7 @@ CellLegend::CellLegend(CellModel& model, QWidget* parent) : QFrame(parent), mode
   title_->setWordWrap(true);
   title_->setFixedWidth(kWidth);
   colouring_ = new QComboBox(this);
-  colouring_->setFocusPolicy(Qt::NoFocus);  // the keys belong to the view
+  colouring_->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
   colouring_->setAccessibleName(tr("Colour cells by"));
   colouring_->setToolTip(tr("What the colours of the cells show"));
   for (const CellColouring colouring : kCellColourings)

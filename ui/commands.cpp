@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/icon.hpp"
+
 namespace footfall {
 
 CommandRegistry::CommandRegistry(QObject* parent) : QObject(parent) {}
@@ -33,6 +35,7 @@ QAction* CommandRegistry::adopt(QAction* action, const Command& command) {
   if (!command.keys.isEmpty()) action->setShortcuts(command.keys);
   if (!command.help.isEmpty()) action->setToolTip(withKeys(command.help, *action));
   action->setStatusTip(command.help);
+  if (!command.icon.isEmpty()) action->setIcon(icon(command.icon));
   entries_.push_back({command, action});
   place(entries_.back());
   emit added(entries_.back());
@@ -43,21 +46,46 @@ QAction* CommandRegistry::adopt(QAction* action, const Command& command) {
 void CommandRegistry::place(const Entry& entry) {
   const auto found = menus_.find(entry.command.menu);
   if (found == menus_.end()) return;
-  QMenu* menu = found->second;
-  const QList<QAction*> there = menu->actions();
-  QAction* before = nullptr;
+  QMenu* menu = entry.command.submenu.isEmpty() ? found->second : submenu(found->second, entry);
   bool grouped = false;
-  for (const Entry& other : entries_) {
-    if (other.action == entry.action || other.command.menu != entry.command.menu ||
-        other.command.group != entry.command.group)
-      continue;
-    const qsizetype at = there.indexOf(other.action);
-    if (at < 0) continue;
-    grouped = true;
-    before = at + 1 < there.size() ? there[at + 1] : nullptr;
-  }
-  if (!grouped && !there.isEmpty()) menu->addSeparator();
+  QAction* before = nextOfGroup(menu, entry, &grouped);
+  if (!grouped && !menu->isEmpty()) menu->addSeparator();
   menu->insertAction(before, entry.action);
+}
+
+// What stands behind the group of `entry` in `menu`; null: nothing does.
+QAction* CommandRegistry::nextOfGroup(const QMenu* menu, const Entry& entry, bool* grouped) const {
+  const QList<QAction*> there = menu->actions();
+  QAction* next = nullptr;
+  for (const Entry& other : entries_) {
+    if (other.command.menu != entry.command.menu || other.command.group != entry.command.group) continue;
+    QAction* shown = other.action;
+    if (!there.contains(shown)) {
+      // A group of a submenu stands in the menu as that submenu.
+      const auto sub = std::ranges::find_if(there, [&](const QAction* action) {
+        return !other.command.submenu.isEmpty() && action->menu() && action->menu()->title() == other.command.submenu;
+      });
+      if (sub == there.end()) continue;
+      shown = *sub;
+    }
+    const qsizetype at = there.indexOf(shown);
+    *grouped = true;
+    next = at + 1 < there.size() ? there[at + 1] : nullptr;
+  }
+  return next;
+}
+
+QMenu* CommandRegistry::submenu(QMenu* menu, const Entry& entry) {
+  for (const QAction* action : menu->actions()) {
+    if (action->menu() && action->menu()->title() == entry.command.submenu) return action->menu();
+  }
+  bool grouped = false;
+  QAction* before = nextOfGroup(menu, entry, &grouped);
+  if (!grouped && !menu->isEmpty()) menu->addSeparator();
+  auto* made = new QMenu(entry.command.submenu, menu);
+  made->setToolTipsVisible(true);
+  menu->insertMenu(before, made);
+  return made;
 }
 
 QMenu* CommandRegistry::menu(CommandMenu menuPlace) const {

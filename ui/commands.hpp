@@ -25,6 +25,7 @@ struct Command {
   QList<QKeySequence> keys = {};
   QString icon = {};  ///< resources/icons/NAME.svg; may be empty
   bool checkable = false;
+  QString submenu = {};  ///< of its menu, by its title; made for the first one that names it. Empty: the menu itself
 };
 
 /// Owns nothing but the order of things: actions belong to the object given to the constructor.
@@ -58,6 +59,8 @@ class CommandRegistry : public QObject {
 
  private:
   void place(const Entry& entry);
+  QMenu* submenu(QMenu* menu, const Entry& entry);
+  [[nodiscard]] QAction* nextOfGroup(const QMenu* menu, const Entry& entry, bool* grouped) const;
 
   std::vector<Entry> entries_;
   std::map<CommandMenu, QMenu*> menus_;

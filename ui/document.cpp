@@ -4,15 +4,10 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "ui/agent_rules.hpp"
+#include "ui/edit_text.hpp"
+
 namespace footfall {
-namespace {
-
-QString labelOf(const PipelineStep& step) {
-  return QString::fromUtf8(step.filter->label.data(), static_cast<qsizetype>(step.filter->label.size()));
-}
-
-}  // namespace
-
 bool sameImport(const ImportOptions& a, const ImportOptions& b) {
   return a.up == b.up && a.metresPerUnit == b.metresPerUnit && a.bothSides == b.bothSides;
 }
@@ -22,15 +17,18 @@ bool operator==(const DocumentState& a, const DocumentState& b) {
          a.partRules == b.partRules && a.obstacles == b.obstacles;
 }
 
-/// The document before and after: a few hundred bytes, and nothing that could go out of step.
+/// The document before and after: a few hundred bytes, and nothing that could go out of step. Edits of a value are
+/// called after the first and the last value, also when several have become one.
 class DocumentCommand : public QUndoCommand {
  public:
   DocumentCommand(Document& document, DocumentState after, const QString& text, QString mergeKey)
-      : QUndoCommand(text),
-        document_(document),
+      : document_(document),
         before_(document.state()),
         after_(std::move(after)),
-        mergeKey_(std::move(mergeKey)) {}
+        mergeKey_(std::move(mergeKey)),
+        ofValue_(text.isEmpty()) {
+    setText(ofValue_ ? valueEditText(before_, after_) : text);
+  }
 
   void undo() override { document_.setState(before_); }
   void redo() override { document_.setState(after_); }
@@ -39,6 +37,7 @@ class DocumentCommand : public QUndoCommand {
     const auto* next = static_cast<const DocumentCommand*>(other);  // same id, so the same class
     if (next->mergeKey_ != mergeKey_) return false;
     after_ = next->after_;
+    setText(ofValue_ ? valueEditText(before_, after_) : next->text());
     setObsolete(before_ == after_);
     return true;
   }
@@ -47,6 +46,7 @@ class DocumentCommand : public QUndoCommand {
   Document& document_;
   DocumentState before_, after_;
   QString mergeKey_;
+  bool ofValue_;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {}
@@ -73,6 +73,7 @@ std::vector<FilterEntry> Document::entriesOf(const Pipeline& pipeline) {
 }
 
 void Document::push(DocumentState next, const QString& text, const QString& mergeKey) {
+  if (!activeAgent(next) || !followsAgent(next)) next.agent = 0;
   if (next == state_) return;
   undoStack_.push(new DocumentCommand(*this, std::move(next), text, mergeKey));  // the stack owns it
 }
@@ -92,7 +93,8 @@ void Document::setState(const DocumentState& state) {
 void Document::addFilter(const FilterDescriptor& filter, double metresPerUnit) {
   DocumentState next = state_;
   next.filters.push_back({nextId_++, defaultStep(filter, metresPerUnit)});
-  const QString text = tr("add %1").arg(labelOf(next.filters.back().step));
+  applyAgent(next);
+  const QString text = tr("Add %1").arg(labelOf(next.filters.back().step));
   push(std::move(next), text);
 }
 
@@ -100,7 +102,7 @@ void Document::removeFilter(int id) {
   const std::size_t index = indexOf(id);
   if (index == state_.filters.size()) return;
   DocumentState next = state_;
-  const QString text = tr("remove %1").arg(labelOf(next.filters[index].step));
+  const QString text = tr("Remove %1").arg(labelOf(next.filters[index].step));
   next.filters.erase(next.filters.begin() + static_cast<std::ptrdiff_t>(index));
   push(std::move(next), text);
 }
@@ -112,7 +114,7 @@ void Document::moveFilter(int id, std::size_t index) {
   const FilterEntry moved = next.filters[from];
   next.filters.erase(next.filters.begin() + static_cast<std::ptrdiff_t>(from));
   next.filters.insert(next.filters.begin() + static_cast<std::ptrdiff_t>(std::min(index, next.filters.size())), moved);
-  push(std::move(next), tr("move %1").arg(labelOf(moved.step)));
+  push(std::move(next), (index < from ? tr("Move %1 up") : tr("Move %1 down")).arg(labelOf(moved.step)));
 }
 
 void Document::setEnabled(int id, bool enabled) {
@@ -120,7 +122,7 @@ void Document::setEnabled(int id, bool enabled) {
   if (index == state_.filters.size()) return;
   DocumentState next = state_;
   next.filters[index].step.enabled = enabled;
-  const QString text = enabled ? tr("switch on %1") : tr("switch off %1");
+  const QString text = enabled ? tr("Switch on %1") : tr("Switch off %1");
   push(std::move(next), text.arg(labelOf(state_.filters[index].step)));
 }
 
@@ -129,8 +131,14 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
   if (index == state_.filters.size() || parameter >= state_.filters[index].step.values.size()) return;
   DocumentState next = state_;
   next.filters[index].step.values[parameter] = value;
-  push(std::move(next), tr("change %1").arg(labelOf(state_.filters[index].step)),
-       QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession));
+  const auto size = agentSizeOf(*next.filters[index].step.filter);
+  const auto agent = std::ranges::find(next.agents, next.agent, &Agent::id);
+  if (size && parameter == 0 && agent != next.agents.end()) {
+    setSizeOf(*agent, *size, value);
+    applyAgent(next);
+  }
+  push(std::move(next), {},
+       editSession < 0 ? QString() : QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession));
 }
 
 bool Document::addParallelBlock() {
@@ -162,7 +170,7 @@ bool Document::addParallelBlock() {
   };
   insert(best.end, "Collapse");
   insert(best.first, "AutoStrategy");
-  push(std::move(next), tr("run in parallel"));
+  push(std::move(next), tr("Run in parallel"));
   return true;
 }
 
@@ -171,9 +179,10 @@ void Document::replacePipeline(const Pipeline& pipeline, const QString& text) {
 }
 
 void Document::setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,
-                                    const QString& mergeKey) {
+                                    const QString& mergeKey, const std::optional<std::vector<Agent>>& agents) {
   DocumentState next = state_;
   next.import = options;
+  if (agents) next.agents = *agents;
   if (!(pipeline == this->pipeline())) {
     std::vector<FilterEntry> entries = entriesOf(pipeline);
     // Rows whose filter stays where it is keep their identity.
@@ -182,6 +191,7 @@ void Document::setImportAndPipeline(const ImportOptions& options, const Pipeline
     }
     next.filters = std::move(entries);
   }
+  if (agents) applyAgent(next);
   push(std::move(next), text, mergeKey);
 }
 
@@ -196,6 +206,7 @@ void Document::reset(const Pipeline& pipeline, const ImportOptions& import, Docu
   state_ = std::move(rest);
   state_.import = import;
   state_.filters = entriesOf(pipeline);
+  if (!followsAgent(state_)) state_.agent = 0;
   emit importChanged();
   emit agentsChanged();
   emit levelChanged();

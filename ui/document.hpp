@@ -6,6 +6,7 @@
 #include <QString>
 #include <QUndoStack>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/environment/environment.hpp"
@@ -36,7 +37,8 @@ bool sameImport(const ImportOptions& a, const ImportOptions& b);
 bool operator==(const DocumentState& a, const DocumentState& b);
 
 /// Every edit is one entry of the undo stack; an edit that changes nothing is none. Edits with the same merge key that
-/// follow each other become one entry.
+/// follow each other become one entry. No agent is active any more after an edit that leaves filters with other sizes
+/// than the active one's (ui/agent_rules.hpp).
 class Document : public QObject {
   Q_OBJECT
 
@@ -53,17 +55,20 @@ class Document : public QObject {
   /// `index` counts in the list without the moved entry.
   void moveFilter(int id, std::size_t index);
   void setEnabled(int id, bool enabled);
-  /// `value` must be valid (checkValue). Values that are typed one after the other into the same field are one edit.
+  /// `value` must be valid (checkValue). Values of one edit session of the same field are one edit; a negative one is
+  /// an edit of its own. A size of the active agent changes that agent, and with it all filters that take the size.
   void setValue(int id, std::size_t parameter, double value, int editSession);
   /// Puts an AutoStrategy and a Collapse around the most local filters in a row (with a clearance among them, where
   /// there is one), one edit. False when there is no local filter that is switched on outside of a block.
   bool addParallelBlock();
   void replacePipeline(const Pipeline& pipeline, const QString& text);
-  /// Import options and pipeline together, one edit.
+  /// Import options, pipeline and, where given, the sizes of the agents together, one edit.
   void setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,
-                            const QString& mergeKey = {});
+                            const QString& mergeKey = {},
+                            const std::optional<std::vector<Agent>>& agents = std::nullopt);
 
-  /// Any edit as one entry; entries with the same merge key (not empty) that follow each other become one.
+  /// Any edit as one entry; entries with the same merge key (not empty) that follow each other become one. An empty
+  /// text is made from the value that is different.
   void edit(DocumentState next, const QString& text, const QString& mergeKey = {});
   /// For filters that an edit() adds.
   [[nodiscard]] int newFilterId() { return nextId_++; }

@@ -10,15 +10,18 @@
 #include <QVBoxLayout>
 
 #include "core/environment/import.hpp"
+#include "ui/command_bar.hpp"
 #include "ui/editor_window.hpp"
+#include "ui/shortcut_window.hpp"
+#include "ui/welcome_page.hpp"
 
 namespace footfall {
 namespace {
 
 /// Shows a file dialog without waiting for it; `use` gets the chosen path.
 template <typename Use>
-void showDialog(QWidget* parent, const QString& title, const QString& nameFilter, const QString& suggested,
-                const QString& suffix, Use use) {
+QFileDialog* showDialog(QWidget* parent, const QString& title, const QString& nameFilter, const QString& suggested,
+                        const QString& suffix, Use use) {
   auto* dialog = new QFileDialog(parent, title, QFileInfo(suggested).path(), nameFilter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   if (suffix.isEmpty()) {
@@ -30,6 +33,7 @@ void showDialog(QWidget* parent, const QString& title, const QString& nameFilter
   }
   QObject::connect(dialog, &QFileDialog::fileSelected, parent, use);
   dialog->open();
+  return dialog;
 }
 
 QDockWidget* addDock(QMainWindow* window, const QString& title, const QString& name, QWidget* widget,
@@ -40,21 +44,6 @@ QDockWidget* addDock(QMainWindow* window, const QString& title, const QString& n
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
   window->addDockWidget(area, dock);
   return dock;
-}
-
-QString mouseHelp() {
-  return EditorWindow::tr(
-      "<table cellpadding=3>"
-      "<tr><td><b>Left drag</b></td><td>turn about the pivot</td></tr>"
-      "<tr><td><b>Right or middle drag, Shift+left drag</b></td><td>move sideways</td></tr>"
-      "<tr><td><b>Wheel, Ctrl+left drag, + and -</b></td><td>zoom</td></tr>"
-      "<tr><td><b>Double click</b></td><td>turn about this place from now on</td></tr>"
-      "<tr><td><b>Arrow keys</b></td><td>move</td></tr>"
-      "<tr><td><b>C, L</b></td><td>cells in the view, load of the threads</td></tr>"
-      "<tr><td><b>Click on a cell</b></td><td>select it and bring it into sight</td></tr>"
-      "<tr><td><b>T, O, F</b></td><td>from the top, from the side, fit into the view</td></tr>"
-      "<tr><td><b>Alt+Up, Alt+Down</b></td><td>move a filter in the list</td></tr>"
-      "<tr><td><b>F5, Esc</b></td><td>run again, cancel</td></tr></table>");
 }
 
 }  // namespace
@@ -68,10 +57,7 @@ void EditorWindow::createWidgets() {
   heights_ = new HeightSlider(view_);
   connect(heights_, &HeightSlider::rangeChanged, view_, &LevelView::setHeights);
   heights_->hide();
-  welcome_ = new QLabel(tr("Open an environment (Ctrl+O), or drop a file here"), view_);
-  welcome_->setObjectName(QStringLiteral("welcome"));
-  welcome_->setAlignment(Qt::AlignCenter);
-  welcome_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  welcome_ = new WelcomePage(view_);
   auto* central = new QWidget(this);
   auto* layout = new QVBoxLayout(central);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -92,9 +78,7 @@ void EditorWindow::createWidgets() {
   summary_ = new QLabel(this);
   summary_->setTextFormat(Qt::PlainText);
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  progress_ = new QProgressBar(this);
-  progress_->setFixedWidth(220);
-  progress_->setTextVisible(false);
+  progress_ = new ProgressDisplay(this);
   cancel_ = new QPushButton(tr("Cancel"), this);
   cancel_->setObjectName(QStringLiteral("cancel"));
   cancel_->setShortcut(Qt::Key_Escape);
@@ -105,10 +89,14 @@ void EditorWindow::createWidgets() {
 }
 
 void EditorWindow::createActions() {
-  toolBar_ = addToolBar(tr("Tools"));
-  toolBar_->setObjectName(QStringLiteral("toolBar"));
-  toolBar_->setMovable(false);
-  toolBar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  toolBar_ = new CommandBar(tr("Files and view"), QStringLiteral("toolBar"), this);
+  toolsBar_ = new CommandBar(tr("Tools"), QStringLiteral("toolsBar"), this);
+  toolsBar_->hide();
+  for (CommandBar* bar : {toolBar_, toolsBar_}) {
+    addToolBar(bar);
+    connect(bar->toggleViewAction(), &QAction::toggled, this, [this] { shareBarWidth(); });
+  }
+  connect(&commands_, &CommandRegistry::added, this, &EditorWindow::fillToolsBar);
   for (const auto& [place, title] :
        {std::pair{CommandMenu::File, tr("&File")}, std::pair{CommandMenu::Edit, tr("&Edit")},
         std::pair{CommandMenu::Pipeline, tr("&Pipeline")}, std::pair{CommandMenu::Tools, tr("&Tools")},
@@ -127,6 +115,29 @@ QAction* EditorWindow::onBar(QAction* action, const QString& text) {
   toolBar_->addAction(action);
   return action;
 }
+
+QToolBar* EditorWindow::toolBar() const { return toolBar_; }
+
+// The tools with icons, group by group, in the order in which they come.
+void EditorWindow::fillToolsBar(const CommandRegistry::Entry& entry) {
+  if (entry.command.menu != CommandMenu::Tools || entry.command.icon.isEmpty()) return;
+  QAction* before = nullptr;
+  bool grouped = false;
+  const QList<QAction*> there = toolsBar_->actions();
+  for (const CommandRegistry::Entry& other : commands_.entries()) {
+    if (other.command.menu != entry.command.menu || other.command.group != entry.command.group) continue;
+    const qsizetype at = there.indexOf(other.action);
+    if (at < 0) continue;
+    grouped = true;
+    before = at + 1 < there.size() ? there[at + 1] : nullptr;
+  }
+  if (!grouped && !there.isEmpty()) toolsBar_->addSeparator();
+  toolsBar_->insertAction(before, entry.action);
+  toolsBar_->show();
+  shareBarWidth();
+}
+
+void EditorWindow::shareBarWidth() { CommandBar::shareWidth({toolBar_, toolsBar_}, width()); }
 
 void EditorWindow::createFileActions() {
   const QString open = QStringLiteral("open");
@@ -189,6 +200,9 @@ void EditorWindow::createEditActions() {
     // The actions rename themselves after the edit; the tool bar's width must not change with them.
     auto* button = new QToolButton(toolBar_);
     button->setDefaultAction(action);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setAccessibleName(text);
     const auto rename = [button, name = text] { button->setText(name); };
     rename();
     connect(action, &QAction::changed, button, rename);
@@ -269,15 +283,14 @@ void EditorWindow::createHelpActions() {
   commands_.add({QStringLiteral("help.keys"),
                  CommandMenu::Help,
                  help,
-                 tr("&Mouse and keys"),
-                 {},
+                 tr("&Keys and mouse"),
+                 tr("All keys, and what the mouse does in the view"),
                  {Qt::Key_F1},
                  QStringLiteral("help")},
                 [this](bool) {
-                  auto* box =
-                      new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), mouseHelp(), QMessageBox::Ok, this);
-                  box->setAttribute(Qt::WA_DeleteOnClose);
-                  box->open();
+                  auto* window = new ShortcutWindow(commands_, this);
+                  window->setAttribute(Qt::WA_DeleteOnClose);
+                  window->open();
                 });
   commands_.add({QStringLiteral("help.about"), CommandMenu::Help, help, tr("&About Footfall"), {}}, [this](bool) {
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Footfall"),
@@ -294,6 +307,7 @@ QDockWidget* EditorWindow::addPanel(const Panel& panel, QWidget* widget) {
   QDockWidget* dock = addDock(this, panel.title, panel.id, widget, panel.area);
   dock->setFeatures(dock->features() | QDockWidget::DockWidgetClosable);
   dock->setVisible(panel.shown);
+  placePanel(dock, panel.area);
   commands_.adopt(dock->toggleViewAction(), {panel.id, CommandMenu::View, QStringLiteral("panels"), panel.title,
                                              panel.help, panel.keys, panel.icon, true});
   return dock;
@@ -331,7 +345,7 @@ void EditorWindow::openDialog() {
   const QString filter = tr("Environments and sessions (%1)").arg(patterns.join(QLatin1Char(' '))) +
                          QStringLiteral(";;") + tr("All files (*)");
   showDialog(this, tr("Open an environment or a session"), filter, suggestedPath({}), {},
-             [this](const QString& path) { open(path); });
+             [this](const QString& path) { openAsking(path); });
 }
 
 void EditorWindow::openPipelineDialog() {
@@ -347,8 +361,9 @@ void EditorWindow::savePipelineDialog() {
 void EditorWindow::saveSessionDialog() {
   const QString extension = QLatin1String(kSessionExtension);
   const QString suggested = sessionPath_.isEmpty() ? suggestedPath(QLatin1Char('.') + extension) : sessionPath_;
-  showDialog(this, tr("Save the session"), tr("Sessions (*.%1)").arg(extension), suggested, extension,
-             [this](const QString& path) { saveSession(path); });
+  QFileDialog* dialog = showDialog(this, tr("Save the session"), tr("Sessions (*.%1)").arg(extension), suggested,
+                                   extension, [this](const QString& path) { saveSession(path); });
+  connect(dialog, &QFileDialog::rejected, this, [this] { afterSaving_ = nullptr; });
 }
 
 void EditorWindow::exportDialog() {

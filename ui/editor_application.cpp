@@ -7,12 +7,18 @@
 #include <QOpenGLContext>
 #include <QSaveFile>
 #include <QSettings>
-#include <QStyleFactory>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 #include "ui/editor_window.hpp"
+#include "ui/guarded_application.hpp"
+#include "ui/icon.hpp"
+#include "ui/outline_style.hpp"
+#include "ui/theme.hpp"
+#include "ui/translations.hpp"
 
 namespace footfall {
 namespace {
@@ -24,20 +30,50 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-// Whether an X server answers. libxcb is loaded because Qt's plug-in needs it as well; without it Qt decides.
-bool serverAnswers() {
-  QLibrary xcb(QStringLiteral("xcb"), 1);
-  using Connect = void* (*)(const char*, int*);
-  using HasError = int (*)(void*);
+// A connection to the X server, as a question whether one answers. libxcb is loaded because Qt's plug-in needs it as
+// well; without it Qt decides. To be kept until Qt has its own: a server without clients begins anew, and may turn the
+// next one away meanwhile.
+class DisplayProbe {
+ public:
+  DisplayProbe() {
+    QLibrary xcb(QStringLiteral("xcb"), 1);
+    using Connect = void* (*)(const char*, int*);
+    using HasError = int (*)(void*);
+    const auto connect = reinterpret_cast<Connect>(xcb.resolve("xcb_connect"));
+    const auto hasError = reinterpret_cast<HasError>(xcb.resolve("xcb_connection_has_error"));
+    m_disconnect = reinterpret_cast<Disconnect>(xcb.resolve("xcb_disconnect"));
+    if (!connect || !hasError || !m_disconnect) return;
+    m_connection = connect(nullptr, nullptr);
+    m_answers = hasError(m_connection) == 0;
+  }
+  ~DisplayProbe() {
+    if (m_connection) m_disconnect(m_connection);
+  }
+  DisplayProbe(const DisplayProbe&) = delete;
+  DisplayProbe& operator=(const DisplayProbe&) = delete;
+
+  bool answers() const { return m_answers; }
+
+ private:
   using Disconnect = void (*)(void*);
-  const auto connect = reinterpret_cast<Connect>(xcb.resolve("xcb_connect"));
-  const auto hasError = reinterpret_cast<HasError>(xcb.resolve("xcb_connection_has_error"));
-  const auto disconnect = reinterpret_cast<Disconnect>(xcb.resolve("xcb_disconnect"));
-  if (!connect || !hasError || !disconnect) return true;
-  void* connection = connect(nullptr, nullptr);
-  const bool answers = hasError(connection) == 0;
-  disconnect(connection);
-  return answers;
+  Disconnect m_disconnect = nullptr;
+  void* m_connection = nullptr;
+  bool m_answers = true;
+};
+
+// See findDisplayProblem(); `probe` is filled where a server had to be asked.
+std::string displayProblem(std::unique_ptr<DisplayProbe>& probe) {
+  if (!variable("QT_QPA_PLATFORM").empty() && variable("QT_QPA_PLATFORM").rfind("xcb", 0) != 0) return {};
+  if (!variable("WAYLAND_DISPLAY").empty() && variable("QT_QPA_PLATFORM").empty()) return {};
+  if (variable("DISPLAY").empty()) {
+    return "no display: DISPLAY is not set; start it from a desktop, under xvfb-run, or use the command line footfall";
+  }
+  probe = std::make_unique<DisplayProbe>();
+  if (!probe->answers()) {
+    return "no display: nothing answers at DISPLAY=" + variable("DISPLAY") +
+           "; start it from a desktop, under xvfb-run, or use the command line footfall";
+  }
+  return {};
 }
 
 int fail(int code, const QString& message) {
@@ -86,16 +122,8 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
 }  // namespace
 
 std::string findDisplayProblem() {
-  if (!variable("QT_QPA_PLATFORM").empty() && variable("QT_QPA_PLATFORM").rfind("xcb", 0) != 0) return {};
-  if (!variable("WAYLAND_DISPLAY").empty() && variable("QT_QPA_PLATFORM").empty()) return {};
-  if (variable("DISPLAY").empty()) {
-    return "no display: DISPLAY is not set; start it from a desktop, under xvfb-run, or use the command line footfall";
-  }
-  if (!serverAnswers()) {
-    return "no display: nothing answers at DISPLAY=" + variable("DISPLAY") +
-           "; start it from a desktop, under xvfb-run, or use the command line footfall";
-  }
-  return {};
+  std::unique_ptr<DisplayProbe> probe;
+  return displayProblem(probe);
 }
 
 void requestOpenGl() {
@@ -111,33 +139,22 @@ void prepareApplication() {
   QApplication::setApplicationName(QStringLiteral("footfall"));
   QApplication::setOrganizationName(QStringLiteral("footfall"));
   QApplication::setApplicationVersion(QStringLiteral(FOOTFALL_VERSION));
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  QPalette palette;
-  palette.setColor(QPalette::Window, QColor(240, 242, 245));
-  palette.setColor(QPalette::WindowText, QColor(28, 36, 44));
-  palette.setColor(QPalette::Base, Qt::white);
-  palette.setColor(QPalette::AlternateBase, QColor(246, 247, 249));
-  palette.setColor(QPalette::Text, QColor(28, 36, 44));
-  palette.setColor(QPalette::Button, QColor(236, 239, 242));
-  palette.setColor(QPalette::ButtonText, QColor(28, 36, 44));
-  palette.setColor(QPalette::Highlight, QColor(0, 114, 178));
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::ToolTipBase, QColor(255, 255, 250));
-  palette.setColor(QPalette::ToolTipText, QColor(28, 36, 44));
-  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, QColor(140, 146, 153));
-  }
-  QApplication::setPalette(palette);
-  QFile theme(QStringLiteral(":/resources/theme.qss"));
-  if (theme.open(QIODevice::ReadOnly)) qApp->setStyleSheet(QString::fromUtf8(theme.readAll()));
+  QApplication::setWindowIcon(applicationIcon());
+  QGuiApplication::setDesktopFileName(QStringLiteral("org.footfall.Editor"));
+  QApplication::setStyle(new OutlineStyle);  // the application owns it
+  if (!Theme::instance()) new Theme(qApp);
 }
 
 int runEditor(int& argc, char** argv, const EditorOptions& options) {
-  const std::string problem = findDisplayProblem();
+  std::unique_ptr<DisplayProbe> probe;
+  const std::string problem = displayProblem(probe);
   if (!problem.empty()) return fail(2, QString::fromStdString(problem));
   requestOpenGl();
-  QApplication application(argc, argv);
+  GuardedApplication application(argc, argv);
+  probe.reset();
   prepareApplication();
+  loadTranslations(QString::fromStdString(options.language));
+  if (options.theme) Theme::instance()->show(*options.theme);
   if (QOpenGLContext context; !context.create()) {
     return fail(2,
                 QStringLiteral("no OpenGL on this display (%1); install a graphics driver or Mesa's software OpenGL, "
@@ -148,14 +165,11 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   const bool shooting = !options.screenshot.empty();
   window.setRemembering(!shooting);
   window.resize(options.size.isEmpty() ? QSize(1440, 900) : options.size);
-  if (!shooting && options.size.isEmpty()) {
-    window.restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());
-  }
+  if (!shooting) window.restoreLayout(options.size.isEmpty());
   if (options.cells) window.setCellsShown(*options.cells);
   window.show();
-  if (options.environment.empty()) {
-    window.offerLastSession();
-  } else {
+  if (!shooting) window.offerRestoring();
+  if (!options.environment.empty()) {
     const QString path = QFile::decodeName(options.environment.c_str());
     // After the loop has begun, so that a problem can end it.
     QMetaObject::invokeMethod(

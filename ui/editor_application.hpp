@@ -9,6 +9,7 @@
 #include "core/environment/environment.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "ui/session.hpp"
+#include "ui/theme.hpp"
 
 namespace footfall {
 
@@ -16,10 +17,12 @@ struct EditorOptions {
   std::string environment;  ///< a mesh or a session; empty: none
   std::optional<Pipeline> pipeline;
   ImportOptions import;
-  std::string screenshot;           ///< a PNG to write instead of waiting for a user; empty: none
-  QSize size;                       ///< of the window; empty: as it was last
-  bool top = false;                 ///< look straight down
-  std::optional<CellsShown> cells;  ///< what to show of parallel blocks; empty: as the session says
+  std::string screenshot;            ///< a PNG to write instead of waiting for a user; empty: none
+  QSize size;                        ///< of the window; empty: as it was last
+  bool top = false;                  ///< look straight down
+  std::optional<CellsShown> cells;   ///< what to show of parallel blocks; empty: as the session says
+  std::optional<ThemeChoice> theme;  ///< for this time; empty: as the user chose
+  std::string language;              ///< for this time, as a code such as "de"; empty: as the user chose
 };
 
 /// Runs the editor until its window is closed, or until the screenshot is written. Returns the exit code: 0 done, 1

@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor_window.hpp"
 #include "ui/environment_tools.hpp"
+#include "ui/filter_tools.hpp"
 #include "ui/level_look.hpp"
+#include "ui/measure_panel.hpp"
 #include "ui/obstacle_features.hpp"
+#include "ui/path_feature.hpp"
 
 namespace footfall {
 
 void EditorWindow::createFeatures() {
+  addFilterTools(*this);
   new EnvironmentTools(*this);
   installLevelLook(*this);
+  new PathFeature(*this);
+  new MeasureFeature(*this);
   new ObstacleFeatures(*this);
 }
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor_window.hpp"
 
-#include <QCloseEvent>
-#include <QDir>
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMimeData>
-#include <QSettings>
-#include <QStandardPaths>
 
-#include "core/environment/export.hpp"
-#include "core/pipeline/export_header.hpp"
+#include "ui/agent_rules.hpp"
+#include "ui/welcome_page.hpp"
 
 namespace footfall {
 namespace {
@@ -21,11 +17,6 @@ constexpr int kKeepAfterMs = 1000;  // between the last change and writing the s
 
 std::string toPath(const QString& path) { return QFile::encodeName(path).toStdString(); }
 QString fromPath(const std::string& path) { return QFile::decodeName(QByteArray::fromStdString(path)); }
-
-QString lastSessionPath() {
-  return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/last-session.") +
-         QLatin1String(kSessionExtension);
-}
 
 QString counted(std::uint64_t count, const QString& one, const QString& many) {
   return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)) + QLatin1Char(' ') +
@@ -42,7 +33,9 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
   createActions();
   connectParts();
   connectCells();
+  createComforts();
   createFeatures();
+  finishLayout();
   keepTimer_.setSingleShot(true);
   keepTimer_.setInterval(kKeepAfterMs);
   connect(&keepTimer_, &QTimer::timeout, this, &EditorWindow::keepSession);
@@ -80,7 +73,7 @@ void EditorWindow::connectParts() {
   connect(&controller_, &RunController::finished, &composer_.parts(), &PartLevel::setComputed);
   connect(document_.undoStack(), &QUndoStack::cleanChanged, this, &EditorWindow::updateTitle);
   connect(import_, &ImportPanel::optionsEdited, this, &EditorWindow::editImport);
-  connect(&recent_, &RecentFiles::chosen, this, &EditorWindow::open);
+  connect(&recent_, &RecentFiles::chosen, this, &EditorWindow::openAsking);
   connect(cancel_, &QPushButton::clicked, this, &EditorWindow::cancelWork);
   connect(legend_, &Legend::partsChanged, view_, &LevelView::setParts);
   connect(view_, &LevelView::cameraMoved, this, [this] { keepTimer_.start(); });
@@ -134,7 +127,16 @@ void EditorWindow::connectParts() {
 
 void EditorWindow::open(const QString& path) { openWith(path, std::nullopt, {}); }
 
+void EditorWindow::openAsking(const QString& path) {
+  askUnsaved([this, path] { open(path); });
+}
+
 void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import) {
+  openFile(path, pipeline, import, {});
+}
+
+void EditorWindow::openFile(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import,
+                            const std::optional<KeptSession>& kept) {
   Opening opening;
   opening.path = path;
   opening.pipeline = pipeline;
@@ -146,7 +148,7 @@ void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& 
         if (!loaded_.environment) {
           throw InputError(toPath(path) + ": names no environment; open one first, this session brings only filters");
         }
-        document_.replacePipeline(session.pipeline, tr("open %1").arg(QFileInfo(path).fileName()));
+        document_.replacePipeline(session.pipeline, tr("Open %1").arg(QFileInfo(path).fileName()));
         return;
       }
       opening.path = fromPath(session.environment);
@@ -160,6 +162,11 @@ void EditorWindow::openWith(const QString& path, const std::optional<Pipeline>& 
       opening.rest.partRules = session.partRules;
       opening.rest.obstacles = session.obstacles;
       opening.sections = session.sections;
+      if (kept) {
+        opening.session = kept->session;
+        opening.unsaved = kept->unsaved;
+        opening.kept = kept;
+      }
       if (import.up) opening.import.up = import.up;
       if (import.metresPerUnit) opening.import.metresPerUnit = import.metresPerUnit;
     }
@@ -217,7 +224,7 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
   filters_->setMetresPerUnit(environment.metresPerUnit);
   view_->setEnvironment(loaded.geometry, !opening.reload || before->up != environment.up);
   legend_->describe({});
-  welcome_->hide();
+  showWelcome(false);
 
   if (!opening.reload) {
     // A pipeline that somebody has worked on is worth more than defaults.
@@ -228,6 +235,7 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
     composer_.setLoaded(nullptr);  // the document is that of the new level from here on
     document_.reset(pipeline, opening.import, opening.rest);
     sessionPath_ = opening.session;
+    if (opening.unsaved) document_.undoStack()->resetClean();
     if (opening.camera) view_->setCameraPose(*opening.camera);
     if (opening.cells) setCellsShown(*opening.cells);
     if (opening.sections) loadSections(*opening.sections);
@@ -236,6 +244,10 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
                           [this] { useDefaultFilters(); });
     }
     if (remembering_) recent_.add(opening.session.isEmpty() ? opening.path : opening.session);
+    if (opening.kept) {
+      keepSession();  // before what was restored is given up
+      keeper_.forget(*opening.kept);
+    }
   }
   composer_.setLoaded(loaded.environment, loaded.geometry);
   cellWatch_->setEnvironment(composer_.level(), loaded.geometry->centre);
@@ -250,21 +262,14 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
 
 void EditorWindow::openPipeline(const QString& path) {
   try {
-    document_.replacePipeline(readPipelineFile(toPath(path)), tr("open %1").arg(QFileInfo(path).fileName()));
+    document_.replacePipeline(readPipelineFile(toPath(path)), tr("Open %1").arg(QFileInfo(path).fileName()));
   } catch (const std::exception& error) {
     messages_->showError(QString::fromUtf8(error.what()));
   }
 }
 
-void EditorWindow::offerLastSession() {
-  const QString path = lastSessionPath();
-  if (!isSessionFile(toPath(path))) return;
-  messages_->showHint(tr("The last session is still here, as it was left."), tr("Continue it"),
-                      [this, path] { open(path); });
-}
-
 void EditorWindow::useDefaultFilters() {
-  if (loaded_.environment) document_.replacePipeline(defaultPipeline(*loaded_.environment), tr("use default filters"));
+  if (loaded_.environment) document_.replacePipeline(defaultPipeline(*loaded_.environment), tr("Use default filters"));
 }
 
 // --- Import options
@@ -273,12 +278,14 @@ void EditorWindow::useDefaultFilters() {
 void EditorWindow::editImport(const ImportOptions& options) {
   if (!loaded_.environment) return;
   Pipeline pipeline = document_.pipeline();
+  std::optional<std::vector<Agent>> agents;
   QString mergeKey;
   if (options.metresPerUnit && options.metresPerUnit != document_.state().import.metresPerUnit) {
     pipeline = rescaleDefaults(pipeline, loaded_.environment->metresPerUnit, *options.metresPerUnit);
+    agents = rescaledAgents(document_.state().agents, loaded_.environment->metresPerUnit, *options.metresPerUnit);
     mergeKey = QStringLiteral("scale/%1").arg(import_->scaleField()->editSession());
   }
-  document_.setImportAndPipeline(options, pipeline, tr("change import options"), mergeKey);
+  document_.setImportAndPipeline(options, pipeline, tr("Change import options"), mergeKey, agents);
 }
 
 // The document's options have changed, by an edit or by undo: read the file again where that makes a difference.
@@ -308,115 +315,6 @@ void EditorWindow::applyImport() {
   startLoading(std::move(opening));
 }
 
-// --- Saving
-// -----------------------------------------------------------------------------------------------------------
-
-void EditorWindow::writeInBackground(std::function<void()> write, const QString& path) {
-  ++exports_;
-  showProgress(tr("Writing %1").arg(QFileInfo(path).fileName()), -1);
-  writing_.post([this, write = std::move(write), path] {
-    QString error;
-    try {
-      write();
-    } catch (const std::exception& problem) {
-      error = QString::fromUtf8(problem.what());
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, error, path] {
-          --exports_;
-          if (idle()) hideProgress();
-          if (!error.isEmpty()) {
-            messages_->showError(error);
-            return;
-          }
-          summary_->setText(tr("Wrote %1").arg(path));
-          emit written(path);
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-void EditorWindow::exportResult(const QString& path) {
-  if (!loaded_.environment) {
-    messages_->showError(tr("nothing to export; open an environment first"));
-    return;
-  }
-  if (!controller_.upToDate()) {
-    pendingExport_ = path;
-    if (!controller_.busy()) controller_.runNow();
-    return;
-  }
-  // The loaded environment: its scale may have changed since the run, its coordinates have not.
-  writeInBackground(
-      [run = controller_.finishedRun(), environment = loaded_.environment, target = toPath(path)] {
-        writeObj(target, *run->result.mesh, *environment, makeExportHeader(run->pipeline));
-      },
-      path);
-}
-
-void EditorWindow::savePipeline(const QString& path) {
-  writeInBackground(
-      [text = formatPipeline(document_.pipeline()), target = toPath(path)] { writeFileSafely(target, text); }, path);
-}
-
-Session EditorWindow::currentSession() const {
-  Session session;
-  if (loaded_.environment) session.environment = loaded_.environment->source;
-  session.import = document_.state().import;
-  session.pipeline = document_.pipeline();
-  if (loaded_.environment) session.camera = view_->cameraPose();
-  session.cells = cellsShown();
-  session.agents = document_.state().agents;
-  session.agent = document_.state().agent;
-  session.partRules = document_.state().partRules;
-  session.obstacles = document_.state().obstacles;
-  for (const SessionSection& section : sections_) session.sections[section.name.toStdString()] = section.save();
-  return session;
-}
-
-void EditorWindow::addSessionSection(SessionSection section) { sections_.push_back(std::move(section)); }
-
-void EditorWindow::loadSections(const std::map<std::string, std::string>& sections) {
-  for (const SessionSection& section : sections_) {
-    const auto found = sections.find(section.name.toStdString());
-    try {
-      section.load(found == sections.end() ? std::string() : found->second);
-    } catch (const std::exception& error) {
-      messages_->showError(tr("session, '%1': %2; this part was left out").arg(section.name, error.what()));
-    }
-  }
-}
-
-void EditorWindow::saveSession(const QString& path) {
-  sessionPath_ = path;
-  document_.undoStack()->setClean();
-  updateTitle();
-  if (remembering_) recent_.add(path);
-  writeInBackground(
-      [text = formatSession(currentSession(), toPath(path)), target = toPath(path)] { writeFileSafely(target, text); },
-      path);
-}
-
-void EditorWindow::keepSession() {
-  if (!remembering_ || !loaded_.environment) return;
-  const QString path = lastSessionPath();
-  writing_.post([text = formatSession(currentSession(), toPath(path)), path] {
-    try {
-      QDir().mkpath(QFileInfo(path).path());
-      writeFileSafely(toPath(path), text);
-    } catch (const std::exception&) {
-      // A settings folder that cannot be written costs the offer to continue, and must not cost more.
-    }
-  });
-}
-
-void EditorWindow::closeEvent(QCloseEvent* event) {
-  keepSession();
-  if (remembering_) QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
-  QMainWindow::closeEvent(event);
-}
-
 // --- Showing
 // ----------------------------------------------------------------------------------------------------------
 
@@ -436,6 +334,7 @@ void EditorWindow::showResult() {
   parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"))
         << tr("%1 ms").arg(run->result.totalMs, 0, 'f', 0);
   summary_->setText(parts.join(QStringLiteral("   ·   ")));
+  summary_->setToolTip(parts.join(QLatin1Char('\n')));
   exportAction_->setEnabled(true);
   if (!pendingExport_.isEmpty()) exportResult(std::exchange(pendingExport_, QString()));
 }
@@ -444,14 +343,12 @@ void EditorWindow::say(const QString& text) { summary_->setText(text); }
 
 void EditorWindow::showProgress(const QString& text, double fraction) {
   summary_->setText(text);
-  progress_->setRange(0, fraction < 0 ? 0 : 1000);
-  if (fraction >= 0) progress_->setValue(static_cast<int>(fraction * 1000));
-  progress_->show();
+  progress_->showProgress(fraction);
   cancel_->show();
 }
 
 void EditorWindow::hideProgress() {
-  progress_->hide();
+  progress_->finish();
   cancel_->hide();
 }
 
@@ -476,6 +373,7 @@ void EditorWindow::placeOverlays() {
   cellLegend_->adjustSize();
   cellLegend_->move(view_->width() - cellLegend_->width() - 12, view_->height() - cellLegend_->height() - 12);
   welcome_->setGeometry(view_->rect());
+  if (!welcome_->isHidden()) welcome_->raise();
 }
 
 bool EditorWindow::eventFilter(QObject* watched, QEvent* event) {
@@ -495,7 +393,7 @@ void EditorWindow::dropEvent(QDropEvent* event) {
   if (path.endsWith(QStringLiteral(".pipeline"), Qt::CaseInsensitive)) {
     openPipeline(path);
   } else {
-    open(path);
+    openAsking(path);
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QToolBar>
 #include <functional>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "ui/cell_watch.hpp"
+#include "ui/command_bar.hpp"
 #include "ui/commands.hpp"
 #include "ui/document.hpp"
 #include "ui/environment_loader.hpp"
@@ -25,11 +25,19 @@
 #include "ui/level_composer.hpp"
 #include "ui/level_view.hpp"
 #include "ui/message_bar.hpp"
+#include "ui/message_log.hpp"
+#include "ui/progress_display.hpp"
 #include "ui/recent_files.hpp"
 #include "ui/run_controller.hpp"
 #include "ui/session.hpp"
+#include "ui/session_keeper.hpp"
 
 namespace footfall {
+
+class CommandPalette;
+class HelpPanel;
+class LogPanel;
+class WelcomePage;
 
 /// A dock with one widget, and the command that shows and hides it (in the menu View, group "panels").
 struct Panel {
@@ -73,8 +81,17 @@ class EditorWindow : public QMainWindow {
   void saveSession(const QString& path);
   /// Writes the last finished result, in the background.
   void exportResult(const QString& path);
-  /// Offers the last session, which is kept through crashes too, when there is one.
-  void offerLastSession();
+  /// The same for what somebody chose: asks first what is to become of unsaved changes.
+  void openAsking(const QString& path);
+  /// Offers what was worked on when the program, or the machine, ended unexpectedly.
+  void offerRestoring();
+  /// Opens what was open when a window was closed last.
+  void continueLastSession();
+  /// The page with samples and recent files, over the view.
+  void showWelcome(bool on);
+  /// Docks, tool bars and size as they were, for the program; tests have windows as they are made.
+  void restoreLayout(bool withSize);
+  void resetLayout();
   /// Off: nothing of this window is remembered (for screenshots).
   void setRemembering(bool on) { remembering_ = on; }
   /// Whether what is shown was opened as a session.
@@ -82,15 +99,15 @@ class EditorWindow : public QMainWindow {
 
   // --- For tools (ui/editor_features.cpp)
   [[nodiscard]] CommandRegistry& commands() { return commands_; }
-  [[nodiscard]] QToolBar* toolBar() const { return toolBar_; }
+  [[nodiscard]] QToolBar* toolBar() const;
   QDockWidget* addPanel(const Panel& panel, QWidget* widget);
   void addSessionSection(SessionSection section);
   /// A command that switches the mouse to `tool`, checked while it has it. The tool must outlive the view.
   QAction* addTool(Command command, ViewTool* tool);
   /// In the status bar, until something else is said.
   void say(const QString& text);
-  /// Writes in the background and tells errors; written() follows.
-  void writeInBackground(std::function<void()> write, const QString& path);
+  /// Writes in the background and tells errors; written() follows. `then` gets whether it was written, before.
+  void writeInBackground(std::function<void()> write, const QString& path, std::function<void(bool)> then = {});
   /// The level that runs compute on: with roles of parts and obstacles. Null when nothing is loaded.
   [[nodiscard]] std::shared_ptr<const Environment> level() const { return composer_.level(); }
   [[nodiscard]] LevelComposer& composer() { return composer_; }
@@ -112,6 +129,14 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] CellsShown cellsShown() const;
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
   [[nodiscard]] HeightSlider& heightSlider() { return *heights_; }
+  [[nodiscard]] MessageLog& log() { return log_; }
+  [[nodiscard]] WelcomePage& welcomePage() { return *welcome_; }
+  [[nodiscard]] CommandPalette& commandPalette() { return *palette_; }
+  [[nodiscard]] HelpPanel& helpPanel() { return *help_; }
+  [[nodiscard]] LogPanel& logPanel() { return *logPanel_; }
+  [[nodiscard]] ProgressDisplay& progressDisplay() { return *progress_; }
+  /// Edits that no session file has.
+  [[nodiscard]] bool hasUnsavedChanges();
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
   /// As its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
@@ -132,6 +157,8 @@ class EditorWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -141,12 +168,14 @@ class EditorWindow : public QMainWindow {
     std::optional<Pipeline> pipeline;
     ImportOptions import;
     std::optional<CameraPose> camera;
-    bool reload = false;  ///< the same file with other options
-    bool reread = false;  ///< the same file with the same options
-    QString session;      ///< the file that all this comes from, when it is one
+    bool reload = false;   ///< the same file with other options
+    bool reread = false;   ///< the same file with the same options
+    bool unsaved = false;  ///< it comes with changes that its session file has not
+    QString session;       ///< the file that all this comes from, when it is one
     std::optional<CellsShown> cells;
     DocumentState rest;  ///< of the session: agents, roles, obstacles
     std::optional<std::map<std::string, std::string>> sections;
+    std::optional<KeptSession> kept;  ///< where it comes from, when it was kept and not saved
   };
 
   void createWidgets();
@@ -157,9 +186,26 @@ class EditorWindow : public QMainWindow {
   void createViewActions();
   void createHelpActions();
   QAction* onBar(QAction* action, const QString& text);
+  void fillToolsBar(const CommandRegistry::Entry& entry);
+  void shareBarWidth();
+  void placePanel(QDockWidget* dock, Qt::DockWidgetArea area);
   void createCellWidgets();
   void createCellActions();
   void createFeatures();
+  void createComforts();
+  void createLog();
+  void createPalette();
+  void createWelcome();
+  void updateWelcome();
+  void finishLayout();
+  void saveLayout();
+  void logRun();
+  void openFile(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import,
+                const std::optional<KeptSession>& kept);
+  void openKept(const KeptSession& kept);
+  void openSample(const QString& path, const QString& pipeline);
+  void askUnsaved(std::function<void()> next);
+  [[nodiscard]] QString nameOfWork() const;
   void loadSections(const std::map<std::string, std::string>& sections);
   void connectParts();
   void connectCells();
@@ -200,6 +246,11 @@ class EditorWindow : public QMainWindow {
   std::optional<double> guessedScale_;  ///< of the loaded file
   QString sessionPath_;
   RecentFiles recent_;
+  MessageLog log_;
+  SessionKeeper keeper_{writing_, nullptr};
+  bool closing_ = false;               ///< what was not saved has been asked for
+  std::function<void()> afterSaving_;  ///< once the session is written
+  QByteArray defaultState_;            ///< of docks and tool bars
 
   LevelView* view_ = nullptr;
   Legend* legend_ = nullptr;
@@ -213,11 +264,15 @@ class EditorWindow : public QMainWindow {
   ImportPanel* import_ = nullptr;
   MessageBar* messages_ = nullptr;
   QLabel* summary_ = nullptr;
-  QLabel* welcome_ = nullptr;
-  QProgressBar* progress_ = nullptr;
+  WelcomePage* welcome_ = nullptr;
+  LogPanel* logPanel_ = nullptr;
+  HelpPanel* help_ = nullptr;
+  CommandPalette* palette_ = nullptr;
+  ProgressDisplay* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QAction* exportAction_ = nullptr;
-  QToolBar* toolBar_ = nullptr;
+  CommandBar* toolBar_ = nullptr;
+  CommandBar* toolsBar_ = nullptr;  ///< of the menu Tools
   QTimer keepTimer_;
 
   // Last: their threads end before the rest goes.

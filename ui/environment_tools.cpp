@@ -6,7 +6,6 @@
 #include <QSettings>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -21,8 +20,6 @@ constexpr const char* kOverlay = "parts";
 // Overlays are sent to the graphics card with every frame: larger parts are shown by their box alone.
 constexpr std::size_t kMostHighlighted = 20'000;
 constexpr int kHighlightAlpha = 110;
-constexpr double kHalfFieldOfView = 0.39;  // radians; of the view's camera
-constexpr double kFrameMargin = 1.15;
 
 struct Bounds {
   Vec3 lower{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
@@ -173,9 +170,12 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
   const auto environment = window_.environment();
   const auto bounds = environment && !parts.empty() ? boundsOf(*environment, parts) : std::nullopt;
   if (!bounds) {
+    if (std::exchange(highlighted_, false)) window_.view().setSelectionBounds(std::nullopt);
     window_.view().removeOverlay(QLatin1String(kOverlay));
     return;
   }
+  highlighted_ = true;
+  window_.view().setSelectionBounds(SceneBox{bounds->lower, bounds->upper});
   ViewOverlay overlay;
   overlay.throughWalls = true;
   std::size_t triangles = 0;
@@ -198,20 +198,7 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
 void EnvironmentTools::frame(const std::vector<std::uint32_t>& parts) {
   const auto environment = window_.environment();
   if (!environment || parts.empty()) return;
-  const auto bounds = boundsOf(*environment, parts);
-  if (!bounds) return;
-  // From where one looks now, so far away that the box around the parts is in sight.
-  const Vec3 &a = bounds->lower, &b = bounds->upper;
-  const Vec3 middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2};
-  const double radius = std::max(std::hypot(b.x - a.x, b.y - a.y, b.z - a.z) / 2, 1e-6);
-  CameraPose pose = window_.view().cameraPose();
-  const auto [x, y, z, w] = pose.orientation;
-  const Vec3 back{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
-  const double aspect = static_cast<double>(window_.view().width()) / std::max(window_.view().height(), 1);
-  const double distance = kFrameMargin * radius / std::sin(kHalfFieldOfView * std::min(aspect, 1.0));
-  pose.pivot = middle;
-  pose.position = {middle.x + back.x * distance, middle.y + back.y * distance, middle.z + back.z * distance};
-  window_.view().setCameraPose(pose);
+  if (const auto bounds = boundsOf(*environment, parts)) window_.view().frame(bounds->lower, bounds->upper);
 }
 
 }  // namespace footfall

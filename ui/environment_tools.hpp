@@ -39,7 +39,8 @@ class EnvironmentTools : public QObject {
   QDockWidget* dock_ = nullptr;
   FileWatch watch_;
   bool rereading_ = false;
-  bool pending_ = false;  ///< another version came while something was being read
+  bool highlighted_ = false;  ///< the view's selection is ours
+  bool pending_ = false;      ///< another version came while something was being read
 };
 
 }  // namespace footfall

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filter_list.hpp"
 
-#include <QKeyEvent>
-#include <QMenu>
-#include <QMouseEvent>
+#include <QHBoxLayout>
 #include <QScrollBar>
 #include <algorithm>
+#include <utility>
 
 namespace footfall {
-namespace {
 
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
-}  // namespace
-
-FilterList::FilterList(Document& document, const RunController& controller, QWidget* parent)
+FilterList::FilterList(Document& document, RunController& controller, QWidget* parent)
     : QWidget(parent), document_(document), controller_(controller) {
-  add_ = new QToolButton(this);
-  add_->setObjectName(QStringLiteral("addFilter"));
-  add_->setText(tr("+ Add filter"));
-  add_->setToolTip(tr("Add a filter at the end of the list"));
-  add_->setPopupMode(QToolButton::InstantPopup);
-  add_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  fillAddMenu();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 4, 4);
+  createHead(layout);
 
   content_ = new QWidget;
   content_->setObjectName(QStringLiteral("filterListContent"));
@@ -42,45 +32,71 @@ FilterList::FilterList(Document& document, const RunController& controller, QWid
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(6, 6, 4, 4);
-  layout->addWidget(add_);
+  scroll_->setFocusPolicy(Qt::NoFocus);
   layout->addWidget(scroll_, 1);
 
   connect(&document_, &Document::filtersChanged, this, &FilterList::showFilters);
   connect(&controller_, &RunController::statusChanged, this, &FilterList::showStatuses);
+  connect(actions_, &FilterActions::chosen, this, &FilterList::choose);
+  connect(actions_, &FilterActions::failed, this, &FilterList::failed);
+  connect(presets_, &PresetsMenu::failed, this, &FilterList::failed);
   showFilters();
 }
 
-void FilterList::fillAddMenu() {
-  auto* menu = new QMenu(add_);
-  menu->setToolTipsVisible(true);
-  FilterKind kind = FilterKind::Filter;
-  for (const FilterDescriptor& filter : filterDescriptors()) {
-    if (kind == FilterKind::Filter && filter.kind != kind) menu->addSection(tr("Parallel blocks"));
-    kind = filter.kind;
-    QAction* action = menu->addAction(text(filter.label));
-    action->setToolTip(text(filter.help));
-    action->setData(text(filter.name));
-    connect(action, &QAction::triggered, this, [this, &filter] {
-      document_.addFilter(filter, metresPerUnit_);
-      QMetaObject::invokeMethod(
-          this, [this] { scroll_->verticalScrollBar()->setValue(scroll_->verticalScrollBar()->maximum()); },
-          Qt::QueuedConnection);
-    });
-  }
-  add_->setMenu(menu);
+void FilterList::createHead(QVBoxLayout* layout) {
+  actions_ = new FilterActions(document_, selection_, this);
+  const auto button = [this](const QString& name, const QString& text, const QString& help, QMenu* menu) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(help);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setMenu(menu);
+    return button;
+  };
+  auto* menu = new QMenu(this);
+  fillFilterMenu(*menu, [this](const FilterDescriptor& filter) {
+    document_.addFilter(filter, metresPerUnit_);
+    if (!document_.filters().empty()) choose({document_.filters().back().id});
+  });
+  add_ = button(QStringLiteral("addFilter"), tr("+ Add filter"), tr("Add a filter at the end of the list"), menu);
+  presets_ = new PresetsMenu(document_, PresetStore::ofUser(), this);
+  auto* presets =
+      button(QStringLiteral("presets"), tr("Presets"), tr("Take a pipeline by its name, or keep this one"), presets_);
+  automatic_ = new QCheckBox(tr("Run automatically"), this);
+  automatic_->setObjectName(QStringLiteral("runAutomatically"));
+  automatic_->setToolTip(
+      tr("On: each edit runs at once, or when you stop where runs take long. Off: press F5 to run."));
+  automatic_->setChecked(controller_.automatic());
+  connect(automatic_, &QCheckBox::toggled, &controller_, &RunController::setAutomatic);
+  connect(&controller_, &RunController::automaticChanged, automatic_, &QCheckBox::setChecked);
+  times_ = new TimeStrip(this);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(add_, 1);
+  buttons->addWidget(presets, 1);
+  buttons->addWidget(automatic_);
+  layout->addLayout(buttons);
+  layout->addWidget(times_);
+}
+
+void FilterList::setMetresPerUnit(double metresPerUnit) {
+  metresPerUnit_ = metresPerUnit;
+  actions_->setMetresPerUnit(metresPerUnit);
+  presets_->setMetresPerUnit(metresPerUnit);
+  for (FilterRow* row : rows_) row->setMetresPerUnit(metresPerUnit);
 }
 
 FilterRow* FilterList::makeRow(const FilterEntry& entry) {
   auto* row = new FilterRow(entry, content_);
+  row->setMetresPerUnit(metresPerUnit_);
   connect(row, &FilterRow::enabledEdited, &document_, &Document::setEnabled);
   connect(row, &FilterRow::valueEdited, &document_, &Document::setValue);
   connect(row, &FilterRow::previewRequested, this, &FilterList::previewRequested);
+  connect(row, &FilterRow::draggingChanged, &controller_, &RunController::setDragging);
   // Later: the row that sends this goes with it.
   connect(row, &FilterRow::removeRequested, &document_, &Document::removeFilter, Qt::QueuedConnection);
-  row->handle()->installEventFilter(this);
   row->installEventFilter(this);
   for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);
   row->show();
@@ -90,34 +106,15 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
 void FilterList::showFilters() {
   if (dragged_) endDrag(false);
   std::vector<FilterRow*> next;
+  std::vector<int> ids;
   for (const FilterEntry& entry : document_.filters()) {
-    const auto known =
-        std::find_if(rows_.begin(), rows_.end(), [&](const FilterRow* row) { return row->entryId() == entry.id; });
-    if (known == rows_.end()) {
-      next.push_back(makeRow(entry));
-    } else {
-      (*known)->setEntry(entry);
-      next.push_back(*known);
-    }
+    FilterRow* known = rowOf(entry.id);
+    if (known) known->setEntry(entry);
+    next.push_back(known ? known : makeRow(entry));
+    ids.push_back(entry.id);
   }
-  for (FilterRow* row : rows_) {
-    if (std::find(next.begin(), next.end(), row) != next.end()) continue;
-    row->hide();
-    row->deleteLater();
-  }
-  if (next != rows_) {
-    for (FilterRow* row : rows_) layout_->removeWidget(row);
-    rows_ = std::move(next);
-    for (std::size_t i = 0; i < rows_.size(); ++i) layout_->insertWidget(static_cast<int>(i), rows_[i]);
-    QWidget* before = add_;
-    for (FilterRow* row : rows_) {
-      for (QWidget* field : row->findChildren<QWidget*>()) {
-        if (field->focusPolicy() == Qt::NoFocus) continue;
-        setTabOrder(before, field);
-        before = field;
-      }
-    }
-  }
+  const bool hadFocus = rowOf(focusWidget()) != nullptr;
+  if (next != rows_) placeRows(std::move(next));
   bool inBlock = false;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const PipelineStep& step = document_.filters()[i].step;
@@ -127,12 +124,48 @@ void FilterList::showFilters() {
     if (kind == FilterKind::Collapse) inBlock = false;
   }
   empty_->setVisible(rows_.empty());
+  selection_.setRows(ids);
+  showSelection();
   showStatuses();
+  if (hadFocus && !rowOf(focusWidget())) focusCurrent();  // the row with the focus is gone
+}
+
+void FilterList::placeRows(std::vector<FilterRow*> rows) {
+  for (FilterRow* row : rows_) {
+    if (std::ranges::find(rows, row) != rows.end()) continue;
+    row->hide();
+    row->deleteLater();
+  }
+  for (FilterRow* row : rows_) layout_->removeWidget(row);
+  rows_ = std::move(rows);
+  for (std::size_t i = 0; i < rows_.size(); ++i) layout_->insertWidget(static_cast<int>(i), rows_[i]);
+  QWidget* before = automatic_;
+  const auto follow = [&before](QWidget* widget) {
+    if (widget->focusPolicy() == Qt::NoFocus) return;
+    setTabOrder(before, widget);
+    before = widget;
+  };
+  for (FilterRow* row : rows_) {
+    follow(row);
+    for (QWidget* field : row->findChildren<QWidget*>()) follow(field);
+  }
 }
 
 void FilterList::showStatuses() {
-  for (FilterRow* row : rows_) row->setStatus(controller_.status(row->entryId()));
+  const TimeShares shares = timeShares(document_.filters(), [this](int id) { return controller_.status(id); });
+  times_->setShares(shares);
+  for (FilterRow* row : rows_) {
+    row->setStatus(controller_.status(row->entryId()));
+    const TimeShare* share = shareOf(shares, row->entryId());
+    row->setShare(share ? std::optional(share->share) : std::nullopt,
+                  share ? timeColour(static_cast<std::size_t>(share - shares.steps.data())) : QColor());
+  }
   giveRowsTheirHeight();
+}
+
+void FilterList::showSelection() {
+  for (FilterRow* row : rows_) row->setSelected(selection_.contains(row->entryId()));
+  actions_->update();
 }
 
 void FilterList::giveRowsTheirHeight() {
@@ -148,102 +181,17 @@ void FilterList::resizeEvent(QResizeEvent* event) {
   giveRowsTheirHeight();
 }
 
-bool FilterList::eventFilter(QObject* watched, QEvent* event) {
-  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const FilterRow* r) {
-    return r == watched || r->isAncestorOf(qobject_cast<QWidget*>(watched));
-  });
-  if (row == rows_.end()) return QWidget::eventFilter(watched, event);
-  const bool onHandle = watched == (*row)->handle();
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-      if (onHandle && static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) {
-        beginDrag(*row);
-        return true;
-      }
-      break;
-    case QEvent::MouseMove:
-      if (onHandle && dragged_) {
-        moveDrag(static_cast<QMouseEvent*>(event)->globalPosition().toPoint());
-        return true;
-      }
-      break;
-    case QEvent::MouseButtonRelease:
-      if (onHandle && dragged_) {
-        endDrag(true);
-        return true;
-      }
-      break;
-    case QEvent::ShortcutOverride:
-    case QEvent::KeyPress: {
-      auto* key = static_cast<QKeyEvent*>(event);
-      if (dragged_ && key->key() == Qt::Key_Escape) {
-        if (event->type() == QEvent::KeyPress) endDrag(false);
-        event->accept();
-        return true;
-      }
-      const int direction = key->key() == Qt::Key_Up ? -1 : key->key() == Qt::Key_Down ? 1 : 0;
-      if (direction != 0 && key->modifiers() == Qt::AltModifier) {
-        event->accept();
-        return event->type() == QEvent::ShortcutOverride || moveByKey(*row, direction);
-      }
-      break;
-    }
-    default:
-      break;
+FilterRow* FilterList::rowOf(int id) const {
+  const auto found = std::ranges::find(rows_, id, &FilterRow::entryId);
+  return found == rows_.end() ? nullptr : *found;
+}
+
+FilterRow* FilterList::rowOf(const QObject* widget) const {
+  for (const QObject* at = widget; at; at = at->parent()) {
+    const auto found = std::ranges::find_if(rows_, [at](const FilterRow* row) { return row == at; });
+    if (found != rows_.end()) return *found;
   }
-  return QWidget::eventFilter(watched, event);
-}
-
-bool FilterList::moveByKey(FilterRow* row, int direction) {
-  const auto index = std::find(rows_.begin(), rows_.end(), row) - rows_.begin();
-  const auto target = index + direction;
-  if (target >= 0 && target < static_cast<std::ptrdiff_t>(rows_.size())) {
-    document_.moveFilter(row->entryId(), static_cast<std::size_t>(target));
-  }
-  return true;
-}
-
-void FilterList::beginDrag(FilterRow* row) {
-  dragged_ = row;
-  dropGap_ = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), row) - rows_.begin());
-  row->handle()->setCursor(Qt::ClosedHandCursor);
-  row->setProperty("dragged", true);
-  row->style()->unpolish(row);
-  row->style()->polish(row);
-}
-
-std::size_t FilterList::gapAt(int y) const {
-  std::size_t gap = 0;
-  while (gap < rows_.size() && y > rows_[gap]->geometry().center().y()) ++gap;
-  return gap;
-}
-
-void FilterList::moveDrag(const QPoint& globalPosition) {
-  const QPoint inScroll = scroll_->viewport()->mapFromGlobal(globalPosition);
-  QScrollBar* bar = scroll_->verticalScrollBar();
-  if (inScroll.y() < 16) bar->setValue(bar->value() - 12);
-  if (inScroll.y() > scroll_->viewport()->height() - 16) bar->setValue(bar->value() + 12);
-
-  dropGap_ = gapAt(content_->mapFromGlobal(globalPosition).y());
-  const int y = dropGap_ < rows_.size() ? rows_[dropGap_]->geometry().top() - 4 : rows_.back()->geometry().bottom() + 2;
-  dropLine_->setGeometry(0, std::max(0, y), content_->width(), 3);
-  dropLine_->raise();
-  dropLine_->show();
-}
-
-void FilterList::endDrag(bool drop) {
-  FilterRow* row = dragged_;
-  dragged_ = nullptr;
-  dropLine_->hide();
-  row->handle()->setCursor(Qt::OpenHandCursor);
-  row->setProperty("dragged", false);
-  row->style()->unpolish(row);
-  row->style()->polish(row);
-  if (!drop) return;
-  const auto from = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), row) - rows_.begin());
-  // Without the row itself, the gaps behind it are one less.
-  const std::size_t to = dropGap_ > from ? dropGap_ - 1 : dropGap_;
-  if (to != from) document_.moveFilter(row->entryId(), to);
+  return nullptr;
 }
 
 }  // namespace footfall

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filter_row.hpp"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
 
 #include "core/filters/descriptor_text.hpp"
+#include "ui/cell_colours.hpp"
 
 namespace footfall {
 namespace {
+
+constexpr int kMark = 16;  // pixels of the sign of a state
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
@@ -21,18 +25,18 @@ QString helpOf(const FilterDescriptor& filter) {
 }
 
 QString helpOf(const ParameterDescriptor& parameter) {
-  return QStringLiteral("<p>%1</p><p>Takes %2. Default: %3%4.</p>")
+  const QString drag = parameter.type == ParameterType::Boolean
+                           ? QString()
+                           : FilterRow::tr(
+                                 "<p>Type it, drag sideways, or turn the wheel while the field has the focus; "
+                                 "Shift: finer, Ctrl: coarser, Esc: back.</p>");
+  return QStringLiteral("<p>%1</p><p>Takes %2. Default: %3%4.</p>%5")
       .arg(text(parameter.help), QString::fromStdString(describeRange(parameter)),
            QString::fromStdString(formatValue(parameter, parameter.defaultValue)),
            parameter.unit == Unit::Length ? QStringLiteral(" m")
            : parameter.unit == Unit::Area ? QStringLiteral(" m²")
-                                          : QString());
-}
-
-QString durationText(double milliseconds) {
-  if (milliseconds < 1) return FilterRow::tr("under 1 ms");
-  if (milliseconds < 1000) return FilterRow::tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 10 ? 1 : 0);
-  return FilterRow::tr("%1 s").arg(milliseconds / 1000, 0, 'f', 2);
+                                          : QString(),
+           drag);
 }
 
 QString countText(std::uint64_t count) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)); }
@@ -56,6 +60,7 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
     : QFrame(parent), id_(entry.id), filter_(*entry.step.filter) {
   setObjectName(QStringLiteral("filterRow"));
   setFrameShape(QFrame::StyledPanel);
+  setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(text(filter_.label));
 
   handle_ = new QLabel(QStringLiteral("⋮⋮"), this);
@@ -65,6 +70,7 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   enabled_ = new QCheckBox(text(filter_.label), this);
   enabled_->setObjectName(QStringLiteral("filterName"));
   enabled_->setToolTip(helpOf(filter_));
+  stateIcon_ = new QLabel(this);
   state_ = new QLabel(this);
   remove_ = new QToolButton(this);
   remove_->setText(QStringLiteral("✕"));
@@ -76,6 +82,7 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   head->setSpacing(6);
   head->addWidget(handle_);
   head->addWidget(enabled_, 1);
+  head->addWidget(stateIcon_);
   head->addWidget(state_);
   if (filter_.kind == FilterKind::Strategy) {
     preview_ = new QToolButton(this);
@@ -102,6 +109,8 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   layout->addWidget(figures_);
   layout->addWidget(error_);
   error_->hide();
+  share_ = new ShareBar(this);
+  layout->addWidget(share_);
 
   connect(enabled_, &QCheckBox::clicked, this, [this](bool on) { emit enabledEdited(id_, on); });
   connect(remove_, &QToolButton::clicked, this, [this] { emit removeRequested(id_); });
@@ -129,23 +138,48 @@ void FilterRow::addParameters(QVBoxLayout* layout) {
       connect(box, &QCheckBox::clicked, this, [this, i](bool on) { emit valueEdited(id_, i, on ? 1 : 0, -1); });
       grid->addWidget(box, row, 1);
       fields_.push_back(box);
+      units_.push_back(nullptr);
       continue;
     }
-    auto* field = new NumberField(parameter, parameters_);
-    field->setToolTip(helpOf(parameter));
-    field->setAccessibleName(text(parameter.label));
-    field->setFixedWidth(104);
-    label->setBuddy(field);
-    connect(field, &NumberField::valueEdited, this,
-            [this, i, field](double value) { emit valueEdited(id_, i, value, field->editSession()); });
-    connect(field, &NumberField::problemChanged, this, &FilterRow::showError);
-    grid->addWidget(field, row, 1);
-    auto* unit = new QLabel(unitText(parameter.unit), parameters_);
-    unit->setMinimumWidth(52);
-    grid->addWidget(unit, row, 2);
-    fields_.push_back(field);
+    addNumber(parameter, i, grid, label);
   }
   layout->addWidget(parameters_);
+}
+
+void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label) {
+  const int row = static_cast<int>(index);
+  auto* field = new NumberField(parameter, parameters_);
+  field->setObjectName(text(parameter.name));
+  field->setToolTip(helpOf(parameter));
+  field->setAccessibleName(text(parameter.label));
+  field->setFixedWidth(104);
+  field->takeDragsOf(label);
+  label->setBuddy(field);
+  connect(field, &NumberField::valueEdited, this, [this, index, field](double value) {
+    showUnits();
+    emit valueEdited(id_, index, value, field->editSession());
+  });
+  connect(field, &NumberField::problemChanged, this, &FilterRow::showError);
+  connect(field, &NumberField::draggingChanged, this, &FilterRow::draggingChanged);
+  grid->addWidget(field, row, 1);
+  auto* unit = new QLabel(parameters_);
+  unit->setMinimumWidth(52);
+  grid->addWidget(unit, row, 2);
+  fields_.push_back(field);
+  units_.push_back(unit);
+}
+
+void FilterRow::setMetresPerUnit(double metresPerUnit) {
+  metresPerUnit_ = metresPerUnit;
+  showUnits();
+}
+
+void FilterRow::showUnits() {
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    if (!units_[i]) continue;
+    const double value = qobject_cast<NumberField*>(fields_[i])->value();
+    units_[i]->setText(unitText(filter_.parameters[i].unit, value, metresPerUnit_));
+  }
 }
 
 void FilterRow::setEntry(const FilterEntry& entry) {
@@ -158,6 +192,7 @@ void FilterRow::setEntry(const FilterEntry& entry) {
       box->setChecked(entry.step.values[i] != 0);
     }
   }
+  showUnits();
 }
 
 void FilterRow::setInBlock(bool inBlock) {
@@ -167,22 +202,43 @@ void FilterRow::setInBlock(bool inBlock) {
   style()->polish(this);
 }
 
+void FilterRow::setSelected(bool selected) {
+  if (property("selected").toBool() == selected) return;
+  setProperty("selected", selected);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
+void FilterRow::setShare(std::optional<double> share, const QColor& colour) { share_->setShare(share, colour); }
+
 void FilterRow::setStatus(const StepStatus& status) {
-  QString word = stateWord(status.state);
-  if (status.state == StepState::Running && status.fraction > 0) {
-    word += QStringLiteral(" %1 %").arg(static_cast<int>(status.fraction * 100));
-  }
-  if (word != state_->text()) {
-    state_->setText(word);
-    state_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(stateColour(status.state).name()));
-  }
+  status_ = status;
+  showState();
   const QString figures = statusFigures(status);
   if (figures != figures_->text()) figures_->setText(figures);
   const bool old = status.state == StepState::Stale || status.state == StepState::Cancelled;
   figures_->setEnabled(!old);
   figures_->setVisible(!figures.isEmpty() && status.state != StepState::Off);
-  statusError_ = status.error;
   showError();
+}
+
+void FilterRow::showState() {
+  QString word = stateWord(status_.state);
+  if (status_.state == StepState::Running && status_.fraction > 0) {
+    word += QStringLiteral(" %1 %").arg(static_cast<int>(status_.fraction * 100));
+  }
+  const QColor colour = stateColour(status_.state, palette());
+  if (word == state_->text() && colour == stateColour_) return;
+  stateColour_ = colour;
+  state_->setText(word);
+  state_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));
+  stateIcon_->setPixmap(stateMark(status_.state, palette(), kMark, devicePixelRatioF()));
+  setAccessibleDescription(word);
+}
+
+void FilterRow::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && state_) showState();
 }
 
 void FilterRow::showError() {
@@ -191,7 +247,7 @@ void FilterRow::showError() {
     const auto* field = qobject_cast<NumberField*>(widget);
     if (field && !field->problem().isEmpty()) lines << field->problem();
   }
-  if (!statusError_.isEmpty()) lines << statusError_;
+  if (!status_.error.isEmpty()) lines << status_.error;
   error_->setText(lines.join(QLatin1Char('\n')));
   error_->setVisible(!lines.isEmpty());
 }

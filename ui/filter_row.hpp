@@ -4,13 +4,16 @@
 
 #include <QCheckBox>
 #include <QFrame>
+#include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <optional>
 #include <vector>
 
 #include "ui/document.hpp"
 #include "ui/number_field.hpp"
 #include "ui/step_status.hpp"
+#include "ui/time_strip.hpp"
 
 namespace footfall {
 
@@ -27,6 +30,11 @@ class FilterRow : public QFrame {
   void setStatus(const StepStatus& status);
   /// Marks the rows of a parallel block, from its strategy to its Collapse.
   void setInBlock(bool inBlock);
+  void setSelected(bool selected);
+  /// The step's part of the time of all; nothing where it has no time.
+  void setShare(std::optional<double> share, const QColor& colour);
+  /// Lengths and areas are told in metres, too, where a unit is none.
+  void setMetresPerUnit(double metresPerUnit);
 
   /// Where the row can be dragged.
   [[nodiscard]] QWidget* handle() const { return handle_; }
@@ -36,6 +44,9 @@ class FilterRow : public QFrame {
   [[nodiscard]] QToolButton* removeButton() const { return remove_; }
   /// Null for filters that are no strategy.
   [[nodiscard]] QToolButton* previewButton() const { return preview_; }
+  /// What stands behind the field of a parameter that is a number, e.g. "degrees".
+  [[nodiscard]] QString unitOf(std::size_t parameter) const { return units_[parameter]->text(); }
+  [[nodiscard]] const ShareBar& shareBar() const { return *share_; }
   [[nodiscard]] QString figuresText() const { return figures_->text(); }
   [[nodiscard]] QString stateText() const { return state_->text(); }
   [[nodiscard]] QString errorText() const { return error_->text(); }
@@ -46,23 +57,36 @@ class FilterRow : public QFrame {
   void removeRequested(int id);
   /// Only of strategies.
   void previewRequested(int id);
+  /// A value is held by the mouse, or let go.
+  void draggingChanged(bool dragging);
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   void addParameters(QVBoxLayout* layout);
+  void addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label);
+  void showUnits();
+  void showState();
   void showError();
 
   int id_;
   const FilterDescriptor& filter_;
   QLabel* handle_;
   QCheckBox* enabled_;
-  QLabel* state_;
+  QLabel* stateIcon_;
+  QLabel* state_ = nullptr;
+  QColor stateColour_;
   QToolButton* preview_ = nullptr;
   QToolButton* remove_;
   std::vector<QWidget*> fields_;
+  std::vector<QLabel*> units_;  ///< null for booleans
+  double metresPerUnit_ = 1;
   QWidget* parameters_ = nullptr;
   QLabel* figures_;
   QLabel* error_;
-  QString statusError_;
+  ShareBar* share_;
+  StepStatus status_;
 };
 
 }  // namespace footfall

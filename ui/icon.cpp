@@ -93,6 +93,20 @@ QIcon icon(const QString& name) {
   return QIcon(new OutlineIcon(name, file.readAll()));
 }
 
+QIcon applicationIcon() {
+  QSvgRenderer renderer(QStringLiteral(":/resources/footfall.svg"));
+  QIcon made;
+  for (const int side : {16, 24, 32, 48, 64, 128, 256}) {
+    QPixmap pixmap(side, side);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    renderer.render(&painter, QRectF(0, 0, side, side));
+    painter.end();
+    made.addPixmap(pixmap);
+  }
+  return made;
+}
+
 QStringList iconNames() {
   QStringList names = QDir(folder()).entryList({QStringLiteral("*.svg")}, QDir::Files, QDir::Name);
   for (QString& name : names) name.chop(4);

@@ -13,6 +13,9 @@ namespace footfall {
 /// its outlines, so that it is crisp at every device pixel ratio. An unknown name gives a null icon and a warning.
 QIcon icon(const QString& name);
 
+/// The program's own icon in the usual sizes, from resources/footfall.svg.
+QIcon applicationIcon();
+
 /// The names that icon() knows, sorted.
 QStringList iconNames();
 

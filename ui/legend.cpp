@@ -64,7 +64,7 @@ QCheckBox* Legend::addEntry(const QString& label, bool SceneParts::*part, const 
   auto* box = new QCheckBox(label, this);
   box->setToolTip(help);
   box->setChecked(parts_.*part);
-  box->setFocusPolicy(Qt::NoFocus);  // the keys belong to the view
+  box->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
   connect(box, &QCheckBox::clicked, this, [this, part](bool on) {
     parts_.*part = on;
     emit partsChanged(parts_);

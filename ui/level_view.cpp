@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -327,7 +328,7 @@ QMatrix4x4 LevelView::modelViewProjection() const {
 }
 
 OverlayRenderer::Look LevelView::overlayLook() const {
-  return {modelViewProjection(), size() * devicePixelRatioF(), static_cast<float>(devicePixelRatioF()),
+  return {modelViewProjection(), size() * devicePixelRatioF(), static_cast<float>(pixelRatio()),
           environment_ ? environment_->centre : Vec3{}};
 }
 
@@ -342,7 +343,7 @@ void LevelView::draw() {
   scene.viewDirection =
       QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
   scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
-  scene.devicePixelRatio = static_cast<float>(devicePixelRatioF());
+  scene.devicePixelRatio = static_cast<float>(pixelRatio());
   scene.clip = clipPlanes();
   scene.viewport = size() * devicePixelRatioF();
   SceneParts parts = parts_;
@@ -355,6 +356,28 @@ void LevelView::draw() {
   if (!hurried) wholeFrameMs_ = lastFrameMs_;
 }
 
+qreal LevelView::pixelRatio() const { return pictureRatio_ > 0 ? pictureRatio_ : devicePixelRatioF(); }
+
+QImage LevelView::picture(const QSize& pixels, double ratio) {
+  if (!ready_ || pixels.isEmpty()) return {};
+  makeCurrent();
+  GLint most = 0;
+  context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+  doneCurrent();
+  if (std::max(pixels.width(), pixels.height()) > most) return {};
+  // The widget takes the size for one frame that is never shown: a picture has all that the view has.
+  const QRect place = geometry();
+  rest_.stop();  // nothing is left out
+  pictureRatio_ = ratio;
+  const QSize logical = (QSizeF(pixels) / devicePixelRatioF()).toSize();
+  resize(logical);
+  QImage image = grabFramebuffer();
+  pictureRatio_ = 0;
+  setGeometry(place);
+  image.setDevicePixelRatio(1);
+  return image.convertToFormat(QImage::Format_RGB32);  // opaque, as on the screen
+}
+
 // Marks and labels: QPainter leaves OpenGL in a state of its own, so it comes last.
 void LevelView::paintGL() {
   QGLViewer::paintGL();
@@ -362,7 +385,10 @@ void LevelView::paintGL() {
                          return !entry.second.marks.empty() || !entry.second.labels.empty();
                        });
   if (!painted) return;
-  QPainter painter(this);
+  // Not on the widget: while the window is grabbed, its painters go elsewhere.
+  QOpenGLPaintDevice device(size() * devicePixelRatioF());
+  device.setDevicePixelRatio(pixelRatio());
+  QPainter painter(&device);
   OverlayRenderer::paint(painter, overlays_, overlayLook());
 }
 

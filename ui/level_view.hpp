@@ -4,6 +4,7 @@
 
 #include <QGLViewer/qglviewer.h>
 
+#include <QImage>
 #include <QTimer>
 #include <array>
 #include <chrono>
@@ -114,6 +115,10 @@ class LevelView : public QGLViewer {
   /// Brings the selection into sight, or what the mouse points at, or everything.
   void frameSelection();
 
+  /// What the view shows, `pixels` large, with lines and words `ratio` times as large as at one device pixel for one
+  /// logical; before the view has been on the screen, or for sizes that OpenGL cannot draw, a null image.
+  [[nodiscard]] QImage picture(const QSize& pixels, double ratio);
+
   [[nodiscard]] CameraPose cameraPose() const;
   void setCameraPose(const CameraPose& pose);
 
@@ -154,6 +159,7 @@ class LevelView : public QGLViewer {
   [[nodiscard]] QMatrix4x4 modelViewProjection() const;
   [[nodiscard]] OverlayRenderer::Look overlayLook() const;
   [[nodiscard]] ClipPlanes clipPlanes() const;
+  [[nodiscard]] qreal pixelRatio() const;
   void hover(std::optional<std::size_t> cell);
   void fitTo(const std::vector<Vec3>& points);
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
@@ -175,7 +181,8 @@ class LevelView : public QGLViewer {
   std::optional<SceneBox> selection_;
   bool ready_ = false;
   bool fitWhenSized_ = false;
-  QTimer rest_;  ///< runs while the camera moves
+  QTimer rest_;              ///< runs while the camera moves
+  double pictureRatio_ = 0;  ///< while picture() draws
   double lastFrameMs_ = 0;
   std::chrono::steady_clock::time_point lastFrameBegun_;
   double wholeFrameMs_ = 0;

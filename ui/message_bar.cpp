@@ -6,53 +6,78 @@
 #include <QToolButton>
 #include <utility>
 
+#include "ui/icon.hpp"
+
 namespace footfall {
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   setObjectName(QStringLiteral("messageBar"));
+  icon_ = new QLabel(this);
   text_ = new QLabel(this);
+  text_->setObjectName(QStringLiteral("messageText"));
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  button_ = new QPushButton(this);
   auto* close = new QToolButton(this);
+  close->setObjectName(QStringLiteral("messageClose"));
   close->setText(QStringLiteral("✕"));
   close->setAutoRaise(true);
-  close->setToolTip(tr("Close this message"));
+  close->setFocusPolicy(Qt::StrongFocus);
+  close->setToolTip(tr("Close this message; the log keeps it"));
+  close->setAccessibleName(tr("Close this message"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(12, 6, 6, 6);
+  layout->addWidget(icon_);
   layout->addWidget(text_, 1);
-  layout->addWidget(button_);
+  for (Choice& choice : choices_) {
+    choice.button = new QPushButton(this);
+    choice.button->setAutoDefault(true);
+    layout->addWidget(choice.button);
+    connect(choice.button, &QPushButton::clicked, this, [this, &choice] {
+      const std::function<void()> action = std::exchange(choice.action, nullptr);
+      clear();
+      if (action) action();
+    });
+  }
   layout->addWidget(close);
   connect(close, &QToolButton::clicked, this, &MessageBar::clear);
-  connect(button_, &QPushButton::clicked, this, [this] {
-    const std::function<void()> action = std::exchange(action_, nullptr);
-    clear();
-    if (action) action();
-  });
   hide();
 }
 
-void MessageBar::showError(const QString& text) { showText(QStringLiteral("error"), text, {}, {}); }
-
-void MessageBar::showHint(const QString& text, const QString& label, std::function<void()> action) {
-  showText(QStringLiteral("hint"), text, label, std::move(action));
+void MessageBar::showError(const QString& text) {
+  for (Choice& choice : choices_) offer(choice, {}, {});
+  showText(MessageLevel::Error, text);
 }
 
-void MessageBar::showText(const QString& kind, const QString& text, const QString& label,
-                          std::function<void()> action) {
-  setProperty("kind", kind);
+void MessageBar::showHint(const QString& text, const QString& label, std::function<void()> action,
+                          const QString& secondLabel, std::function<void()> secondAction) {
+  offer(choices_[0], label, std::move(action));
+  offer(choices_[1], secondLabel, std::move(secondAction));
+  showText(MessageLevel::Hint, text);
+}
+
+void MessageBar::offer(Choice& choice, const QString& label, std::function<void()> action) {
+  choice.button->setText(label);
+  choice.button->setVisible(!label.isEmpty());
+  choice.action = std::move(action);
+}
+
+void MessageBar::showText(MessageLevel level, const QString& text) {
+  const bool error = level == MessageLevel::Error;
+  setProperty("kind", error ? QStringLiteral("error") : QStringLiteral("hint"));
   style()->unpolish(this);
   style()->polish(this);
+  const int side = style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, this);
+  icon_->setPixmap(
+      icon(error ? QStringLiteral("error") : QStringLiteral("info")).pixmap(QSize(side, side), devicePixelRatioF()));
   text_->setText(text);
-  button_->setText(label);
-  button_->setVisible(!label.isEmpty());
-  action_ = std::move(action);
+  setAccessibleName(error ? tr("Error: %1").arg(text) : text);
   show();
+  emit told(level, text);
 }
 
 void MessageBar::clear() {
-  action_ = nullptr;
+  for (Choice& choice : choices_) choice.action = nullptr;
   text_->clear();
   hide();
 }

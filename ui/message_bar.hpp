@@ -5,7 +5,10 @@
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
+#include <array>
 #include <functional>
+
+#include "ui/message_log.hpp"
 
 namespace footfall {
 
@@ -16,18 +19,27 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showError(const QString& text);
-  /// `action` is offered as a button when it has a label.
-  void showHint(const QString& text, const QString& label = {}, std::function<void()> action = {});
+  /// Actions are offered as buttons when they have labels.
+  void showHint(const QString& text, const QString& label = {}, std::function<void()> action = {},
+                const QString& secondLabel = {}, std::function<void()> secondAction = {});
   void clear();
   /// Empty while nothing is shown.
   [[nodiscard]] QString text() const;
 
- private:
-  void showText(const QString& kind, const QString& text, const QString& label, std::function<void()> action);
+ signals:
+  void told(footfall::MessageLevel level, const QString& text);
 
+ private:
+  struct Choice {
+    QPushButton* button = nullptr;
+    std::function<void()> action;
+  };
+  void showText(MessageLevel level, const QString& text);
+  void offer(Choice& choice, const QString& label, std::function<void()> action);
+
+  QLabel* icon_;
   QLabel* text_;
-  QPushButton* button_;
-  std::function<void()> action_;
+  std::array<Choice, 2> choices_;
 };
 
 }  // namespace footfall

@@ -10,8 +10,10 @@
 namespace footfall {
 
 /// Takes any number as typed, in full precision; nothing is clamped or rounded. While the text is no valid value, the
-/// field is marked, problem() says why, and the last valid value stays in force. Up and Down change it by a step that
-/// suits the unit; Escape brings the value in force back.
+/// field is marked, problem() says why, and the last valid value stays in force. Up and Down, the wheel while the field
+/// has the focus, and dragging sideways change it by steps that suit the unit (Shift: tenths of them, Ctrl: tens);
+/// Escape brings back the value in force, or the one from before the drag. A drag goes no further than the range, and
+/// problem() says so while the mouse is beyond. A field that has the focus already selects text when dragged over.
 class NumberField : public QLineEdit {
   Q_OBJECT
 
@@ -23,28 +25,57 @@ class NumberField : public QLineEdit {
   [[nodiscard]] double value() const { return value_; }
   /// Empty when the text is a valid value.
   [[nodiscard]] QString problem() const { return problem_; }
-  /// Changes whenever the field gains the focus: what is typed in between is one edit.
+  /// Changes whenever the field gains the focus and with each drag: what is typed or dragged in between is one edit.
   [[nodiscard]] int editSession() const { return editSession_; }
+  /// Dragging on `label` changes the value, too.
+  void takeDragsOf(QWidget* label);
+  [[nodiscard]] bool dragging() const { return drag_ && drag_->moved; }
 
  signals:
   void valueEdited(double value);
   void problemChanged();
+  /// The mouse holds the value, or has let it go.
+  void draggingChanged(bool dragging);
 
  protected:
   /// Undo and redo are the document's, which knows what was typed: one stack for all.
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  struct Drag {
+    double from = 0;          // the value in force when it began
+    double step = 1;          // of that value
+    double steps = 0;         // gone so far
+    double start = 0, x = 0;  // on the screen
+    bool moved = false;       // far enough to be a drag and no click
+    bool onField = false;
+  };
+
   void readText(const QString& text);
   void setProblem(const QString& problem);
-  void stepBy(int steps);
+  [[nodiscard]] double stepSize() const;
+  void stepBy(double steps);
+  /// In the nearest multiple of `grain`, as far as the range goes. Says what was asked for when that is out of range.
+  QString takeNear(double wanted, double grain);
+  void beginDrag(double x, bool onField);
+  void dragTo(double x, Qt::KeyboardModifiers modifiers);
+  void endDrag(bool keep);
 
   ParameterDescriptor parameter_;
   double value_ = 0;
   QString problem_;
   int editSession_ = 0;
+  std::optional<Drag> drag_;
+  bool focusedByClick_ = false;
+  int wheel_ = 0;  // eighths of a degree that are no whole step yet
 };
 
 /// A number as typed, in the notation of pipeline files (a point for decimals, exponents allowed), or nothing.
@@ -53,7 +84,10 @@ std::optional<double> parseNumber(const QString& text);
 /// The shortest text that reads back to the same number.
 QString numberText(double value);
 
-/// What follows a value, e.g. " degrees"; lengths and areas are in the environment's units.
+/// What a value is counted in, e.g. "degrees"; lengths and areas are in the environment's units. Empty for pure
+/// numbers.
 QString unitText(Unit unit);
+/// The same with the value in metres behind it where a unit is not a metre: "units = 2 m".
+QString unitText(Unit unit, double value, double metresPerUnit);
 
 }  // namespace footfall

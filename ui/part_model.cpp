@@ -25,6 +25,7 @@ void PartModel::setEnvironment(std::shared_ptr<const Environment> environment) {
   parts_.clear();
   counts_.clear();
   meshes_.clear();
+  places_.clear();
   if (environment_) {
     parts_ = environment_->parts;
     counts_ = countPartTriangles(*environment_);
@@ -38,7 +39,9 @@ void PartModel::setEnvironment(std::shared_ptr<const Environment> environment) {
     const auto [entry, isNew] = known.try_emplace(parts_[p].mesh, meshes_.size());
     const bool alone = isNew || parts_[p].mesh.empty();
     if (alone) meshes_.emplace_back();
-    Mesh& mesh = alone ? meshes_.back() : meshes_[entry->second];
+    const std::size_t row = alone ? meshes_.size() - 1 : entry->second;
+    Mesh& mesh = meshes_[row];
+    places_.push_back({static_cast<int>(row), static_cast<int>(mesh.parts.size())});
     mesh.parts.push_back(p);
     mesh.triangles += counts_[p];
   }
@@ -73,6 +76,12 @@ std::vector<std::uint32_t> PartModel::partsOf(const QModelIndex& index) const {
   if (mesh == nullptr) return {};
   if (isMaterial(index)) return {mesh->parts[static_cast<std::size_t>(index.row())]};
   return mesh->parts;
+}
+
+QModelIndex PartModel::indexOf(std::uint32_t part) const {
+  const auto [mesh, place] = places_[part];
+  const QModelIndex row = index(mesh, 0);
+  return meshes_[static_cast<std::size_t>(mesh)].parts.size() == 1 ? row : index(place, 0, row);
 }
 
 QString PartModel::nameOf(const QModelIndex& index) const {

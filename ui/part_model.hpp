@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -28,6 +29,8 @@ class PartModel : public QAbstractItemModel {
 
   /// The parts of a row.
   [[nodiscard]] std::vector<std::uint32_t> partsOf(const QModelIndex& index) const;
+  /// The row of a part.
+  [[nodiscard]] QModelIndex indexOf(std::uint32_t part) const;
   [[nodiscard]] PartRole roleOf(std::uint32_t part) const { return roles_[part]; }
   [[nodiscard]] const std::vector<PartRole>& roles() const { return roles_; }
   [[nodiscard]] const EnvironmentPart& part(std::uint32_t part) const { return parts_[part]; }
@@ -65,6 +68,7 @@ class PartModel : public QAbstractItemModel {
   std::vector<std::uint64_t> counts_;
   std::vector<PartRole> roles_;
   std::vector<Mesh> meshes_;
+  std::vector<std::array<int, 2>> places_;  ///< for each part its mesh, and its place in it
 };
 
 }  // namespace footfall

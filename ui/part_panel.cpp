@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -18,6 +19,23 @@ namespace footfall {
 namespace {
 
 constexpr int kCountWidth = 76, kRoleWidth = 96;
+
+/// Changes as a whole: thousands of rows that come one by one take a tree seconds.
+class FilteredParts : public QSortFilterProxyModel {
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+  void setText(const QString& text) {
+    beginResetModel();
+    {
+      const QSignalBlocker quiet(this);
+      QAbstractItemModel* const source = sourceModel();
+      setSourceModel(nullptr);  // forgets its rows; they are mapped anew when they are asked for
+      setFilterFixedString(text);
+      setSourceModel(source);
+    }
+    endResetModel();
+  }
+};
 
 QString grouped(std::uint64_t number) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(number)); }
 
@@ -34,7 +52,7 @@ PartPanel::PartPanel(Document& document, QWidget* parent) : QWidget(parent), doc
     include(isSelected ? selected : parts, on);
   });
   connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    proxy_->setFilterFixedString(text);
+    keepingSelection([&] { static_cast<FilteredParts*>(proxy_)->setText(text); });
     if (!text.isEmpty()) tree_->expandAll();
   });
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
@@ -54,7 +72,7 @@ PartPanel::PartPanel(Document& document, QWidget* parent) : QWidget(parent), doc
 
 void PartPanel::createWidgets() {
   model_ = new PartModel(this);
-  proxy_ = new QSortFilterProxyModel(this);
+  proxy_ = new FilteredParts(this);
   proxy_->setSourceModel(model_);
   proxy_->setRecursiveFilteringEnabled(true);
   proxy_->setAutoAcceptChildRows(true);
@@ -138,7 +156,22 @@ void PartPanel::createActions() {
 }
 
 void PartPanel::setEnvironment(const std::shared_ptr<const Environment>& environment) {
-  std::set<std::pair<std::string, std::string>> selected;
+  keepingSelection([&] {
+    model_->setEnvironment(environment);
+    model_->setRules(document_.state().partRules);
+  });
+  const bool any = environment != nullptr;
+  bool isTree = false;
+  for (int row = 0; row < model_->rowCount() && !isTree; ++row) isTree = model_->rowCount(model_->index(row, 0)) > 0;
+  tree_->setRootIsDecorated(isTree);
+  empty_->setVisible(!any);
+  tree_->setVisible(any);
+  filter_->setEnabled(any);
+}
+
+void PartPanel::keepingSelection(const std::function<void()>& change) {
+  using Names = std::pair<std::string, std::string>;
+  std::set<Names> selected;
   std::set<QString> open;
   for (const std::uint32_t part : selectedParts())
     selected.insert({model_->part(part).mesh, model_->part(part).material});
@@ -147,23 +180,24 @@ void PartPanel::setEnvironment(const std::shared_ptr<const Environment>& environ
     if (tree_->isExpanded(index)) open.insert(index.data().toString());
   }
   restoring_ = true;
-  model_->setEnvironment(environment);
-  model_->setRules(document_.state().partRules);
-  QItemSelection again;
-  for (int row = 0; row < proxy_->rowCount(); ++row) {
+  change();
+  for (int row = 0; row < proxy_->rowCount() && !open.empty(); ++row) {
     const QModelIndex index = proxy_->index(row, 0);
     if (open.contains(index.data().toString())) tree_->setExpanded(index, true);
   }
-  if (!selected.empty())
-    for (std::uint32_t part = 0; part < model_->partCount(); ++part)
-      if (selected.contains({model_->part(part).mesh, model_->part(part).material}))
-        if (const QModelIndex row = rowOf(part); row.isValid()) again.select(row, row);
+  QItemSelection again;
+  for (std::uint32_t part = 0; part < model_->partCount() && !selected.empty(); ++part) {
+    if (!selected.contains({model_->part(part).mesh, model_->part(part).material})) continue;
+    const QModelIndex row = rowOf(part);
+    if (!row.isValid()) continue;
+    // Neighbours together: a selection of thousands of single rows is slow.
+    if (!again.isEmpty() && again.back().parent() == row.parent() && again.back().bottom() + 1 == row.row())
+      again.back() = QItemSelectionRange(again.back().topLeft(), row);
+    else
+      again.append(QItemSelectionRange(row));
+  }
   tree_->selectionModel()->select(again, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   restoring_ = false;
-  const bool any = environment != nullptr;
-  empty_->setVisible(!any);
-  tree_->setVisible(any);
-  filter_->setEnabled(any);
   const std::vector<std::uint32_t> parts = selectedParts();
   for (QAction* action : roleActions_) action->setEnabled(!parts.empty());
   showFigures();
@@ -177,18 +211,7 @@ std::vector<std::uint32_t> PartPanel::selectedParts() const {
   return {parts.begin(), parts.end()};
 }
 
-QModelIndex PartPanel::rowOf(std::uint32_t part) const {
-  for (int row = 0; row < model_->rowCount(); ++row) {
-    const QModelIndex mesh = model_->index(row, 0);
-    const std::vector<std::uint32_t> parts = model_->partsOf(mesh);
-    const auto found = std::ranges::find(parts, part);
-    if (found == parts.end()) continue;
-    const QModelIndex source =
-        parts.size() == 1 ? mesh : model_->index(static_cast<int>(found - parts.begin()), 0, mesh);
-    return proxy_->mapFromSource(source);
-  }
-  return {};
-}
+QModelIndex PartPanel::rowOf(std::uint32_t part) const { return proxy_->mapFromSource(model_->indexOf(part)); }
 
 QString PartPanel::nameOf(const std::vector<std::uint32_t>& parts) const {
   if (parts.size() != 1) return tr("%1 parts").arg(parts.size());

@@ -9,6 +9,7 @@
 #include <QTreeView>
 #include <QWidget>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -47,6 +48,8 @@ class PartPanel : public QWidget {
  private:
   void createWidgets();
   void createActions();
+  /// Does what resets the tree; what is selected, and open, stays by its name.
+  void keepingSelection(const std::function<void()>& change);
   void apply(const std::vector<std::uint32_t>& parts, const std::vector<PartRole>& roles, const QString& text);
   void include(const std::vector<std::uint32_t>& parts, bool on);
   void showFigures();

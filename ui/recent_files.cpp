@@ -22,13 +22,25 @@ void RecentFiles::add(const QString& path) {
   paths.removeAll(absolute);
   paths.prepend(absolute);
   QSettings().setValue(kKey, QStringList(paths.mid(0, kMost)));
+  emit changed();
+}
+
+void RecentFiles::remove(const QString& path) {
+  QStringList paths = this->paths();
+  if (paths.removeAll(path) == 0) return;
+  QSettings().setValue(kKey, paths);
+  emit changed();
 }
 
 void RecentFiles::attachTo(QMenu* menu) {
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     menu->clear();
     for (const QString& path : paths()) {
-      QAction* action = menu->addAction(QFileInfo(path).fileName());
+      const QFileInfo file(path);
+      QString name = file.fileName();
+      name.replace(QLatin1Char('&'), QLatin1String("&&"));
+      QAction* action = menu->addAction(file.exists() ? name : tr("%1 (not there any more)").arg(name));
+      action->setEnabled(file.exists());
       action->setToolTip(path);
       connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });
     }

@@ -18,10 +18,12 @@ class RecentFiles : public QObject {
   void attachTo(QMenu* menu);
   /// Puts a file first; the oldest beyond the tenth goes.
   void add(const QString& path);
+  void remove(const QString& path);
   [[nodiscard]] QStringList paths() const;
 
  signals:
   void chosen(const QString& path);
+  void changed();
 };
 
 }  // namespace footfall

@@ -19,10 +19,13 @@ RunController::RunController(QObject* parent)
   connect(&drainTimer_, &QTimer::timeout, this, &RunController::drain);
   frameTimer_.setSingleShot(true);
   connect(&frameTimer_, &QTimer::timeout, this, &RunController::frameShown);
+  settleTimer_.setSingleShot(true);
+  connect(&settleTimer_, &QTimer::timeout, this, &RunController::endSettling);
 }
 
 RunController::~RunController() {
   if (job_) job_->context->cancel();
+  if (aheadJob_) aheadJob_->context->cancel();
   preparing_->cancel();
 }
 
@@ -40,7 +43,7 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   showLastCells();
   refreshStatuses();
   emit statusChanged();
-  start();
+  start(Start::Asked);
 }
 
 // What is known of single steps by their filters belongs to one environment.
@@ -51,16 +54,27 @@ void RunController::forgetSteps() {
   editPreviews_.clear();
   missing_.clear();
   knownBlocks_.clear();
+  runs_.clear();
+  stepTimes_.clear();
+  runAhead({});
 }
 
 void RunController::editEnvironment(std::shared_ptr<const Environment> environment) {
-  stopJob(StepState::Stale);
+  const bool overtakes = job_ != nullptr;
+  const bool finishes = letsFinish();
+  if (!finishes) stopJob(StepState::Stale);
   environment_ = std::move(environment);
   finishedKey_.clear();
   for (auto& [id, status] : statuses_) status.prefix.clear();
   forgetSteps();
   refreshStatuses();
-  start();
+  followUp_ = finishes;
+  if (finishes) return;
+  if (automatic_) {
+    start(overtakes ? Start::Overtaking : Start::Edited);
+  } else {
+    emit statusChanged();
+  }
 }
 
 std::string RunController::runKey() const {
@@ -71,7 +85,9 @@ std::string RunController::runKey() const {
   return key;
 }
 
-bool RunController::upToDate() const { return finished_ && !busy() && finishedKey_ == runKey(); }
+bool RunController::upToDate() const {
+  return finished_ && !busy() && finished_->environment == environment_ && finishedKey_ == runKey();
+}
 
 void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   const bool sameRows =
@@ -79,13 +95,26 @@ void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   filters_ = filters;
   const std::string key = runKey();
   const bool sameAsRunning = job_ && job_->key == key;
+  followUp_ = !sameAsRunning && letsFinish();
+  if (followUp_) {
+    refreshStatuses();
+    showEdit();
+    return;
+  }
+  const bool overtakes = job_ != nullptr;
   if (!sameAsRunning) stopJob(StepState::Stale);
   refreshStatuses();
-  const bool starting = environment_ && !sameAsRunning && !(finished_ && finishedKey_ == key);
+  const bool shown = finished_ && finished_->environment == environment_ && finishedKey_ == key;
+  const bool starting = environment_ && !sameAsRunning && !shown;
   // A run tells the statuses when it takes a while, and at its end: to repaint the rows twice costs it time.
   if (!starting || !sameRows) emit statusChanged();
+  if (starting && automatic_) {
+    start(overtakes ? Start::Overtaking : Start::Edited);
+    return;
+  }
   if (starting) {
-    start();
+    emit statusChanged();
+    showLastResult();
     return;
   }
   if (!environment_ || sameAsRunning) return;
@@ -98,10 +127,11 @@ void RunController::runNow() {
   if (!environment_) return;
   stopJob(StepState::Stale);
   finishedKey_.clear();
-  start();
+  start(Start::Asked);
 }
 
 void RunController::cancel() {
+  followUp_ = false;
   if (!job_) return;
   stopJob(StepState::Cancelled);
   showLastResult();
@@ -128,6 +158,8 @@ bool RunController::previews(int id) const {
 void RunController::stopJob(StepState unfinished) {
   if (!job_) return;
   job_->context->cancel();  // it ends by itself, soon; nobody waits
+  settleTimer_.stop();
+  followUp_ = false;
   for (const int id : job_->ids) {
     StepStatus& status = statuses_[id];
     if (status.state == StepState::Running || status.state == StepState::Fresh || status.state == StepState::Stale) {
@@ -176,7 +208,23 @@ bool RunController::reportInvalidStep() {
   return true;
 }
 
-void RunController::start() {
+std::shared_ptr<RunController::Job> RunController::makeJob(const Pipeline& pipeline) const {
+  auto job = std::make_shared<Job>();
+  job->environment = environment_;
+  job->centre = centre_;
+  job->previews = previews_;
+  job->pipeline = pipeline;
+  job->prefixes.emplace_back();
+  for (const PipelineStep& step : job->pipeline.steps) {
+    if (!step.enabled) continue;
+    job->steps.push_back(&step);
+    job->prefixes.push_back(extendPrefix(job->prefixes.back(), step));
+  }
+  job->key = job->prefixes.back();
+  return job;
+}
+
+void RunController::start(Start why) {
   if (!environment_) return;
   stopJob(StepState::Stale);
   for (auto& [id, status] : statuses_) {
@@ -185,26 +233,51 @@ void RunController::start() {
   }
   if (reportInvalidStep()) return;
 
-  auto job = std::make_shared<Job>();
-  job->environment = environment_;
-  job->centre = centre_;
-  job->previews = previews_;
-  job->follows = shown_.mesh != nullptr;
-  job->sameEnvironment = !finished_ || finished_->environment == environment_;
-  for (const FilterEntry& entry : filters_) job->pipeline.steps.push_back(entry.step);
-  job->prefixes.emplace_back();
-  for (std::size_t i = 0; i < filters_.size(); ++i) {
-    const PipelineStep& step = job->pipeline.steps[i];
-    if (!step.enabled) continue;
-    job->ids.push_back(filters_[i].id);
-    job->steps.push_back(&step);
-    job->prefixes.push_back(extendPrefix(job->prefixes.back(), step));
-    StepStatus& status = statuses_[filters_[i].id];
+  Pipeline pipeline;
+  for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
+  const std::shared_ptr<Job> job = makeJob(pipeline);
+  for (const FilterEntry& entry : filters_) {
+    if (!entry.step.enabled) continue;
+    job->ids.push_back(entry.id);
+    StepStatus& status = statuses_[entry.id];
     if (status.state == StepState::Cancelled) status.state = StepState::Stale;
   }
-  job->key = job->prefixes.back();
+  if (why != Start::Asked && takeKnown(job)) return;
+  job->follows = shown_.mesh != nullptr;
+  job->sameEnvironment = !finished_ || finished_->environment == environment_;
   findFirstChange(*job);
   preview(*job);
+  const auto settle = settleTime(*job, why);
+  listenTo(job);
+  job_ = job;
+  // The work begins now; who hears of it may edit or cancel, and not in the middle of the edit that led here.
+  QMetaObject::invokeMethod(
+      this,
+      [this, job] {
+        if (job == job_) emit started();
+      },
+      Qt::QueuedConnection);
+  preparing_->cancel();
+  preparing_ = std::make_shared<RunContext>();
+  if (aheadJob_) aheadJob_->context->cancel();  // it comes again
+  job->settling = settle.count() > 0;
+  if (job->settling) settleTimer_.start(settle);
+  if (job->changes.empty()) {
+    if (!job->settling) work(job);
+    return;
+  }
+  if (!job->settling) {
+    job->waiting = true;
+    frameTimer_.start(kFrameWait);
+  }
+  job->lastPicture = RunEventBuffer::Clock::now();
+  provisional_ = true;
+  ViewContent content = shown_.content;
+  content.changes = job->changes;
+  emit contentReady(content);  // last: who hears it may cancel
+}
+
+void RunController::listenTo(const std::shared_ptr<Job>& job) {
   job->events = std::make_unique<RunEventBuffer>(
       [this] { QMetaObject::invokeMethod(this, &RunController::scheduleDrain, Qt::QueuedConnection); });
   // The events are told to the job that they belong to; it outlives the context that it owns.
@@ -224,27 +297,6 @@ void RunController::start() {
         raw->events->add(event, std::move(geometry));
       },
       true);
-  job_ = job;
-  // The work begins now; who hears of it may edit or cancel, and not in the middle of the edit that led here.
-  QMetaObject::invokeMethod(
-      this,
-      [this, job] {
-        if (job == job_) emit started();
-      },
-      Qt::QueuedConnection);
-  preparing_->cancel();
-  preparing_ = std::make_shared<RunContext>();
-  if (job->changes.empty()) {
-    work(job);
-    return;
-  }
-  job->waiting = true;
-  frameTimer_.start(kFrameWait);
-  job->lastPicture = RunEventBuffer::Clock::now();
-  provisional_ = true;
-  ViewContent content = shown_.content;
-  content.changes = job->changes;
-  emit contentReady(content);  // last: who hears it may cancel
 }
 
 void RunController::frameShown() {
@@ -257,6 +309,7 @@ void RunController::frameShown() {
 }
 
 void RunController::work(const std::shared_ptr<Job>& job) {
+  job->begun = RunEventBuffer::Clock::now();
   queue_.post([this, job, cache = cache_] {
     const auto outcome = std::make_shared<Outcome>(compute(*job, *cache));
     QMetaObject::invokeMethod(
@@ -313,37 +366,63 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
   if (job != job_) return;                                    // somebody who heard of them has cancelled
   job_.reset();
   if (outcome.finished) {
-    finished_ = outcome.finished;
-    finishedKey_ = job->key;
-    shown_ = {finished_->result.mesh, outcome.content};
-    const std::vector<StepStatistics>& steps = finished_->result.steps;
-    for (std::size_t i = 0; i < steps.size() && i < job->ids.size(); ++i) {
-      StepStatus& status = statuses_[job->ids[i]];
-      status.state = steps[i].fromCache ? StepState::Cached : StepState::Done;
-      status.wallMs = steps[i].wallMs;
-      status.trianglesIn = steps[i].in.triangles;
-      status.trianglesOut = steps[i].out.triangles;
-      status.note = QString::fromStdString(steps[i].note);
-      status.prefix = job->prefixes[i + 1];
+    if (job->environment == environment_) runs_.store(job->key, outcome.finished, outcome.content);
+    adopt(*job, outcome, false);
+    if (std::exchange(followUp_, false) && !job_ && !upToDate()) {
+      refreshStatuses();
+      start(Start::Edited);
     }
-    provisional_ = false;
-    keepBlocks(*job);
-    emit statusChanged();
-    keepPreviews(*job);
-    emit contentReady(outcome.content);
-    showLastCells();
-    emit finished();
+    nextAhead();
     return;
   }
   markUnfinished(*job, outcome.error);
   showLastResult();
   showLastCells();
   emit statusChanged();
+  followUp_ = false;
   if (outcome.error.isEmpty()) {
     emit cancelled();
   } else {
     emit failed(outcome.error);
   }
+  nextAhead();
+}
+
+// Makes a finished run the one that is shown.
+void RunController::adopt(const Job& job, const Outcome& outcome, bool known) {
+  finished_ = outcome.finished;
+  finishedKey_ = job.key;
+  shown_ = {finished_->result.mesh, outcome.content};
+  const std::vector<StepStatistics>& steps = finished_->result.steps;
+  for (std::size_t i = 0; i < steps.size() && i < job.ids.size(); ++i) {
+    StepStatus& status = statuses_[job.ids[i]];
+    status.state = known || steps[i].fromCache ? StepState::Cached : StepState::Done;
+    status.wallMs = steps[i].wallMs;
+    status.trianglesIn = steps[i].in.triangles;
+    status.trianglesOut = steps[i].out.triangles;
+    status.note = QString::fromStdString(steps[i].note);
+    status.prefix = job.prefixes[i + 1];
+  }
+  rememberTimes(job);
+  provisional_ = false;
+  keepBlocks(job);
+  emit statusChanged();
+  if (job.environment == environment_) keepPreviews(job);  // of a level that is there no more, there are none
+  emit contentReady(outcome.content);
+  showLastCells();
+  emit finished();
+}
+
+// A result that is still there is shown at once.
+bool RunController::takeKnown(const std::shared_ptr<Job>& job) {
+  const FinishedRuns::Entry* entry = runs_.find(job->key);
+  if (!entry) return false;
+  Outcome outcome;
+  outcome.finished = entry->run;
+  outcome.content = entry->content;
+  adopt(*job, outcome, true);
+  nextAhead();
+  return true;
 }
 
 }  // namespace footfall

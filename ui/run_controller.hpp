@@ -16,6 +16,7 @@
 #include "ui/cell_block.hpp"
 #include "ui/document.hpp"
 #include "ui/edit_preview.hpp"
+#include "ui/finished_runs.hpp"
 #include "ui/provisional_content.hpp"
 #include "ui/render_geometry.hpp"
 #include "ui/run_event_buffer.hpp"
@@ -23,17 +24,13 @@
 
 namespace footfall {
 
-/// A finished run, complete: what may be exported.
-struct FinishedRun {
-  std::shared_ptr<const Environment> environment;
-  Pipeline pipeline;
-  RunResult result;
-};
-
 /// Lives on the window's thread and never waits there. Every change cancels the run under way and starts another; a
-/// change that leaves the same enabled steps starts none. What can be told of an edit without a run is told at once,
-/// and the run then begins after the frame that shows it (frameShown()), as both want the same processors. Signals come
-/// on the window's thread, at most about ten times a second once it has shown something.
+/// change that leaves the same enabled steps, or goes back to a result that is still known (FinishedRuns), starts none.
+/// Where runs take long, one that follows others closely waits until no more come (settle); while a value is dragged
+/// and runs are quick, the run under way ends first, so that results follow the mouse. Switched to manual, changes wait
+/// for runNow(). What can be told of an edit without a run is told at once, and the run then begins after the frame
+/// that shows it (frameShown()), as both want the same processors. Signals come on the window's thread, at most about
+/// ten times a second once it has shown something.
 class RunController : public QObject {
   Q_OBJECT
 
@@ -51,12 +48,28 @@ class RunController : public QObject {
   /// Starts at once, even when nothing has changed (results of steps are still taken from the cache).
   void runNow();
   void cancel();
+  /// Off: edits wait for runNow(); opening an environment runs once all the same. On: what is out of date runs.
+  void setAutomatic(bool on);
+  [[nodiscard]] bool automatic() const { return automatic_; }
+  /// The mouse holds a value, or has let it go.
+  void setDragging(bool dragging);
+  /// Estimated time until the run under way has finished, from earlier times of the same steps and from their progress;
+  /// nothing without a run, or with nothing to go by.
+  [[nodiscard]] std::optional<std::chrono::milliseconds> remaining() const;
+  /// Computes these one after the other, while no run of the list is under way: finishedRunOf() has them then, and a
+  /// change to one of them shows it at once. Replaces what was asked for before; none: stops.
+  void runAhead(std::vector<Pipeline> pipelines);
+  /// A result that is still known; null otherwise.
+  [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRunOf(const Pipeline& pipeline) const;
+  [[nodiscard]] const FinishedRuns& finishedRuns() const { return runs_; }
   /// The view has brought a frame to the screen.
   void frameShown();
 
   [[nodiscard]] StepStatus status(int id) const;
   /// A run is under way.
   [[nodiscard]] bool busy() const { return job_ != nullptr; }
+  /// A run waits until edits stop.
+  [[nodiscard]] bool settling() const;
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
   /// Whether an edit of the one parameter of a filter would be shown before the run: it is prepared after each run.
@@ -77,6 +90,9 @@ class RunController : public QObject {
   void finished();
   void failed(const QString& message);
   void cancelled();
+  void automaticChanged(bool on);
+  /// So many of the pipelines given to runAhead() are done; both the same at the end.
+  void aheadChanged(int done, int all);
 
  private:
   struct Job;
@@ -89,7 +105,22 @@ class RunController : public QObject {
   void preview(Job& job) const;
   void keepPreviews(const Job& job);
   void preparePreviews();
-  void start();
+  enum class Start { Asked, Edited, Overtaking };  ///< the last: by an edit while a run was under way
+  void start(Start why);
+  [[nodiscard]] std::shared_ptr<Job> makeJob(const Pipeline& pipeline) const;
+  void listenTo(const std::shared_ptr<Job>& job);
+  bool takeKnown(const std::shared_ptr<Job>& job);
+  void adopt(const Job& job, const Outcome& outcome, bool known);
+  [[nodiscard]] double expectedTime(const Job& job) const;
+  [[nodiscard]] std::chrono::milliseconds settleTime(const Job& job, Start why) const;
+  [[nodiscard]] bool letsFinish() const;
+  void endSettling();
+  void showEdit();
+  void rememberTimes(const Job& job);
+  void takeTime(std::size_t step, const RunEventBuffer::Step& events, bool inBlock, double fraction);
+  [[nodiscard]] std::optional<double> expectedOf(const Job& job, std::size_t step) const;
+  void nextAhead();
+  void completeAhead(const std::shared_ptr<Job>& job, const Outcome& outcome);
   void forgetSteps();
   void work(const std::shared_ptr<Job>& job);
   void scheduleDrain();
@@ -115,6 +146,15 @@ class RunController : public QObject {
   std::map<int, StepStatus> statuses_;
   std::shared_ptr<Job> job_;
   std::shared_ptr<const FinishedRun> finished_;
+  FinishedRuns runs_;
+  bool automatic_ = true;
+  bool dragging_ = false;
+  bool followUp_ = false;  ///< the list has changed while the run under way was let to finish
+  QTimer settleTimer_;
+  std::map<std::string, double> stepTimes_;  ///< in milliseconds, by steps so far
+  std::vector<Pipeline> ahead_;              ///< still to be computed
+  int aheadAll_ = 0;
+  std::shared_ptr<Job> aheadJob_;
   std::string finishedKey_;
   ShownResult shown_;         ///< what the view shows of the last finished run; no mesh when there is none
   bool provisional_ = false;  ///< the view shows something else, of a run that has not finished

@@ -127,9 +127,11 @@ void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps,
   for (std::size_t i = 0; i < steps.size() && i < job_->ids.size(); ++i) {
     const RunEventBuffer::Step& step = steps[i];
     StepStatus& status = statuses_[job_->ids[i]];
+    if (step.finished) takeTime(i, step, false, 1);
     if (!step.finished) {
       const BlockPlace place = placeInBlock(i, steps, blocks);
       if (place.waits) continue;  // as it was
+      takeTime(i, step, place.block, place.block ? place.fraction : step.fraction);
       status.state = StepState::Running;
       status.fraction = place.block ? place.fraction : step.fraction;
       text = place.block ? place.text : QString::fromStdString(std::string(job_->steps[i]->filter->label));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ui/run_controller.hpp"
+#include "ui/time_estimate.hpp"
 
 namespace footfall {
 
@@ -56,8 +57,10 @@ struct RunController::Job {
   std::optional<RunEventBuffer::Clock::time_point> lastPicture;
   // Over the last result: known from the edit itself, or else from the first step that differs once it has run.
   EditPreview::Surfaces changes;
+  std::vector<StepTime> times;  // of the steps, and of making the mesh where that is known; empty before they are told
   std::size_t cellsTold = 0;    // events of cells that the window has heard of
   bool sameEnvironment = true;  // as the last finished run; numbers of triangles mean the same then
+  bool settling = false;        // edits may follow; it has not begun
   bool waiting = false;         // for the frame that shows what is known from the edit
   // The first step that is not the same as in the last finished run, and what it gave there.
   std::size_t firstChanged = 0;

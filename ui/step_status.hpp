@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QColor>
+#include <QPalette>
+#include <QPixmap>
 #include <QString>
 #include <cstdint>
 #include <optional>
@@ -23,6 +25,9 @@ struct StepStatus {
 };
 
 QString stateWord(StepState state);
-QColor stateColour(StepState state);
+/// Readable on the window colour of `palette`, light or dark.
+QColor stateColour(StepState state, const QPalette& palette);
+/// A shape for each state, so that colours are not all that tells them apart; `side` in logical pixels.
+QPixmap stateMark(StepState state, const QPalette& palette, int side, qreal devicePixelRatio);
 
 }  // namespace footfall

@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "ui/appearance.hpp"
+#include "ui/plot_theme.hpp"
+#include "ui/theme.hpp"
 
 namespace footfall {
 namespace {
@@ -86,12 +88,12 @@ void TimelineLanes::drawBands(QCPPainter* painter) const {
     const double left = mKeyAxis->coordToPixel(band.start);
     const double right = mKeyAxis->coordToPixel(band.end);
     const QRectF strip(left, area.top(), std::max(1.0, right - left), area.height());
-    if (band.phase != Timeline::Phase::Parallel) painter->fillRect(strip, QColor(226, 231, 237));
-    painter->setPen(QColor(150, 158, 168));
+    if (band.phase != Timeline::Phase::Parallel) painter->fillRect(strip, plotAreaColour());
+    painter->setPen(plotLineColour());
     painter->drawLine(strip.topLeft(), strip.bottomLeft());
     painter->drawLine(strip.topRight(), strip.bottomRight());
     const QString text = labelOf(band.phase);
-    painter->setPen(QColor(74, 84, 95));
+    painter->setPen(fainterTextColour());
     const QRectF head(left + 3, area.top() + 1, strip.width() - 6, 15);
     if (QFontMetricsF(painter->font()).horizontalAdvance(text) <= head.width())
       painter->drawText(head, Qt::AlignHCenter | Qt::AlignVCenter, text);
@@ -104,8 +106,8 @@ void TimelineLanes::drawIdle(QCPPainter* painter) const {
     if (band.phase != Timeline::Phase::Parallel || band.end <= band.start) continue;
     for (int lane = 0; lane < timeline_.lanes; ++lane) {
       const QRectF box = place(lane, band.start, band.end, 0, 1);
-      painter->fillRect(box, QColor(250, 238, 233));
-      painter->fillRect(box, QBrush(QColor(214, 160, 140), Qt::BDiagPattern));
+      painter->fillRect(box, isDarkTheme() ? QColor(58, 42, 38) : QColor(250, 238, 233));
+      painter->fillRect(box, QBrush(isDarkTheme() ? QColor(132, 92, 78) : QColor(214, 160, 140), Qt::BDiagPattern));
     }
   }
 }

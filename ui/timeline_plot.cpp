@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/balance_plot.hpp"
+#include "ui/plot_theme.hpp"
 #include "ui/timeline_lanes.hpp"
 
 namespace footfall {
@@ -22,7 +23,6 @@ TimelinePlot::TimelinePlot(CellModel& model, QWidget* parent) : QCustomPlot(pare
   setMouseTracking(true);
   setAccessibleName(tr("Timeline"));
   setAccessibleDescription(tr("A lane for each thread, with a bar for each cell that it worked on"));
-  setBackground(QBrush(Qt::white));
   setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   axisRect()->setRangeDrag(Qt::Horizontal);
   axisRect()->setRangeZoom(Qt::Horizontal);
@@ -37,11 +37,8 @@ TimelinePlot::TimelinePlot(CellModel& model, QWidget* parent) : QCustomPlot(pare
   for (QCPAxis* axis : {xAxis, yAxis}) {
     axis->setTickLabelFont(small);
     axis->setLabelFont(small);
-    axis->setBasePen(QPen(QColor(150, 158, 168)));
-    axis->setTickPen(QPen(QColor(150, 158, 168)));
-    axis->setSubTickPen(QPen(QColor(150, 158, 168)));
   }
-  xAxis->grid()->setPen(QPen(QColor(225, 229, 234)));
+  new PlotTheme(this);
   xAxis->setLabelPadding(1);
   lanes_ = new TimelineLanes(xAxis, yAxis, model_, timeline_);  // the plot owns it
   connect(xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &TimelinePlot::limitRange);

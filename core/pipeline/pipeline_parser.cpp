@@ -11,6 +11,7 @@
 #include "core/filters/descriptor_text.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "core/pipeline/pipeline_fragment.hpp"
 
 namespace footfall {
 namespace {
@@ -76,6 +77,8 @@ class Parser {
     pipeline_.steps.push_back(std::move(step));
     columns_.push_back(tokens[0].column);
   }
+
+  Pipeline finishFragment() { return std::move(pipeline_); }
 
   Pipeline finish() {
     if (const auto error = findStructureError(pipeline_)) {
@@ -150,17 +153,31 @@ class Parser {
 
 }  // namespace
 
-Pipeline parsePipeline(std::string_view text, const std::string& source) {
+namespace {
+
+void parseLines(std::string_view text, Parser& parser) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  Parser parser(source);
   int number = 1;
   for (std::size_t at = 0; at < text.size(); ++number) {
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
     parser.parseLine(text.substr(at, end - at), number);
     at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
   }
+}
+
+}  // namespace
+
+Pipeline parsePipeline(std::string_view text, const std::string& source) {
+  Parser parser(source);
+  parseLines(text, parser);
   return parser.finish();
+}
+
+Pipeline parsePipelineFragment(std::string_view text, const std::string& source) {
+  Parser parser(source);
+  parseLines(text, parser);
+  return parser.finishFragment();
 }
 
 Pipeline readPipelineFile(const std::string& path) {

@@ -10,6 +10,7 @@
 
 #include "ui/editor_application.hpp"
 #include "ui/editor_window.hpp"
+#include "ui/guarded_application.hpp"
 
 namespace footfall::test {
 
@@ -106,7 +107,7 @@ int runSuite(int argc, char** argv) {
   const QTemporaryDir settings;
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
   requestOpenGl();
-  QApplication application(argc, argv);
+  GuardedApplication application(argc, argv);
   prepareApplication();
   Suite suite;
   return QTest::qExec(&suite, argc, argv);

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
 
+#include "core/pipeline/pipeline_fragment.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "ui/agent_edits.hpp"
 #include "ui/background_queue.hpp"
+#include "ui/filter_edits.hpp"
+#include "ui/time_estimate.hpp"
 
 using namespace footfall;
 using namespace footfall::test;
@@ -48,6 +52,76 @@ class TestDocument : public QObject {
     document.setValue(id, 0, 30, 8);
     document.setValue(id, 0, 20, 9);  // left and entered again
     QCOMPARE(document.undoStack()->count(), 2);
+  }
+
+  void editsHaveNames() {
+    Document document;
+    document.reset(parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nSimplificationFilter\n", "test"), {});
+    const auto id = [&](std::size_t row) { return document.filters()[row].id; };
+    const auto text = [&] { return document.undoStack()->undoText(); };
+    for (const double value : {4.0, 40.0, 50.0}) document.setValue(id(0), 0, value, 1);
+    QCOMPARE(text(), QString::fromUtf8("Change maximum slope 45° → 50°"));  // the first and the last
+    document.setValue(id(1), 0, 1.8, 2);
+    QCOMPARE(text(), QString::fromUtf8("Change clearance 2 → 1.8"));
+    document.setValue(id(2), 0, 1, -1);
+    QCOMPARE(text(), QString::fromUtf8("Change approximate no → yes"));
+    document.moveFilter(id(1), 0);
+    QCOMPARE(text(), QString("Move Vertical clearance up"));
+    document.moveFilter(id(0), 2);
+    QCOMPARE(text(), QString("Move Vertical clearance down"));
+    document.setEnabled(id(0), false);
+    QCOMPARE(text(), QString("Switch off Slope"));
+    document.removeFilter(id(0));
+    QCOMPARE(text(), QString("Remove Slope"));
+    duplicateFilters(document, {id(0)});
+    QCOMPARE(text(), QString("Duplicate Simplification"));
+  }
+
+  void agentsDriveFiltersInOneEdit() {
+    Document document;
+    document.reset(parsePipeline("SlopeFilter 45\n#off SlopeFilter 60\nVerticalClearanceFilter 2\n", "test"), {});
+    const auto value = [&](std::size_t row) { return document.filters()[row].step.values[0]; };
+    const int id = addAgent(document, {0, "Cart", 1.2, 10});
+    QCOMPARE(value(0), 10.0);
+    QCOMPARE(value(1), 10.0);
+    QCOMPARE(value(2), 1.2);
+    resizeAgent(document, id, AgentSize::Height, 1.3);
+    QCOMPARE(value(2), 1.3);
+    QCOMPARE(document.undoStack()->undoText(), QString::fromUtf8("Change height of Cart 1.2 → 1.3"));
+    QCOMPARE(addAgent(document, {0, "Cart", 1, 20}), 2);
+    QCOMPARE(document.state().agents[1].name, std::string("Cart 2"));
+    QCOMPARE(pipelineFor(document.state(), id).steps[2].values[0], 1.3);
+    QCOMPARE(value(2), 1.0);
+    renameAgent(document, id, "  ");
+    renameAgent(document, id, "Cart 2");  // taken
+    QCOMPARE(document.state().agents[0].name, std::string("Cart 2 2"));
+    removeAgent(document, 2);
+    QCOMPARE(document.state().agent, 0);
+    QCOMPARE(value(2), 1.0);
+    QCOMPARE(document.undoStack()->count(), 5);
+    while (document.undoStack()->canUndo()) document.undoStack()->undo();
+    QCOMPARE(value(1), 60.0);
+    QVERIFY(document.state().agents.empty());
+  }
+
+  void fragmentsNeedNotBeWhole() {
+    QCOMPARE(parsePipelineFragment("GridStrategy 1 1\nSlopeFilter 45\n", "clipboard").steps.size(), std::size_t{2});
+    QCOMPARE(parsePipelineFragment("Collapse\r\n#off AreaFilter 2", "clipboard").steps.size(), std::size_t{2});
+    QVERIFY_THROWS_EXCEPTION(InputError, parsePipelineFragment("SlopeFilter 45\nSlopeFilter x", "clipboard"));
+    QVERIFY_THROWS_EXCEPTION(InputError, parsePipeline("Collapse\n", "file"));
+  }
+
+  void timesLeftFollowWhatIsKnown() {
+    QVERIFY(!remainingMs({{std::nullopt, 0, 0, false}}).has_value());
+    // As before: 100 of 300 are gone.
+    QCOMPARE(*remainingMs({{100, 100, 1, true}, {200, 0, 0, false}}), 200.0);
+    // By its own pace: a quarter took 50.
+    QCOMPARE(*remainingMs({{std::nullopt, 50, 0.25, false}}), 150.0);
+    // Slower than before: at half of it, half of each.
+    QCOMPARE(*remainingMs({{100, 100, 0.5, false}}), 50.0);
+    // What never ran is as long as the others on average.
+    QCOMPARE(*remainingMs({{100, 100, 1, true}, {std::nullopt, 0, 0, false}}), 100.0);
+    QCOMPARE(expectedMs({{100, 0, 0, false}, {std::nullopt, 0, 0, false}}), 100.0);
   }
 
   void onlyDefaultsFollowTheScale() {

@@ -298,10 +298,7 @@ class TestEditorWindow : public QObject {
     window_.reset();
     EditorWindow other;
     other.show();
-    other.offerLastSession();
-    auto* button = other.messageBar().findChild<QPushButton*>();
-    QVERIFY(button && other.messageBar().isVisible());
-    QTest::mouseClick(button, Qt::LeftButton);
+    other.continueLastSession();
     QVERIFY(QTest::qWaitFor([&] { return other.environment() != nullptr; }));
     QCOMPARE(filterNames(other).size(), 4);
   }

@@ -130,6 +130,16 @@ class TestIcon : public QObject {
     QVERIFY(coverOf(canvas.copy(20, 0, 20, 20)) > 0.1);
   }
 
+  void theProgramHasAnIconInTheUsualSizes() {
+    const QIcon shown = applicationIcon();
+    for (const int side : {16, 32, 48, 256}) {
+      QVERIFY(shown.availableSizes().contains(QSize(side, side)));
+      const QImage image = imageOf(shown, side);
+      QVERIFY(coverOf(image) > 0.7);
+      QCOMPARE(image.pixelColor(0, 0).alpha(), 0);
+    }
+  }
+
   void anUnknownNameIsToldAndGivesNoIcon() {
     QTest::ignoreMessage(QtWarningMsg, "icon nonsense: there is no such file in resources/icons");
     QVERIFY(icon(QStringLiteral("nonsense")).isNull());

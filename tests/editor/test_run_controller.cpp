@@ -147,6 +147,134 @@ class TestRunController : public QObject {
     QVERIFY(clock.elapsed() >= 50);
   }
 
+  void goingBackToAKnownResultRunsNothing() {
+    const auto before = controller_->finishedRun();
+    document_->setValue(document_->filters()[1].id, 0, 10, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    ViewContent last;
+    connect(controller_.get(), &RunController::contentReady, this, [&](const ViewContent& content) { last = content; });
+    QSignalSpy finished(controller_.get(), &RunController::finished);
+    document_->undoStack()->undo();
+    QCOMPARE(finished.count(), 1);  // in the edit itself
+    QVERIFY(controller_->upToDate());
+    QCOMPARE(controller_->finishedRun(), before);
+    QCOMPARE(last.walkable[0]->surface.size() / 3, before->result.mesh->triangles.size());
+    for (const FilterEntry& entry : document_->filters())
+      QVERIFY(controller_->status(entry.id).state == StepState::Cached);
+    // What was asked for runs all the same, and another level knows nothing of it.
+    controller_->runNow();
+    QVERIFY(controller_->busy());
+    controller_->setEnvironment(environment_, {});
+    QCOMPARE(controller_->finishedRuns().count(), std::size_t{0});
+    QVERIFY(controller_->busy());
+  }
+
+  void slowRunsWaitUntilEditsStop() {
+    openSlow();
+    document_->setValue(clearanceId(), 0, 1.5, 1);
+    QVERIFY(controller_->busy() && !controller_->settling());  // the first edit runs at once
+    QElapsedTimer clock;
+    for (const double height : {1.4, 1.3, 1.2}) {
+      document_->setValue(clearanceId(), 0, height, 1);
+      QVERIFY(controller_->settling());  // it follows closely
+      QVERIFY(!controller_->remaining().has_value());
+      clock.start();
+      QTest::qWait(50);
+    }
+    QTRY_VERIFY(!controller_->settling());
+    QVERIFY(clock.elapsed() >= 290);
+    QVERIFY(controller_->busy());
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 60000);
+    QCOMPARE(controller_->finishedRun()->pipeline.steps[2].values[0], 1.2);
+    // A first edit that is dragged waits as well; it can be cancelled, and runs at once when the mouse lets go.
+    controller_->setEnvironment(slow_, {});  // nothing to take over, so it is slow again
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 60000);
+    controller_->setDragging(true);
+    document_->setValue(clearanceId(), 0, 1.1, 2);
+    QVERIFY(controller_->settling());
+    controller_->cancel();
+    QVERIFY(!controller_->busy());
+    document_->setValue(clearanceId(), 0, 1.0, 2);
+    QVERIFY(controller_->settling());
+    controller_->setDragging(false);  // nothing follows any more
+    QVERIFY(controller_->busy() && !controller_->settling());
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 60000);
+  }
+
+  void quickRunsFollowADrag() {
+    // A result that is known to be quick.
+    document_->replacePipeline(parsePipeline("SlopeFilter 45\n", "test"), "");
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    const QSignalSpy finished(controller_.get(), &RunController::finished);
+    controller_->setDragging(true);
+    for (int i = 0; i < 60; ++i) {
+      document_->setValue(document_->filters()[0].id, 0, 20 + 0.25 * i, 1);
+      QTest::qWait(15);
+    }
+    QVERIFY2(finished.count() > 3, "no result followed the mouse");
+    controller_->setDragging(false);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    QCOMPARE(controller_->finishedRun()->pipeline.steps[0].values[0], 34.75);
+  }
+
+  void theTimeLeftIsToldFromEarlierRuns() {
+    openSlow();
+    QVERIFY(!controller_->remaining().has_value());
+    QList<std::chrono::milliseconds> told;
+    connect(controller_.get(), &RunController::progressed, this, [&] {
+      if (const auto left = controller_->remaining()) told << *left;
+    });
+    document_->setValue(clearanceId(), 0, 1, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 60000);
+    QVERIFY(!told.isEmpty());
+    QVERIFY(told.first().count() < 60000);
+    QVERIFY(told.last() <= told.first());
+  }
+
+  void editsWaitForTheUserWhereTheyShould() {
+    controller_->setAutomatic(false);
+    document_->setValue(document_->filters()[1].id, 0, 10, 1);
+    QVERIFY(!controller_->busy() && !controller_->upToDate());
+    QVERIFY(controller_->status(document_->filters()[1].id).state == StepState::Stale);
+    document_->undoStack()->undo();
+    QVERIFY(controller_->upToDate());  // back where the result is
+    document_->undoStack()->redo();
+    controller_->runNow();
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+    document_->setValue(document_->filters()[1].id, 0, 12, 2);
+    controller_->setAutomatic(true);
+    QVERIFY(controller_->busy());
+    QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
+  }
+
+  void workAheadGivesWayAndIsThereWhenWanted() {
+    std::vector<Pipeline> wanted;
+    for (const double height : {0.5, 0.25, 0.125}) {
+      wanted.push_back(document_->pipeline());
+      wanted.back().steps[2].values[0] = height;
+    }
+    QSignalSpy ahead(controller_.get(), &RunController::aheadChanged);
+    controller_->runAhead(wanted);
+    document_->setValue(document_->filters()[1].id, 0, 30, 1);  // interrupts
+    QVERIFY(controller_->busy());
+    QTRY_VERIFY_WITH_TIMEOUT(!ahead.isEmpty() && ahead.last()[0] == 3, 60000);
+    QCOMPARE(ahead.last()[1].toInt(), 3);
+    QVERIFY(controller_->upToDate());
+    QCOMPARE(controller_->finishedRun()->pipeline.steps[1].values[0], 30.0);
+    for (const Pipeline& pipeline : wanted) QVERIFY(controller_->finishedRunOf(pipeline));
+    document_->replacePipeline(wanted[1], "");
+    QVERIFY(controller_->upToDate());  // no run
+    QCOMPARE(controller_->finishedRun()->pipeline.steps[2].values[0], 0.25);
+    // Stopped, and going away in the middle.
+    wanted[0].steps[2].values[0] = 0.6;
+    controller_->runAhead({wanted[0]});
+    controller_->runAhead({});
+    QCOMPARE(ahead.last()[1].toInt(), 0);
+    wanted[0].steps[2].values[0] = 0.7;
+    controller_->runAhead({wanted[0]});
+    controller_.reset();
+  }
+
   void goingAwayInTheMiddleIsSafe() {
     document_->setValue(document_->filters()[1].id, 0, 33, 1);
     connect(controller_.get(), &RunController::started, this, [this] { sawStart_ = true; });
@@ -178,7 +306,22 @@ class TestRunController : public QObject {
   // They are made one after the other in the background, once the result has been shown; here nobody shows it.
   void waitForPreviews() { QTRY_VERIFY_WITH_TIMEOUT(controller_->previews(document_->filters()[1].id), 20000); }
 
+  // Runs that take longer than people like to wait.
+  void openSlow() {
+    ImportOptions options;
+    options.up = UpAxis::Z;
+    double ms = 0;
+    for (int size = 150; ms < 200; size *= 2) {  // whatever the machine
+      slow_ = importEnvironment(writeFile(folder_, "slow.obj", wavesObj(size)).toStdString(), options);
+      controller_->setEnvironment(slow_, {});
+      QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 60000);
+      ms = controller_->status(clearanceId()).wallMs.value_or(0);
+    }
+  }
+  int clearanceId() const { return document_->filters()[2].id; }
+
   QTemporaryDir folder_;
+  std::shared_ptr<const Environment> slow_;
   std::shared_ptr<const Environment> environment_;
   std::unique_ptr<Document> document_;
   std::unique_ptr<RunController> controller_;

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# package.sh: builds Footfall (preset release) and makes the Debian package and the portable archive of it in build/.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+# shellcheck source=installer/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+[ "$#" -eq 0 ] || fail "unknown arguments $*; usage: package.sh"
+
+prepare release
+say "building"
+cmake --build --preset release -j "$(build_jobs)" --target footfall footfall-editor footfall-man footfall-editor-man \
+  application-icons
+
+say "Debian package"
+rm -f -- "${repository}"/build/footfall_*.deb
+quietly "${repository}/build/release/package.log" cpack --config build/release/CPackConfig.cmake -G DEB \
+  -B "${repository}/build/release/package"
+mv -- build/release/package/footfall_*.deb build/
+say "Debian package: $(ls build/footfall_*.deb)"
+"${repository}/installer/portable.sh"

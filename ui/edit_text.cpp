@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/edit_text.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "core/filters/descriptor_text.hpp"
+
+namespace footfall {
+namespace {
+
+QString tr(const char* text, const char* comment = nullptr, int n = -1) {
+  return QCoreApplication::translate("footfall", text, comment, n);
+}
+
+// In the middle of a sentence.
+QString inside(std::string_view label) {
+  QString text = QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()));
+  if (!text.isEmpty()) text[0] = text[0].toLower();
+  return text;
+}
+
+}  // namespace
+
+QString labelOf(const PipelineStep& step) {
+  return QString::fromUtf8(step.filter->label.data(), static_cast<qsizetype>(step.filter->label.size()));
+}
+
+QString valueText(const ParameterDescriptor& parameter, double value) {
+  if (parameter.type == ParameterType::Boolean) return value != 0 ? tr("yes") : tr("no");
+  const QString text = QString::fromStdString(formatValue(parameter, value));
+  return parameter.unit == Unit::Degrees ? text + QStringLiteral("°") : text;
+}
+
+QString valueEditText(const DocumentState& before, const DocumentState& after) {
+  for (const FilterEntry& now : after.filters) {
+    const auto was = std::ranges::find(before.filters, now.id, &FilterEntry::id);
+    if (was == before.filters.end() || was->step.filter != now.step.filter) continue;
+    for (std::size_t i = 0; i < now.step.values.size(); ++i) {
+      if (was->step.values[i] == now.step.values[i]) continue;
+      const ParameterDescriptor& parameter = now.step.filter->parameters[i];
+      return tr("Change %1 %2 → %3")
+          .arg(inside(parameter.label), valueText(parameter, was->step.values[i]),
+               valueText(parameter, now.step.values[i]));
+    }
+  }
+  return {};
+}
+
+QString stepsText(const std::vector<PipelineStep>& steps) {
+  return steps.size() == 1 ? labelOf(steps[0]) : tr("%1 filters").arg(steps.size());
+}
+
+}  // namespace footfall

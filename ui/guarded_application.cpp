@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guarded_application.hpp"
+
+#include <QMetaObject>
+#include <cstdio>
+#include <new>
+
+#include "core/errors.hpp"
+#include "ui/frame_watchdog.hpp"
+
+namespace footfall {
+
+GuardedApplication::GuardedApplication(int& argc, char** argv) : QApplication(argc, argv) {}
+
+bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
+  const FrameWatchdog::Handling handling(receiver, event);
+  try {
+    return QApplication::notify(receiver, event);
+  } catch (const std::exception& error) {
+    tell(errorText(error));
+  } catch (...) {
+    tell(tr("something went wrong that gave no reason; save your session under another name and start Footfall anew"));
+  }
+  return true;
+}
+
+// Later: who hears it may need what the event was still holding. Where even that cannot be had, standard error gets it.
+void GuardedApplication::tell(const QString& message) noexcept {
+  try {
+    std::fprintf(stderr, "footfall-editor: %s\n", qPrintable(message));
+    QMetaObject::invokeMethod(
+        this, [this, message] { emit problemTold(message); }, Qt::QueuedConnection);
+  } catch (...) {
+    std::fputs("footfall-editor: memory ran out\n", stderr);
+  }
+}
+
+QString errorText(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) {
+    return GuardedApplication::tr(
+        "memory ran out; what was there is still there. Close other programs, or open a smaller environment");
+  }
+  const bool known = dynamic_cast<const InputError*>(&error) || dynamic_cast<const RunError*>(&error);
+  const QString text = QString::fromUtf8(error.what());
+  return known ? text : GuardedApplication::tr("internal error (%1); please report it with what you did").arg(text);
+}
+
+}  // namespace footfall

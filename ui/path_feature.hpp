@@ -1,0 +1,41 @@
+// Brings "Try it" into the window: tool, panel, what it walks on, and what sessions keep of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "ui/path_model.hpp"
+#include "ui/path_panel.hpp"
+#include "ui/path_tool.hpp"
+
+class QDockWidget;
+
+namespace footfall {
+
+class EditorWindow;
+
+class PathFeature : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PathFeature(EditorWindow& window);
+
+  [[nodiscard]] PathModel& model() { return model_; }
+
+ private:
+  void takeResult();
+  void follow();
+  [[nodiscard]] std::string save() const;
+  void load(const std::string& text);
+
+  EditorWindow& window_;
+  PathModel model_;
+  PathTool tool_;
+  PathPanel* panel_;
+  QDockWidget* dock_;
+  std::string environment_;   ///< that the places lie in
+  bool fromSession_ = false;  ///< they came with the file that is being opened
+};
+
+}  // namespace footfall

@@ -1,0 +1,43 @@
+// The panel of "Try it": both places as numbers, and what the path has to tell.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "ui/number_field.hpp"
+#include "ui/path_model.hpp"
+#include "ui/place_fields.hpp"
+
+namespace footfall {
+
+class PathPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PathPanel(PathModel& model, QWidget* parent = nullptr);
+
+  void setMetresPerUnit(double metres);
+  /// Why there is nothing to walk on; empty when there is something.
+  void setNotice(const QString& notice);
+  [[nodiscard]] double speed() const { return speed_->value(); }
+  void setSpeed(double metresPerSecond);
+  [[nodiscard]] QString text() const { return text_->text(); }
+
+ signals:
+  void speedEdited();
+
+ private:
+  void showResult();
+
+  PathModel& model_;
+  double metresPerUnit_ = 1;
+  QString notice_;
+  PlaceFields *start_, *target_;
+  NumberField* speed_;
+  QLabel *text_, *failure_;
+  QPushButton *swap_, *clear_, *copy_;
+};
+
+}  // namespace footfall

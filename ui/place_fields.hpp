@@ -1,0 +1,37 @@
+// Three fields for a place: X, Y and Z.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "core/environment/environment.hpp"
+#include "ui/number_field.hpp"
+
+namespace footfall {
+
+/// Empty while there is no place; a place counts once all three fields hold numbers. Fields show a few digits; what is
+/// not typed over keeps all of them.
+class PlaceFields : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `name` tells screen readers and tests what place it is ("Start").
+  PlaceFields(const QString& name, const QString& id, QWidget* parent = nullptr);
+
+  void setPlace(const std::optional<Vec3>& place);
+  [[nodiscard]] QLineEdit* field(std::size_t axis) const { return fields_[axis]; }
+
+ signals:
+  void edited(const footfall::Vec3& place);
+
+ private:
+  void read();
+  void showProblems();
+
+  std::optional<Vec3> place_;
+  std::array<QLineEdit*, 3> fields_{};
+};
+
+}  // namespace footfall

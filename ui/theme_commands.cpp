@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theme_commands.hpp"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+
+#include "ui/theme.hpp"
+
+namespace footfall {
+namespace {
+
+struct ThemeCommands {
+  Q_DECLARE_TR_FUNCTIONS(footfall::ThemeCommands)
+};
+
+}  // namespace
+
+void addThemeCommands(CommandRegistry& commands) {
+  Theme* theme = Theme::instance();
+  if (!theme) return;
+  auto* group = new QActionGroup(&commands);
+  const auto add = [&](ThemeChoice choice, const char* id, const QString& text, const QString& help,
+                       const QString& icon) {
+    Command command{QString::fromLatin1(id), CommandMenu::View, QStringLiteral("theme"), text, help, {}, icon, true};
+    command.submenu = ThemeCommands::tr("T&heme");
+    QAction* action = commands.add(command, [choice](bool on) {
+      if (on && Theme::instance()) Theme::instance()->setChoice(choice);
+    });
+    group->addAction(action);
+    const auto show = [theme, action, choice] { action->setChecked(theme->choice() == choice); };
+    QObject::connect(theme, &Theme::choiceChanged, action, show);
+    show();
+  };
+  add(ThemeChoice::System, "view.theme.system", ThemeCommands::tr("Theme: as the &system"),
+      ThemeCommands::tr("Light or dark, as the desktop is, and with it when it changes"), {});
+  add(ThemeChoice::Light, "view.theme.light", ThemeCommands::tr("Theme: &light"),
+      ThemeCommands::tr("Dark text on light ground"), QStringLiteral("light"));
+  add(ThemeChoice::Dark, "view.theme.dark", ThemeCommands::tr("Theme: &dark"),
+      ThemeCommands::tr("Light text on dark ground"), QStringLiteral("dark"));
+}
+
+}  // namespace footfall
