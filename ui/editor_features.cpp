@@ -6,8 +6,8 @@
 #include "ui/inspection_feature.hpp"
 #include "ui/level_look.hpp"
 #include "ui/measure_panel.hpp"
-#include "ui/path_feature.hpp"
 #include "ui/obstacle_features.hpp"
+#include "ui/path_feature.hpp"
 
 namespace footfall {
 

@@ -153,6 +153,7 @@ void ObstacleEditor::startDrag(const PlacedObstacle& live, const QString& text, 
   endDrag();
   const QString key = mergeKey.isEmpty() ? QStringLiteral("obstacle/drag/%1").arg(++drags_) : mergeKey;
   drag_ = Drag{live.id, text, key, live, document_.state()};
+  controller_.setDragging(true);
   selected_ = live.id;
   emit changed();
 }
@@ -212,6 +213,7 @@ void ObstacleEditor::endDrag() {
   pause_.stop();
   if (!drag_) return;
   commit();
+  controller_.setDragging(false);  // a run that waits for more edits begins now
   drag_.reset();
   if (selected_ && !inDocument(*selected_)) selected_.reset();
   emit changed();
@@ -221,6 +223,7 @@ void ObstacleEditor::cancelDrag() {
   if (!drag_) return;
   rest_.stop();
   pause_.stop();
+  controller_.setDragging(false);
   const Drag drag = *std::exchange(drag_, std::nullopt);
   if (drag.committed) {
     DocumentState back = document_.state();
@@ -236,7 +239,7 @@ void ObstacleEditor::documentChanged() {
   if (!committing_) {
     rest_.stop();
     pause_.stop();
-    drag_.reset();
+    if (std::exchange(drag_, std::nullopt)) controller_.setDragging(false);
     if (selected_ && !inDocument(*selected_)) selected_.reset();
   }
   emit changed();
