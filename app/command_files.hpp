@@ -9,8 +9,8 @@
 
 #include "core/environment/environment.hpp"
 #include "core/pipeline/pipeline.hpp"
-#include "core/pipeline/runner.hpp"
 #include "core/pipeline/run_context.hpp"
+#include "core/pipeline/runner.hpp"
 
 namespace footfall {
 

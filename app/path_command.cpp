@@ -47,9 +47,8 @@ PathOutcome findPath(const PathArguments& arguments) {
   const InterruptWatcher watcher(context);
 
   bar.begin("loading", 0);
-  const std::shared_ptr<const Environment> environment = onThreads(arguments.threads, [&](int) {
-    return loadEnvironment(arguments.environment, &context);
-  });
+  const std::shared_ptr<const Environment> environment =
+      onThreads(arguments.threads, [&](int) { return loadEnvironment(arguments.environment, &context); });
   if (!pipeline) pipeline = defaultPipeline(*environment);
   bar.begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline->steps, true, &PipelineStep::enabled)));
   const RunResult run = runNamingFile(arguments.pipelineFile, environment, *pipeline, context, arguments.threads);
