@@ -1,3 +1,4211 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="de_DE" sourcelanguage="en"></TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>Filter</name>
+    <message>
+        <source>Duplication</source>
+        <translation>Doppelte Ecken</translation>
+    </message>
+    <message>
+        <source>Merges vertices that lie close together, so that triangles that only look connected share their corners. A distance of 0 joins vertices at equal positions and moves nothing. A larger distance moves vertices and may make triangles degenerate: let a DegeneracyFilter follow.</source>
+        <translation>Vereint Ecken, die nah beieinander liegen, damit Dreiecke, die nur verbunden aussehen, ihre Ecken teilen. Ein Abstand von 0 verbindet Ecken an gleicher Stelle und bewegt nichts. Ein größerer Abstand bewegt Ecken und kann Dreiecke entarten lassen: Lassen Sie einen DegeneracyFilter folgen.</translation>
+    </message>
+    <message>
+        <source>No two separate vertices are closer to each other than the distance. The result does not depend on the order of the vertices in the file.</source>
+        <translation>Keine zwei getrennten Ecken liegen näher beieinander als der Abstand. Das Ergebnis hängt nicht von der Reihenfolge der Ecken in der Datei ab.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Vertices closer than this become one; 0 joins equal positions only.</source>
+        <translation>Ecken, die näher liegen, werden eine; 0 verbindet nur gleiche Stellen.</translation>
+    </message>
+    <message>
+        <source>Degeneracy</source>
+        <translation>Entartung</translation>
+    </message>
+    <message>
+        <source>Removes triangles without area: those with a repeated corner and those whose corners lie on one line. An obstacle edge of a removed triangle moves to the neighbour that shares it.</source>
+        <translation>Entfernt Dreiecke ohne Fläche: die mit einer wiederholten Ecke und die, deren Ecken auf einer Linie liegen. Eine Hinderniskante eines entfernten Dreiecks geht auf den Nachbarn über, der sie teilt.</translation>
+    </message>
+    <message>
+        <source>No triangle of the environment, walkable or rejected, is degenerate.</source>
+        <translation>Kein Dreieck der Umgebung, ob begehbar oder verworfen, ist entartet.</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Keeps what is not too steep to walk on. The comparison is exact: a ramp of exactly the maximum slope stays walkable. Triangles that face down are never walkable. What is removed stays an obstacle.</source>
+        <translation>Behält, was zum Gehen nicht zu steil ist. Der Vergleich ist exakt: Eine Rampe mit genau der größten Neigung bleibt begehbar. Dreiecke, die nach unten zeigen, sind nie begehbar. Was entfernt wird, bleibt ein Hindernis.</translation>
+    </message>
+    <message>
+        <source>Every walkable triangle faces up and is inclined by at most the maximum slope.</source>
+        <translation>Jedes begehbare Dreieck zeigt nach oben und ist höchstens um die größte Neigung geneigt.</translation>
+    </message>
+    <message>
+        <source>Maximum slope</source>
+        <translation>Größte Neigung</translation>
+    </message>
+    <message>
+        <source>The steepest ground that an agent can walk on, measured from the horizontal.</source>
+        <translation>Der steilste Boden, auf dem ein Agent gehen kann, gegen die Waagerechte gemessen.</translation>
+    </message>
+    <message>
+        <source>Vertical clearance</source>
+        <translation>Durchgangshöhe</translation>
+    </message>
+    <message>
+        <source>Removes the places where an agent would hit its head: those with anything, walkable or not, straight above and lower than the clearance. A vertical wall covers no area, so it removes none; where it reaches into the clearance it leaves obstacle edges, which agents cannot cross. Where walkable triangles overlap in one plane, one of them stays.</source>
+        <translation>Entfernt die Stellen, an denen sich ein Agent den Kopf stieße: die, über denen etwas, ob begehbar oder nicht, senkrecht darüber und niedriger als die Durchgangshöhe liegt. Eine senkrechte Wand bedeckt keine Fläche und entfernt daher keine; wo sie in die Durchgangshöhe ragt, hinterlässt sie Hinderniskanten, die Agenten nicht überqueren können. Wo begehbare Dreiecke in einer Ebene überlappen, bleibt eines.</translation>
+    </message>
+    <message>
+        <source>No walkable point has a point of another triangle straight above it and nearer than the clearance; no place is walkable twice.</source>
+        <translation>Kein begehbarer Punkt hat einen Punkt eines anderen Dreiecks senkrecht über sich, der näher ist als die Durchgangshöhe; keine Stelle ist zweimal begehbar.</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Durchgangshöhe</translation>
+    </message>
+    <message>
+        <source>The free height that an agent needs. An obstacle at exactly this height is no obstacle.</source>
+        <translation>Die freie Höhe, die ein Agent braucht. Ein Hindernis in genau dieser Höhe ist keines.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Removes regions that are too small to matter, such as table tops and ledges. A region is what can be reached over shared edges without crossing an obstacle edge. What is removed stays an obstacle.</source>
+        <translation>Entfernt Gebiete, die zu klein sind, um zu zählen, etwa Tischplatten und Simse. Ein Gebiet ist, was über gemeinsame Kanten zu erreichen ist, ohne eine Hinderniskante zu überqueren. Was entfernt wird, bleibt ein Hindernis.</translation>
+    </message>
+    <message>
+        <source>Every walkable region has a surface area above the minimum.</source>
+        <translation>Jedes begehbare Gebiet hat eine Oberfläche über der kleinsten.</translation>
+    </message>
+    <message>
+        <source>Minimum area</source>
+        <translation>Kleinste Fläche</translation>
+    </message>
+    <message>
+        <source>Regions of at most this surface area are removed; 0 removes nothing.</source>
+        <translation>Gebiete mit höchstens dieser Oberfläche werden entfernt; 0 entfernt nichts.</translation>
+    </message>
+    <message>
+        <source>Simplification</source>
+        <translation>Vereinfachung</translation>
+    </message>
+    <message>
+        <source>Covers each flat region with as few triangles as its outline needs. Outlines, holes and obstacle edges stay as they are. The approximate form also joins regions that are nearly coplanar.</source>
+        <translation>Bedeckt jedes ebene Gebiet mit so wenigen Dreiecken, wie sein Umriss braucht. Umrisse, Löcher und Hinderniskanten bleiben, wie sie sind. Die genäherte Form vereint auch Gebiete, die fast in einer Ebene liegen.</translation>
+    </message>
+    <message>
+        <source>No walkable triangle is degenerate.</source>
+        <translation>Kein begehbares Dreieck ist entartet.</translation>
+    </message>
+    <message>
+        <source>Other triangles, the same walkable area. In the approximate form vertices may move, by a stated bound at most.</source>
+        <translation>Andere Dreiecke, dieselbe begehbare Fläche. In der genäherten Form können sich Ecken bewegen, höchstens um eine angegebene Schranke.</translation>
+    </message>
+    <message>
+        <source>Approximate</source>
+        <translation>Genähert</translation>
+    </message>
+    <message>
+        <source>Treat nearly coplanar neighbours as coplanar.</source>
+        <translation>Nachbarn, die fast in einer Ebene liegen, so behandeln, als lägen sie darin.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>In the approximate form, triangles count as coplanar when the dot product of their unit normals is above 1 minus this.</source>
+        <translation>In der genäherten Form gelten Dreiecke als in einer Ebene, wenn das Skalarprodukt ihrer Einheitsnormalen über 1 minus diesem Wert liegt.</translation>
+    </message>
+    <message>
+        <source>Layer subdivision</source>
+        <translation>Aufteilung in Ebenen</translation>
+    </message>
+    <message>
+        <source>Splits the walkable area into layers, such as the floors of a building, so that each can be drawn as a flat map. Edges on which two layers meet become connections; the fewer, the better.</source>
+        <translation>Teilt die begehbare Fläche in Ebenen, etwa die Stockwerke eines Gebäudes, damit jede als flache Karte gezeichnet werden kann. Kanten, an denen sich zwei Ebenen treffen, werden Verbindungen; je weniger, desto besser.</translation>
+    </message>
+    <message>
+        <source>Every walkable triangle has an area and is not vertical.</source>
+        <translation>Jedes begehbare Dreieck hat eine Fläche und ist nicht senkrecht.</translation>
+    </message>
+    <message>
+        <source>No two triangles of one layer overlap in the plan; layers and connections form a multi-layered environment.</source>
+        <translation>Keine zwei Dreiecke einer Ebene überlappen im Grundriss; Ebenen und Verbindungen bilden eine mehrschichtige Umgebung.</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>Gives every vertex double coordinates and repairs what rounding can break: corners that fall together, triangles that lose their area or turn over. Tells how many of each case it met.</source>
+        <translation>Gibt jeder Ecke Koordinaten doppelter Genauigkeit und repariert, was Runden zerstören kann: Ecken, die zusammenfallen, Dreiecke, die ihre Fläche verlieren oder umklappen. Sagt, wie viele Fälle jeder Art es gab.</translation>
+    </message>
+    <message>
+        <source>Every vertex has double coordinates and no walkable triangle is degenerate or turned over.</source>
+        <translation>Jede Ecke hat Koordinaten doppelter Genauigkeit, und kein begehbares Dreieck ist entartet oder umgeklappt.</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparieren</translation>
+    </message>
+    <message>
+        <source>The thesis&apos;s files give this value. Rounding is always repaired here, so both values give the same result.</source>
+        <translation>Die Dateien der Dissertation geben diesen Wert an. Gerundetes wird hier immer repariert, daher ergeben beide Werte dasselbe.</translation>
+    </message>
+    <message>
+        <source>Grid strategy</source>
+        <translation>Gitterstrategie</translation>
+    </message>
+    <message>
+        <source>Cuts the environment into a grid of equal rectangles in the plan and begins a parallel block. Good where obstacles are spread evenly.</source>
+        <translation>Schneidet die Umgebung im Grundriss in ein Gitter gleicher Rechtecke und beginnt einen parallelen Block. Gut, wo Hindernisse gleichmäßig verteilt sind.</translation>
+    </message>
+    <message>
+        <source>A Collapse follows, with only local filters in between.</source>
+        <translation>Ein Collapse folgt, mit nur lokalen Filtern dazwischen.</translation>
+    </message>
+    <message>
+        <source>The filters up to Collapse run on each cell on its own.</source>
+        <translation>Die Filter bis zum Collapse laufen auf jeder Zelle für sich.</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Number of cells along x.</source>
+        <translation>Anzahl der Zellen entlang x.</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Number of cells along y.</source>
+        <translation>Anzahl der Zellen entlang y.</translation>
+    </message>
+    <message>
+        <source>Recursive strategy</source>
+        <translation>Rekursive Strategie</translation>
+    </message>
+    <message>
+        <source>Cuts the environment into four equal rectangles, and each of them again as long as it holds many triangles, and begins a parallel block.</source>
+        <translation>Schneidet die Umgebung in vier gleiche Rechtecke, und jedes davon wieder, solange es viele Dreiecke enthält, und beginnt einen parallelen Block.</translation>
+    </message>
+    <message>
+        <source>Fewest triangles</source>
+        <translation>Wenigste Dreiecke</translation>
+    </message>
+    <message>
+        <source>A cell with no more triangles than this is not cut again.</source>
+        <translation>Eine Zelle mit nicht mehr Dreiecken als diesen wird nicht weiter geschnitten.</translation>
+    </message>
+    <message>
+        <source>Largest depth</source>
+        <translation>Größte Tiefe</translation>
+    </message>
+    <message>
+        <source>How many times the whole environment may be cut, one cut inside the other.</source>
+        <translation>Wie oft die ganze Umgebung geschnitten werden darf, ein Schnitt im anderen.</translation>
+    </message>
+    <message>
+        <source>Round the cuts</source>
+        <translation>Schnitte runden</translation>
+    </message>
+    <message>
+        <source>Whether points on a cut are rounded to doubles where a cell&apos;s triangles are shown or handed on. In the thesis that keeps numbers small; here they vanish in Collapse, so both values give the same result.</source>
+        <translation>Ob Punkte auf einem Schnitt auf doppelte Genauigkeit gerundet werden, wo die Dreiecke einer Zelle gezeigt oder weitergegeben werden. In der Dissertation hält das Zahlen klein; hier verschwinden sie im Collapse, daher ergeben beide Werte dasselbe.</translation>
+    </message>
+    <message>
+        <source>Sorted recursive strategy</source>
+        <translation>Sortierte rekursive Strategie</translation>
+    </message>
+    <message>
+        <source>Cuts the environment into halves of about equally many triangles, across x and y in turn and again as long as a part holds many, and begins a parallel block.</source>
+        <translation>Schneidet die Umgebung in Hälften mit etwa gleich vielen Dreiecken, abwechselnd quer zu x und y und weiter, solange ein Teil viele enthält, und beginnt einen parallelen Block.</translation>
+    </message>
+    <message>
+        <source>Height-aware strategy</source>
+        <translation>Höhenbewusste Strategie</translation>
+    </message>
+    <message>
+        <source>Divides the floors, across the plan and between storeys, into cells of about equal work, each with only the obstacles that can stand in the clearance above its floors, and begins a parallel block. Good for towers and buildings with storeys.</source>
+        <translation>Teilt die Böden, im Grundriss und zwischen Stockwerken, in Zellen mit etwa gleich viel Arbeit, jede nur mit den Hindernissen, die in der Durchgangshöhe über ihren Böden stehen können, und beginnt einen parallelen Block. Gut für Türme und Gebäude mit Stockwerken.</translation>
+    </message>
+    <message>
+        <source>Least work</source>
+        <translation>Wenigste Arbeit</translation>
+    </message>
+    <message>
+        <source>A cell with no more estimated work than this is not cut again. The unit is one triangle that nothing stands on.</source>
+        <translation>Eine Zelle mit nicht mehr geschätzter Arbeit als dieser wird nicht weiter geschnitten. Die Einheit ist ein Dreieck, auf dem nichts steht.</translation>
+    </message>
+    <message>
+        <source>Automatic strategy</source>
+        <translation>Automatische Strategie</translation>
+    </message>
+    <message>
+        <source>Picks a strategy and its depth from the environment and the number of threads, says what it picked and why, and begins a parallel block. Small environments stay in one cell.</source>
+        <translation>Wählt eine Strategie und ihre Tiefe nach der Umgebung und der Zahl der Threads, sagt, was sie gewählt hat und warum, und beginnt einen parallelen Block. Kleine Umgebungen bleiben in einer Zelle.</translation>
+    </message>
+    <message>
+        <source>Collapse</source>
+        <translation>Zusammenfügen</translation>
+    </message>
+    <message>
+        <source>Ends a parallel block: puts the cells together again. The seams vanish, so that the result is the one of the same filters without a block.</source>
+        <translation>Beendet einen parallelen Block: fügt die Zellen wieder zusammen. Die Nähte verschwinden, sodass das Ergebnis das derselben Filter ohne Block ist.</translation>
+    </message>
+    <message>
+        <source>A strategy stands before it.</source>
+        <translation>Eine Strategie steht davor.</translation>
+    </message>
+    <message>
+        <source>One environment again, without a trace of the cells.</source>
+        <translation>Wieder eine Umgebung, ohne eine Spur der Zellen.</translation>
+    </message>
+</context>
+<context>
+    <name>WhyText</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 units (%2 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units² (%2 m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walkable</source>
+        <translation>Begehbar</translation>
+    </message>
+    <message>
+        <source>Walkable, on an obstacle edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: without area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: a wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: faces down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: an obstacle only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: too steep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: too low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: too small an area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not walkable: merged away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It belongs to component %1 of %2, with an area of %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layer %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The corners of this triangle lie on one line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The triangle stands upright; nobody can stand on it. What it crosses becomes obstacle edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only triangles that face up are floors. If the file&apos;s winding is unreliable, let both sides count as up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This part of the environment is marked as an obstacle only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It rises by %1°; at most %2° are allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is above it within the %1 that agents need.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle %1 is %2 above it; agents need %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connected region around it has an area of %1; it must have more than %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The filter moved vertices, and no triangle is here any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The floor here is triangle %1, in the same plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exactly here stands a wall: triangle %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unlimited: nothing is above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, below triangle %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WhyTool</name>
+    <message>
+        <source>Why? Click a place (or press Return over it); Esc ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall</name>
+    <message>
+        <source>Add agent %1</source>
+        <translation>Agent %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate agent %1</source>
+        <translation>Agent %1 verdoppeln</translation>
+    </message>
+    <message>
+        <source>Remove agent %1</source>
+        <translation>Agent %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Rename agent %1 → %2</source>
+        <translation>Agent %1 → %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>Change height of %1 %2 → %3</source>
+        <translation>Höhe von %1 ändern %2 → %3</translation>
+    </message>
+    <message>
+        <source>Change maximum slope of %1 %2 → %3</source>
+        <translation>Größte Neigung von %1 ändern %2 → %3</translation>
+    </message>
+    <message>
+        <source>Switch to agent %1</source>
+        <translation>Zu Agent %1 wechseln</translation>
+    </message>
+    <message>
+        <source>Let go of the agent</source>
+        <translation>Agenten loslassen</translation>
+    </message>
+    <message>
+        <source>Agent</source>
+        <translation>Agent</translation>
+    </message>
+    <message>
+        <source>Human</source>
+        <translation>Mensch</translation>
+    </message>
+    <message>
+        <source>2 m, stairs and slopes up to 45°</source>
+        <translation>2 m, Treppen und Neigungen bis 45°</translation>
+    </message>
+    <message>
+        <source>Child</source>
+        <translation>Kind</translation>
+    </message>
+    <message>
+        <source>1.2 m, stairs and slopes up to 45°</source>
+        <translation>1,2 m, Treppen und Neigungen bis 45°</translation>
+    </message>
+    <message>
+        <source>Wheelchair</source>
+        <translation>Rollstuhl</translation>
+    </message>
+    <message>
+        <source>1.5 m, slopes up to 5°: ramps of 1 in 12 are 4.76°</source>
+        <translation>1,5 m, Neigungen bis 5°: Rampen von 1 zu 12 haben 4,76°</translation>
+    </message>
+    <message>
+        <source>Cart</source>
+        <translation>Wagen</translation>
+    </message>
+    <message>
+        <source>1.2 m, slopes up to 10°</source>
+        <translation>1,2 m, Neigungen bis 10°</translation>
+    </message>
+    <message>
+        <source>Giant</source>
+        <translation>Riese</translation>
+    </message>
+    <message>
+        <source>4 m, slopes up to 45°</source>
+        <translation>4 m, Neigungen bis 45°</translation>
+    </message>
+    <message>
+        <source>Crawler</source>
+        <translation>Kriecher</translation>
+    </message>
+    <message>
+        <source>0.5 m, slopes up to 60°</source>
+        <translation>0,5 m, Neigungen bis 60°</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Thread</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Estimated cost</source>
+        <translation>Geschätzter Aufwand</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>under 0.01 ms</source>
+        <translation>unter 0,01 ms</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1 units of work</source>
+        <translation>%1 Arbeitseinheiten</translation>
+    </message>
+    <message>
+        <source>thread %1</source>
+        <translation>Thread %1</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Change %1 %2 → %3</source>
+        <translation>%1 ändern %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1 filters</source>
+        <translation>%1 Filter</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 verdoppeln</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>%1 nach unten</translation>
+    </message>
+    <message>
+        <source>Switch on %1</source>
+        <translation>%1 einschalten</translation>
+    </message>
+    <message>
+        <source>Switch off %1</source>
+        <translation>%1 ausschalten</translation>
+    </message>
+    <message>
+        <source>Run only up to %1</source>
+        <translation>Nur bis %1 ausführen</translation>
+    </message>
+    <message>
+        <source>Switch off all but %1</source>
+        <translation>Alle außer %1 ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch on all filters</source>
+        <translation>Alle Filter einschalten</translation>
+    </message>
+    <message>
+        <source>P&amp;resets</source>
+        <translation>&amp;Vorlagen</translation>
+    </message>
+    <message>
+        <source>Run &amp;automatically</source>
+        <translation>&amp;Selbsttätig ausführen</translation>
+    </message>
+    <message>
+        <source>Run after each edit; off: F5 runs</source>
+        <translation>Nach jeder Änderung ausführen; aus: F5 führt aus</translation>
+    </message>
+    <message>
+        <source>Edits</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>Verlauf der Änderungen</translation>
+    </message>
+    <message>
+        <source>All edits; choose one to go back to it</source>
+        <translation>Alle Änderungen; wählen Sie eine, um zu ihr zurückzukehren</translation>
+    </message>
+    <message>
+        <source>Agents</source>
+        <translation>Agenten</translation>
+    </message>
+    <message>
+        <source>Who is to walk: heights and slopes that the filters follow, and what each can reach</source>
+        <translation>Wer gehen soll: Höhen und Neigungen, denen die Filter folgen, und was jeder erreicht</translation>
+    </message>
+    <message>
+        <source>Agent %1</source>
+        <translation>Agent %1</translation>
+    </message>
+    <message>
+        <source>Give the filters this agent&apos;s sizes</source>
+        <translation>Den Filtern die Maße dieses Agenten geben</translation>
+    </message>
+    <message>
+        <source>&amp;No agent</source>
+        <translation>&amp;Kein Agent</translation>
+    </message>
+    <message>
+        <source>Let go of the active agent; the filters stay as they are</source>
+        <translation>Den aktiven Agenten loslassen; die Filter bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>&amp;Compute all agents</source>
+        <translation>Alle Agenten &amp;berechnen</translation>
+    </message>
+    <message>
+        <source>Compute the results of all agents in the background</source>
+        <translation>Die Ergebnisse aller Agenten im Hintergrund berechnen</translation>
+    </message>
+    <message>
+        <source>Agent: %1</source>
+        <translation>Agent: %1</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>units²</source>
+        <translation>Einheiten²</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Sequential</source>
+        <translation>Nacheinander</translation>
+    </message>
+    <message>
+        <source>What a new environment starts with</source>
+        <translation>Womit eine neue Umgebung beginnt</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>The same result, with the clearance in cells on all threads</source>
+        <translation>Dasselbe Ergebnis, mit der Durchgangshöhe in Zellen auf allen Threads</translation>
+    </message>
+    <message>
+        <source>Thesis, sequential</source>
+        <translation>Dissertation, nacheinander</translation>
+    </message>
+    <message>
+        <source>As in the thesis&apos;s experiments (5.4), in the units of its environments</source>
+        <translation>Wie in den Versuchen der Dissertation (5.4), in den Einheiten ihrer Umgebungen</translation>
+    </message>
+    <message>
+        <source>Thesis, parallel</source>
+        <translation>Dissertation, parallel</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>noch nicht gelaufen</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>cached</source>
+        <translation>gemerkt</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>%1 %2 %</source>
+        <translation>%1 %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::AgentModel</name>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>nicht berechnet</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Alt+%1</source>
+        <translation>Alt+%1</translation>
+    </message>
+    <message>
+        <source>Agent</source>
+        <translation>Agent</translation>
+    </message>
+    <message>
+        <source>Height (units)</source>
+        <translation>Höhe (Einheiten)</translation>
+    </message>
+    <message>
+        <source>Slope (°)</source>
+        <translation>Neigung (°)</translation>
+    </message>
+    <message>
+        <source>Area (units²)</source>
+        <translation>Fläche (Einheiten²)</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>The free height that the agent needs: the clearance of the filters</source>
+        <translation>Die freie Höhe, die der Agent braucht: die Durchgangshöhe der Filter</translation>
+    </message>
+    <message>
+        <source>The steepest ground that the agent can walk on</source>
+        <translation>Der steilste Boden, auf dem der Agent gehen kann</translation>
+    </message>
+    <message>
+        <source>Parts of the walkable area that an agent cannot leave</source>
+        <translation>Teile der begehbaren Fläche, die ein Agent nicht verlassen kann</translation>
+    </message>
+    <message>
+        <source>Edges on which two layers meet</source>
+        <translation>Kanten, an denen sich zwei Ebenen treffen</translation>
+    </message>
+    <message>
+        <source>Ready: switching to the agent shows its result at once</source>
+        <translation>Bereit: Der Wechsel zum Agenten zeigt sein Ergebnis sofort</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number; write for example 1.8</source>
+        <translation>„%1“ ist keine Zahl; schreiben Sie zum Beispiel 1.8</translation>
+    </message>
+    <message>
+        <source>agent: %1</source>
+        <translation>Agent: %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::AgentsPanel</name>
+    <message>
+        <source>Agents and their results</source>
+        <translation>Agenten und ihre Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Add filters</source>
+        <translation>Filter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the filters that the agents drive, before all others</source>
+        <translation>Die Filter hinzufügen, die die Agenten bestimmen, vor allen anderen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an agent; it becomes the active one</source>
+        <translation>Einen Agenten hinzufügen; er wird der aktive</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Copy the active agent</source>
+        <translation>Den aktiven Agenten kopieren</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the active agent; the filters stay as they are</source>
+        <translation>Den aktiven Agenten entfernen; die Filter bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Let go of the active agent: the filters stay as they are (Alt+0)</source>
+        <translation>Den aktiven Agenten loslassen: Die Filter bleiben, wie sie sind (Alt+0)</translation>
+    </message>
+    <message>
+        <source>Compute all</source>
+        <translation>Alle berechnen</translation>
+    </message>
+    <message>
+        <source>Compute the results of all agents in the background, to switch and to compare at once</source>
+        <translation>Die Ergebnisse aller Agenten im Hintergrund berechnen, um sofort wechseln und vergleichen zu können</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>As &amp;text</source>
+        <translation>Als &amp;Text</translation>
+    </message>
+    <message>
+        <source>As &amp;CSV</source>
+        <translation>Als &amp;CSV</translation>
+    </message>
+    <message>
+        <source>Agents computed</source>
+        <translation>Agenten berechnet</translation>
+    </message>
+    <message>
+        <source>As the &amp;filters are</source>
+        <translation>Wie die &amp;Filter sind</translation>
+    </message>
+    <message>
+        <source>An agent is a height and a slope that the filters follow. Add one to compare what each can reach.</source>
+        <translation>Ein Agent ist eine Höhe und eine Neigung, denen die Filter folgen. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
+    </message>
+    <message>
+        <source>No filter &apos;%1&apos; is on: that size of the agents has no effect.</source>
+        <translation>Kein Filter „%1“ ist an: Dieses Maß der Agenten wirkt nicht.</translation>
+    </message>
+    <message>
+        <source>&apos; and no filter &apos;</source>
+        <comment>between two names of filters</comment>
+        <translation>“ und kein Filter „</translation>
+    </message>
+    <message>
+        <source>Add the filters of agents</source>
+        <translation>Die Filter der Agenten hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::BusyPlot</name>
+    <message>
+        <source>pre-processing</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>partitioning</source>
+        <translation>Aufteilung</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>merging</source>
+        <translation>Zusammenfügen</translation>
+    </message>
+    <message>
+        <source>post-processing</source>
+        <translation>Nachbereitung</translation>
+    </message>
+    <message>
+        <source>overhead</source>
+        <translation>Zusatzaufwand</translation>
+    </message>
+    <message>
+        <source>Time that each thread was busy</source>
+        <translation>Wie lange jeder Thread beschäftigt war</translation>
+    </message>
+    <message>
+        <source>busy with cells (ms); line: mean</source>
+        <translation>mit Zellen beschäftigt (ms); Linie: Mittel</translation>
+    </message>
+    <message>
+        <source>estimated work (units); line: mean</source>
+        <translation>geschätzte Arbeit (Einheiten); Linie: Mittel</translation>
+    </message>
+    <message>
+        <source>Thread %1</source>
+        <translation>Thread %1</translation>
+    </message>
+    <message>
+        <source>Thread %1 would have %2</source>
+        <translation>Thread %1 hätte %2</translation>
+    </message>
+    <message>
+        <source>Thread %1 was busy for %2</source>
+        <translation>Thread %1 war %2 lang beschäftigt</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::CellLegend</name>
+    <message>
+        <source>Colour cells by</source>
+        <translation>Zellen einfärben nach</translation>
+    </message>
+    <message>
+        <source>What the colours of the cells show</source>
+        <translation>Was die Farben der Zellen zeigen</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>Nach %1</translation>
+    </message>
+    <message>
+        <source>not finished yet</source>
+        <translation>noch nicht fertig</translation>
+    </message>
+    <message>
+        <source>No cells</source>
+        <translation>Keine Zellen</translation>
+    </message>
+    <message>
+        <source>The pipeline has no parallel block, or it has not run yet.</source>
+        <translation>Die Pipeline hat keinen parallelen Block, oder er ist noch nicht gelaufen.</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>%1, before a run</source>
+        <translation>%1, vor einem Lauf</translation>
+    </message>
+    <message>
+        <source>Number of the thread that began the cell</source>
+        <translation>Nummer des Threads, der die Zelle begonnen hat</translation>
+    </message>
+    <message>
+        <source>0 to %1</source>
+        <translation>0 bis %1</translation>
+    </message>
+    <message>
+        <source> of work</source>
+        <translation> Arbeit</translation>
+    </message>
+    <message>
+        <source> that go in</source>
+        <translation>, die hineingehen</translation>
+    </message>
+    <message>
+        <source>, estimated</source>
+        <translation>, geschätzt</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::CellModel</name>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>estimated cost</source>
+        <translation>geschätzter Aufwand</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1 in, %2 out</source>
+        <translation>%1 hinein, %2 heraus</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>Thread</translation>
+    </message>
+    <message>
+        <source>%1, helped by %2</source>
+        <translation>%1, mit Hilfe von %2</translation>
+    </message>
+    <message>
+        <source>%1 in</source>
+        <translation>%1 hinein</translation>
+    </message>
+    <message>
+        <source>Cell %1 of %2</source>
+        <translation>Zelle %1 von %2</translation>
+    </message>
+    <message>
+        <source> (preview)</source>
+        <translation> (Vorschau)</translation>
+    </message>
+    <message>
+        <source> (not finished)</source>
+        <translation> (nicht fertig)</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::CommandPalette</name>
+    <message>
+        <source> (on)</source>
+        <translation> (an)</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>Search commands, filters, files and samples</source>
+        <translation>Befehle, Filter, Dateien und Beispiele suchen</translation>
+    </message>
+    <message>
+        <source>A few letters are enough; Enter does what is marked</source>
+        <translation>Wenige Buchstaben genügen; die Eingabetaste führt das Markierte aus</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>%1, not available now</source>
+        <translation>%1, jetzt nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Nothing is called so</source>
+        <translation>Nichts heißt so</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ComponentsModel</name>
+    <message>
+        <source>Rank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area (m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area (units²)</source>
+        <translation>Fläche (Einheiten²)</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of mass, x y z, in the frame of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the surface; the largest is the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ComponentsPanel</name>
+    <message>
+        <source>Copy as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only components with less area than this, in the environment&apos;s units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Smaller than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components, largest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a component, or press Return on it, to bring it into sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number and area of the components that are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy all rows that are shown to the clipboard, with tabs for a spreadsheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no area; give a number above 0, such as 2.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No result yet</source>
+        <translation>Noch kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 components, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 components, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::Document</name>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>%1 nach unten</translation>
+    </message>
+    <message>
+        <source>Switch on %1</source>
+        <translation>%1 einschalten</translation>
+    </message>
+    <message>
+        <source>Switch off %1</source>
+        <translation>%1 ausschalten</translation>
+    </message>
+    <message>
+        <source>Run in parallel</source>
+        <translation>Parallel ausführen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::EditorWindow</name>
+    <message>
+        <source>Environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Filters</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop loading or running; the last result stays (Esc)</source>
+        <translation>Laden oder Lauf anhalten; das letzte Ergebnis bleibt (Esc)</translation>
+    </message>
+    <message>
+        <source>Files and view</source>
+        <translation>Dateien und Ansicht</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Pipeline</source>
+        <translation>&amp;Pipeline</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Öffnen...</translation>
+    </message>
+    <message>
+        <source>Open an environment or a session</source>
+        <translation>Eine Umgebung oder eine Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Save session...</source>
+        <translation>Sitzung &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>Save environment, filters and view</source>
+        <translation>Umgebung, Filter und Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Save session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Open pipeline...</source>
+        <translation>Pipeline &amp;öffnen...</translation>
+    </message>
+    <message>
+        <source>&amp;Save pipeline...</source>
+        <translation>Pipeline &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>Use &amp;default filters</source>
+        <translation>&amp;Vorgegebene Filter verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Run again</source>
+        <translation>&amp;Erneut ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>From the &amp;top</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Look straight down, as on a plan</source>
+        <translation>Senkrecht nach unten sehen, wie auf einem Plan</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>&amp;Oblique</source>
+        <translation>&amp;Schräg</translation>
+    </message>
+    <message>
+        <source>Look from above at an angle</source>
+        <translation>Schräg von oben sehen</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Schräg</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Bring everything into sight</source>
+        <translation>Alles ins Bild bringen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom o&amp;ut</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>All keys, and what the mouse does in the view</source>
+        <translation>Alle Tasten, und was die Maus in der Ansicht tut</translation>
+    </message>
+    <message>
+        <source>&amp;About Footfall</source>
+        <translation>&amp;Über Footfall</translation>
+    </message>
+    <message>
+        <source>About Footfall</source>
+        <translation>Über Footfall</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Footfall %1&lt;/b&gt;&lt;p&gt;The exact walkable area of 3D environments.&lt;/p&gt;&lt;p&gt;Free software under the GNU GPL, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Footfall %1&lt;/b&gt;&lt;p&gt;Die exakte begehbare Fläche von 3D-Umgebungen.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU GPL, Version 3 oder später.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Environments and sessions (%1)</source>
+        <translation>Umgebungen und Sitzungen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a pipeline</source>
+        <translation>Eine Pipeline öffnen</translation>
+    </message>
+    <message>
+        <source>Pipelines (*.pipeline *.txt);;All files (*)</source>
+        <translation>Pipelines (*.pipeline *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the pipeline</source>
+        <translation>Pipeline speichern</translation>
+    </message>
+    <message>
+        <source>Pipelines (*.pipeline)</source>
+        <translation>Pipelines (*.pipeline)</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.%1)</source>
+        <translation>Sitzungen (*.%1)</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Auslastung</translation>
+    </message>
+    <message>
+        <source>Run in &amp;parallel</source>
+        <translation>&amp;Parallel ausführen</translation>
+    </message>
+    <message>
+        <source>Put an automatic strategy and a Collapse around the local filters</source>
+        <translation>Eine automatische Strategie und ein Collapse um die lokalen Filter setzen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view cells</source>
+        <translation>Zellen-&amp;Vorschau</translation>
+    </message>
+    <message>
+        <source>&amp;Cells</source>
+        <translation>&amp;Zellen</translation>
+    </message>
+    <message>
+        <source>Show the cells of the parallel block</source>
+        <translation>Die Zellen des parallelen Blocks zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Load</source>
+        <translation>A&amp;uslastung</translation>
+    </message>
+    <message>
+        <source>Show how the work was spread over threads</source>
+        <translation>Zeigen, wie die Arbeit auf Threads verteilt war</translation>
+    </message>
+    <message>
+        <source>No local filter can run in parallel; add a clearance filter first.</source>
+        <translation>Kein lokaler Filter kann parallel laufen; fügen Sie zuerst einen Höhenfilter hinzu.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Tells about the filter that has the focus</source>
+        <translation>Erklärt den Filter, der den Fokus hat</translation>
+    </message>
+    <message>
+        <source>&amp;Reset window layout</source>
+        <translation>&amp;Fensteraufteilung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels and tool bars back to where they were at first</source>
+        <translation>Alle Tafeln und Leisten dorthin zurückstellen, wo sie anfangs waren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1: %n triangle(s)</source>
+        <translation>
+            <numerusform>%1 geöffnet: %n Dreieck</numerusform>
+            <numerusform>%1 geöffnet: %n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The run was cancelled</source>
+        <translation>Der Lauf wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>What was opened, run and written, and all errors</source>
+        <translation>Was geöffnet, ausgeführt und geschrieben wurde, und alle Fehler</translation>
+    </message>
+    <message>
+        <source>Save the log</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt);;All files (*)</source>
+        <translation>Textdateien (*.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Run finished: %1</source>
+        <translation>Lauf beendet: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms</source>
+        <translation>%1: %2 ms</translation>
+    </message>
+    <message>
+        <source>, %1 → %2 triangles</source>
+        <translation>, %1 → %2 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open sample %1</source>
+        <translation>Beispiel %1 öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command...</source>
+        <translation>&amp;Befehl suchen...</translation>
+    </message>
+    <message>
+        <source>Everything that can be done, by a few letters</source>
+        <translation>Alles, was man tun kann, mit wenigen Buchstaben</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Willkommen</translation>
+    </message>
+    <message>
+        <source>Samples, recent files and the last session</source>
+        <translation>Beispiele, zuletzt geöffnete Dateien und die letzte Sitzung</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>nothing to export; open an environment first</source>
+        <translation>Es gibt nichts zu exportieren; öffnen Sie zuerst eine Umgebung</translation>
+    </message>
+    <message>
+        <source>session, &apos;%1&apos;: %2; this part was left out</source>
+        <translation>Sitzung, „%1“: %2; dieser Teil wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>Änderungen an %1 speichern?</translation>
+    </message>
+    <message>
+        <source>They are lost otherwise.</source>
+        <translation>Sie gehen sonst verloren.</translation>
+    </message>
+    <message>
+        <source>Footfall ended unexpectedly while %1 was open (last change %2). Restore it?</source>
+        <translation>Footfall wurde unerwartet beendet, während %1 geöffnet war (letzte Änderung %2). Wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>Loading cancelled</source>
+        <translation>Laden abgebrochen</translation>
+    </message>
+    <message>
+        <source>Cancelled; the view shows the result before. Press F5 to run again.</source>
+        <translation>Abgebrochen; die Ansicht zeigt das vorige Ergebnis. F5 startet erneut.</translation>
+    </message>
+    <message>
+        <source>The run failed; the view shows the result before</source>
+        <translation>Der Lauf ist fehlgeschlagen; die Ansicht zeigt das vorige Ergebnis</translation>
+    </message>
+    <message>
+        <source>Your filters were kept for this environment.</source>
+        <translation>Ihre Filter wurden für diese Umgebung behalten.</translation>
+    </message>
+    <message>
+        <source>Use default filters</source>
+        <translation>Vorgegebene Filter verwenden</translation>
+    </message>
+    <message>
+        <source>Change import options</source>
+        <translation>Importoptionen ändern</translation>
+    </message>
+    <message>
+        <source>walkable triangle</source>
+        <translation>begehbares Dreieck</translation>
+    </message>
+    <message>
+        <source>walkable triangles</source>
+        <translation>begehbare Dreiecke</translation>
+    </message>
+    <message>
+        <source>area %1 units²</source>
+        <translation>Fläche %1 Einheiten²</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>obstacle edge</source>
+        <translation>Hinderniskante</translation>
+    </message>
+    <message>
+        <source>obstacle edges</source>
+        <translation>Hinderniskanten</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>no environment</source>
+        <translation>keine Umgebung</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the walkable area, a picture or a report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::EnvironmentLoader</name>
+    <message>
+        <source>%1: memory ran out; close other programs or use a smaller environment</source>
+        <translation>%1: Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::EnvironmentTools</name>
+    <message>
+        <source>Meshes and Materials</source>
+        <translation>Netze und Materialien</translation>
+    </message>
+    <message>
+        <source>Leave parts of the environment out, or make them obstacles that nobody walks on</source>
+        <translation>Teile der Umgebung weglassen oder zu Hindernissen machen, auf denen niemand geht</translation>
+    </message>
+    <message>
+        <source>%1 is gone from the disk; the result stays, and the file is read again when it comes back</source>
+        <translation>%1 ist nicht mehr auf der Platte; das Ergebnis bleibt, und die Datei wird wieder gelesen, wenn sie zurückkommt</translation>
+    </message>
+    <message>
+        <source>%1 changed on disk, but %2; what was read before stays</source>
+        <translation>%1 hat sich auf der Platte geändert, aber %2; das zuvor Gelesene bleibt</translation>
+    </message>
+    <message>
+        <source>%1 changed on disk; read again</source>
+        <translation>%1 hat sich auf der Platte geändert; neu gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The format of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file to write; its ending chooses the format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the file in a dialog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A group for each layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: all walkable triangles in one group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connections as lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The edges on which two layers meet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obstacle edges as lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges that agents cannot cross though both sides are walkable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Placed obstacles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each obstacle that was placed in the editor, as a group of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y oben</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z oben</translation>
+    </message>
+    <message>
+        <source>Which axis points up in the export; glTF is always Y up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates are multiplied with it. 1 keeps the file&apos;s units (metres in glTF), and OBJ exact; other scales than powers of two round once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Larger pictures have thicker lines, so that they look the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures: as seen now, from the top, and oblique</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are part of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a name for the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a folder; give the name of a file in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;.%1&quot; is no format that can be written; the name must end in .obj, .gltf, .glb, .png or .html.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 does not exist; create it or choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view as it is now, with what tools have drawn, without panels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result of the run under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>step with its times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps with their times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures of a result with %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>obstacle edge</source>
+        <translation>Hinderniskante</translation>
+    </message>
+    <message>
+        <source>obstacle edges</source>
+        <translation>Hinderniskanten</translation>
+    </message>
+    <message>
+        <source>placed obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed obstacles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The export waits for the run under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size: ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glTF has floats: coordinates move by up to %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ExportTexts</name>
+    <message>
+        <source>Wavefront OBJ: exact, in the file&apos;s frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glTF, text: metres, Y up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glTF, binary: metres, Y up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG: the view as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HTML: a report with figures and pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As on the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Twice that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four times that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::FilterActions</name>
+    <message>
+        <source>Parallel blocks</source>
+        <translation>Parallele Blöcke</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t filters</source>
+        <translation>Filter &amp;ausschneiden</translation>
+    </message>
+    <message>
+        <source>Take the selected filters out, as text for the clipboard</source>
+        <translation>Die ausgewählten Filter herausnehmen, als Text für die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>&amp;Copy filters</source>
+        <translation>Filter &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected filters, as lines of a pipeline file</source>
+        <translation>Die ausgewählten Filter kopieren, als Zeilen einer Pipeline-Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Paste filters</source>
+        <translation>Filter &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Put filters from the clipboard behind the selected ones</source>
+        <translation>Filter aus der Zwischenablage hinter die ausgewählten setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate filters</source>
+        <translation>Filter &amp;verdoppeln</translation>
+    </message>
+    <message>
+        <source>Put copies behind the selected filters</source>
+        <translation>Kopien hinter die ausgewählten Filter setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove filters</source>
+        <translation>Filter entfe&amp;rnen</translation>
+    </message>
+    <message>
+        <source>Remove the selected filters</source>
+        <translation>Die ausgewählten Filter entfernen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all filters</source>
+        <translation>A&amp;lle Filter auswählen</translation>
+    </message>
+    <message>
+        <source>Select all rows</source>
+        <translation>Alle Zeilen auswählen</translation>
+    </message>
+    <message>
+        <source>Move filters &amp;up</source>
+        <translation>Filter nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move the selected filters up by one row</source>
+        <translation>Die ausgewählten Filter eine Zeile nach oben</translation>
+    </message>
+    <message>
+        <source>Move filters do&amp;wn</source>
+        <translation>Filter nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Move the selected filters down by one row</source>
+        <translation>Die ausgewählten Filter eine Zeile nach unten</translation>
+    </message>
+    <message>
+        <source>&amp;Switch filters on or off</source>
+        <translation>Filter ein- oder au&amp;sschalten</translation>
+    </message>
+    <message>
+        <source>Switch the selected filters off, or on again</source>
+        <translation>Die ausgewählten Filter aus- oder wieder einschalten</translation>
+    </message>
+    <message>
+        <source>Run &amp;only up to here</source>
+        <translation>&amp;Nur bis hier ausführen</translation>
+    </message>
+    <message>
+        <source>Switch off all filters behind the selected one</source>
+        <translation>Alle Filter hinter dem ausgewählten ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch all ot&amp;hers off</source>
+        <translation>Alle an&amp;deren ausschalten</translation>
+    </message>
+    <message>
+        <source>Leave only the selected filters on</source>
+        <translation>Nur die ausgewählten Filter anlassen</translation>
+    </message>
+    <message>
+        <source>Switch all o&amp;n</source>
+        <translation>Alle e&amp;inschalten</translation>
+    </message>
+    <message>
+        <source>Switch all filters on</source>
+        <translation>Alle Filter einschalten</translation>
+    </message>
+    <message>
+        <source>Use de&amp;fault values</source>
+        <translation>Vor&amp;gaben verwenden</translation>
+    </message>
+    <message>
+        <source>Give the selected filters the values of new ones</source>
+        <translation>Den ausgewählten Filtern die Werte neuer geben</translation>
+    </message>
+    <message>
+        <source>&amp;Insert behind</source>
+        <translation>&amp;Dahinter einfügen</translation>
+    </message>
+    <message>
+        <source>Insert &amp;before</source>
+        <translation>Da&amp;vor einfügen</translation>
+    </message>
+    <message>
+        <source>Insert %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+    <message>
+        <source>clipboard: holds no filters; copy lines of a pipeline first</source>
+        <translation>Zwischenablage: enthält keine Filter; kopieren Sie zuerst Zeilen einer Pipeline</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>Use default values of %1</source>
+        <translation>Vorgaben von %1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::FilterHelp</name>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>a length in the environment&apos;s units</source>
+        <translation>eine Länge in den Einheiten der Umgebung</translation>
+    </message>
+    <message>
+        <source>an area in the environment&apos;s units</source>
+        <translation>eine Fläche in den Einheiten der Umgebung</translation>
+    </message>
+    <message>
+        <source>on or off</source>
+        <translation>an oder aus</translation>
+    </message>
+    <message>
+        <source>a whole number above %1</source>
+        <translation>eine ganze Zahl über %1</translation>
+    </message>
+    <message>
+        <source>a number above %1</source>
+        <translation>eine Zahl über %1</translation>
+    </message>
+    <message>
+        <source>a whole number from %1</source>
+        <translation>eine ganze Zahl ab %1</translation>
+    </message>
+    <message>
+        <source>a number from %1</source>
+        <translation>eine Zahl ab %1</translation>
+    </message>
+    <message>
+        <source>to below %1</source>
+        <translation>bis unter %1</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Takes %1. Default: %2.</source>
+        <translation>Nimmt %1. Vorgabe: %2.</translation>
+    </message>
+    <message>
+        <source>Needs</source>
+        <translation>Braucht</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Wirkung</translation>
+    </message>
+    <message>
+        <source>Partitioning</source>
+        <translation>Aufteilung</translation>
+    </message>
+    <message>
+        <source>Local: may stand inside a parallel block</source>
+        <translation>Lokal: darf in einem parallelen Block stehen</translation>
+    </message>
+    <message>
+        <source>Global: may not stand inside a parallel block</source>
+        <translation>Global: darf nicht in einem parallelen Block stehen</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>In pipeline files</source>
+        <translation>In Pipeline-Dateien</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::FilterList</name>
+    <message>
+        <source>No filters: everything that faces up is walkable. Add one above.</source>
+        <translation>Keine Filter: Alles, was nach oben zeigt, ist begehbar. Fügen Sie oben einen hinzu.</translation>
+    </message>
+    <message>
+        <source>+ Add filter</source>
+        <translation>+ Filter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a filter at the end of the list</source>
+        <translation>Einen Filter ans Ende der Liste setzen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Take a pipeline by its name, or keep this one</source>
+        <translation>Eine Pipeline nach Namen nehmen, oder diese behalten</translation>
+    </message>
+    <message>
+        <source>Run automatically</source>
+        <translation>Selbsttätig ausführen</translation>
+    </message>
+    <message>
+        <source>On: each edit runs at once, or when you stop where runs take long. Off: press F5 to run.</source>
+        <translation>An: Jede Änderung läuft sofort, oder wenn Sie innehalten, wo Läufe lange dauern. Aus: F5 führt aus.</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::FilterRow</name>
+    <message>
+        <source>&lt;p&gt;Type it, drag sideways, or turn the wheel while the field has the focus; Shift: finer, Ctrl: coarser, Esc: back.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Tippen, seitwärts ziehen oder das Rad drehen, während das Feld den Fokus hat; Umschalt: feiner, Strg: gröber, Esc: zurück.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>%1 → %2 triangles</source>
+        <translation>%1 → %2 Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Drag to change the order (or Alt+Up, Alt+Down)</source>
+        <translation>Ziehen ändert die Reihenfolge (auch Alt+Auf, Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>Remove this filter</source>
+        <translation>Diesen Filter entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Preview the cells that this strategy makes, without running the filters</source>
+        <translation>Die Zellen dieser Strategie vorab zeigen, ohne die Filter auszuführen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::GuardedApplication</name>
+    <message>
+        <source>something went wrong that gave no reason; save your session under another name and start Footfall anew</source>
+        <translation>Etwas ging schief und nannte keinen Grund; speichern Sie die Sitzung unter anderem Namen und starten Sie Footfall neu</translation>
+    </message>
+    <message>
+        <source>memory ran out; what was there is still there. Close other programs, or open a smaller environment</source>
+        <translation>Der Speicher reicht nicht; was da war, ist noch da. Schließen Sie andere Programme oder öffnen Sie eine kleinere Umgebung</translation>
+    </message>
+    <message>
+        <source>internal error (%1); please report it with what you did</source>
+        <translation>Interner Fehler (%1); bitte melden Sie ihn mit dem, was Sie getan haben</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::HeightSlider</name>
+    <message>
+        <source>Heights that are shown</source>
+        <translation>Gezeigte Höhen</translation>
+    </message>
+    <message>
+        <source>Leave out what is higher or lower, to look under roofs. The result stays the same.
+Handles snap to floors, not with Alt held; a double click shows all again.</source>
+        <translation>Weglassen, was höher oder tiefer liegt, um unter Dächer zu sehen. Das Ergebnis bleibt gleich.
+Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklick zeigt wieder alles.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::HelpPanel</name>
+    <message>
+        <source>Help about the filter that has the focus</source>
+        <translation>Hilfe zum Filter, der den Fokus hat</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Click on a filter, or go to it with Tab: this tells what it does, what its values mean and what it needs.&lt;/p&gt;&lt;p&gt;F1 lists all keys. Ctrl+K finds every command by a few letters.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Klicken Sie auf einen Filter, oder gehen Sie mit Tab hin: Hier steht, was er tut, was seine Werte bedeuten und was er braucht.&lt;/p&gt;&lt;p&gt;F1 zeigt alle Tasten. Strg+K findet jeden Befehl mit wenigen Buchstaben.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ImportPanel</name>
+    <message>
+        <source>Nothing loaded</source>
+        <translation>Nichts geladen</translation>
+    </message>
+    <message>
+        <source>Open a file (Ctrl+O), or drop one here.</source>
+        <translation>Öffnen Sie eine Datei (Strg+O), oder lassen Sie eine hier fallen.</translation>
+    </message>
+    <message>
+        <source>Guess</source>
+        <translation>Raten</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y oben</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z oben</translation>
+    </message>
+    <message>
+        <source>Which axis of the file points up. Z is up here; the export is turned back.</source>
+        <translation>Welche Achse der Datei nach oben zeigt. Hier ist Z oben; der Export wird zurückgedreht.</translation>
+    </message>
+    <message>
+        <source>How many metres one unit of the file is. Coordinates are never scaled: this sets the default values of the filters. Filters that still have their defaults follow.</source>
+        <translation>Wie viele Meter eine Einheit der Datei ist. Koordinaten werden nie skaliert: Dies bestimmt die Vorgaben der Filter. Filter, die noch ihre Vorgaben haben, folgen.</translation>
+    </message>
+    <message>
+        <source>Both sides count as up</source>
+        <translation>Beide Seiten zählen als oben</translation>
+    </message>
+    <message>
+        <source>For files whose triangles face the wrong way: whatever faces down is taken as facing up.</source>
+        <translation>Für Dateien, deren Dreiecke falsch herum liegen: Was nach unten zeigt, gilt als nach oben zeigend.</translation>
+    </message>
+    <message>
+        <source>Watch the file</source>
+        <translation>Datei beobachten</translation>
+    </message>
+    <message>
+        <source>Reads the file again when another program has saved it. Camera, filters, roles and obstacles stay, and only what differs is computed again.</source>
+        <translation>Liest die Datei neu, wenn ein anderes Programm sie gespeichert hat. Kamera, Filter, Rollen und Hindernisse bleiben, und nur was sich unterscheidet, wird neu berechnet.</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Metres per unit</source>
+        <translation>Meter je Einheit</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>Polygone</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Skipped: %1</source>
+        <translation>Ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>%1 up (guessed)</source>
+        <translation>%1 oben (geraten)</translation>
+    </message>
+    <message>
+        <source>(guessed)</source>
+        <translation>(geraten)</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::InspectionFeature</name>
+    <message>
+        <source>Why?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show why the last place that was asked for is walkable or not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Why?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a place to learn why it is walkable, or what stands in the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>List the connected parts of the walkable area by their size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is there; click the level itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no result yet; the answer follows when a run has finished.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This filter is not in the list any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::InspectionWatch</name>
+    <message>
+        <source>Why: memory ran out; close other programs or use a smaller environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::Language</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Takes effect when Footfall is started the next time</source>
+        <translation>Gilt, sobald Footfall das nächste Mal gestartet wird</translation>
+    </message>
+    <message>
+        <source>Language: as the &amp;system</source>
+        <translation>Sprache: wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Sprache: %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::LayerPanel</name>
+    <message>
+        <source>No result yet</source>
+        <translation>Noch kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Show all layers again</source>
+        <translation>Wieder alle Ebenen zeigen</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>The eye (or Space) hides and shows a layer. A click on a row (or Enter) shows it alone, another one shows all again; a double click brings it into sight. Walls stay: see View &gt; Walkable only, or the heights.</source>
+        <translation>Das Auge (oder die Leertaste) blendet eine Ebene aus und ein. Ein Klick auf eine Zeile (oder die Eingabetaste) zeigt sie allein, ein weiterer wieder alle; ein Doppelklick bringt sie ins Bild. Wände bleiben: siehe Ansicht &gt; Nur Begehbares, oder die Höhen.</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Surface, in square units</source>
+        <translation>Oberfläche in Quadrateinheiten</translation>
+    </message>
+    <message>
+        <source>Walkable triangles</source>
+        <translation>Begehbare Dreiecke</translation>
+    </message>
+    <message>
+        <source>Whether the view shows it</source>
+        <translation>Ob die Ansicht sie zeigt</translation>
+    </message>
+    <message>
+        <source>Walkable area</source>
+        <translation>Begehbare Fläche</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>ausgeblendet</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>Not divided into layers; add a layer filter to tell floors apart</source>
+        <translation>Nicht in Ebenen geteilt; fügen Sie einen Ebenenfilter hinzu, um Stockwerke zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 layers shown</source>
+        <translation>%1 von %2 Ebenen gezeigt</translation>
+    </message>
+    <message>
+        <source>1 layer</source>
+        <translation>1 Ebene</translation>
+    </message>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 Ebenen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::Legend</name>
+    <message>
+        <source>Walkable</source>
+        <translation>Begehbar</translation>
+    </message>
+    <message>
+        <source>Where an agent can stand and walk</source>
+        <translation>Wo ein Agent stehen und gehen kann</translation>
+    </message>
+    <message>
+        <source>Obstacle edge: not to be crossed</source>
+        <translation>Hinderniskante: nicht zu überqueren</translation>
+    </message>
+    <message>
+        <source>Walkable on both sides, but an agent cannot cross: a wall stands on it</source>
+        <translation>Auf beiden Seiten begehbar, aber nicht zu überqueren: Eine Wand steht darauf</translation>
+    </message>
+    <message>
+        <source>Connection of two layers</source>
+        <translation>Verbindung zweier Ebenen</translation>
+    </message>
+    <message>
+        <source>An edge on which two layers meet: agents can cross</source>
+        <translation>Eine Kante, an der sich zwei Ebenen treffen: Agenten können hinüber</translation>
+    </message>
+    <message>
+        <source>Not walkable because:</source>
+        <translation>Nicht begehbar, weil:</translation>
+    </message>
+    <message>
+        <source>Floors that a filter removed</source>
+        <translation>Böden, die ein Filter entfernt hat</translation>
+    </message>
+    <message>
+        <source>Walls, ceilings and the rest</source>
+        <translation>Wände, Decken und der Rest</translation>
+    </message>
+    <message>
+        <source>The loaded triangles</source>
+        <translation>Die geladenen Dreiecke</translation>
+    </message>
+    <message>
+        <source>Walkable, 1 layer</source>
+        <translation>Begehbar, 1 Ebene</translation>
+    </message>
+    <message>
+        <source>Walkable, %1 layers</source>
+        <translation>Begehbar, %1 Ebenen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::LevelLook</name>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>List the layers, hide and show them</source>
+        <translation>Die Ebenen auflisten, aus- und einblenden</translation>
+    </message>
+    <message>
+        <source>Next floor &amp;up</source>
+        <translation>Stockwerk &amp;höher</translation>
+    </message>
+    <message>
+        <source>Show only the next layer, or the next storey where there are no layers</source>
+        <translation>Nur die nächste Ebene zeigen, oder das nächste Stockwerk, wo es keine Ebenen gibt</translation>
+    </message>
+    <message>
+        <source>Next floor &amp;down</source>
+        <translation>Stockwerk &amp;tiefer</translation>
+    </message>
+    <message>
+        <source>Show only the layer before, or the storey below</source>
+        <translation>Nur die vorige Ebene zeigen, oder das Stockwerk darunter</translation>
+    </message>
+    <message>
+        <source>Show &amp;all floors</source>
+        <translation>&amp;Alle Stockwerke zeigen</translation>
+    </message>
+    <message>
+        <source>Show all layers and heights again</source>
+        <translation>Wieder alle Ebenen und Höhen zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::LoadPanel</name>
+    <message>
+        <source>Run in parallel</source>
+        <translation>Parallel ausführen</translation>
+    </message>
+    <message>
+        <source>Put an automatic strategy and a Collapse around the local filters; one step of undo</source>
+        <translation>Eine automatische Strategie und ein Collapse um die lokalen Filter setzen; ein Schritt zum Rückgängigmachen</translation>
+    </message>
+    <message>
+        <source>Parallel block</source>
+        <translation>Paralleler Block</translation>
+    </message>
+    <message>
+        <source>Which parallel block is shown</source>
+        <translation>Welcher parallele Block gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Show the last run</source>
+        <translation>Den letzten Lauf zeigen</translation>
+    </message>
+    <message>
+        <source>Leave the preview</source>
+        <translation>Die Vorschau verlassen</translation>
+    </message>
+    <message>
+        <source>Open an environment to see how the work on it is spread over threads.</source>
+        <translation>Öffnen Sie eine Umgebung, um zu sehen, wie die Arbeit daran auf Threads verteilt ist.</translation>
+    </message>
+    <message>
+        <source>The cells of the parallel block show here as soon as they are made.</source>
+        <translation>Die Zellen des parallelen Blocks erscheinen hier, sobald es sie gibt.</translation>
+    </message>
+    <message>
+        <source>This pipeline has no parallel block. Add a strategy before the local filters and a Collapse behind them to divide the environment into cells, and to see here how the work is spread.</source>
+        <translation>Diese Pipeline hat keinen parallelen Block. Setzen Sie eine Strategie vor die lokalen Filter und ein Collapse dahinter, um die Umgebung in Zellen zu teilen und hier zu sehen, wie die Arbeit verteilt ist.</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>%1, before a run</source>
+        <translation>%1, vor einem Lauf</translation>
+    </message>
+    <message>
+        <source>%1 of %2 finished</source>
+        <translation>%1 von %2 fertig</translation>
+    </message>
+    <message>
+        <source>Block %1</source>
+        <translation>Block %1</translation>
+    </message>
+    <message>
+        <source>Expected: imbalance &lt;b&gt;%1&lt;/b&gt; on %2 threads</source>
+        <translation>Erwartet: Ungleichgewicht &lt;b&gt;%1&lt;/b&gt; auf %2 Threads</translation>
+    </message>
+    <message>
+        <source>Imbalance &lt;b&gt;%1&lt;/b&gt;</source>
+        <translation>Ungleichgewicht &lt;b&gt;%1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on %2 threads</source>
+        <translation>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; auf %2 Threads</translation>
+    </message>
+    <message>
+        <source>Load imbalance: the busiest thread&apos;s time over the mean, 1 at best. Speed-up: the work of all threads on cells over the time that the cells took.</source>
+        <translation>Ungleichgewicht: die Zeit des am meisten beschäftigten Threads durch das Mittel, bestenfalls 1. Beschleunigung: die Arbeit aller Threads an Zellen durch die Zeit, die die Zellen brauchten.</translation>
+    </message>
+    <message>
+        <source>The whole run: %1</source>
+        <translation>Der ganze Lauf: %1</translation>
+    </message>
+    <message>
+        <source>hatched: idle</source>
+        <translation>schraffiert: untätig</translation>
+    </message>
+    <message>
+        <source>Filters below the cells: </source>
+        <translation>Filter unter den Zellen: </translation>
+    </message>
+    <message>
+        <source>Nothing has run: the cells by estimated cost, each for the thread that is free first.</source>
+        <translation>Noch ist nichts gelaufen: die Zellen nach geschätztem Aufwand, jede für den Thread, der zuerst frei ist.</translation>
+    </message>
+    <message>
+        <source>The lanes of the threads fill when cells run.</source>
+        <translation>Die Spuren der Threads füllen sich, wenn Zellen laufen.</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::LogPanel</name>
+    <message>
+        <source>Which messages are shown</source>
+        <translation>Welche Meldungen gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Hints and errors</source>
+        <translation>Hinweise und Fehler</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search in the messages</source>
+        <translation>In den Meldungen suchen</translation>
+    </message>
+    <message>
+        <source>Show messages with this text</source>
+        <translation>Meldungen mit diesem Text zeigen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected messages, or all that are shown</source>
+        <translation>Die ausgewählten Meldungen kopieren, oder alle gezeigten</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern...</translation>
+    </message>
+    <message>
+        <source>Save the selected messages, or all that are shown, as a text file</source>
+        <translation>Die ausgewählten Meldungen als Textdatei speichern, oder alle gezeigten</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Forget all messages</source>
+        <translation>Alle Meldungen vergessen</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::MeasureFeature</name>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Distances, heights and slopes between places</source>
+        <translation>Abstände, Höhen und Neigungen zwischen Stellen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Distance, height and slope between places that you click</source>
+        <translation>Abstand, Höhe und Neigung zwischen Stellen, die Sie anklicken</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::MeasurePanel</name>
+    <message>
+        <source>Measured pieces</source>
+        <translation>Gemessene Stücke</translation>
+    </message>
+    <message>
+        <source>Each piece between two places, in the environment&apos;s units; height and slope from the first place to the second</source>
+        <translation>Jedes Stück zwischen zwei Stellen, in den Einheiten der Umgebung; Höhe und Neigung von der ersten zur zweiten Stelle</translation>
+    </message>
+    <message>
+        <source>In plan</source>
+        <translation>Im Grundriss</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Slope °</source>
+        <translation>Neigung °</translation>
+    </message>
+    <message>
+        <source>Slope %</source>
+        <translation>Neigung %</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy places and measures as a table</source>
+        <translation>Stellen und Maße als Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Remove last</source>
+        <translation>Letzte entfernen</translation>
+    </message>
+    <message>
+        <source>Take the last place back</source>
+        <translation>Die letzte Stelle zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Take all places away</source>
+        <translation>Alle Stellen wegnehmen</translation>
+    </message>
+    <message>
+        <source>Click two or more places in the view.</source>
+        <translation>Klicken Sie zwei oder mehr Stellen in der Ansicht an.</translation>
+    </message>
+    <message>
+        <source>From %1</source>
+        <translation>Von %1</translation>
+    </message>
+    <message>
+        <source>From %1
+to %2</source>
+        <translation>Von %1
+bis %2</translation>
+    </message>
+    <message>
+        <source>Together %1, in the plan %2</source>
+        <translation>Zusammen %1, im Grundriss %2</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::MeasureTool</name>
+    <message>
+        <source>%1 (%2 in the plan), height %3, %4</source>
+        <translation>%1 (%2 im Grundriss), Höhe %3, %4</translation>
+    </message>
+    <message>
+        <source>Measure: click two or more places. Enter ends the line, Backspace takes a place back, Ctrl+C copies, Esc ends.</source>
+        <translation>Messen: Klicken Sie zwei oder mehr Stellen an. Eingabe beendet die Linie, Rücktaste nimmt eine Stelle zurück, Strg+C kopiert, Esc beendet.</translation>
+    </message>
+    <message>
+        <source>x	y	z	distance	in the plan	height	degrees	percent</source>
+        <translation>x	y	z	Abstand	im Grundriss	Höhe	Grad	Prozent</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>%1
+plan %2, height %3
+%4</source>
+        <translation>%1
+Grundriss %2, Höhe %3
+%4</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>Ecke</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::MessageBar</name>
+    <message>
+        <source>Close this message; the log keeps it</source>
+        <translation>Diese Meldung schließen; das Protokoll behält sie</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Fehler: %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::MessageLog</name>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>hint</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::NumberField</name>
+    <message>
+        <source>not a number; write decimals with a point</source>
+        <translation>keine Zahl; schreiben Sie Dezimalen mit einem Punkt</translation>
+    </message>
+    <message>
+        <source>not a number; give %1</source>
+        <translation>keine Zahl; geben Sie %1</translation>
+    </message>
+    <message>
+        <source>%1; it stays %2</source>
+        <translation>%1; es bleibt %2</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ObstacleEditor</name>
+    <message>
+        <source>Cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>duplicate %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ObstacleFeatures</name>
+    <message>
+        <source>&amp;Select and move obstacles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select obstacles; move, turn and resize them with handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place a &amp;box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place a &amp;cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place a &amp;ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click where a box is to stand, or draw its base and then its height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click where a cylinder is to stand, or draw its base and then its height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click where a ramp is to stand, or draw its base, the way it rises, and then its height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List of placed obstacles, with their places and sizes in numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A copy beside the selected obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D&amp;elete obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the selected obstacle out of the level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: at %2, %3, %4; size %5 × %6 × %7; %8°</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ObstaclePanel</name>
+    <message>
+        <source>Obstacles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was placed into the level; a double click brings it into sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a shape, then click in the view where it is to stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>A copy beside the selected obstacle (Ctrl+D)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the selected obstacle out of the level (Del)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it is called in this list, in undo and in exports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle of its bottom, along x, in units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle of its bottom, along y, in units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of its bottom, in units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Extent along its own x axis, in units; a ramp rises along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Extent along its own y axis, in units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Extent upward, in units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the vertical, in degrees, counter-clockwise from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base x, y, z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size x, y, z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Stick to the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is moved sideways follows the ground: up to a metre up, and down as far as it goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rename to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>resize %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PartLevel</name>
+    <message>
+        <source>the roles of parts cannot be applied (%1); close other programs or use a smaller environment</source>
+        <translation>Die Rollen der Teile können nicht angewandt werden (%1); schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PartModel</name>
+    <message>
+        <source>(no material)</source>
+        <translation>(kein Material)</translation>
+    </message>
+    <message>
+        <source>(unnamed)</source>
+        <translation>(ohne Namen)</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>mesh and its only material</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>obstacle only</source>
+        <translation>nur Hindernis</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>as usual</source>
+        <translation>wie sonst</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>gemischt</translation>
+    </message>
+    <message>
+        <source>Mesh: %1
+%2 materials</source>
+        <translation>Netz: %1
+%2 Materialien</translation>
+    </message>
+    <message>
+        <source>Mesh: %1
+Material: %2</source>
+        <translation>Netz: %1
+Material: %2</translation>
+    </message>
+    <message>
+        <source>(no name)</source>
+        <translation>(kein Name)</translation>
+    </message>
+    <message>
+        <source>%1, %2, triangles: %3</source>
+        <translation>%1, %2, Dreiecke: %3</translation>
+    </message>
+    <message>
+        <source>Mesh, material</source>
+        <translation>Netz, Material</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PartPanel</name>
+    <message>
+        <source>Filter by name</source>
+        <translation>Nach Namen filtern</translation>
+    </message>
+    <message>
+        <source>Filter meshes and materials by name</source>
+        <translation>Netze und Materialien nach Namen filtern</translation>
+    </message>
+    <message>
+        <source>Shows only meshes and materials whose names contain this</source>
+        <translation>Zeigt nur Netze und Materialien, deren Name dies enthält</translation>
+    </message>
+    <message>
+        <source>Meshes and materials</source>
+        <translation>Netze und Materialien</translation>
+    </message>
+    <message>
+        <source>Open an environment to see its meshes and materials.</source>
+        <translation>Öffnen Sie eine Umgebung, um ihre Netze und Materialien zu sehen.</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Wie sonst</translation>
+    </message>
+    <message>
+        <source>Selected parts are walkable where the filters let them be</source>
+        <translation>Ausgewählte Teile sind begehbar, wo die Filter es zulassen</translation>
+    </message>
+    <message>
+        <source>Obstacle only</source>
+        <translation>Nur Hindernis</translation>
+    </message>
+    <message>
+        <source>Nobody walks on selected parts, but they still stand in the way</source>
+        <translation>Auf ausgewählten Teilen geht niemand, aber sie stehen weiter im Weg</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>Selected parts are left out, as if the file had none of them</source>
+        <translation>Ausgewählte Teile werden weggelassen, als hätte die Datei sie nicht</translation>
+    </message>
+    <message>
+        <source>Show in the View</source>
+        <translation>In der Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Brings the selected parts into sight (double click, Return)</source>
+        <translation>Bringt die ausgewählten Teile ins Bild (Doppelklick, Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 Teile</translation>
+    </message>
+    <message>
+        <source>ignore %1</source>
+        <translation>%1 weglassen</translation>
+    </message>
+    <message>
+        <source>make %1 an obstacle only</source>
+        <translation>%1 nur zum Hindernis machen</translation>
+    </message>
+    <message>
+        <source>make %1 walkable as usual</source>
+        <translation>%1 wie sonst begehbar machen</translation>
+    </message>
+    <message>
+        <source>include %1</source>
+        <translation>%1 wieder aufnehmen</translation>
+    </message>
+    <message>
+        <source>Selected: %1, %2 triangles</source>
+        <translation>Ausgewählt: %1, %2 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Of %1 triangles, %2 ignored and %3 obstacles only</source>
+        <translation>Von %1 Dreiecken %2 weggelassen und %3 nur Hindernis</translation>
+    </message>
+    <message>
+        <source>%1 triangles in one part</source>
+        <translation>%1 Dreiecke in einem Teil</translation>
+    </message>
+    <message>
+        <source>%1 triangles in %2 parts</source>
+        <translation>%1 Dreiecke in %2 Teilen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PathFeature</name>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Enter two places and see the shortest path between them</source>
+        <translation>Zwei Stellen eingeben und den kürzesten Weg dazwischen sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Try it</source>
+        <translation>&amp;Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Click two places and see the shortest path between them</source>
+        <translation>Zwei Stellen anklicken und den kürzesten Weg dazwischen sehen</translation>
+    </message>
+    <message>
+        <source>Open an environment first.</source>
+        <translation>Öffnen Sie zuerst eine Umgebung.</translation>
+    </message>
+    <message>
+        <source>There is no result to walk on yet.</source>
+        <translation>Es gibt noch kein Ergebnis, auf dem man gehen könnte.</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PathModel</name>
+    <message>
+        <source>the path: memory ran out; close other programs or use a smaller environment</source>
+        <translation>Der Weg: Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PathPanel</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Walking speed in metres a second</source>
+        <translation>Gehgeschwindigkeit in Metern je Sekunde</translation>
+    </message>
+    <message>
+        <source>Walking speed in metres a second, for the time that the path takes</source>
+        <translation>Gehgeschwindigkeit in Metern je Sekunde, für die Dauer des Wegs</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>Start where it ends, and the other way round</source>
+        <translation>Am Ende beginnen und umgekehrt</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy places and figures as text</source>
+        <translation>Stellen und Zahlen als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Take both places away</source>
+        <translation>Beide Stellen wegnehmen</translation>
+    </message>
+    <message>
+        <source>Start %1</source>
+        <translation>Start %1</translation>
+    </message>
+    <message>
+        <source>Target %1</source>
+        <translation>Ziel %1</translation>
+    </message>
+    <message>
+        <source>Click two places in the view, or enter them here.</source>
+        <translation>Klicken Sie zwei Stellen in der Ansicht an, oder geben Sie sie hier ein.</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PathText</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>Nothing is walkable here.</source>
+        <translation>Hier ist nichts begehbar.</translation>
+    </message>
+    <message>
+        <source>The start is not walkable. The nearest place that is lies %1 away, at %2.</source>
+        <translation>Der Start ist nicht begehbar. Die nächste begehbare Stelle liegt %1 entfernt, bei %2.</translation>
+    </message>
+    <message>
+        <source>The target is not walkable. One can come as near as %1 to it, at %2.</source>
+        <translation>Das Ziel ist nicht begehbar. Man kommt ihm auf %1 nahe, bei %2.</translation>
+    </message>
+    <message>
+        <source>No way leads there: start and target are on separate parts. One can come as near as %1, at %2.</source>
+        <translation>Kein Weg führt dorthin: Start und Ziel liegen auf getrennten Teilen. Man kommt auf %1 heran, bei %2.</translation>
+    </message>
+    <message>
+        <source>Length %1 m</source>
+        <translation>Länge %1 m</translation>
+    </message>
+    <message>
+        <source>Length %1 units (%2 m)</source>
+        <translation>Länge %1 Einheiten (%2 m)</translation>
+    </message>
+    <message>
+        <source>In the plan %1, 1 bend</source>
+        <translation>Im Grundriss %1, 1 Knick</translation>
+    </message>
+    <message>
+        <source>In the plan %1, %2 bends</source>
+        <translation>Im Grundriss %1, %2 Knicke</translation>
+    </message>
+    <message>
+        <source>%1 at %2 m/s</source>
+        <translation>%1 bei %2 m/s</translation>
+    </message>
+    <message>
+        <source>On layer %1</source>
+        <translation>Auf Ebene %1</translation>
+    </message>
+    <message>
+        <source>Layers %1 (%2 connections)</source>
+        <translation>Ebenen %1 (%2 Verbindungen)</translation>
+    </message>
+    <message>
+        <source>Slope up to %1, climbs or falls up to %2</source>
+        <translation>Neigung bis %1, steigt oder fällt bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PathTool</name>
+    <message>
+        <source>Try it: click where the path starts. Esc ends.</source>
+        <translation>Ausprobieren: Klicken Sie, wo der Weg beginnt. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Try it: click where the path leads. Backspace takes the start back, Esc ends.</source>
+        <translation>Ausprobieren: Klicken Sie, wohin der Weg führt. Rücktaste nimmt den Start zurück, Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Try it: drag an end, or click to begin another path. Esc ends.</source>
+        <translation>Ausprobieren: Ziehen Sie ein Ende, oder klicken Sie für einen neuen Weg. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Target: %1</source>
+        <translation>Ziel: %1</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Nearest walkable place</source>
+        <translation>Nächste begehbare Stelle</translation>
+    </message>
+    <message>
+        <source>The way ends here</source>
+        <translation>Hier endet der Weg</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PhasePlot</name>
+    <message>
+        <source>Where the time of the run went</source>
+        <translation>Wohin die Zeit des Laufs ging</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PlaceFields</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: height (Z is up here), in the environment&apos;s units</source>
+        <translation>%1: Höhe (Z ist hier oben), in den Einheiten der Umgebung</translation>
+    </message>
+    <message>
+        <source>%1: %2 in the environment&apos;s units</source>
+        <translation>%1: %2 in den Einheiten der Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PlaceObstacleTool</name>
+    <message>
+        <source>Draw the base; let go to go on with the height. Shift snaps, Esc takes back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up or down for the height, then click. Shift snaps, Esc takes back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: click a surface, or drag over it to draw the base. Ctrl places another one after it, Shift snaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PresetStore</name>
+    <message>
+        <source>a preset &apos;%1&apos; is there already; choose another name</source>
+        <translation>Eine Vorlage „%1“ gibt es schon; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be renamed; check the folder</source>
+        <translation>%1: kann nicht umbenannt werden; prüfen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>%1: cannot be deleted; check the folder</source>
+        <translation>%1: kann nicht gelöscht werden; prüfen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>the preset has no name; give one</source>
+        <translation>Die Vorlage hat keinen Namen; geben Sie einen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; begins with a point, or begins or ends with a blank; choose another name</source>
+        <translation>„%1“ beginnt mit einem Punkt oder beginnt oder endet mit einem Leerzeichen; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the name is too long; give at most %1 letters</source>
+        <translation>Der Name ist zu lang; geben Sie höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>a name of a preset is a name of a file and cannot have &apos;%1&apos;; leave it out</source>
+        <translation>Der Name einer Vorlage ist ein Dateiname und kann „%1“ nicht enthalten; lassen Sie es weg</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::PresetsMenu</name>
+    <message>
+        <source>Built in</source>
+        <translation>Mitgeliefert</translation>
+    </message>
+    <message>
+        <source>Use preset %1</source>
+        <translation>Vorlage %1 verwenden</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset...</source>
+        <translation>Als Vorlage &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Rename preset</source>
+        <translation>Vorlage &amp;umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete preset</source>
+        <translation>Vorlage &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Rename the preset</source>
+        <translation>Vorlage umbenennen</translation>
+    </message>
+    <message>
+        <source>Save the filters as a preset</source>
+        <translation>Die Filter als Vorlage speichern</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; was replaced.</source>
+        <translation>Die Vorlage „%1“ wurde ersetzt.</translation>
+    </message>
+    <message>
+        <source>Saved as preset &apos;%1&apos;.</source>
+        <translation>Als Vorlage „%1“ gespeichert.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; was deleted.</source>
+        <translation>Die Vorlage „%1“ wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ProgressDisplay</name>
+    <message>
+        <source>nearly done</source>
+        <translation>fast fertig</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h left</source>
+        <translation>noch etwa %1 h</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::RecentFiles</name>
+    <message>
+        <source>%1 (not there any more)</source>
+        <translation>%1 (nicht mehr da)</translation>
+    </message>
+    <message>
+        <source>(none yet)</source>
+        <translation>(noch keine)</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::RunController</name>
+    <message>
+        <source>memory ran out; close other programs or use a smaller environment</source>
+        <translation>Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cells finished</source>
+        <translation>%1 von %2 Zellen fertig</translation>
+    </message>
+    <message>
+        <source>Putting the cells together</source>
+        <translation>Zellen werden zusammengefügt</translation>
+    </message>
+    <message>
+        <source>Finishing</source>
+        <translation>Abschluss</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SelectObstacleTool</name>
+    <message>
+        <source>move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>turn %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resize %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click an obstacle; drag its handles to move, turn and resize it. Shift snaps, Alt drags a copy, Esc takes back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SessionKeeper</name>
+    <message>
+        <source>%1: the session cannot be kept for after a crash; make this folder writable</source>
+        <translation>%1: Die Sitzung kann nicht für den Fall eines Absturzes behalten werden; machen Sie diesen Ordner beschreibbar</translation>
+    </message>
+    <message>
+        <source>The session cannot be kept for after a crash: %1</source>
+        <translation>Die Sitzung kann nicht für den Fall eines Absturzes behalten werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ShareBar</name>
+    <message>
+        <source>%1 % of the time of all filters</source>
+        <translation>%1 % der Zeit aller Filter</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ShortcutWindow</name>
+    <message>
+        <source>Left drag</source>
+        <translation>Links ziehen</translation>
+    </message>
+    <message>
+        <source>Turn about the pivot</source>
+        <translation>Um den Drehpunkt drehen</translation>
+    </message>
+    <message>
+        <source>Right or middle drag, Shift+left drag</source>
+        <translation>Rechts oder mitte ziehen, Umschalt+links ziehen</translation>
+    </message>
+    <message>
+        <source>Move sideways</source>
+        <translation>Seitwärts verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel, Ctrl+left drag</source>
+        <translation>Rad, Strg+links ziehen</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Turn about this place from now on</source>
+        <translation>Von nun an um diese Stelle drehen</translation>
+    </message>
+    <message>
+        <source>Click on a cell</source>
+        <translation>Klick auf eine Zelle</translation>
+    </message>
+    <message>
+        <source>Select it and bring it into sight</source>
+        <translation>Sie auswählen und ins Bild bringen</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Move sideways (in the view)</source>
+        <translation>Seitwärts verschieben (in der Ansicht)</translation>
+    </message>
+    <message>
+        <source>Alt+Up, Alt+Down</source>
+        <translation>Alt+Auf, Alt+Ab</translation>
+    </message>
+    <message>
+        <source>Move a filter in the list</source>
+        <translation>Einen Filter in der Liste verschieben</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Auf, Ab</translation>
+    </message>
+    <message>
+        <source>Change the value of a field by a small step</source>
+        <translation>Den Wert eines Felds um einen kleinen Schritt ändern</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Umschalt+Tab</translation>
+    </message>
+    <message>
+        <source>Next and previous control</source>
+        <translation>Nächstes und voriges Bedienelement</translation>
+    </message>
+    <message>
+        <source>F10, Alt</source>
+        <translation>F10, Alt</translation>
+    </message>
+    <message>
+        <source>The menus</source>
+        <translation>Die Menüs</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>End a tool, cancel what runs, bring a field&apos;s value back</source>
+        <translation>Ein Werkzeug beenden, Laufendes abbrechen, den Wert eines Felds zurückholen</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>Nach einem Befehl oder einer Taste suchen</translation>
+    </message>
+    <message>
+        <source>Show rows with this text</source>
+        <translation>Zeilen mit diesem Text zeigen</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Was er tut</translation>
+    </message>
+    <message>
+        <source>%1, without keys</source>
+        <translation>%1, ohne Tasten</translation>
+    </message>
+    <message>
+        <source>Mouse, view and fields</source>
+        <translation>Maus, Ansicht und Felder</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::StaleBadge</name>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Out of date: the filters have changed</source>
+        <translation>Veraltet: Die Filter haben sich geändert</translation>
+    </message>
+    <message>
+        <source>Run (F5)</source>
+        <translation>Ausführen (F5)</translation>
+    </message>
+    <message>
+        <source>Run the filters as they are now</source>
+        <translation>Die Filter ausführen, wie sie jetzt sind</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ThemeCommands</name>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>Theme: as the &amp;system</source>
+        <translation>Farbschema: wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the desktop is, and with it when it changes</source>
+        <translation>Hell oder dunkel wie die Arbeitsumgebung, und mit ihr, wenn sie wechselt</translation>
+    </message>
+    <message>
+        <source>Theme: &amp;light</source>
+        <translation>Farbschema: &amp;hell</translation>
+    </message>
+    <message>
+        <source>Dark text on light ground</source>
+        <translation>Dunkler Text auf hellem Grund</translation>
+    </message>
+    <message>
+        <source>Theme: &amp;dark</source>
+        <translation>Farbschema: &amp;dunkel</translation>
+    </message>
+    <message>
+        <source>Light text on dark ground</source>
+        <translation>Heller Text auf dunklem Grund</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::TimeStrip</name>
+    <message>
+        <source>Time of the filters</source>
+        <translation>Zeit der Filter</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What a run without the cache takes: each filter when it was last computed.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Was ein Lauf ohne Zwischenspeicher braucht: jeder Filter, als er zuletzt berechnet wurde.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::TimelineLanes</name>
+    <message>
+        <source>partitioning</source>
+        <translation>Aufteilung</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>merging</source>
+        <translation>Zusammenfügen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::TimelinePlot</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitachse</translation>
+    </message>
+    <message>
+        <source>A lane for each thread, with a bar for each cell that it worked on</source>
+        <translation>Eine Spur für jeden Thread, mit einem Balken für jede Zelle, an der er gearbeitet hat</translation>
+    </message>
+    <message>
+        <source>estimated work (units), the largest cells first</source>
+        <translation>geschätzte Arbeit (Einheiten), die größten Zellen zuerst</translation>
+    </message>
+    <message>
+        <source>time since the run began (ms)</source>
+        <translation>Zeit seit Beginn des Laufs (ms)</translation>
+    </message>
+    <message>
+        <source>Thread %1</source>
+        <translation>Thread %1</translation>
+    </message>
+    <message>
+        <source>Whole environment</source>
+        <translation>Ganze Umgebung</translation>
+    </message>
+    <message>
+        <source>Here %1&lt;br&gt;on thread %2, %3 to %4 ms</source>
+        <translation>Hier %1&lt;br&gt;auf Thread %2, %3 bis %4 ms</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Thread %1 was idle for %2</source>
+        <translation>Thread %1 war %2 lang untätig</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::WelcomePage</name>
+    <message>
+        <source>House</source>
+        <translation>Haus</translation>
+    </message>
+    <message>
+        <source>820 triangles: ramps, an overhang, walls without thickness</source>
+        <translation>820 Dreiecke: Rampen, ein Überhang, Wände ohne Dicke</translation>
+    </message>
+    <message>
+        <source>Villa</source>
+        <translation>Villa</translation>
+    </message>
+    <message>
+        <source>30,000 triangles: three furnished storeys on rough ground</source>
+        <translation>30.000 Dreiecke: drei möblierte Stockwerke auf unebenem Gelände</translation>
+    </message>
+    <message>
+        <source>Arena</source>
+        <translation>Arena</translation>
+    </message>
+    <message>
+        <source>20,000 triangles: a stadium with steps and a ring road on pillars</source>
+        <translation>20.000 Dreiecke: ein Stadion mit Stufen und einer Ringstraße auf Pfeilern</translation>
+    </message>
+    <message>
+        <source>Docks</source>
+        <translation>Hafen</translation>
+    </message>
+    <message>
+        <source>59,000 triangles: ships, piers, crates and ropes</source>
+        <translation>59.000 Dreiecke: Schiffe, Piere, Kisten und Taue</translation>
+    </message>
+    <message>
+        <source>Tower</source>
+        <translation>Turm</translation>
+    </message>
+    <message>
+        <source>440 triangles: 26 storeys, one above the other</source>
+        <translation>440 Dreiecke: 26 Stockwerke, eins über dem anderen</translation>
+    </message>
+    <message>
+        <source>The exact walkable area of 3D environments</source>
+        <translation>Die exakte begehbare Fläche von 3D-Umgebungen</translation>
+    </message>
+    <message>
+        <source>Back to the view (Esc)</source>
+        <translation>Zurück zur Ansicht (Esc)</translation>
+    </message>
+    <message>
+        <source>Back to the view</source>
+        <translation>Zurück zur Ansicht</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Öffnen...</translation>
+    </message>
+    <message>
+        <source>Open an environment or a session (Ctrl+O)</source>
+        <translation>Eine Umgebung oder eine Sitzung öffnen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>or drop a file anywhere in this window</source>
+        <translation>oder lassen Sie eine Datei irgendwo in diesem Fenster fallen</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Enter opens a file, Delete takes it off the list</source>
+        <translation>Die Eingabetaste öffnet eine Datei, Entf nimmt sie von der Liste</translation>
+    </message>
+    <message>
+        <source>Files that you open are listed here.</source>
+        <translation>Dateien, die Sie öffnen, stehen hier.</translation>
+    </message>
+    <message>
+        <source>Take off the list</source>
+        <translation>Von der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Forget this file; the file itself stays</source>
+        <translation>Diese Datei vergessen; die Datei selbst bleibt</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Beispiel %1</translation>
+    </message>
+    <message>
+        <source>%1 (not there any more)</source>
+        <translation>%1 (nicht mehr da)</translation>
+    </message>
+    <message>
+        <source>Continue the last session: %1</source>
+        <translation>Letzte Sitzung fortsetzen: %1</translation>
+    </message>
+    <message>
+        <source>As it was left on %1</source>
+        <translation>Wie sie am %1 verlassen wurde</translation>
+    </message>
+    <message>
+        <source>Rooms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>266 triangles: the tour&apos;s level, with a doorway that is too low</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>footfall::WhyPanel</name>
+    <message>
+        <source>Choose Tools &gt; Why? (Y) and click a place in the view: this panel then says why it is walkable, or which filter rejected it and what stands in the way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its colour in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the frame and the units of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counted from 0 in the order of the file, without ignored parts; with the names of mesh and material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Between the upper side of the triangle and the horizontal; beyond 90° it faces down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to the lowest triangle straight above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the filter that rejected this place, in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame the &amp;obstacle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring what stands in the way into sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame the &amp;place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the triangle into sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to step %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

@@ -14,6 +14,7 @@
 #include "ui/guarded_application.hpp"
 #include "ui/help_panel.hpp"
 #include "ui/icon.hpp"
+#include "ui/installed_files.hpp"
 #include "ui/log_panel.hpp"
 #include "ui/theme_commands.hpp"
 #include "ui/translations.hpp"
@@ -141,7 +142,7 @@ void EditorWindow::createPalette() {
   });
   palette_->addSource([this] {
     std::vector<PaletteEntry> entries;
-    for (const Sample& sample : findSamples(folderOfSamples())) {
+    for (const Sample& sample : findSamples(samplesFolder())) {
       PaletteEntry entry;
       entry.title = tr("Open sample %1").arg(sample.title);
       entry.detail = sample.description;
@@ -196,7 +197,7 @@ void EditorWindow::updateWelcome() {
 void EditorWindow::showWelcome(bool on) {
   if (!on && !loaded_.environment) return;  // there is nothing behind it
   if (on) {
-    welcome_->setSamples(findSamples(folderOfSamples()));
+    welcome_->setSamples(findSamples(samplesFolder()));
     updateWelcome();
     welcome_->setGeometry(view_->rect());
     welcome_->raise();

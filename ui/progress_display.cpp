@@ -29,7 +29,8 @@ void showTaskbarProgress(double fraction) {
   properties[QStringLiteral("progress")] = std::clamp(fraction, 0.0, 1.0);
   properties[QStringLiteral("progress-visible")] = fraction >= 0;
   const QString desktop = QGuiApplication::desktopFileName();
-  update << QStringLiteral("application://%1.desktop").arg(desktop.isEmpty() ? QStringLiteral("footfall") : desktop)
+  update << QStringLiteral("application://%1.desktop")
+                .arg(desktop.isEmpty() ? QStringLiteral("org.footfall.Editor") : desktop)
          << properties;
   bus.send(update);
 }

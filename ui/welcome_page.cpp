@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/welcome_page.hpp"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -50,14 +49,6 @@ QLabel* heading(const QString& text, QWidget* parent) {
 }
 
 }  // namespace
-
-QString folderOfSamples() {
-  const QDir program(QCoreApplication::applicationDirPath());
-  for (const char* const place : {"../share/footfall/samples", "../../samples", "../../../samples"}) {
-    if (program.exists(QLatin1String(place))) return QDir::cleanPath(program.filePath(QLatin1String(place)));
-  }
-  return {};
-}
 
 std::vector<Sample> findSamples(const QString& folder) {
   std::vector<Sample> samples;

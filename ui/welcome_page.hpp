@@ -22,9 +22,6 @@ struct Sample {
   QString picture;      ///< of the resources; empty: none
 };
 
-/// Where the samples are: installed beside the program, or in the sources that it was built from; empty when nowhere.
-QString folderOfSamples();
-
 /// Those of the folder that holds the samples, in the order in which they should be tried; none when it is not there.
 std::vector<Sample> findSamples(const QString& folder);
 
