@@ -13,6 +13,7 @@
 #include <cstdlib>
 
 #include "ui/editor_window.hpp"
+#include "ui/level_look.hpp"
 
 namespace footfall {
 namespace {
@@ -61,14 +62,16 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
                    [&](const QString& message) { finish(fail(1, message)); });
   QObject::connect(&window.view(), &LevelView::failed, &window,
                    [&](const QString& message) { finish(fail(1, message)); });
+  auto* look = window.findChild<LevelLook*>();
   QTimer settle;
   settle.setInterval(kSettleMs);
   QObject::connect(&window.controller(), &RunController::finished, &window, [&] {
     if (options.cells) window.setCellsShown(*options.cells);
+    if (options.mode) look->modes().setMode(*options.mode);
     settle.start();
   });
   QObject::connect(&settle, &QTimer::timeout, &window, [&] {
-    if (!window.cellWatch().upToDate()) return;
+    if (!window.cellWatch().upToDate() || !look->modes().upToDate()) return;
     settle.stop();
     // A session has a view of its own.
     if (options.top) window.view().viewFromTop();
@@ -152,6 +155,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
     window.restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());
   }
   if (options.cells) window.setCellsShown(*options.cells);
+  window.setInteractive(!shooting);
   window.show();
   if (options.environment.empty()) {
     window.offerLastSession();
@@ -163,6 +167,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
         [&window, &options, path, shooting] {
           window.openWith(path, options.pipeline, options.import);
           if (options.top && !shooting) window.view().viewFromTop();
+          if (options.mode && !shooting) window.findChild<LevelLook*>()->modes().setMode(*options.mode);
         },
         Qt::QueuedConnection);
   }

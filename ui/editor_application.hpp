@@ -9,6 +9,7 @@
 #include "core/environment/environment.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "ui/session.hpp"
+#include "ui/view_mode.hpp"
 
 namespace footfall {
 
@@ -19,6 +20,7 @@ struct EditorOptions {
   std::string screenshot;           ///< a PNG to write instead of waiting for a user; empty: none
   QSize size;                       ///< of the window; empty: as it was last
   bool top = false;                 ///< look straight down
+  std::optional<ViewMode> mode;     ///< of the view; empty: as the session says
   std::optional<CellsShown> cells;  ///< what to show of parallel blocks; empty: as the session says
 };
 

@@ -28,6 +28,7 @@
 #include "ui/recent_files.hpp"
 #include "ui/run_controller.hpp"
 #include "ui/session.hpp"
+#include "ui/view_layout.hpp"
 
 namespace footfall {
 
@@ -109,6 +110,13 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] CellsShown cellsShown() const;
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
   [[nodiscard]] HeightSlider& heightSlider() { return *heights_; }
+  [[nodiscard]] Legend& legend() { return *legend_; }
+  /// What lies over the view; call placeOverlays() after something of it has changed.
+  [[nodiscard]] ViewLayout& overlays() { return overlays_; }
+  void placeOverlays();
+  /// Somebody sits in front of it: the camera may take its time. At first nobody does.
+  void setInteractive(bool on);
+  [[nodiscard]] bool interactive() const { return interactive_; }
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
   /// As its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
@@ -171,7 +179,6 @@ class EditorWindow : public QMainWindow {
   void showProgress(const QString& text, double fraction);
   void hideProgress();
   void cancelWork();
-  void placeOverlays();
   void updateTitle();
   [[nodiscard]] Session currentSession() const;
   void keepSession();
@@ -193,6 +200,8 @@ class EditorWindow : public QMainWindow {
   RecentFiles recent_;
 
   LevelView* view_ = nullptr;
+  ViewLayout overlays_;
+  bool interactive_ = false;
   Legend* legend_ = nullptr;
   HeightSlider* heights_ = nullptr;
   CellLegend* cellLegend_ = nullptr;
