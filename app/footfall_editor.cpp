@@ -41,6 +41,11 @@ int main(int argc, char** argv) {
   app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
   app.add_option("--size", size, "size of the window, e.g. 1600x1000");
   app.add_option("--view", view, "where to look from")->check(CLI::IsMember({"top", "oblique"}))->capture_default_str();
+  std::vector<std::string> modes;
+  for (const footfall::ViewMode mode : footfall::kViewModes) modes.emplace_back(footfall::nameOf(mode));
+  std::string mode;
+  auto* modeOption =
+      app.add_option("--mode", mode, "what the view shows, e.g. --mode slope")->check(CLI::IsMember(modes));
   auto* showOption = app.add_option("--show", shown, "what to show of parallel blocks, e.g. --show cells,timeline")
                          ->delimiter(',')
                          ->check(CLI::IsMember({"cells", "timeline"}));
@@ -69,6 +74,7 @@ int main(int argc, char** argv) {
                       : theme == "dark" ? footfall::ThemeChoice::Dark
                                         : footfall::ThemeChoice::System;
     }
+    if (*modeOption) options.mode = footfall::viewModeFrom(mode);
     if (*showOption) {
       const auto wants = [&](const char* part) { return std::find(shown.begin(), shown.end(), part) != shown.end(); };
       options.cells = {wants("cells"), wants("timeline"), *footfall::colouringFrom(colouring)};

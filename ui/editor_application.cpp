@@ -16,6 +16,7 @@
 #include "ui/editor_window.hpp"
 #include "ui/guarded_application.hpp"
 #include "ui/icon.hpp"
+#include "ui/level_look.hpp"
 #include "ui/outline_style.hpp"
 #include "ui/theme.hpp"
 #include "ui/translations.hpp"
@@ -97,14 +98,16 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
                    [&](const QString& message) { finish(fail(1, message)); });
   QObject::connect(&window.view(), &LevelView::failed, &window,
                    [&](const QString& message) { finish(fail(1, message)); });
+  auto* look = window.findChild<LevelLook*>();
   QTimer settle;
   settle.setInterval(kSettleMs);
   QObject::connect(&window.controller(), &RunController::finished, &window, [&] {
     if (options.cells) window.setCellsShown(*options.cells);
+    if (options.mode) look->modes().setMode(*options.mode);
     settle.start();
   });
   QObject::connect(&settle, &QTimer::timeout, &window, [&] {
-    if (!window.cellWatch().upToDate()) return;
+    if (!window.cellWatch().upToDate() || !look->modes().upToDate()) return;
     settle.stop();
     // A session has a view of its own.
     if (options.top) window.view().viewFromTop();
@@ -167,6 +170,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   window.resize(options.size.isEmpty() ? QSize(1440, 900) : options.size);
   if (!shooting) window.restoreLayout(options.size.isEmpty());
   if (options.cells) window.setCellsShown(*options.cells);
+  window.setInteractive(!shooting);
   window.show();
   if (!shooting) window.offerRestoring();
   if (!options.environment.empty()) {
@@ -177,6 +181,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
         [&window, &options, path, shooting] {
           window.openWith(path, options.pipeline, options.import);
           if (options.top && !shooting) window.view().viewFromTop();
+          if (options.mode && !shooting) window.findChild<LevelLook*>()->modes().setMode(*options.mode);
         },
         Qt::QueuedConnection);
   }

@@ -10,6 +10,7 @@
 #include "core/pipeline/pipeline.hpp"
 #include "ui/session.hpp"
 #include "ui/theme.hpp"
+#include "ui/view_mode.hpp"
 
 namespace footfall {
 
@@ -20,6 +21,7 @@ struct EditorOptions {
   std::string screenshot;            ///< a PNG to write instead of waiting for a user; empty: none
   QSize size;                        ///< of the window; empty: as it was last
   bool top = false;                  ///< look straight down
+  std::optional<ViewMode> mode;      ///< of the view; empty: as the session says
   std::optional<CellsShown> cells;   ///< what to show of parallel blocks; empty: as the session says
   std::optional<ThemeChoice> theme;  ///< for this time; empty: as the user chose
   std::string language;              ///< for this time, as a code such as "de"; empty: as the user chose

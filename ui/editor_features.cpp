@@ -1,5 +1,6 @@
 // The editor's tools, each in files of its own: one line a tool. All are children of the window.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/camera_tools.hpp"
 #include "ui/editor_window.hpp"
 #include "ui/environment_tools.hpp"
 #include "ui/filter_tools.hpp"
@@ -15,6 +16,7 @@ void EditorWindow::createFeatures() {
   addFilterTools(*this);
   new EnvironmentTools(*this);
   installLevelLook(*this);
+  installCameraTools(*this);
   new PathFeature(*this);
   new MeasureFeature(*this);
   new InspectionFeature(*this);

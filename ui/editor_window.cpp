@@ -369,13 +369,17 @@ void EditorWindow::updateTitle() {
   setWindowModified(!document_.undoStack()->isClean());
 }
 
+void EditorWindow::setInteractive(bool on) {
+  interactive_ = on;
+  const QAction* smooth = commands_.find(QStringLiteral("view.animate"));
+  view_->setAnimated(on && smooth && smooth->isChecked());
+}
+
 void EditorWindow::placeOverlays() {
-  legend_->adjustSize();
-  legend_->move(12, view_->height() - legend_->height() - 12);
-  heights_->setGeometry(view_->width() - heights_->sizeHint().width() - 12, 12, heights_->sizeHint().width(),
-                        std::min(heights_->sizeHint().height(), view_->height() - 24));
-  cellLegend_->adjustSize();
-  cellLegend_->move(view_->width() - cellLegend_->width() - 12, view_->height() - cellLegend_->height() - 12);
+  overlays_.legend = legend_;
+  overlays_.heights = heights_;
+  overlays_.cells = cellLegend_;
+  overlays_.place(view_->size());
   welcome_->setGeometry(view_->rect());
   if (!welcome_->isHidden()) welcome_->raise();
 }

@@ -33,6 +33,7 @@
 #include "ui/run_controller.hpp"
 #include "ui/session.hpp"
 #include "ui/session_keeper.hpp"
+#include "ui/view_layout.hpp"
 
 namespace footfall {
 
@@ -141,6 +142,13 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] ProgressDisplay& progressDisplay() { return *progress_; }
   /// Edits that no session file has.
   [[nodiscard]] bool hasUnsavedChanges();
+  [[nodiscard]] Legend& legend() { return *legend_; }
+  /// What lies over the view; call placeOverlays() after something of it has changed.
+  [[nodiscard]] ViewLayout& overlays() { return overlays_; }
+  void placeOverlays();
+  /// Somebody sits in front of it: the camera may take its time. At first nobody does.
+  void setInteractive(bool on);
+  [[nodiscard]] bool interactive() const { return interactive_; }
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
   /// As its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
@@ -234,7 +242,6 @@ class EditorWindow : public QMainWindow {
   void showProgress(const QString& text, double fraction, std::optional<double> secondsLeft = {});
   void hideProgress();
   void cancelWork();
-  void placeOverlays();
   void updateTitle();
   [[nodiscard]] Session currentSession() const;
   void keepSession();
@@ -262,6 +269,8 @@ class EditorWindow : public QMainWindow {
   QByteArray defaultState_;            ///< of docks and tool bars
 
   LevelView* view_ = nullptr;
+  ViewLayout overlays_;
+  bool interactive_ = false;
   Legend* legend_ = nullptr;
   HeightSlider* heights_ = nullptr;
   CellLegend* cellLegend_ = nullptr;

@@ -209,8 +209,8 @@ void LayerPanel::changeEvent(QEvent* event) {
 }
 
 void LayerPanel::fill() {
-  const std::optional<std::uint32_t> current =
-      list_->currentItem() ? std::optional(list_->currentItem()->data(0, kLayerRole).toUInt()) : std::nullopt;
+  const QTreeWidgetItem* const before = list_->currentItem();
+  const int current = before ? before->data(0, kLayerRole).toInt() : -1;
   list_->setSortingEnabled(false);
   list_->clear();
   const QLocale english(QLocale::English);
@@ -227,7 +227,7 @@ void LayerPanel::fill() {
     for (const int column : {kArea, kTriangles}) row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     const Paint paint = layers() == 0 ? walkablePaint() : layerPaint(static_cast<std::uint32_t>(i));
     row->setIcon(kNumber, QIcon(paintSwatch(paint, kSwatch, devicePixelRatioF())));
-    if (current == static_cast<std::uint32_t>(i)) list_->setCurrentItem(row);
+    if (current == static_cast<int>(i)) list_->setCurrentItem(row);
   }
   list_->setSortingEnabled(true);
   showStates();

@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -29,6 +30,57 @@ QPixmap layersSwatch(std::uint32_t layers, qreal ratio) {
   return pixmap;
 }
 
+// Colours from the lower to the upper end, what the limit rejects hatched, with numbers below.
+QPixmap scaleSwatch(ViewMode mode, const FieldScale& scale, const QFont& font, const QColor& ink, qreal ratio) {
+  constexpr int kWidth = 216;
+  constexpr int kBar = 14;
+  constexpr int kEnd = 8;  // of numbers beyond the bar
+  QFont small = font;
+  small.setPixelSize(11);
+  const int line = QFontMetrics(small).height();
+  QPixmap pixmap(QSize(kWidth + 2 * kEnd, kBar + 6 + 2 * line) * ratio);
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setFont(small);
+  const double span = scale.upper - scale.lower;
+  const auto xOf = [&](double value) { return kEnd + (value - scale.lower) / span * (kWidth - 1); };
+  for (int x = 0; x < kWidth; ++x) {
+    const double part = static_cast<double>(x) / (kWidth - 1);
+    const double value = scale.lower + part * span;
+    QColor colour = heatColour(scale.aboveIsRejected ? 1 - part : part);
+    for (int y = 0; y < kBar; ++y) {
+      const bool rejected = scale.limit && (scale.aboveIsRejected ? value > *scale.limit : value < *scale.limit);
+      painter.fillRect(QRectF(x + kEnd, y, 1, 1), rejected && (x + y) % 8 < 2 ? colour.darker(170) : colour);
+    }
+  }
+  painter.setPen(ink);
+  const auto text = [&](double value, int row, const QString& words) {
+    const int width = QFontMetrics(small).horizontalAdvance(words);
+    const double x = std::clamp(xOf(value) - width / 2.0, 0.0, kWidth + 2.0 * kEnd - width);
+    painter.drawText(QRectF(x, kBar + 4 + row * line, width + 2, line), Qt::AlignLeft, words);
+  };
+  const QLocale english(QLocale::English);
+  const QString unit = mode == ViewMode::Slope ? QStringLiteral("°") : QString();
+  constexpr int kTicks = 3;
+  for (int i = 0; i <= kTicks; ++i) {
+    const double value = scale.lower + span * i / kTicks;
+    painter.drawLine(QPointF(xOf(value), kBar), QPointF(xOf(value), kBar + 3));
+    const bool open = mode == ViewMode::Clearance && i == kTicks;  // or more
+    text(value, 0, (open ? QStringLiteral("≥ ") : QString()) + english.toString(value, 'g', 4) + unit);
+  }
+  if (scale.limit) {
+    const double x = xOf(std::clamp(*scale.limit, scale.lower, scale.upper));
+    painter.setPen(QPen(Qt::white, 4));
+    painter.drawLine(QPointF(x, 0), QPointF(x, kBar));
+    painter.setPen(QPen(Qt::black, 2));
+    painter.drawLine(QPointF(x, 0), QPointF(x, kBar));
+    painter.setPen(ink);
+    text(*scale.limit, 1, Legend::tr("limit %1").arg(english.toString(*scale.limit, 'g', 6) + unit));
+  }
+  return pixmap;
+}
+
 void setSwatch(QCheckBox* box, const QPixmap& pixmap) {
   box->setIconSize((QSizeF(pixmap.size()) / pixmap.devicePixelRatio()).toSize());
   box->setIcon(QIcon(pixmap));
@@ -43,6 +95,15 @@ Legend::Legend(QWidget* parent) : QFrame(parent) {
   layout->setContentsMargins(10, 8, 12, 9);
   layout->setSpacing(4);
 
+  mode_ = new QLabel(this);
+  mode_->setObjectName(QStringLiteral("modeTitle"));
+  mode_->setStyleSheet(QStringLiteral("font-weight: 600"));
+  mode_->hide();
+  scale_ = new QLabel(this);
+  scale_->setObjectName(QStringLiteral("modeScale"));
+  scale_->hide();
+  layout->addWidget(mode_);
+  layout->addWidget(scale_);
   walkable_ = addEntry(tr("Walkable"), &SceneParts::walkable, tr("Where an agent can stand and walk"));
   obstacleEdges_ = addEntry(tr("Obstacle edge: not to be crossed"), &SceneParts::obstacleEdges,
                             tr("Walkable on both sides, but an agent cannot cross: a wall stands on it"));
@@ -86,12 +147,8 @@ void Legend::describe(const ViewContent& content) {
     edges = edges || !mesh->obstacleEdges.empty();
     connections = connections || !mesh->connections.empty();
   }
-  const qreal ratio = devicePixelRatioF();
-  walkable_->setText(layers == 0   ? tr("Walkable")
-                     : layers == 1 ? tr("Walkable, 1 layer")
-                                   : tr("Walkable, %1 layers").arg(layers));
-  setSwatch(walkable_, layers == 0 ? paintSwatch(walkablePaint(), kSwatch, ratio) : layersSwatch(layers, ratio));
-  walkable_->setVisible(!content.walkable.empty());
+  layers_ = layers;
+  anyWalkable_ = !content.walkable.empty();
   obstacleEdges_->setVisible(edges);
   connections_->setVisible(connections);
 
@@ -100,27 +157,69 @@ void Legend::describe(const ViewContent& content) {
   for (const ViewContent::Removed& removed : content.removed) {
     if (std::find(reasons.begin(), reasons.end(), removed.style) == reasons.end()) reasons.push_back(removed.style);
   }
-  removed_->setVisible(!reasons.empty());
-  reasons_->setVisible(!reasons.empty());
-  if (reasons != shownReasons_) {
-    shownReasons_ = reasons;
-    delete reasons_->layout();
-    qDeleteAll(reasons_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
-    auto* grid = new QGridLayout(reasons_);
-    grid->setContentsMargins(22, 0, 0, 2);
-    grid->setVerticalSpacing(4);
-    grid->setColumnStretch(1, 1);
-    for (std::size_t i = 0; i < reasons.size(); ++i) {
-      auto* swatch = new QLabel(reasons_);
-      swatch->setPixmap(paintSwatch(reasons[i]->paint, kSwatch, ratio));
-      auto* reason = new QLabel(reasons[i]->reason, reasons_);
-      grid->addWidget(swatch, static_cast<int>(i), 0);
-      grid->addWidget(reason, static_cast<int>(i), 1);
-      swatch->show();  // at once: the size of the legend is wanted before the next event
-      reason->show();
-    }
-    grid->activate();
+  describeReasons(reasons);
+  fit();
+}
+
+void Legend::showMode(ViewMode mode, const FieldScale& scale, bool ready) {
+  shownMode_ = mode;
+  mode_->setVisible(mode != ViewMode::Result);
+  const QString title = mode == ViewMode::Slope       ? tr("Slope of floors")
+                        : mode == ViewMode::Clearance ? tr("Free height above floors, in units")
+                                                      : labelOf(mode);
+  mode_->setText(ready ? title : tr("%1 (computing)").arg(title));
+  scale_->setVisible(isHeatMap(mode));
+  if (isHeatMap(mode)) {
+    scale_->setPixmap(scaleSwatch(mode, scale, font(), palette().color(QPalette::Text), devicePixelRatioF()));
+    const QString what = labelOf(mode);
+    scale_->setAccessibleName(scale.limit ? tr("%1, limit %2").arg(what).arg(*scale.limit) : what);
+    scale_->setToolTip(mode == ViewMode::Slope ? tr("Hatched: steeper than the limit of the slope filter")
+                                               : tr("Hatched: less than the clearance filter asks for"));
   }
+  describeReasons(shownReasons_);
+  fit();
+}
+
+// The reasons' colours, and all entries that go with the mode.
+void Legend::describeReasons(const std::vector<const RemovalStyle*>& reasons) {
+  const qreal ratio = devicePixelRatioF();
+  const bool vivid = shownMode_ == ViewMode::RejectedBy;
+  const bool source = shownMode_ == ViewMode::SourceTriangles;
+  walkable_->setText(source         ? tr("Walkable, by source triangle")
+                     : layers_ == 0 ? tr("Walkable")
+                     : layers_ == 1 ? tr("Walkable, 1 layer")
+                                    : tr("Walkable, %1 layers").arg(layers_));
+  setSwatch(walkable_, vivid                     ? paintSwatch(paleWalkablePaint(), kSwatch, ratio)
+                       : layers_ == 0 && !source ? paintSwatch(walkablePaint(), kSwatch, ratio)
+                       : source                  ? layersSwatch(4, ratio)
+                                                 : layersSwatch(layers_, ratio));
+  walkable_->setVisible(anyWalkable_ && !isHeatMap(shownMode_));
+  environment_->setVisible(shownMode_ != ViewMode::WalkableOnly);
+  const bool shown = !reasons.empty() && (shownMode_ == ViewMode::Result || vivid);
+  removed_->setVisible(shown);
+  reasons_->setVisible(shown);
+  if (reasons == shownReasons_ && vivid == shownVivid_) return;
+  shownReasons_ = reasons;
+  shownVivid_ = vivid;
+  delete reasons_->layout();
+  qDeleteAll(reasons_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+  auto* grid = new QGridLayout(reasons_);
+  grid->setContentsMargins(22, 0, 0, 2);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    auto* swatch = new QLabel(reasons_);
+    swatch->setPixmap(paintSwatch(vivid ? reasons[i]->vivid : reasons[i]->paint, kSwatch, ratio));
+    auto* reason = new QLabel(reasons[i]->reason, reasons_);
+    grid->addWidget(swatch, static_cast<int>(i), 0);
+    grid->addWidget(reason, static_cast<int>(i), 1);
+    swatch->show();  // at once: the size of the legend is wanted before the next event
+    reason->show();
+  }
+  grid->activate();
+}
+
+void Legend::fit() {
   layout()->activate();
   adjustSize();
 }

@@ -4,10 +4,14 @@
 
 #include <QCheckBox>
 #include <QFrame>
+#include <QLabel>
+#include <cstdint>
 #include <vector>
 
+#include "ui/field_geometry.hpp"
 #include "ui/render_geometry.hpp"
 #include "ui/scene_renderer.hpp"
+#include "ui/view_mode.hpp"
 
 namespace footfall {
 
@@ -23,17 +27,26 @@ class Legend : public QFrame {
   /// Cells have a legend of their own; this one only passes on that they are shown.
   void showCells(bool on);
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
+  /// What the colours of the mode mean. `ready`: what it shows is there.
+  void showMode(ViewMode mode, const FieldScale& scale, bool ready);
 
  signals:
   void partsChanged(const footfall::SceneParts& parts);
 
  private:
+  void describeReasons(const std::vector<const RemovalStyle*>& reasons);
+  void fit();
   QCheckBox* addEntry(const QString& label, bool SceneParts::*part, const QString& help);
 
   SceneParts parts_;
   QCheckBox *walkable_, *obstacleEdges_, *connections_, *removed_, *environment_;
   QWidget* reasons_;
+  QLabel *mode_, *scale_;
   std::vector<const RemovalStyle*> shownReasons_;
+  bool shownVivid_ = false;
+  ViewMode shownMode_ = ViewMode::Result;
+  std::uint32_t layers_ = 0;
+  bool anyWalkable_ = false;
 };
 
 }  // namespace footfall

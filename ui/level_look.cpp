@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/level_look.hpp"
 
-#include <algorithm>
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/errors.hpp"
@@ -18,9 +19,11 @@ Vec3 placed(const std::array<float, 3>& p, const Vec3& centre) {
 
 }  // namespace
 
-LevelLook::LevelLook(EditorWindow& window) : QObject(&window), window_(window) {
+LevelLook::LevelLook(EditorWindow& window) : QObject(&window), window_(window), modes_(window) {
   setObjectName(QStringLiteral("levelLook"));
   addLayers();
+  addCutPlane();
+  connect(&modes_, &ViewModes::modeChanged, &window_, &EditorWindow::keepSoon);
   connect(&window_, &EditorWindow::environmentLoaded, this, &LevelLook::takeEnvironment);
   connect(&window_.heightSlider(), &HeightSlider::rangeChanged, &window_, &EditorWindow::keepSoon);
   window_.addSessionSection(
@@ -48,20 +51,25 @@ void LevelLook::addLayers() {
     layers_->setResult(content.walkable.empty() ? nullptr : content.walkable.front());
   });
   const QString group = QStringLiteral("floors");
-  window_.commands().add({QStringLiteral("view.nextFloor"),
-                          CommandMenu::View,
-                          group,
-                          tr("Next floor &up"),
-                          tr("Show only the next layer, or the next storey where there are no layers"),
-                          {Qt::Key_PageUp}},
-                         [this](bool) { stepFloor(1); });
-  window_.commands().add({QStringLiteral("view.previousFloor"),
-                          CommandMenu::View,
-                          group,
-                          tr("Next floor &down"),
-                          tr("Show only the layer before, or the storey below"),
-                          {Qt::Key_PageDown}},
-                         [this](bool) { stepFloor(-1); });
+  // Lists and scroll areas have a use of their own for these keys.
+  const auto inView = [this](QAction* action) {
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    window_.view().addAction(action);
+  };
+  inView(window_.commands().add({QStringLiteral("view.nextFloor"),
+                                 CommandMenu::View,
+                                 group,
+                                 tr("Next floor &up"),
+                                 tr("Show only the next layer, or the next storey where there are no layers"),
+                                 {Qt::Key_PageUp}},
+                                [this](bool) { stepFloor(1); }));
+  inView(window_.commands().add({QStringLiteral("view.previousFloor"),
+                                 CommandMenu::View,
+                                 group,
+                                 tr("Next floor &down"),
+                                 tr("Show only the layer before, or the storey below"),
+                                 {Qt::Key_PageDown}},
+                                [this](bool) { stepFloor(-1); }));
   window_.commands().add({QStringLiteral("view.allFloors"),
                           CommandMenu::View,
                           group,
@@ -72,6 +80,29 @@ void LevelLook::addLayers() {
                            layers_->showAll();
                            window_.heightSlider().reset();
                          });
+}
+
+void LevelLook::addCutPlane() {
+  cutBar_ = new CutBar(window_.view());
+  window_.overlays().cutBar = cutBar_;
+  QAction* cut = window_.commands().add({QStringLiteral("view.cutPlane"),
+                                         CommandMenu::View,
+                                         QStringLiteral("floors"),
+                                         tr("&Cut plane"),
+                                         tr("Cut the view with an upright plane"),
+                                         {QKeySequence(Qt::SHIFT | Qt::Key_X)},
+                                         QStringLiteral("cut"),
+                                         true},
+                                        [this](bool on) {
+                                          if (window_.environment()) cutBar_->setOn(on);
+                                        });
+  cut->setEnabled(false);
+  connect(&window_, &EditorWindow::environmentLoaded, cut, [cut] { cut->setEnabled(true); });
+  connect(cutBar_, &CutBar::changed, this, [this, cut](bool on) {
+    cut->setChecked(on);
+    window_.placeOverlays();
+    window_.keepSoon();
+  });
 }
 
 void LevelLook::stepFloor(int direction) {
@@ -100,11 +131,14 @@ void LevelLook::takeEnvironment() {
   heights.setLevel(geometry->lower.z + z, geometry->upper.z + z, floors);
   if (other) layers_->setResult(nullptr);
   if (pending_) {
+    modes_.setMode(pending_->mode);
+    cutBar_->setPlane(pending_->cut);
     layers_->setHidden(pending_->hidden);
     heights.setRange(pending_->heights);
     pending_.reset();
   } else if (other) {
     layers_->showAll();
+    cutBar_->setPlane(std::nullopt);
   } else {
     heights.setRange(before);  // the same file, read again
   }
@@ -116,6 +150,8 @@ std::string LevelLook::save() const {
   const HeightRange& heights = window_.heightSlider().range();
   if (heights.lower > kAll.lower) json["lower"] = heights.lower;
   if (heights.upper < kAll.upper) json["upper"] = heights.upper;
+  json["mode"] = nameOf(modes_.mode());
+  if (const auto& cut = window_.view().cutPlane()) json["cut"] = {cut->nx, cut->ny, cut->at};
   return json.dump();
 }
 
@@ -128,6 +164,15 @@ void LevelLook::load(const std::string& text) {
     kept.hidden = json.value("hidden_layers", kept.hidden);
     kept.heights.lower = json.value("lower", kAll.lower);
     kept.heights.upper = json.value("upper", kAll.upper);
+    const auto mode = json.value("mode", std::string(nameOf(kept.mode)));
+    if (!viewModeFrom(mode)) throw InputError("there is no view mode '" + mode + "'");
+    kept.mode = *viewModeFrom(mode);
+    if (json.contains("cut")) {
+      const auto cut = json.at("cut").get<std::array<double, 3>>();
+      const double norm = std::hypot(cut[0], cut[1]);
+      if (!(norm > 0.99 && norm < 1.01)) throw InputError("the cut plane has no direction");
+      kept.cut = CutPlane{cut[0], cut[1], cut[2]};
+    }
     pending_ = kept;
   } catch (const Json::exception&) {
     throw InputError("something is missing or of the wrong type");

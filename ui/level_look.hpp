@@ -8,8 +8,10 @@
 #include <set>
 #include <string>
 
+#include "ui/cut_bar.hpp"
 #include "ui/editor_window.hpp"
 #include "ui/layer_panel.hpp"
+#include "ui/view_modes.hpp"
 
 namespace footfall {
 
@@ -21,21 +23,28 @@ class LevelLook : public QObject {
   explicit LevelLook(EditorWindow& window);
 
   [[nodiscard]] LayerPanel& layers() { return *layers_; }
+  [[nodiscard]] ViewModes& modes() { return modes_; }
+  [[nodiscard]] CutBar& cutBar() { return *cutBar_; }
 
  private:
   void addLayers();
+  void addCutPlane();
   void stepFloor(int direction);
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
   void takeEnvironment();
 
   EditorWindow& window_;
+  ViewModes modes_;
   LayerPanel* layers_ = nullptr;
+  CutBar* cutBar_ = nullptr;
   QString source_;  ///< the file whose level is shown
   /// Of a session whose environment is about to be shown.
   struct Kept {
     std::set<std::uint32_t> hidden;
     HeightRange heights;
+    ViewMode mode = ViewMode::Result;
+    std::optional<CutPlane> cut;
   };
   std::optional<Kept> pending_;
 };

@@ -19,7 +19,18 @@ using qglviewer::Camera;
 using qglviewer::Vec;
 
 constexpr double kSlowFrameMs = 30;
+constexpr double kCoarseFrameMs = 60;
 constexpr int kRestMs = 200;  // without movement
+
+/// Nearer than usual where one is close to something: in a corridor, walls must not be cut away.
+class LevelCamera : public Camera {
+ public:
+  [[nodiscard]] qreal zNear() const override {
+    const qreal usual = Camera::zNear();
+    if (type() == ORTHOGRAPHIC) return usual;
+    return std::min(usual, std::max(0.02 * (position() - pivotPoint()).norm(), 1e-5 * sceneRadius()));
+  }
+};
 
 Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
 
@@ -27,6 +38,9 @@ Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
 
 LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
   setObjectName(QStringLiteral("levelView"));
+  const Camera* const usual = camera();
+  setCamera(new LevelCamera);  // belongs to QGLViewer
+  delete usual;
   setStateFileName(QString());  // the session keeps the camera
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::StrongFocus);
@@ -35,6 +49,7 @@ LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, [this] { update(); });
   connect(this, &LevelView::cameraMoved, this, [this] { rest_.start(); });
+  connect(&glideTimer_, &QTimer::timeout, this, &LevelView::glide);
 }
 
 LevelView::~LevelView() {
@@ -86,6 +101,7 @@ void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> ge
 
 void LevelView::setContent(ViewContent content) {
   content_ = std::move(content);
+  wholeFrameMs_ = 0;
   renderer_.setContent(content_);
   update();
 }
@@ -244,6 +260,7 @@ std::optional<QPointF> LevelView::project(const Vec3& place) const {
 
 void LevelView::mousePressEvent(QMouseEvent* event) {
   const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+  endGlide();
   pressed_ = plain ? std::optional(event->pos()) : std::nullopt;
   toolHasMouse_ = tool_ && tool_->mousePressed(toolMouse(*event));
   if (toolHasMouse_) {
@@ -298,7 +315,7 @@ void LevelView::keyPressEvent(QKeyEvent* event) {
     setTool(nullptr);
     return;
   }
-  if (!moveByKey(event->key())) QWidget::keyPressEvent(event);
+  if (!moveByKey(*event)) QWidget::keyPressEvent(event);
 }
 
 ViewMouse LevelView::toolMouse(const QMouseEvent& event) {
@@ -307,7 +324,11 @@ ViewMouse LevelView::toolMouse(const QMouseEvent& event) {
 
 void LevelView::resizeGL(int width, int height) {
   QGLViewer::resizeGL(width, height);
-  if (fitWhenSized_ && environment_) fitTo(environment_->detailExtremes);
+  if (fitWhenSized_ && environment_) {
+    standBefore(environment_->detailExtremes);
+    moved();
+    rest_.stop();
+  }
   fitWhenSized_ = false;
 }
 
@@ -347,13 +368,15 @@ void LevelView::draw() {
   scene.clip = clipPlanes();
   scene.viewport = size() * devicePixelRatioF();
   SceneParts parts = parts_;
-  const bool hurried = rest_.isActive() && wholeFrameMs_ > kSlowFrameMs;
+  const bool moving = rest_.isActive();
+  const bool hurried = moving && wholeFrameMs_ > kSlowFrameMs;
   if (hurried) parts.outlines = false;
-  renderer_.draw(scene, parts, rest_.isActive());
+  renderer_.draw(scene, parts, moving, hurried && wholeFrameMs_ > kCoarseFrameMs);
   overlayRenderer_.draw(overlays_, overlayLook());
   context()->functions()->glFinish();  // software OpenGL works on after the call
   lastFrameMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - lastFrameBegun_).count();
-  if (!hurried) wholeFrameMs_ = lastFrameMs_;
+  // Pictures that are kept make frames short until the camera moves.
+  if (!hurried && (moving || lastFrameMs_ > wholeFrameMs_)) wholeFrameMs_ = lastFrameMs_;
 }
 
 qreal LevelView::pixelRatio() const { return pictureRatio_ > 0 ? pictureRatio_ : devicePixelRatioF(); }

@@ -4,8 +4,12 @@
 
 #include <QGLViewer/qglviewer.h>
 
+#include <QElapsedTimer>
 #include <QImage>
+#include <QNativeGestureEvent>
+#include <QPointF>
 #include <QTimer>
+#include <QWheelEvent>
 #include <array>
 #include <chrono>
 #include <map>
@@ -32,6 +36,9 @@ struct CameraPose {
 struct SceneBox {
   Vec3 lower, upper;
 };
+
+/// Where one looks from: along an axis of the environment, X to the right and Y to the back.
+enum class ViewSide { Top, Bottom, Front, Back, Left, Right };
 
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
 /// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
@@ -104,7 +111,25 @@ class LevelView : public QGLViewer {
   void viewOblique();
   /// Everything in sight from where one looks now.
   void fit();
+  /// Along an axis, parallel projection, all detail in sight.
+  void viewFrom(ViewSide side);
+  void setOrthographic(bool on);
+  [[nodiscard]] bool orthographic() const;
   void zoomBy(double factor);
+  /// The place that is seen there stays where it is in the view.
+  void zoomAt(double factor, const QPointF& place);
+  /// About the pivot, in degrees: to the right, and upwards (never over the head).
+  void turnBy(double sideways, double up);
+  /// Moves the picture by pixels.
+  void panBy(const QPointF& pixels);
+  /// Moves without turning, in units to the right, up and ahead of the eye; heights stay heights (Z) for `up`.
+  void walkBy(double right, double up, double ahead);
+  /// Turns the head, in degrees.
+  void lookBy(double sideways, double up);
+  /// Jumps of the camera take a moment in which one sees where it goes. At first they do not.
+  void setAnimated(bool on) { animated_ = on; }
+  /// The same as a jump.
+  void glideTo(const CameraPose& pose);
   /// Brings a box (environment coordinates) into sight, from where one looks now. A box with hardly any extent is shown
   /// with its surroundings.
   void frame(const Vec3& lower, const Vec3& upper);
@@ -119,6 +144,7 @@ class LevelView : public QGLViewer {
   /// logical; before the view has been on the screen, or for sizes that OpenGL cannot draw, a null image.
   [[nodiscard]] QImage picture(const QSize& pixels, double ratio);
 
+  /// Where the camera is, or where it is going.
   [[nodiscard]] CameraPose cameraPose() const;
   void setCameraPose(const CameraPose& pose);
 
@@ -149,11 +175,21 @@ class LevelView : public QGLViewer {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  bool event(QEvent* event) override;
   void resizeGL(int width, int height) override;
 
  private:
   void bindMouse();
-  bool moveByKey(int key);
+  bool moveByKey(const QKeyEvent& event);
+  void pinch(const QNativeGestureEvent& event);
+  void moved();
+  [[nodiscard]] CameraPose poseNow() const;
+  void place(const CameraPose& pose);
+  void glideFrom(const CameraPose& from);
+  void glide();
+  void endGlide();
+  void standBefore(const std::vector<Vec3>& points);
   static ViewMouse toolMouse(const QMouseEvent& event);
   [[nodiscard]] Ray sceneRayAt(const QPoint& place) const;
   [[nodiscard]] QMatrix4x4 modelViewProjection() const;
@@ -183,6 +219,13 @@ class LevelView : public QGLViewer {
   bool fitWhenSized_ = false;
   QTimer rest_;              ///< runs while the camera moves
   double pictureRatio_ = 0;  ///< while picture() draws
+  struct Glide {
+    CameraPose from, to;
+    QElapsedTimer since;
+  };
+  std::optional<Glide> glide_;
+  QTimer glideTimer_;
+  bool animated_ = false;
   double lastFrameMs_ = 0;
   std::chrono::steady_clock::time_point lastFrameBegun_;
   double wholeFrameMs_ = 0;

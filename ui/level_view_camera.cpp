@@ -38,9 +38,7 @@ void LevelView::bindMouse() {
   setMouseBinding(Qt::ShiftModifier, Qt::LeftButton, CAMERA, TRANSLATE);
   setMouseBinding(Qt::ControlModifier, Qt::LeftButton, CAMERA, ZOOM);
   setMouseBinding(Qt::NoModifier, Qt::LeftButton, RAP_FROM_PIXEL, true);
-  setWheelBinding(Qt::NoModifier, CAMERA, ZOOM);
   camera()->frame()->setZoomSensitivity(1.0);
-  camera()->frame()->setWheelSensitivity(1.0);
   camera()->frame()->setSpinningSensitivity(1e9);  // the camera stops with the mouse
 }
 
@@ -64,7 +62,17 @@ void LevelView::frameCell(std::size_t cell) {
   fitTo(corners);
 }
 
+// Jumps: the camera is placed at once, and then glides there.
+void LevelView::fitTo(const std::vector<Vec3>& points) {
+  endGlide();
+  const CameraPose from = poseNow();
+  standBefore(points);
+  glideFrom(from);
+}
+
 void LevelView::lookAlong(const Vec& direction, const Vec& up, bool orthographic) {
+  endGlide();
+  const CameraPose from = poseNow();
   camera()->setType(orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
   const Vec d = direction.unit();
   const Vec right = (d ^ up).unit();
@@ -72,7 +80,26 @@ void LevelView::lookAlong(const Vec& direction, const Vec& up, bool orthographic
   Quaternion orientation;
   orientation.setFromRotatedBasis(right, upright, -d);
   camera()->setOrientation(orientation);
-  if (environment_) fitTo(environment_->detailExtremes);
+  if (environment_) standBefore(environment_->detailExtremes);
+  glideFrom(from);
+}
+
+void LevelView::viewFrom(ViewSide side) {
+  const Vec upright(0, 0, 1);
+  switch (side) {
+    case ViewSide::Top:
+      return viewFromTop();
+    case ViewSide::Bottom:
+      return lookAlong(Vec(0, 0, 1), Vec(0, 1, 0), true);
+    case ViewSide::Front:
+      return lookAlong(Vec(0, 1, 0), upright, true);
+    case ViewSide::Back:
+      return lookAlong(Vec(0, -1, 0), upright, true);
+    case ViewSide::Left:
+      return lookAlong(Vec(1, 0, 0), upright, true);
+    case ViewSide::Right:
+      return lookAlong(Vec(-1, 0, 0), upright, true);
+  }
 }
 
 void LevelView::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), true); }
@@ -83,7 +110,7 @@ void LevelView::fit() {
   if (environment_) fitTo(environment_->extremes);
 }
 
-void LevelView::fitTo(const std::vector<Vec3>& points) {
+void LevelView::standBefore(const std::vector<Vec3>& points) {
   if (points.empty()) return;
   const Vec right = camera()->rightVector();
   const Vec up = camera()->upVector();
@@ -116,11 +143,8 @@ void LevelView::fitTo(const std::vector<Vec3>& points) {
   const double middle = (nearest + farthest) / 2;
   // In a parallel projection the distance from the pivot only sets the scale.
   const double eyeDepth = parallel ? middle - std::max(reach, sceneRadius() * 1e-3) : std::min(-reach, nearest);
-  camera()->setPivotPoint(sideways + ahead * middle);
+  camera()->frame()->setPivotPoint(sideways + ahead * middle);
   camera()->setPosition(sideways + ahead * eyeDepth);
-  emit cameraMoved();
-  rest_.stop();  // one jump is no movement
-  update();
 }
 
 void LevelView::frame(const Vec3& lower, const Vec3& upper) {
@@ -143,12 +167,12 @@ void LevelView::frame(const Vec3& lower, const Vec3& upper) {
 void LevelView::lookAt(const Vec3& place) {
   const Vec3 origin = environment_ ? environment_->centre : Vec3{};
   const Vec target = toVec(place) - toVec(origin);
+  endGlide();
+  const CameraPose from = poseNow();
   const double distance = (camera()->position() - camera()->pivotPoint()).norm();
-  camera()->setPivotPoint(target);
+  camera()->frame()->setPivotPoint(target);
   camera()->setPosition(target - camera()->viewDirection() * distance);
-  emit cameraMoved();
-  rest_.stop();  // one jump is no movement
-  update();
+  glideFrom(from);
 }
 
 void LevelView::frameSelection() {
@@ -168,63 +192,6 @@ void LevelView::frameSelection() {
   const double reach = (toVec(p) - toVec(origin) - camera()->position()).norm() * std::tan(camera()->fieldOfView() / 2);
   const double half = reach / 2 / std::sqrt(3.0);
   frame({p.x - half, p.y - half, p.z - half}, {p.x + half, p.y + half, p.z + half});
-}
-
-void LevelView::zoomBy(double factor) {
-  const Vec pivot = camera()->pivotPoint();
-  camera()->setPosition(pivot + (camera()->position() - pivot) / factor);
-  emit cameraMoved();
-  update();
-}
-
-bool LevelView::moveByKey(int key) {
-  const double step = 0.08 * (camera()->position() - camera()->pivotPoint()).norm();
-  Vec move;
-  switch (key) {
-    case Qt::Key_Left:
-      move = camera()->rightVector() * -step;
-      break;
-    case Qt::Key_Right:
-      move = camera()->rightVector() * step;
-      break;
-    case Qt::Key_Up:
-      move = camera()->upVector() * step;
-      break;
-    case Qt::Key_Down:
-      move = camera()->upVector() * -step;
-      break;
-    default:
-      return false;
-  }
-  camera()->setPosition(camera()->position() + move);
-  camera()->setPivotPoint(camera()->pivotPoint() + move);
-  emit cameraMoved();
-  update();
-  return true;
-}
-
-CameraPose LevelView::cameraPose() const {
-  CameraPose pose;
-  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
-  const Vec position = camera()->position();
-  const Vec pivot = camera()->pivotPoint();
-  pose.position = {position.x + origin.x, position.y + origin.y, position.z + origin.z};
-  pose.pivot = {pivot.x + origin.x, pivot.y + origin.y, pivot.z + origin.z};
-  const Quaternion orientation = camera()->orientation();
-  for (int i = 0; i < 4; ++i) pose.orientation[static_cast<std::size_t>(i)] = orientation[i];
-  pose.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
-  return pose;
-}
-
-void LevelView::setCameraPose(const CameraPose& pose) {
-  const Vec3 origin = environment_ ? environment_->centre : Vec3{};
-  camera()->setType(pose.orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
-  camera()->setPivotPoint(Vec(pose.pivot.x - origin.x, pose.pivot.y - origin.y, pose.pivot.z - origin.z));
-  camera()->setOrientation(
-      Quaternion(pose.orientation[0], pose.orientation[1], pose.orientation[2], pose.orientation[3]));
-  camera()->setPosition(Vec(pose.position.x - origin.x, pose.position.y - origin.y, pose.position.z - origin.z));
-  fitWhenSized_ = false;
-  update();
 }
 
 }  // namespace footfall

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "ui/coarse_geometry.hpp"
+
 namespace footfall {
 namespace {
 
@@ -306,6 +308,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
                                                            : std::array{first->triangle, (last - 1)->triangle});
     }
   });
+  geometry->coarse.surface = coarsened(geometry->surface, geometry->coarse.triangles);
   geometry->bothSides = environment.bothSides;
   geometry->floors = findFloors(*geometry);
   return geometry;
@@ -339,6 +342,7 @@ std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh,
     addTriangle(geometry->surface, corners, centre, normals.back(), colour, false);
   }
   geometry->surfaceLayers = surfaceLayersOf(mesh, environmentLayers);
+  geometry->coarse.surface = coarsened(geometry->surface, geometry->coarse.triangles);
   if (paint) return geometry;  // what was removed shows no lines
   geometry->figures = figuresOf(mesh, centre);
   EdgeLayers edgeLayers(mesh);
@@ -355,6 +359,21 @@ std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh,
   geometry->obstacleEdgeLayers = edgeLayers.of(mesh.obstacleEdges);
   geometry->connectionLayers = edgeLayers.of(mesh.connections);
   return geometry;
+}
+
+void addSourceEdges(const NavigationMesh& mesh, const Vec3& centre, MeshGeometry& geometry) {
+  geometry.creases.clear();
+  geometry.creaseLayers.clear();
+  EdgeLayers edgeLayers(mesh);
+  forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
+    const LineLayers layers = edgeLayers.add(first, last);
+    const bool border =
+        last - first != 2 || mesh.sourceTriangles[first->triangle] != mesh.sourceTriangles[(first + 1)->triangle];
+    if (!border) return;
+    geometry.creases.push_back(
+        {toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+    if (!mesh.layers.empty()) geometry.creaseLayers.push_back(layers);
+  });
 }
 
 }  // namespace footfall

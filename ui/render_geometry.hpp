@@ -40,10 +40,17 @@ using EnvironmentLayers = std::vector<std::uint32_t>;
 /// On either side of a line; it is shown when one of them is.
 using LineLayers = std::array<std::uint32_t, 2>;
 
+/// A large surface with fewer triangles; empty for others (ui/coarse_geometry.hpp).
+struct CoarseSurface {
+  std::vector<SurfaceVertex> surface;
+  std::vector<std::uint32_t> triangles;  ///< of the large one, for each
+};
+
 struct EnvironmentGeometry {
   Vec3 centre;        ///< of the bounds, in the environment's coordinates: the origin of everything here
   Vec3 lower, upper;  ///< bounds relative to the centre
   std::vector<SurfaceVertex> surface;  ///< three a triangle; upward facing ones have alpha 0
+  CoarseSurface coarse;
   /// Its outermost points in many directions, for fitting the camera.
   std::vector<Vec3> extremes;
   /// The same for where its detail is, when that is a small part of it: a town in the middle of an endless plain.
@@ -66,8 +73,9 @@ struct LayerFigures {
 
 struct MeshGeometry {
   std::vector<SurfaceVertex> surface;  ///< three a triangle
-  std::vector<LineSegment> creases;    ///< sharp edges between two triangles
-  std::vector<LineSegment> outline;    ///< edges with one triangle
+  CoarseSurface coarse;
+  std::vector<LineSegment> creases;  ///< sharp edges between two triangles
+  std::vector<LineSegment> outline;  ///< edges with one triangle
   std::vector<LineSegment> obstacleEdges;
   std::vector<LineSegment> connections;
   std::uint32_t layers = 0;
@@ -90,6 +98,9 @@ std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationM
 std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh, const Vec3& centre,
                                                      const std::optional<Paint>& paint = std::nullopt,
                                                      const EnvironmentLayers* environmentLayers = nullptr);
+
+/// Replaces the creases by the edges on which pieces of different triangles of the environment meet.
+void addSourceEdges(const NavigationMesh& mesh, const Vec3& centre, MeshGeometry& geometry);
 
 /// What the view shows over the environment.
 struct ViewContent {

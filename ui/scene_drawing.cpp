@@ -85,11 +85,13 @@ void SceneRenderer::drawStill(const StillKey& key) {
     beginSurfaces(key.camera, key.pale);
     if (wires) setOnlyPaint(Paint{hiddenLineFill()}, true);
     surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
-    drawSurface(environmentSurface_, key.offset);
+    drawSurface(coarse_ && environmentCoarse_ ? environmentCoarse_ : environmentSurface_, key.offset);
     setOnlyPaint(std::nullopt);
     glDisable(GL_POLYGON_OFFSET_FILL);
   }
-  if (key.surface && wires) drawWires(environmentSurface_, key.camera, wireColour(), false);
+  if (key.surface && wires)
+    drawWires(coarse_ && environmentCoarse_ ? environmentCoarse_ : environmentSurface_, key.camera, wireColour(),
+              false);
   if (key.creases) {
     beginLines(key.camera);
     drawLines(environmentCreases_, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
@@ -138,15 +140,15 @@ void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
 
 void SceneRenderer::drawWalkable(const SceneCamera& camera, ViewMode mode) {
   if (mode == ViewMode::SourceTriangles && sourceBatches_.surface) {
-    drawSurface(sourceBatches_.surface, 0);
+    drawSurface(surfaceOf(sourceBatches_), 0);
     return;
   }
   if (mode == ViewMode::RejectedBy) setOnlyPaint(paleWalkablePaint());
   for (const MeshBatches& mesh : walkable_) {
     if (mode == ViewMode::Wireframe || mode == ViewMode::HiddenLine) {
-      drawWires(mesh.surface, camera, {}, true);
+      drawWires(surfaceOf(mesh), camera, {}, true);
     } else {
-      drawSurface(mesh.surface, 0);
+      drawSurface(surfaceOf(mesh), 0);
     }
   }
   setOnlyPaint(std::nullopt);
@@ -161,7 +163,7 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
   const bool removed = parts.removed && parts.environment && (parts.mode == ViewMode::Result || vivid);
   for (std::size_t i = removed_.size(); removed && i-- > 0;) {
     if (vivid) setOnlyPaint(content_.removed[i].style->vivid);
-    drawSurface(removed_[i].surface, static_cast<float>(removed_.size() - i));
+    drawSurface(surfaceOf(removed_[i]), static_cast<float>(removed_.size() - i));
   }
   setOnlyPaint(std::nullopt);
   glDisable(GL_POLYGON_OFFSET_FILL);

@@ -27,6 +27,15 @@ bool preparePicture(std::unique_ptr<QOpenGLFramebufferObject>& picture, const QS
   return true;
 }
 
+std::vector<std::uint32_t> pickedLayers(const std::vector<std::uint32_t>& layers,
+                                        const std::vector<std::uint32_t>& triangles) {
+  std::vector<std::uint32_t> picked;
+  if (layers.empty()) return picked;
+  picked.reserve(triangles.size());
+  for (const std::uint32_t triangle : triangles) picked.push_back(layers[triangle]);
+  return picked;
+}
+
 QVector3D toVector(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
 
 }  // namespace
@@ -52,6 +61,7 @@ QString SceneRenderer::initialize() {
 void SceneRenderer::release() {
   environmentSurface_.reset();
   environmentCreases_.reset();
+  environmentCoarse_.reset();
   removed_.clear();
   walkable_.clear();
   changes_.clear();
@@ -104,8 +114,12 @@ SceneRenderer::MeshBatches SceneRenderer::takeBatches(const GeometryPtr& geometr
                                                       const std::vector<MeshBatches>& known) {
   const auto found = std::ranges::find(known, geometry, &MeshBatches::geometry);
   if (found != known.end()) return *found;
-  MeshBatches batches{geometry, batches_.makeSurface(geometry->surface), {}, {}, {}, {}};
+  MeshBatches batches{geometry, batches_.makeSurface(geometry->surface), {}, {}, {}, {}, {}};
   batches_.setSurfaceLayers(batches.surface, geometry->surfaceLayers);
+  if (!geometry->coarse.surface.empty()) {
+    batches.coarse = batches_.makeSurface(geometry->coarse.surface);
+    batches_.setSurfaceLayers(batches.coarse, pickedLayers(geometry->surfaceLayers, geometry->coarse.triangles));
+  }
   if (!withLines) return batches;
   const auto lines = [this](const std::vector<LineSegment>& segments, const std::vector<LineLayers>& layers) {
     const BatchPtr batch = batches_.makeLines(segments);
@@ -127,6 +141,7 @@ void SceneRenderer::uploadEnvironmentLayers() {
   const EnvironmentLayers& known = shownEnvironmentLayers_ ? *shownEnvironmentLayers_ : kNone;
   const bool fits = known.size() * 3 == environment_->surface.size();
   batches_.setSurfaceLayers(environmentSurface_, fits ? known : kNone);
+  batches_.setSurfaceLayers(environmentCoarse_, fits ? pickedLayers(known, environment_->coarse.triangles) : kNone);
   const auto layerOf = [&](std::uint32_t triangle) { return triangle < known.size() ? known[triangle] : kNoLayer; };
   std::vector<LineLayers> creases;
   if (fits) {
@@ -148,6 +163,8 @@ void SceneRenderer::uploadPending() {
   if (environmentPending_) {
     environmentPending_ = false;
     environmentSurface_ = environment_ ? batches_.makeSurface(environment_->surface) : nullptr;
+    const bool large = environment_ && !environment_->coarse.surface.empty();
+    environmentCoarse_ = large ? batches_.makeSurface(environment_->coarse.surface) : nullptr;
     environmentCreases_ = environment_ ? batches_.makeLines(environment_->creases) : nullptr;
   }
   if (bordersPending_) {
@@ -239,7 +256,8 @@ bool SceneRenderer::copyContent(const ContentKey& key) {
   return copyToFrame(*picture_, frame);
 }
 
-void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, bool moving) {
+void SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, bool moving, bool coarse) {
+  coarse_ = coarse;
   uploadPending();
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);

@@ -77,7 +77,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   /// `moving`: the camera will be elsewhere in the next frame. While it rests, pictures of the environment alone and of
   /// it with the content and the cells, but without changes and marks, are drawn once and kept: frames after that cost
   /// only what is new.
-  void draw(const SceneCamera& camera, const SceneParts& parts, bool moving);
+  /// `coarse`: of large surfaces, those with fewer triangles.
+  void draw(const SceneCamera& camera, const SceneParts& parts, bool moving, bool coarse);
 
  private:
   using BatchPtr = SceneBatchPtr;
@@ -85,6 +86,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   struct MeshBatches {
     GeometryPtr geometry;  ///< what they were made of, which may come again with other content
     BatchPtr surface, creases, outline, obstacleEdges, connections;
+    BatchPtr coarse;  ///< null for surfaces that are small
   };
 
   /// All that the picture of the environment depends on.
@@ -141,6 +143,9 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void drawField(const SceneCamera& camera);
   void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
   void drawBackground();
+  [[nodiscard]] const BatchPtr& surfaceOf(const MeshBatches& mesh) const {
+    return coarse_ && mesh.coarse ? mesh.coarse : mesh.surface;
+  }
   void drawSurface(const BatchPtr& batch, float offset);
   void beginLines(const SceneCamera& camera);
   void endLines();
@@ -164,8 +169,9 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   GeometryPtr sources_;
   MeshBatches sourceBatches_;
 
-  BatchPtr environmentSurface_, environmentCreases_;
-  Picture still_;  ///< belongs to stillKey_
+  BatchPtr environmentSurface_, environmentCreases_, environmentCoarse_;
+  bool coarse_ = false;  ///< in this frame
+  Picture still_;        ///< belongs to stillKey_
   StillKey stillKey_;
   Picture picture_;  ///< belongs to pictureKey_
   ContentKey pictureKey_;

@@ -106,6 +106,7 @@ class TestLayerList : public QObject {
     QTest::keyClick(&panel_->list(), Qt::Key_Space);
     QTest::keyClick(&panel_->list(), Qt::Key_Return);
     QCOMPARE(panel_->soloLayer(), std::optional(deck_));
+    window_->view().setFocus();
     QTest::keyClick(&window_->view(), Qt::Key_PageUp);
     QVERIFY(panel_->soloLayer() == std::optional(ground_));
     QTest::keyClick(&window_->view(), Qt::Key_PageDown);
@@ -140,6 +141,7 @@ class TestLayerList : public QObject {
     QCOMPARE(panel_->list().topLevelItem(0)->text(2), QString("80.00"));
     QVERIFY(window_->view().hiddenLayers().empty());
     // Where there are no layers, storeys stand for them.
+    window_->view().setFocus();
     QTest::keyClick(&window_->view(), Qt::Key_PageUp);
     QVERIFY(window_->heightSlider().shownFloor().has_value());
   }

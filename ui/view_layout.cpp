@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view_layout.hpp"
+
+#include <algorithm>
+
+namespace footfall {
+namespace {
+
+constexpr int kMargin = 12;
+constexpr int kGap = 8;
+
+bool shown(const QWidget* widget) { return widget && !widget->isHidden(); }
+
+}  // namespace
+
+void ViewLayout::place(const QSize& view) const {
+  int bottom = view.height() - kMargin;  // of what is left on the right
+  if (cells) {
+    cells->adjustSize();
+    cells->move(view.width() - cells->width() - kMargin, view.height() - cells->height() - kMargin);
+    if (shown(cells)) bottom = cells->y() - kGap;
+  }
+  int top = kMargin;
+  int right = view.width() - kMargin;
+  if (gizmo) {
+    gizmo->move(right - gizmo->width(), top);
+    if (shown(gizmo)) top = gizmo->geometry().bottom() + kGap;
+  }
+  if (heights) {
+    const QSize wanted = heights->sizeHint();
+    if (bottom - top < heights->minimumSizeHint().height() && shown(gizmo)) {
+      top = kMargin;
+      right = gizmo->x() - kGap;
+      bottom = view.height() - kMargin;
+      if (shown(cells) && cells->x() < right) bottom = cells->y() - kGap;
+    }
+    heights->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, wanted.height()));
+  }
+  if (legend) {
+    legend->adjustSize();
+    legend->move(kMargin, view.height() - legend->height() - kMargin);
+  }
+  if (cutBar) {
+    // As wide as is handy, but not under what stands on the right.
+    constexpr int kHandy = 420;
+    const int left = shown(heights) ? heights->x() : shown(gizmo) ? gizmo->x() : view.width();
+    const QSize least = cutBar->minimumSizeHint();
+    cutBar->setGeometry(kMargin, kMargin, std::max(least.width(), std::min(kHandy, left - kGap - kMargin)),
+                        least.height());
+  }
+}
+
+}  // namespace footfall
