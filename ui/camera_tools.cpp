@@ -121,7 +121,7 @@ void CameraTools::addBookmarks() {
     for (const bool keep : {false, true}) {
       auto* action = new QAction(&window_);
       action->setObjectName(QStringLiteral("%1Bookmark%2").arg(keep ? "keep" : "recall").arg(slot));
-      action->setShortcut(keep ? QKeySequence(Qt::CTRL | Qt::ALT | key) : QKeySequence(Qt::ALT | key));
+      action->setShortcut(keep ? QKeySequence(Qt::CTRL | Qt::ALT | key) : QKeySequence(Qt::CTRL | Qt::SHIFT | key));
       connect(action, &QAction::triggered, this, [this, slot, keep] {
         if (keep) {
           keepBookmark(slot, bookmarks_.contains(slot) ? bookmarks_[slot].name : QString());
@@ -144,7 +144,7 @@ void CameraTools::fillMenu() {
   keep->setEnabled(window_.environment() != nullptr);
   menu_->addSeparator();
   if (bookmarks_.empty()) {
-    menu_->addAction(tr("No bookmarks; Ctrl+Alt+1 to 9 keep one, Alt+1 to 9 go there"))->setEnabled(false);
+    menu_->addAction(tr("No bookmarks; Ctrl+Alt+1 to 9 keep one, Ctrl+Shift+1 to 9 go there"))->setEnabled(false);
     return;
   }
   auto* forget = new QMenu(tr("&Forget"), menu_);
@@ -152,7 +152,7 @@ void CameraTools::fillMenu() {
     const int slot = number;
     QAction* recall = menu_->addAction(bookmark.name, this, [this, slot] { recallBookmark(slot); });
     recall->setToolTip(
-        QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + slot)).toString(QKeySequence::NativeText));
+        QKeySequence(Qt::CTRL | Qt::SHIFT | static_cast<Qt::Key>(Qt::Key_0 + slot)).toString(QKeySequence::NativeText));
     forget->addAction(bookmark.name, this, [this, slot] {
       bookmarks_.erase(slot);
       window_.keepSoon();
@@ -170,7 +170,7 @@ void CameraTools::askForName() {
   dialog->setObjectName(QStringLiteral("bookmarkName"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Keep this view"));
-  dialog->setLabelText(tr("Name of the view (Alt+%1 goes back to it):").arg(slot));
+  dialog->setLabelText(tr("Name of the view (Ctrl+Shift+%1 goes back to it):").arg(slot));
   dialog->setTextValue(tr("View %1").arg(slot));
   connect(dialog, &QInputDialog::textValueSelected, this,
           [this, slot](const QString& name) { keepBookmark(slot, name); });
@@ -181,7 +181,7 @@ void CameraTools::keepBookmark(int slot, const QString& name) {
   if (!window_.environment() || slot < 1 || slot > kBookmarks) return;
   const QString used = name.trimmed().isEmpty() ? tr("View %1").arg(slot) : name.trimmed();
   bookmarks_[slot] = {used, window_.view().cameraPose()};
-  window_.say(tr("Kept '%1'; Alt+%2 goes back to it").arg(used).arg(slot));
+  window_.say(tr("Kept '%1'; Ctrl+Shift+%2 goes back to it").arg(used).arg(slot));
   window_.keepSoon();
 }
 

@@ -115,7 +115,7 @@ void PartPanel::createActions() {
   const auto add = [&](const char* name, const QString& text, const QString& help, PartRole role, Qt::Key key) {
     auto* action = new QAction(text, this);
     action->setObjectName(QLatin1String(name));
-    action->setShortcut(QKeySequence(Qt::ALT | key));
+    action->setShortcut(QKeySequence(Qt::ALT | Qt::SHIFT | key));
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     action->setToolTip(QStringLiteral("%1 (%2)").arg(help, action->shortcut().toString(QKeySequence::NativeText)));
     action->setEnabled(false);

@@ -231,7 +231,7 @@ class TestCamera : public QObject {
     auto* tools = window_->findChild<CameraTools*>();
     QCOMPARE(tools->bookmarks().size(), std::size_t{1});
     view.viewFromTop();
-    QTest::keyClick(&view, Qt::Key_3, Qt::AltModifier);
+    QTest::keyClick(&view, Qt::Key_3, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(distance(view.cameraPose().position, kept.position) < 1e-9);
     QVERIFY(!view.cameraPose().orthographic);
     // With a name, and in a session.

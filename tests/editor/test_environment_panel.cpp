@@ -85,7 +85,7 @@ class TestEnvironmentPanel : public QObject {
 
   void rolesByKeysAndButtons() {
     select("table");
-    QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier);
+    QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 56.0);  // it still blocks
     QCOMPARE(row("table").siblingAtColumn(2).data().toString(), QString("obstacle only"));
     // What a box takes in again is what it was.
@@ -93,7 +93,7 @@ class TestEnvironmentPanel : public QObject {
     QCOMPARE(area(), 64.0);
     QTest::keyClick(&tree(), Qt::Key_Space);
     QCOMPARE(area(), 56.0);
-    QTest::keyClick(&tree(), Qt::Key_1, Qt::AltModifier);
+    QTest::keyClick(&tree(), Qt::Key_1, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 64.0);
     QVERIFY(window_->document().state().partRules.empty());
     select("ground · stone");
@@ -106,7 +106,7 @@ class TestEnvironmentPanel : public QObject {
 
   void everythingIgnoredAndBack() {
     tree().selectAll();
-    QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier);
+    QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 0.0);
     QVERIFY(window_->level()->triangles.empty());
     QVERIFY(window_->messageBar().text().isEmpty());
@@ -160,7 +160,7 @@ class TestEnvironmentPanel : public QObject {
 
   void rolesAreKeptInSessions() {
     select("table");
-    QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier);
+    QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 56.0);
     const QString session = folder_->filePath("room.footfall");
     QSignalSpy written(window_.get(), &EditorWindow::written);
@@ -178,7 +178,7 @@ class TestEnvironmentPanel : public QObject {
   // Rules outlive a change of the import options, and parts keep their numbers in the view.
   void rolesOutliveAReload() {
     select("table");
-    QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier);
+    QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 64.0);
     QTest::mouseClick(window_->importPanel().bothSidesBox(), Qt::LeftButton);
     QVERIFY(waitUntilIdle(*window_));
@@ -204,7 +204,7 @@ class TestEnvironmentPanel : public QObject {
     time("drawing", [&] { tree().viewport()->repaint(); });
     tree().setFocus();
     time("selecting all", [&] { tree().selectAll(); });
-    time("a role for all", [&] { QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier); });
+    time("a role for all", [&] { QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier | Qt::ShiftModifier); });
     time("undo", [&] { window_->document().undoStack()->undo(); });
     window_->document().undoStack()->redo();
     QVERIFY2(worst < 500, qPrintable(QString::number(worst)));  // generous: the machine may be busy
