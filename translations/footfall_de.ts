@@ -940,35 +940,35 @@
     <name>footfall::AxisGizmo</name>
     <message>
         <source>From the top</source>
-        <translation type="unfinished"></translation>
+        <translation>Von oben</translation>
     </message>
     <message>
         <source>From below</source>
-        <translation type="unfinished"></translation>
+        <translation>Von unten</translation>
     </message>
     <message>
         <source>From the front</source>
-        <translation type="unfinished"></translation>
+        <translation>Von vorn</translation>
     </message>
     <message>
         <source>From the back</source>
-        <translation type="unfinished"></translation>
+        <translation>Von hinten</translation>
     </message>
     <message>
         <source>From the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Von links</translation>
     </message>
     <message>
         <source>From the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Von rechts</translation>
     </message>
     <message>
         <source>Axes of the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen der Ansicht</translation>
     </message>
     <message>
         <source>Click an axis to look along it; drag to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf eine Achse blickt an ihr entlang; Ziehen dreht</translation>
     </message>
 </context>
 <context>
@@ -1026,119 +1026,119 @@
     <name>footfall::CameraTools</name>
     <message>
         <source>Fly: %1 units a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Fliegen: %1 Einheiten je Sekunde</translation>
     </message>
     <message>
         <source>From &amp;below</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;unten</translation>
     </message>
     <message>
         <source>Look straight up</source>
-        <translation type="unfinished"></translation>
+        <translation>Senkrecht nach oben sehen</translation>
     </message>
     <message>
         <source>From the f&amp;ront</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;vorn</translation>
     </message>
     <message>
         <source>Look along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>An Y entlang sehen</translation>
     </message>
     <message>
         <source>From the bac&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;hinten</translation>
     </message>
     <message>
         <source>Look against Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegen Y sehen</translation>
     </message>
     <message>
         <source>From the ri&amp;ght</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;rechts</translation>
     </message>
     <message>
         <source>Look against X</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegen X sehen</translation>
     </message>
     <message>
         <source>From the &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;links</translation>
     </message>
     <message>
         <source>Look along X</source>
-        <translation type="unfinished"></translation>
+        <translation>An X entlang sehen</translation>
     </message>
     <message>
         <source>&amp;Perspective or parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Perspektive oder parallel</translation>
     </message>
     <message>
         <source>Switch between perspective and parallel projection</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen perspektivischer und paralleler Projektion wechseln</translation>
     </message>
     <message>
         <source>Frame &amp;selection</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Auswahl ins Bild</translation>
     </message>
     <message>
         <source>Bring what is selected, or what the mouse points at, into sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ausgewählte, oder worauf die Maus zeigt, ins Bild bringen</translation>
     </message>
     <message>
         <source>&amp;Fly</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fliegen</translation>
     </message>
     <message>
         <source>Move through the level with W A S D, Q and E, and look with the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit W A S D, Q und E durch das Level bewegen und mit der Maus umsehen</translation>
     </message>
     <message>
         <source>Glide to &amp;new views</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu &amp;neuen Ansichten gleiten</translation>
     </message>
     <message>
         <source>Show where the camera goes when it jumps; off to reduce motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, wohin die Kamera springt; aus für weniger Bewegung</translation>
     </message>
     <message>
         <source>&amp;Bookmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lesezeichen</translation>
     </message>
     <message>
         <source>&amp;Keep this view...</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ansicht &amp;behalten...</translation>
     </message>
     <message>
         <source>Remember where the camera is, under a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Merken, wo die Kamera ist, unter einem Namen</translation>
     </message>
     <message>
         <source>No bookmarks; Ctrl+Alt+1 to 9 keep one, Alt+1 to 9 go there</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Lesezeichen; Strg+Alt+1 bis 9 behält eines, Alt+1 bis 9 geht hin</translation>
     </message>
     <message>
         <source>&amp;Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vergessen</translation>
     </message>
     <message>
         <source>Keep this view</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ansicht behalten</translation>
     </message>
     <message>
         <source>Name of the view (Alt+%1 goes back to it):</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Ansicht (Alt+%1 kehrt zu ihr zurück):</translation>
     </message>
     <message>
         <source>View %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht %1</translation>
     </message>
     <message>
         <source>Kept &apos;%1&apos;; Alt+%2 goes back to it</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ behalten; Alt+%2 kehrt dorthin zurück</translation>
     </message>
     <message>
         <source>No view is kept there; Ctrl+Alt+%1 keeps this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort ist keine Ansicht behalten; Strg+Alt+%1 behält diese</translation>
     </message>
 </context>
 <context>
@@ -1388,51 +1388,51 @@
     <name>footfall::CutBar</name>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Direction of the cut plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung der Schnittebene</translation>
     </message>
     <message>
         <source>Which way the plane faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin die Ebene zeigt</translation>
     </message>
     <message>
         <source>Across X</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zu X</translation>
     </message>
     <message>
         <source>Across Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zu Y</translation>
     </message>
     <message>
         <source>Facing the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kamera zugewandt</translation>
     </message>
     <message>
         <source>Position of the cut plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage der Schnittebene</translation>
     </message>
     <message>
         <source>Move the plane through the level</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ebene durch das Level bewegen</translation>
     </message>
     <message>
         <source>Other side</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Seite</translation>
     </message>
     <message>
         <source>Show what is on the other side of the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, was auf der anderen Seite der Ebene liegt</translation>
     </message>
     <message>
         <source>No cut plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Schnittebene</translation>
     </message>
     <message>
         <source>Show the whole level again</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder das ganze Level zeigen</translation>
     </message>
 </context>
 <context>
@@ -2508,7 +2508,7 @@
     <name>footfall::FlyTool</name>
     <message>
         <source>Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed, Esc ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Fliegen: W A S D bewegen, Q und E ab und auf, die Maus sieht sich um, Umschalt schneller, das Rad ändert das Tempo, Esc beendet</translation>
     </message>
 </context>
 <context>
@@ -2837,35 +2837,35 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
     <message>
         <source>limit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze %1</translation>
     </message>
     <message>
         <source>Slope of floors</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung der Böden</translation>
     </message>
     <message>
         <source>Free height above floors, in units</source>
-        <translation type="unfinished"></translation>
+        <translation>Freie Höhe über Böden, in Einheiten</translation>
     </message>
     <message>
         <source>%1 (computing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (wird berechnet)</translation>
     </message>
     <message>
         <source>%1, limit %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Grenze %2</translation>
     </message>
     <message>
         <source>Hatched: steeper than the limit of the slope filter</source>
-        <translation type="unfinished"></translation>
+        <translation>Schraffiert: steiler als die Grenze des Neigungsfilters</translation>
     </message>
     <message>
         <source>Hatched: less than the clearance filter asks for</source>
-        <translation type="unfinished"></translation>
+        <translation>Schraffiert: weniger, als der Höhenfilter verlangt</translation>
     </message>
     <message>
         <source>Walkable, by source triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Begehbar, nach Quelldreieck</translation>
     </message>
 </context>
 <context>
@@ -2904,11 +2904,11 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
     <message>
         <source>&amp;Cut plane</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chnittebene</translation>
     </message>
     <message>
         <source>Cut the view with an upright plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht mit einer aufrechten Ebene schneiden</translation>
     </message>
 </context>
 <context>
@@ -4274,23 +4274,23 @@ Material: %2</translation>
     <name>footfall::ViewModes</name>
     <message>
         <source>View mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichtsart</translation>
     </message>
     <message>
         <source>What the view shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Ansicht zeigt</translation>
     </message>
     <message>
         <source>Open an environment first</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen Sie zuerst eine Umgebung</translation>
     </message>
     <message>
         <source>Waits for the first result of the filters</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet auf das erste Ergebnis der Filter</translation>
     </message>
     <message>
         <source>view: memory ran out; choose another view mode or a smaller environment</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht: Der Speicher reicht nicht; wählen Sie eine andere Ansichtsart oder eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
