@@ -284,15 +284,15 @@
     </message>
     <message>
         <source>%1 units (%2 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Einheiten (%2 m)</translation>
     </message>
     <message>
         <source>%1 m²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m²</translation>
     </message>
     <message>
         <source>%1 units² (%2 m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Einheiten² (%2 m²)</translation>
     </message>
     <message>
         <source>Walkable</source>
@@ -300,126 +300,126 @@
     </message>
     <message>
         <source>Walkable, on an obstacle edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Begehbar, auf einer Hinderniskante</translation>
     </message>
     <message>
         <source>Not walkable: without area</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: ohne Fläche</translation>
     </message>
     <message>
         <source>Not walkable: a wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: eine Wand</translation>
     </message>
     <message>
         <source>Not walkable: faces down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: zeigt nach unten</translation>
     </message>
     <message>
         <source>Not walkable: an obstacle only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: nur Hindernis</translation>
     </message>
     <message>
         <source>Not walkable: too steep</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: zu steil</translation>
     </message>
     <message>
         <source>Not walkable: too low</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: zu niedrig</translation>
     </message>
     <message>
         <source>Not walkable: too small an area</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: zu kleine Fläche</translation>
     </message>
     <message>
         <source>Not walkable: merged away</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht begehbar: verschmolzen</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>It belongs to component %1 of %2, with an area of %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gehört zu Teil %1 von %2, mit einer Fläche von %3.</translation>
     </message>
     <message>
         <source>Layer %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene %1.</translation>
     </message>
     <message>
         <source>The corners of this triangle lie on one line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ecken dieses Dreiecks liegen auf einer Linie.</translation>
     </message>
     <message>
         <source>The triangle stands upright; nobody can stand on it. What it crosses becomes obstacle edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Dreieck steht aufrecht; niemand kann darauf stehen. Was es kreuzt, wird zu Hinderniskanten.</translation>
     </message>
     <message>
         <source>Only triangles that face up are floors. If the file&apos;s winding is unreliable, let both sides count as up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Dreiecke, die nach oben zeigen, sind Böden. Ist der Umlaufsinn der Datei unzuverlässig, lassen Sie beide Seiten als oben zählen.</translation>
     </message>
     <message>
         <source>This part of the environment is marked as an obstacle only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Teil der Umgebung ist als nur Hindernis markiert.</translation>
     </message>
     <message>
         <source>It rises by %1°; at most %2° are allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es steigt um %1°; höchstens %2° sind erlaubt.</translation>
     </message>
     <message>
         <source>Something is above it within the %1 that agents need.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas liegt darüber, innerhalb der %1, die Agenten brauchen.</translation>
     </message>
     <message>
         <source>Triangle %1 is %2 above it; agents need %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreieck %1 liegt %2 darüber; Agenten brauchen %3.</translation>
     </message>
     <message>
         <source>%1 units</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Einheiten</translation>
     </message>
     <message>
         <source>The connected region around it has an area of %1; it must have more than %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das zusammenhängende Gebiet darum hat eine Fläche von %1; es muss mehr als %2 haben.</translation>
     </message>
     <message>
         <source>The filter moved vertices, and no triangle is here any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Filter hat Ecken bewegt, und hier ist kein Dreieck mehr.</translation>
     </message>
     <message>
         <source>The floor here is triangle %1, in the same plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Boden hier ist Dreieck %1, in derselben Ebene.</translation>
     </message>
     <message>
         <source>Exactly here stands a wall: triangle %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Genau hier steht eine Wand: Dreieck %1.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>unlimited: nothing is above</source>
-        <translation type="unfinished"></translation>
+        <translation>unbegrenzt: Nichts ist darüber</translation>
     </message>
     <message>
         <source>%1, below triangle %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, unter Dreieck %2</translation>
     </message>
     <message>
         <source>x %1, y %2, z %3</source>
-        <translation type="unfinished"></translation>
+        <translation>x %1, y %2, z %3</translation>
     </message>
 </context>
 <context>
     <name>WhyTool</name>
     <message>
         <source>Why? Click a place (or press Return over it); Esc ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum? Klicken Sie eine Stelle an (oder Eingabe darüber); Esc beendet.</translation>
     </message>
 </context>
 <context>
@@ -937,6 +937,41 @@
     </message>
 </context>
 <context>
+    <name>footfall::AxisGizmo</name>
+    <message>
+        <source>From the top</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Von unten</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From the back</source>
+        <translation>Von hinten</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Von links</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Von rechts</translation>
+    </message>
+    <message>
+        <source>Axes of the view</source>
+        <translation>Achsen der Ansicht</translation>
+    </message>
+    <message>
+        <source>Click an axis to look along it; drag to turn</source>
+        <translation>Klick auf eine Achse blickt an ihr entlang; Ziehen dreht</translation>
+    </message>
+</context>
+<context>
     <name>footfall::BusyPlot</name>
     <message>
         <source>pre-processing</source>
@@ -985,6 +1020,125 @@
     <message>
         <source>Thread %1 was busy for %2</source>
         <translation>Thread %1 war %2 lang beschäftigt</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::CameraTools</name>
+    <message>
+        <source>Fly: %1 units a second</source>
+        <translation>Fliegen: %1 Einheiten je Sekunde</translation>
+    </message>
+    <message>
+        <source>From &amp;below</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>Look straight up</source>
+        <translation>Senkrecht nach oben sehen</translation>
+    </message>
+    <message>
+        <source>From the f&amp;ront</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Look along Y</source>
+        <translation>An Y entlang sehen</translation>
+    </message>
+    <message>
+        <source>From the bac&amp;k</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look against Y</source>
+        <translation>Gegen Y sehen</translation>
+    </message>
+    <message>
+        <source>From the ri&amp;ght</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Look against X</source>
+        <translation>Gegen X sehen</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>Look along X</source>
+        <translation>An X entlang sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective or parallel</source>
+        <translation>&amp;Perspektive oder parallel</translation>
+    </message>
+    <message>
+        <source>Switch between perspective and parallel projection</source>
+        <translation>Zwischen perspektivischer und paralleler Projektion wechseln</translation>
+    </message>
+    <message>
+        <source>Frame &amp;selection</source>
+        <translation>&amp;Auswahl ins Bild</translation>
+    </message>
+    <message>
+        <source>Bring what is selected, or what the mouse points at, into sight</source>
+        <translation>Das Ausgewählte, oder worauf die Maus zeigt, ins Bild bringen</translation>
+    </message>
+    <message>
+        <source>&amp;Fly</source>
+        <translation>&amp;Fliegen</translation>
+    </message>
+    <message>
+        <source>Move through the level with W A S D, Q and E, and look with the mouse</source>
+        <translation>Mit W A S D, Q und E durch das Level bewegen und mit der Maus umsehen</translation>
+    </message>
+    <message>
+        <source>Glide to &amp;new views</source>
+        <translation>Zu &amp;neuen Ansichten gleiten</translation>
+    </message>
+    <message>
+        <source>Show where the camera goes when it jumps; off to reduce motion</source>
+        <translation>Zeigen, wohin die Kamera springt; aus für weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>&amp;Lesezeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this view...</source>
+        <translation>Diese Ansicht &amp;behalten...</translation>
+    </message>
+    <message>
+        <source>Remember where the camera is, under a name</source>
+        <translation>Merken, wo die Kamera ist, unter einem Namen</translation>
+    </message>
+    <message>
+        <source>No bookmarks; Ctrl+Alt+1 to 9 keep one, Alt+1 to 9 go there</source>
+        <translation>Keine Lesezeichen; Strg+Alt+1 bis 9 behält eines, Alt+1 bis 9 geht hin</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Vergessen</translation>
+    </message>
+    <message>
+        <source>Keep this view</source>
+        <translation>Diese Ansicht behalten</translation>
+    </message>
+    <message>
+        <source>Name of the view (Alt+%1 goes back to it):</source>
+        <translation>Name der Ansicht (Alt+%1 kehrt zu ihr zurück):</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Kept &apos;%1&apos;; Alt+%2 goes back to it</source>
+        <translation>„%1“ behalten; Alt+%2 kehrt dorthin zurück</translation>
+    </message>
+    <message>
+        <source>No view is kept there; Ctrl+Alt+%1 keeps this one</source>
+        <translation>Dort ist keine Ansicht behalten; Strg+Alt+%1 behält diese</translation>
     </message>
 </context>
 <context>
@@ -1148,11 +1302,11 @@
     <name>footfall::ComponentsModel</name>
     <message>
         <source>Rank</source>
-        <translation type="unfinished"></translation>
+        <translation>Rang</translation>
     </message>
     <message>
         <source>Area (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche (m²)</translation>
     </message>
     <message>
         <source>Area (units²)</source>
@@ -1168,54 +1322,54 @@
     </message>
     <message>
         <source>Centre</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte</translation>
     </message>
     <message>
         <source>Centre of mass, x y z, in the frame of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerpunkt, x y z, im Bezugssystem der Datei</translation>
     </message>
     <message>
         <source>Of the surface; the largest is the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Oberfläche; das größte ist das erste</translation>
     </message>
 </context>
 <context>
     <name>footfall::ComponentsPanel</name>
     <message>
         <source>Copy as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Text kopieren</translation>
     </message>
     <message>
         <source>any area</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Fläche</translation>
     </message>
     <message>
         <source>Show only components with less area than this, in the environment&apos;s units</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Teile mit weniger Fläche zeigen, in den Einheiten der Umgebung</translation>
     </message>
     <message>
         <source>&amp;Smaller than</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kleiner als</translation>
     </message>
     <message>
         <source>Components, largest first</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile, die größten zuerst</translation>
     </message>
     <message>
         <source>Click a component, or press Return on it, to bring it into sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf einen Teil oder Eingabe darauf bringt ihn ins Bild</translation>
     </message>
     <message>
         <source>Number and area of the components that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl und Fläche der gezeigten Teile</translation>
     </message>
     <message>
         <source>Copy all rows that are shown to the clipboard, with tabs for a spreadsheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle gezeigten Zeilen in die Zwischenablage kopieren, mit Tabulatoren für eine Tabelle</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no area; give a number above 0, such as 2.5</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Fläche; geben Sie eine Zahl über 0, etwa 2.5</translation>
     </message>
     <message>
         <source>No result yet</source>
@@ -1223,11 +1377,62 @@
     </message>
     <message>
         <source>%1 components, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Teile, %2</translation>
     </message>
     <message>
         <source>%1 of %2 components, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Teilen, %3</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::CutBar</name>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Direction of the cut plane</source>
+        <translation>Richtung der Schnittebene</translation>
+    </message>
+    <message>
+        <source>Which way the plane faces</source>
+        <translation>Wohin die Ebene zeigt</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Quer zu X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>Quer zu Y</translation>
+    </message>
+    <message>
+        <source>Facing the camera</source>
+        <translation>Der Kamera zugewandt</translation>
+    </message>
+    <message>
+        <source>Position of the cut plane</source>
+        <translation>Lage der Schnittebene</translation>
+    </message>
+    <message>
+        <source>Move the plane through the level</source>
+        <translation>Die Ebene durch das Level bewegen</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Show what is on the other side of the plane</source>
+        <translation>Zeigen, was auf der anderen Seite der Ebene liegt</translation>
+    </message>
+    <message>
+        <source>No cut plane</source>
+        <translation>Keine Schnittebene</translation>
+    </message>
+    <message>
+        <source>Show the whole level again</source>
+        <translation>Wieder das ganze Level zeigen</translation>
     </message>
 </context>
 <context>
@@ -1712,19 +1917,19 @@
     </message>
     <message>
         <source>&amp;Export...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren...</translation>
     </message>
     <message>
         <source>Write the walkable area, a picture or a report</source>
-        <translation type="unfinished"></translation>
+        <translation>Die begehbare Fläche, ein Bild oder einen Bericht schreiben</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Ein Bild von %2 × %3 kann hier nicht gezeichnet werden; wählen Sie eine kleinere Größe</translation>
     </message>
 </context>
 <context>
@@ -1761,59 +1966,59 @@
     <name>footfall::ExportDialog</name>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>The format of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Format der Datei</translation>
     </message>
     <message>
         <source>The file to write; its ending chooses the format</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zu schreibende Datei; ihre Endung wählt das Format</translation>
     </message>
     <message>
         <source>Browse...</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsuchen...</translation>
     </message>
     <message>
         <source>Choose the file in a dialog</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei in einem Dialog wählen</translation>
     </message>
     <message>
         <source>A group for each layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Gruppe je Ebene</translation>
     </message>
     <message>
         <source>Off: all walkable triangles in one group</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus: alle begehbaren Dreiecke in einer Gruppe</translation>
     </message>
     <message>
         <source>Connections as lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindungen als Linien</translation>
     </message>
     <message>
         <source>The edges on which two layers meet</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kanten, an denen sich zwei Ebenen treffen</translation>
     </message>
     <message>
         <source>Obstacle edges as lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinderniskanten als Linien</translation>
     </message>
     <message>
         <source>Edges that agents cannot cross though both sides are walkable</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten, die Agenten nicht überqueren können, obwohl beide Seiten begehbar sind</translation>
     </message>
     <message>
         <source>Placed obstacles</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesetzte Hindernisse</translation>
     </message>
     <message>
         <source>Each obstacle that was placed in the editor, as a group of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes im Editor gesetzte Hindernis, als eigene Gruppe</translation>
     </message>
     <message>
         <source>As in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie in der Datei</translation>
     </message>
     <message>
         <source>Y up</source>
@@ -1825,11 +2030,11 @@
     </message>
     <message>
         <source>Which axis points up in the export; glTF is always Y up</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Achse im Export nach oben zeigt; bei glTF ist immer Y oben</translation>
     </message>
     <message>
         <source>Coordinates are multiplied with it. 1 keeps the file&apos;s units (metres in glTF), and OBJ exact; other scales than powers of two round once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten werden damit multipliziert. 1 behält die Einheiten der Datei (Meter in glTF), und OBJ exakt; andere Maßstäbe als Zweierpotenzen runden noch einmal.</translation>
     </message>
     <message>
         <source>Up axis</source>
@@ -1837,67 +2042,67 @@
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>Larger pictures have thicker lines, so that they look the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Größere Bilder haben dickere Linien, damit sie gleich aussehen</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Pictures: as seen now, from the top, and oblique</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder: wie jetzt zu sehen, von oben und schräg</translation>
     </message>
     <message>
         <source>They are part of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sind Teil der Datei</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Content</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt</translation>
     </message>
     <message>
         <source>Give a name for the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie der Datei einen Namen.</translation>
     </message>
     <message>
         <source>%1 is a folder; give the name of a file in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Ordner; geben Sie den Namen einer Datei darin.</translation>
     </message>
     <message>
         <source>&quot;.%1&quot; is no format that can be written; the name must end in .obj, .gltf, .glb, .png or .html.</source>
-        <translation type="unfinished"></translation>
+        <translation>„.%1“ ist kein Format, das geschrieben werden kann; der Name muss auf .obj, .gltf, .glb, .png oder .html enden.</translation>
     </message>
     <message>
         <source>The folder %1 does not exist; create it or choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner %1 gibt es nicht; legen Sie ihn an oder wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>Scale: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab: %1</translation>
     </message>
     <message>
         <source>The view as it is now, with what tools have drawn, without panels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht, wie sie jetzt ist, mit dem, was Werkzeuge gezeichnet haben, ohne Tafeln.</translation>
     </message>
     <message>
         <source>The result of the run under way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis des Laufs, der gerade läuft.</translation>
     </message>
     <message>
         <source>triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreieck</translation>
     </message>
     <message>
         <source>triangles</source>
@@ -1905,19 +2110,19 @@
     </message>
     <message>
         <source>step with its times</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt mit seinen Zeiten</translation>
     </message>
     <message>
         <source>steps with their times</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte mit ihren Zeiten</translation>
     </message>
     <message>
         <source>three pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>drei Bilder</translation>
     </message>
     <message>
         <source>Figures of a result with %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen eines Ergebnisses mit %1.</translation>
     </message>
     <message>
         <source>layer</source>
@@ -1945,66 +2150,66 @@
     </message>
     <message>
         <source>placed obstacle</source>
-        <translation type="unfinished"></translation>
+        <translation>gesetztes Hindernis</translation>
     </message>
     <message>
         <source>placed obstacles</source>
-        <translation type="unfinished"></translation>
+        <translation>gesetzte Hindernisse</translation>
     </message>
     <message>
         <source>The export waits for the run under way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Export wartet auf den laufenden Lauf.</translation>
     </message>
     <message>
         <source>Size: ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe: ...</translation>
     </message>
     <message>
         <source>Size: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe: %1</translation>
     </message>
     <message>
         <source>glTF has floats: coordinates move by up to %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF hat einfache Genauigkeit: Koordinaten verschieben sich um bis zu %1 m</translation>
     </message>
 </context>
 <context>
     <name>footfall::ExportTexts</name>
     <message>
         <source>Wavefront OBJ: exact, in the file&apos;s frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Wavefront OBJ: exakt, im Bezugssystem der Datei</translation>
     </message>
     <message>
         <source>glTF, text: metres, Y up</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF, Text: Meter, Y oben</translation>
     </message>
     <message>
         <source>glTF, binary: metres, Y up</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF, binär: Meter, Y oben</translation>
     </message>
     <message>
         <source>PNG: the view as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG: die Ansicht als Bild</translation>
     </message>
     <message>
         <source>HTML: a report with figures and pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML: ein Bericht mit Zahlen und Bildern</translation>
     </message>
     <message>
         <source>As on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie auf dem Bildschirm</translation>
     </message>
     <message>
         <source>Twice that</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelt so groß</translation>
     </message>
     <message>
         <source>Four times that</source>
-        <translation type="unfinished"></translation>
+        <translation>Viermal so groß</translation>
     </message>
     <message>
         <source>4K, 3840 × 2160</source>
-        <translation type="unfinished"></translation>
+        <translation>4K, 3840 × 2160</translation>
     </message>
 </context>
 <context>
@@ -2300,6 +2505,13 @@
     </message>
 </context>
 <context>
+    <name>footfall::FlyTool</name>
+    <message>
+        <source>Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed, Esc ends</source>
+        <translation>Fliegen: W A S D bewegen, Q und E ab und auf, die Maus sieht sich um, Umschalt schneller, das Rad ändert das Tempo, Esc beendet</translation>
+    </message>
+</context>
+<context>
     <name>footfall::GuardedApplication</name>
     <message>
         <source>something went wrong that gave no reason; save your session under another name and start Footfall anew</source>
@@ -2437,19 +2649,19 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <name>footfall::InspectionFeature</name>
     <message>
         <source>Why?</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum?</translation>
     </message>
     <message>
         <source>Show why the last place that was asked for is walkable or not</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, warum die zuletzt gefragte Stelle begehbar ist oder nicht</translation>
     </message>
     <message>
         <source>&amp;Why?</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Warum?</translation>
     </message>
     <message>
         <source>Click a place to learn why it is walkable, or what stands in the way</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Stelle anklicken und erfahren, warum sie begehbar ist oder was im Weg steht</translation>
     </message>
     <message>
         <source>Components</source>
@@ -2457,26 +2669,26 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
     <message>
         <source>List the connected parts of the walkable area by their size</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zusammenhängenden Teile der begehbaren Fläche nach Größe auflisten</translation>
     </message>
     <message>
         <source>Nothing is there; click the level itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort ist nichts; klicken Sie das Level selbst an.</translation>
     </message>
     <message>
         <source>There is no result yet; the answer follows when a run has finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch kein Ergebnis; die Antwort folgt, wenn ein Lauf fertig ist.</translation>
     </message>
     <message>
         <source>This filter is not in the list any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Filter ist nicht mehr in der Liste.</translation>
     </message>
 </context>
 <context>
     <name>footfall::InspectionWatch</name>
     <message>
         <source>Why: memory ran out; close other programs or use a smaller environment</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum: Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
@@ -2623,6 +2835,38 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <source>Walkable, %1 layers</source>
         <translation>Begehbar, %1 Ebenen</translation>
     </message>
+    <message>
+        <source>limit %1</source>
+        <translation>Grenze %1</translation>
+    </message>
+    <message>
+        <source>Slope of floors</source>
+        <translation>Neigung der Böden</translation>
+    </message>
+    <message>
+        <source>Free height above floors, in units</source>
+        <translation>Freie Höhe über Böden, in Einheiten</translation>
+    </message>
+    <message>
+        <source>%1 (computing)</source>
+        <translation>%1 (wird berechnet)</translation>
+    </message>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Hatched: steeper than the limit of the slope filter</source>
+        <translation>Schraffiert: steiler als die Grenze des Neigungsfilters</translation>
+    </message>
+    <message>
+        <source>Hatched: less than the clearance filter asks for</source>
+        <translation>Schraffiert: weniger, als der Höhenfilter verlangt</translation>
+    </message>
+    <message>
+        <source>Walkable, by source triangle</source>
+        <translation>Begehbar, nach Quelldreieck</translation>
+    </message>
 </context>
 <context>
     <name>footfall::LevelLook</name>
@@ -2657,6 +2901,14 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>Show all layers and heights again</source>
         <translation>Wieder alle Ebenen und Höhen zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Cut plane</source>
+        <translation>S&amp;chnittebene</translation>
+    </message>
+    <message>
+        <source>Cut the view with an upright plane</source>
+        <translation>Die Ansicht mit einer aufrechten Ebene schneiden</translation>
     </message>
 </context>
 <context>
@@ -2902,7 +3154,7 @@ bis %2</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
 </context>
 <context>
@@ -2985,109 +3237,109 @@ Grundriss %2, Höhe %3
     <name>footfall::ObstacleEditor</name>
     <message>
         <source>Cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Zylinder</translation>
     </message>
     <message>
         <source>Ramp</source>
-        <translation type="unfinished"></translation>
+        <translation>Rampe</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Quader</translation>
     </message>
     <message>
         <source>place %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 setzen</translation>
     </message>
     <message>
         <source>duplicate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verdoppeln</translation>
     </message>
     <message>
         <source>delete %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 löschen</translation>
     </message>
 </context>
 <context>
     <name>footfall::ObstacleFeatures</name>
     <message>
         <source>&amp;Select and move obstacles</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindernisse au&amp;swählen und bewegen</translation>
     </message>
     <message>
         <source>Select obstacles; move, turn and resize them with handles</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindernisse auswählen; mit Griffen bewegen, drehen und ihre Größe ändern</translation>
     </message>
     <message>
         <source>Place a &amp;box</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quader setzen</translation>
     </message>
     <message>
         <source>Place a &amp;cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zylinder setzen</translation>
     </message>
     <message>
         <source>Place a &amp;ramp</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rampe setzen</translation>
     </message>
     <message>
         <source>Click where a box is to stand, or draw its base and then its height</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie, wo ein Quader stehen soll, oder ziehen Sie seine Grundfläche und dann seine Höhe auf</translation>
     </message>
     <message>
         <source>Click where a cylinder is to stand, or draw its base and then its height</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie, wo ein Zylinder stehen soll, oder ziehen Sie seine Grundfläche und dann seine Höhe auf</translation>
     </message>
     <message>
         <source>Click where a ramp is to stand, or draw its base, the way it rises, and then its height</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie, wo eine Rampe stehen soll, oder ziehen Sie ihre Grundfläche in Steigrichtung und dann ihre Höhe auf</translation>
     </message>
     <message>
         <source>Obstacles</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindernisse</translation>
     </message>
     <message>
         <source>List of placed obstacles, with their places and sizes in numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste der gesetzten Hindernisse, mit Orten und Größen in Zahlen</translation>
     </message>
     <message>
         <source>&amp;Duplicate obstacle</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindernis ver&amp;doppeln</translation>
     </message>
     <message>
         <source>A copy beside the selected obstacle</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie neben dem ausgewählten Hindernis</translation>
     </message>
     <message>
         <source>D&amp;elete obstacle</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindernis lösch&amp;en</translation>
     </message>
     <message>
         <source>Take the selected obstacle out of the level</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ausgewählte Hindernis aus dem Level nehmen</translation>
     </message>
     <message>
         <source>%1: at %2, %3, %4; size %5 × %6 × %7; %8°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: bei %2, %3, %4; Größe %5 × %6 × %7; %8°</translation>
     </message>
 </context>
 <context>
     <name>footfall::ObstaclePanel</name>
     <message>
         <source>Obstacles</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindernisse</translation>
     </message>
     <message>
         <source>What was placed into the level; a double click brings it into sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ins Level gesetzt wurde; ein Doppelklick bringt es ins Bild</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen</translation>
     </message>
     <message>
         <source>Choose a shape, then click in the view where it is to stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Form wählen, dann in der Ansicht klicken, wo sie stehen soll</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -3095,47 +3347,47 @@ Grundriss %2, Höhe %3
     </message>
     <message>
         <source>A copy beside the selected obstacle (Ctrl+D)</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie neben dem ausgewählten Hindernis (Strg+D)</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Take the selected obstacle out of the level (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ausgewählte Hindernis aus dem Level nehmen (Entf)</translation>
     </message>
     <message>
         <source>Name of the obstacle</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Hindernisses</translation>
     </message>
     <message>
         <source>What it is called in this list, in undo and in exports</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie es in dieser Liste, beim Rückgängigmachen und in Exporten heißt</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Base x</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund x</translation>
     </message>
     <message>
         <source>Base y</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund y</translation>
     </message>
     <message>
         <source>Base z</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund z</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Height</source>
@@ -3143,43 +3395,43 @@ Grundriss %2, Höhe %3
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>Middle of its bottom, along x, in units</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte seiner Unterseite, entlang x, in Einheiten</translation>
     </message>
     <message>
         <source>Middle of its bottom, along y, in units</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte seiner Unterseite, entlang y, in Einheiten</translation>
     </message>
     <message>
         <source>Height of its bottom, in units</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe seiner Unterseite, in Einheiten</translation>
     </message>
     <message>
         <source>Extent along its own x axis, in units; a ramp rises along it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausdehnung entlang seiner eigenen x-Achse, in Einheiten; eine Rampe steigt entlang ihr</translation>
     </message>
     <message>
         <source>Extent along its own y axis, in units</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausdehnung entlang seiner eigenen y-Achse, in Einheiten</translation>
     </message>
     <message>
         <source>Extent upward, in units</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausdehnung nach oben, in Einheiten</translation>
     </message>
     <message>
         <source>About the vertical, in degrees, counter-clockwise from above</source>
-        <translation type="unfinished"></translation>
+        <translation>Um die Senkrechte, in Grad, von oben gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Base x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund x, y, z</translation>
     </message>
     <message>
         <source>Size x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe x, y, z</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -3187,15 +3439,15 @@ Grundriss %2, Höhe %3
     </message>
     <message>
         <source>Stick to the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Boden haften</translation>
     </message>
     <message>
         <source>What is moved sideways follows the ground: up to a metre up, and down as far as it goes</source>
-        <translation type="unfinished"></translation>
+        <translation>Was seitwärts bewegt wird, folgt dem Boden: bis einen Meter hinauf, und hinab, so weit es geht</translation>
     </message>
     <message>
         <source>rename to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>in %1 umbenennen</translation>
     </message>
     <message>
         <source>move %1</source>
@@ -3203,11 +3455,11 @@ Grundriss %2, Höhe %3
     </message>
     <message>
         <source>resize %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe von %1 ändern</translation>
     </message>
     <message>
         <source>turn %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 drehen</translation>
     </message>
 </context>
 <context>
@@ -3593,15 +3845,15 @@ Material: %2</translation>
     <name>footfall::PlaceObstacleTool</name>
     <message>
         <source>Draw the base; let go to go on with the height. Shift snaps, Esc takes back</source>
-        <translation type="unfinished"></translation>
+        <translation>Grundfläche aufziehen; Loslassen geht zur Höhe weiter. Umschalt rastet ein, Esc nimmt zurück</translation>
     </message>
     <message>
         <source>Move up or down for the height, then click. Shift snaps, Esc takes back</source>
-        <translation type="unfinished"></translation>
+        <translation>Für die Höhe auf oder ab bewegen, dann klicken. Umschalt rastet ein, Esc nimmt zurück</translation>
     </message>
     <message>
         <source>%1: click a surface, or drag over it to draw the base. Ctrl places another one after it, Shift snaps</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Fläche anklicken oder darüber ziehen, um den Grund aufzuziehen. Strg setzt danach ein weiteres, Umschalt rastet ein</translation>
     </message>
 </context>
 <context>
@@ -3751,15 +4003,15 @@ Material: %2</translation>
     </message>
     <message>
         <source>turn %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 drehen</translation>
     </message>
     <message>
         <source>resize %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe von %1 ändern</translation>
     </message>
     <message>
         <source>Click an obstacle; drag its handles to move, turn and resize it. Shift snaps, Alt drags a copy, Esc takes back</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindernis anklicken; seine Griffe ziehen, um es zu bewegen, zu drehen und seine Größe zu ändern. Umschalt rastet ein, Alt zieht eine Kopie, Esc nimmt zurück</translation>
     </message>
 </context>
 <context>
@@ -4019,6 +4271,29 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ViewModes</name>
+    <message>
+        <source>View mode</source>
+        <translation>Ansichtsart</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Open an environment first</source>
+        <translation>Öffnen Sie zuerst eine Umgebung</translation>
+    </message>
+    <message>
+        <source>Waits for the first result of the filters</source>
+        <translation>Wartet auf das erste Ergebnis der Filter</translation>
+    </message>
+    <message>
+        <source>view: memory ran out; choose another view mode or a smaller environment</source>
+        <translation>Ansicht: Der Speicher reicht nicht; wählen Sie eine andere Ansichtsart oder eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
     <name>footfall::WelcomePage</name>
     <message>
         <source>House</source>
@@ -4126,46 +4401,46 @@ Material: %2</translation>
     </message>
     <message>
         <source>Rooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Räume</translation>
     </message>
     <message>
         <source>266 triangles: the tour&apos;s level, with a doorway that is too low</source>
-        <translation type="unfinished"></translation>
+        <translation>266 Dreiecke: das Level der Tour, mit einem zu niedrigen Durchgang</translation>
     </message>
 </context>
 <context>
     <name>footfall::WhyPanel</name>
     <message>
         <source>Choose Tools &gt; Why? (Y) and click a place in the view: this panel then says why it is walkable, or which filter rejected it and what stands in the way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie Werkzeuge &gt; Warum? (Y) und klicken Sie eine Stelle in der Ansicht an: Diese Tafel sagt dann, warum sie begehbar ist, oder welcher Filter sie verworfen hat und was im Weg steht.</translation>
     </message>
     <message>
         <source>Its colour in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Farbe in der Ansicht</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen</translation>
     </message>
     <message>
         <source>In the frame and the units of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Bezugssystem und den Einheiten der Datei</translation>
     </message>
     <message>
         <source>Triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreieck</translation>
     </message>
     <message>
         <source>Counted from 0 in the order of the file, without ignored parts; with the names of mesh and material</source>
-        <translation type="unfinished"></translation>
+        <translation>Von 0 an in der Reihenfolge der Datei gezählt, ohne weggelassene Teile; mit den Namen von Netz und Material</translation>
     </message>
     <message>
         <source>Slope</source>
@@ -4173,39 +4448,39 @@ Material: %2</translation>
     </message>
     <message>
         <source>Between the upper side of the triangle and the horizontal; beyond 90° it faces down</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen der Oberseite des Dreiecks und der Waagerechten; über 90° zeigt es nach unten</translation>
     </message>
     <message>
         <source>Free height</source>
-        <translation type="unfinished"></translation>
+        <translation>Freie Höhe</translation>
     </message>
     <message>
         <source>Up to the lowest triangle straight above</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis zum niedrigsten Dreieck senkrecht darüber</translation>
     </message>
     <message>
         <source>Go to the filter that rejected this place, in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Filter gehen, der diese Stelle verworfen hat, in der Liste</translation>
     </message>
     <message>
         <source>Frame the &amp;obstacle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hindernis ins Bild</translation>
     </message>
     <message>
         <source>Bring what stands in the way into sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Was im Weg steht, ins Bild bringen</translation>
     </message>
     <message>
         <source>Frame the &amp;place</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stelle ins Bild</translation>
     </message>
     <message>
         <source>Bring the triangle into sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Dreieck ins Bild bringen</translation>
     </message>
     <message>
         <source>Go to step %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu Schritt %1: %2</translation>
     </message>
 </context>
 </TS>
