@@ -135,6 +135,11 @@ void EditorWindow::writeReport(const QString& path, bool pictures) {
 }
 
 // The shapes that were placed, as the level has them.
-std::vector<ExportExtra> EditorWindow::placedExtras() const { return {}; }
+std::vector<ExportExtra> EditorWindow::placedExtras() const {
+  std::vector<ExportExtra> extras;
+  for (const PlacedObstacle& obstacle : document_.state().obstacles)
+    extras.push_back({obstacle.name, soupOf(obstacle)});
+  return extras;
+}
 
 }  // namespace footfall
