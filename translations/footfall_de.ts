@@ -277,6 +277,21 @@
     </message>
 </context>
 <context>
+    <name>Legend</name>
+    <message>
+        <source>Too steep</source>
+        <translation>Zu steil</translation>
+    </message>
+    <message>
+        <source>Too little headroom</source>
+        <translation>Zu wenig Kopffreiheit</translation>
+    </message>
+    <message>
+        <source>Too small an area</source>
+        <translation>Zu kleine Fläche</translation>
+    </message>
+</context>
+<context>
     <name>WhyText</name>
     <message>
         <source>%1 m</source>
@@ -1113,10 +1128,6 @@
         <translation>Merken, wo die Kamera ist, unter einem Namen</translation>
     </message>
     <message>
-        <source>No bookmarks; Ctrl+Alt+1 to 9 keep one, Alt+1 to 9 go there</source>
-        <translation>Keine Lesezeichen; Strg+Alt+1 bis 9 behält eines, Alt+1 bis 9 geht hin</translation>
-    </message>
-    <message>
         <source>&amp;Forget</source>
         <translation>&amp;Vergessen</translation>
     </message>
@@ -1125,20 +1136,24 @@
         <translation>Diese Ansicht behalten</translation>
     </message>
     <message>
-        <source>Name of the view (Alt+%1 goes back to it):</source>
-        <translation>Name der Ansicht (Alt+%1 kehrt zu ihr zurück):</translation>
-    </message>
-    <message>
         <source>View %1</source>
         <translation>Ansicht %1</translation>
     </message>
     <message>
-        <source>Kept &apos;%1&apos;; Alt+%2 goes back to it</source>
-        <translation>„%1“ behalten; Alt+%2 kehrt dorthin zurück</translation>
-    </message>
-    <message>
         <source>No view is kept there; Ctrl+Alt+%1 keeps this one</source>
         <translation>Dort ist keine Ansicht behalten; Strg+Alt+%1 behält diese</translation>
+    </message>
+    <message>
+        <source>No bookmarks; Ctrl+Alt+1 to 9 keep one, Ctrl+Shift+1 to 9 go there</source>
+        <translation>Keine Lesezeichen; Strg+Alt+1 bis 9 merkt eines, Strg+Umschalt+1 bis 9 führt dorthin</translation>
+    </message>
+    <message>
+        <source>Name of the view (Ctrl+Shift+%1 goes back to it):</source>
+        <translation>Name der Ansicht (Strg+Umschalt+%1 führt dorthin zurück):</translation>
+    </message>
+    <message>
+        <source>Kept &apos;%1&apos;; Ctrl+Shift+%2 goes back to it</source>
+        <translation>„%1“ gemerkt; Strg+Umschalt+%2 führt dorthin zurück</translation>
     </message>
 </context>
 <context>
@@ -2502,6 +2517,14 @@
     <message>
         <source>Preview the cells that this strategy makes, without running the filters</source>
         <translation>Die Zellen dieser Strategie vorab zeigen, ohne die Filter auszuführen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;i&gt;Needs:&lt;/i&gt; %1&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;i&gt;Braucht:&lt;/i&gt; %1&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;i&gt;Effect:&lt;/i&gt; %1&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;i&gt;Wirkung:&lt;/i&gt; %1&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

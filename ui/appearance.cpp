@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/appearance.hpp"
 
+#include <QCoreApplication>
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
@@ -85,15 +86,15 @@ QColor heatColour(double value) {
 const RemovalStyle* removalStyle(std::string_view filter) {
   static const std::array<RemovalStyle, 3> kStyles = {{
       {"SlopeFilter",
-       QStringLiteral("Too steep"),
+       QCoreApplication::translate("Legend", "Too steep"),
        {QColor(176, 150, 128), Pattern::RisingStripes},
        {QColor(230, 159, 0), Pattern::RisingStripes}},
       {"VerticalClearanceFilter",
-       QStringLiteral("Too little headroom"),
+       QCoreApplication::translate("Legend", "Too little headroom"),
        {QColor(150, 138, 176), Pattern::FallingStripes},
        {QColor(204, 121, 167), Pattern::FallingStripes}},
       {"AreaFilter",
-       QStringLiteral("Too small an area"),
+       QCoreApplication::translate("Legend", "Too small an area"),
        {QColor(146, 160, 168), Pattern::Dots},
        {QColor(0, 114, 178), Pattern::Dots}},
   }};

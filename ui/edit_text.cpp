@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/filters/descriptor_text.hpp"
+#include "ui/filter_text.hpp"
 
 namespace footfall {
 namespace {
@@ -15,16 +16,15 @@ QString tr(const char* text, const char* comment = nullptr, int n = -1) {
 
 // In the middle of a sentence.
 QString inside(std::string_view label) {
-  QString text = QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()));
-  if (!text.isEmpty()) text[0] = text[0].toLower();
+  QString text = filterText(label);
+  const bool english = text == QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()));
+  if (english && !text.isEmpty()) text[0] = text[0].toLower();  // other languages have rules of their own
   return text;
 }
 
 }  // namespace
 
-QString labelOf(const PipelineStep& step) {
-  return QString::fromUtf8(step.filter->label.data(), static_cast<qsizetype>(step.filter->label.size()));
-}
+QString labelOf(const PipelineStep& step) { return filterText(step.filter->label); }
 
 QString valueText(const ParameterDescriptor& parameter, double value) {
   if (parameter.type == ParameterType::Boolean) return value != 0 ? tr("yes") : tr("no");

@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "ui/edit_text.hpp"
+#include "ui/filter_text.hpp"
 #include "ui/icon.hpp"
 
 namespace footfall {
@@ -24,8 +25,8 @@ void fillFilterMenu(QMenu& menu, const std::function<void(const FilterDescriptor
   for (const FilterDescriptor& filter : filterDescriptors()) {
     if (kind == FilterKind::Filter && filter.kind != kind) menu.addSection(FilterActions::tr("Parallel blocks"));
     kind = filter.kind;
-    QAction* action = menu.addAction(text(filter.label));
-    action->setToolTip(text(filter.help));
+    QAction* action = menu.addAction(filterText(filter.label));
+    action->setToolTip(filterText(filter.help));
     action->setData(text(filter.name));
     QObject::connect(action, &QAction::triggered, &menu, [use, &filter] { use(filter); });
   }

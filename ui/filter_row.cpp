@@ -9,6 +9,7 @@
 
 #include "core/filters/descriptor_text.hpp"
 #include "ui/cell_colours.hpp"
+#include "ui/filter_text.hpp"
 
 namespace footfall {
 namespace {
@@ -18,10 +19,11 @@ constexpr int kMark = 16;  // pixels of the sign of a state
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
 QString helpOf(const FilterDescriptor& filter) {
-  QString help =
-      QStringLiteral("<b>%1</b> (%2)<p>%3</p>").arg(text(filter.label), text(filter.name), text(filter.help));
-  if (!filter.precondition.empty()) help += QStringLiteral("<p><i>Needs:</i> %1</p>").arg(text(filter.precondition));
-  return help + QStringLiteral("<p><i>Effect:</i> %1</p>").arg(text(filter.effect));
+  QString help = QStringLiteral("<b>%1</b> (%2)<p>%3</p>")
+                     .arg(filterText(filter.label), text(filter.name), filterText(filter.help));
+  if (!filter.precondition.empty())
+    help += FilterRow::tr("<p><i>Needs:</i> %1</p>").arg(filterText(filter.precondition));
+  return help + FilterRow::tr("<p><i>Effect:</i> %1</p>").arg(filterText(filter.effect));
 }
 
 QString helpOf(const ParameterDescriptor& parameter) {
@@ -31,7 +33,7 @@ QString helpOf(const ParameterDescriptor& parameter) {
                                  "<p>Type it, drag sideways, or turn the wheel while the field has the focus; "
                                  "Shift: finer, Ctrl: coarser, Esc: back.</p>");
   return QStringLiteral("<p>%1</p><p>Takes %2. Default: %3%4.</p>%5")
-      .arg(text(parameter.help), QString::fromStdString(describeRange(parameter)),
+      .arg(filterText(parameter.help), QString::fromStdString(describeRange(parameter)),
            QString::fromStdString(formatValue(parameter, parameter.defaultValue)),
            parameter.unit == Unit::Length ? QStringLiteral(" m")
            : parameter.unit == Unit::Area ? QStringLiteral(" m²")
@@ -61,13 +63,13 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   setObjectName(QStringLiteral("filterRow"));
   setFrameShape(QFrame::StyledPanel);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(text(filter_.label));
+  setAccessibleName(filterText(filter_.label));
 
   handle_ = new QLabel(QStringLiteral("⋮⋮"), this);
   handle_->setObjectName(QStringLiteral("dragHandle"));
   handle_->setToolTip(tr("Drag to change the order (or Alt+Up, Alt+Down)"));
   handle_->setCursor(Qt::OpenHandCursor);
-  enabled_ = new QCheckBox(text(filter_.label), this);
+  enabled_ = new QCheckBox(filterText(filter_.label), this);
   enabled_->setObjectName(QStringLiteral("filterName"));
   enabled_->setToolTip(helpOf(filter_));
   stateIcon_ = new QLabel(this);
@@ -76,7 +78,7 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   remove_->setText(QStringLiteral("✕"));
   remove_->setAutoRaise(true);
   remove_->setToolTip(tr("Remove this filter"));
-  remove_->setAccessibleName(tr("Remove %1").arg(text(filter_.label)));
+  remove_->setAccessibleName(tr("Remove %1").arg(filterText(filter_.label)));
 
   auto* head = new QHBoxLayout;
   head->setSpacing(6);
@@ -128,13 +130,13 @@ void FilterRow::addParameters(QVBoxLayout* layout) {
   for (std::size_t i = 0; i < filter_.parameters.size(); ++i) {
     const ParameterDescriptor& parameter = filter_.parameters[i];
     const int row = static_cast<int>(i);
-    auto* label = new QLabel(text(parameter.label), parameters_);
+    auto* label = new QLabel(filterText(parameter.label), parameters_);
     label->setToolTip(helpOf(parameter));
     grid->addWidget(label, row, 0);
     if (parameter.type == ParameterType::Boolean) {
       auto* box = new QCheckBox(parameters_);
       box->setToolTip(helpOf(parameter));
-      box->setAccessibleName(text(parameter.label));
+      box->setAccessibleName(filterText(parameter.label));
       connect(box, &QCheckBox::clicked, this, [this, i](bool on) { emit valueEdited(id_, i, on ? 1 : 0, -1); });
       grid->addWidget(box, row, 1);
       fields_.push_back(box);
@@ -151,7 +153,7 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   auto* field = new NumberField(parameter, parameters_);
   field->setObjectName(text(parameter.name));
   field->setToolTip(helpOf(parameter));
-  field->setAccessibleName(text(parameter.label));
+  field->setAccessibleName(filterText(parameter.label));
   field->setFixedWidth(104);
   field->takeDragsOf(label);
   label->setBuddy(field);

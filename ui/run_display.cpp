@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/filter_text.hpp"
 #include "ui/run_job.hpp"
 
 namespace footfall {
@@ -134,7 +135,7 @@ void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps,
       takeTime(i, step, place.block, place.block ? place.fraction : step.fraction);
       status.state = StepState::Running;
       status.fraction = place.block ? place.fraction : step.fraction;
-      text = place.block ? place.text : QString::fromStdString(std::string(job_->steps[i]->filter->label));
+      text = place.block ? place.text : filterText(job_->steps[i]->filter->label);
       done += status.fraction;
       continue;
     }
