@@ -292,6 +292,73 @@
     </message>
 </context>
 <context>
+    <name>ViewMode</name>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished">Ergebnis</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Hidden line</source>
+        <translation>Verdeckte Kanten</translation>
+    </message>
+    <message>
+        <source>Walkable only</source>
+        <translation>Nur Begehbares</translation>
+    </message>
+    <message>
+        <source>Rejected by</source>
+        <translation>Verworfen durch</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation type="unfinished">Neigung</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation type="unfinished">Durchgangshöhe</translation>
+    </message>
+    <message>
+        <source>Source triangles</source>
+        <translation>Quelldreiecke</translation>
+    </message>
+    <message>
+        <source>What is walkable, and why the rest is not</source>
+        <translation>Was begehbar ist, und warum der Rest nicht</translation>
+    </message>
+    <message>
+        <source>The edges of all triangles; nothing hides anything</source>
+        <translation>Die Kanten aller Dreiecke; nichts verdeckt etwas</translation>
+    </message>
+    <message>
+        <source>The edges of the triangles that are in front</source>
+        <translation>Die Kanten der vorderen Dreiecke</translation>
+    </message>
+    <message>
+        <source>The walkable area without the environment</source>
+        <translation>Die begehbare Fläche ohne die Umgebung</translation>
+    </message>
+    <message>
+        <source>Floors in the colour of the filter that removed them</source>
+        <translation>Böden in der Farbe des Filters, der sie entfernt hat</translation>
+    </message>
+    <message>
+        <source>Floors by their slope in degrees, with the limit of the filter</source>
+        <translation>Böden nach ihrer Neigung in Grad, mit der Grenze des Filters</translation>
+    </message>
+    <message>
+        <source>Floors by the free height above them, with the limit of the filter</source>
+        <translation>Böden nach der freien Höhe darüber, mit der Grenze des Filters</translation>
+    </message>
+    <message>
+        <source>Walkable pieces by the triangle of the environment they come from</source>
+        <translation>Begehbare Stücke nach dem Dreieck der Umgebung, aus dem sie stammen</translation>
+    </message>
+</context>
+<context>
     <name>WhyText</name>
     <message>
         <source>%1 m</source>
@@ -2667,6 +2734,12 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <source>(guessed)</source>
         <translation>(geraten)</translation>
     </message>
+    <message>
+        <source>
+%1 × %2 × %3 units</source>
+        <translation>
+%1 × %2 × %3 Einheiten</translation>
+    </message>
 </context>
 <context>
     <name>footfall::InspectionFeature</name>
@@ -2932,6 +3005,13 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>Cut the view with an upright plane</source>
         <translation>Die Ansicht mit einer aufrechten Ebene schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::LevelView</name>
+    <message>
+        <source>View of the level</source>
+        <translation>Ansicht des Levels</translation>
     </message>
 </context>
 <context>

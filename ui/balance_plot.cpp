@@ -50,6 +50,7 @@ std::array<PhaseTime, 6> phasesOf(const RunTimes& times) {
 }
 
 BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
+  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
   setObjectName(QStringLiteral("busyPlot"));
   setAccessibleName(tr("Time that each thread was busy"));
   setMinimumHeight(70);
@@ -113,6 +114,7 @@ void BusyPlot::mouseMoveEvent(QMouseEvent* event) {
 }
 
 PhasePlot::PhasePlot(QWidget* parent) : QCustomPlot(parent) {
+  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
   setObjectName(QStringLiteral("phasePlot"));
   setAccessibleName(tr("Where the time of the run went"));
   setFixedHeight(22);

@@ -101,7 +101,8 @@ void CameraTools::addMoves() {
                                             {},
                                             true},
                                            [this, setting](bool on) {
-                                             QSettings().setValue(setting, on);
+                                             if (QSettings().value(setting, true).toBool() != on)
+                                               QSettings().setValue(setting, on);
                                              window_.view().setAnimated(on && window_.interactive());
                                            });
   smooth->setChecked(QSettings().value(setting, true).toBool());

@@ -123,8 +123,7 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     name_->setToolTip(path);
     QString figures = counted(environment->triangles.size(), tr("triangles")) + QStringLiteral(", ") +
                       counted(environment->vertices.size(), tr("vertices"));
-    figures +=
-        QStringLiteral("\n%1 × %2 × %3 units").arg(shortNumber(size.x), shortNumber(size.y), shortNumber(size.z));
+    figures += tr("\n%1 × %2 × %3 units").arg(shortNumber(size.x), shortNumber(size.y), shortNumber(size.z));
     const SkippedElements& skipped = environment->skipped;
     QStringList left;
     if (skipped.polygons > 0) left << counted(skipped.polygons, tr("polygons"));

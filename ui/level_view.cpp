@@ -44,6 +44,7 @@ LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
   setStateFileName(QString());  // the session keeps the camera
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("View of the level"));
   setMouseTracking(true);
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/pipeline/state_size.hpp"
 #include "ui/run_controller.hpp"
 #include "ui/time_estimate.hpp"
 
@@ -23,7 +24,12 @@ class RunController::PreviewCache {
     const std::scoped_lock lock(mutex_);
     entries_.remove_if([&](const auto& entry) { return entry.first == prefix; });
     entries_.emplace_front(prefix, std::move(mesh));
-    if (entries_.size() > kEntries) entries_.pop_back();
+    std::size_t bytes = 0;
+    for (const auto& entry : entries_) bytes += entry.second ? sizeOf(*entry.second) : 0;
+    while (entries_.size() > kEntries || (bytes > kMostBytes && entries_.size() > kLeastEntries)) {
+      bytes -= entries_.back().second ? sizeOf(*entries_.back().second) : 0;
+      entries_.pop_back();
+    }
   }
   MeshPtr find(const std::string& prefix) {
     const std::scoped_lock lock(mutex_);
@@ -36,7 +42,9 @@ class RunController::PreviewCache {
   }
 
  private:
-  static constexpr std::size_t kEntries = 32;  // as many as ResultCache keeps states
+  static constexpr std::size_t kEntries = 32;       // as many as ResultCache keeps states
+  static constexpr std::size_t kLeastEntries = 12;  // a run of a usual pipeline
+  static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
   std::mutex mutex_;
   std::list<std::pair<std::string, MeshPtr>> entries_;
 };

@@ -24,7 +24,9 @@ void addThemeCommands(CommandRegistry& commands) {
     Command command{QString::fromLatin1(id), CommandMenu::View, QStringLiteral("theme"), text, help, {}, icon, true};
     command.submenu = ThemeCommands::tr("T&heme");
     QAction* action = commands.add(command, [choice](bool on) {
-      if (on && Theme::instance()) Theme::instance()->setChoice(choice);
+      Theme* theme = Theme::instance();
+      // What is shown for this time only must not become the user's choice.
+      if (on && theme && theme->choice() != choice) theme->setChoice(choice);
     });
     group->addAction(action);
     const auto show = [theme, action, choice] { action->setChecked(theme->choice() == choice); };

@@ -18,6 +18,7 @@ constexpr double kClosest = 1.0 / 2e4;  // of the whole time, the least that zoo
 }  // namespace
 
 TimelinePlot::TimelinePlot(CellModel& model, QWidget* parent) : QCustomPlot(parent), model_(model) {
+  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
   setObjectName(QStringLiteral("timeline"));
   setMinimumHeight(90);
   setMouseTracking(true);

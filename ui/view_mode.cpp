@@ -4,11 +4,6 @@
 #include <QCoreApplication>
 
 namespace footfall {
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("ViewMode", text); }
-
-}  // namespace
 
 std::string_view nameOf(ViewMode mode) {
   switch (mode) {
@@ -42,21 +37,21 @@ std::optional<ViewMode> viewModeFrom(std::string_view name) {
 QString labelOf(ViewMode mode) {
   switch (mode) {
     case ViewMode::Result:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Result"));
+      return QCoreApplication::translate("ViewMode", "Result");
     case ViewMode::Wireframe:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Wireframe"));
+      return QCoreApplication::translate("ViewMode", "Wireframe");
     case ViewMode::HiddenLine:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Hidden line"));
+      return QCoreApplication::translate("ViewMode", "Hidden line");
     case ViewMode::WalkableOnly:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Walkable only"));
+      return QCoreApplication::translate("ViewMode", "Walkable only");
     case ViewMode::RejectedBy:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Rejected by"));
+      return QCoreApplication::translate("ViewMode", "Rejected by");
     case ViewMode::Slope:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Slope"));
+      return QCoreApplication::translate("ViewMode", "Slope");
     case ViewMode::Clearance:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Clearance"));
+      return QCoreApplication::translate("ViewMode", "Clearance");
     case ViewMode::SourceTriangles:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Source triangles"));
+      return QCoreApplication::translate("ViewMode", "Source triangles");
   }
   return {};
 }
@@ -64,21 +59,23 @@ QString labelOf(ViewMode mode) {
 QString helpOf(ViewMode mode) {
   switch (mode) {
     case ViewMode::Result:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "What is walkable, and why the rest is not"));
+      return QCoreApplication::translate("ViewMode", "What is walkable, and why the rest is not");
     case ViewMode::Wireframe:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "The edges of all triangles; nothing hides anything"));
+      return QCoreApplication::translate("ViewMode", "The edges of all triangles; nothing hides anything");
     case ViewMode::HiddenLine:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "The edges of the triangles that are in front"));
+      return QCoreApplication::translate("ViewMode", "The edges of the triangles that are in front");
     case ViewMode::WalkableOnly:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "The walkable area without the environment"));
+      return QCoreApplication::translate("ViewMode", "The walkable area without the environment");
     case ViewMode::RejectedBy:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Floors in the colour of the filter that removed them"));
+      return QCoreApplication::translate("ViewMode", "Floors in the colour of the filter that removed them");
     case ViewMode::Slope:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Floors by their slope in degrees, with the limit of the filter"));
+      return QCoreApplication::translate("ViewMode", "Floors by their slope in degrees, with the limit of the filter");
     case ViewMode::Clearance:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Floors by the free height above them, with the limit of the filter"));
+      return QCoreApplication::translate("ViewMode",
+                                         "Floors by the free height above them, with the limit of the filter");
     case ViewMode::SourceTriangles:
-      return tr(QT_TRANSLATE_NOOP("ViewMode", "Walkable pieces by the triangle of the environment they come from"));
+      return QCoreApplication::translate("ViewMode",
+                                         "Walkable pieces by the triangle of the environment they come from");
   }
   return {};
 }

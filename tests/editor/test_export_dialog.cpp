@@ -104,7 +104,7 @@ class TestExportDialog : public QObject {
       QTest::keyClicks(name(), folder_->filePath(QString("picture%1.png").arg(i)));
       QVERIFY(box("exportPictureSize")->isVisible());
       box("exportPictureSize")->setFocus();
-      QTest::keyClick(box("exportPictureSize"), Qt::Key_Home);
+      for (int k = 0; k < 4; ++k) QTest::keyClick(box("exportPictureSize"), Qt::Key_Up);
       for (int k = 0; k < i; ++k) QTest::keyClick(box("exportPictureSize"), Qt::Key_Down);
       press("exportAccept");
       const QString file = folder_->filePath(QString("picture%1.png").arg(i));

@@ -251,9 +251,9 @@ class TestFilterList : public QObject {
     const int count = window_->document().undoStack()->count();
     const auto at = [&](int x) { return QPoint(8 + x, field->height() / 2); };
     QTest::mousePress(field, Qt::LeftButton, Qt::NoModifier, at(0));
+    const QPoint origin = field->mapToGlobal(QPoint());  // the row may make way for longer texts meanwhile
     for (int x = 4; x <= 80; x += 4) {
-      QMouseEvent move(QEvent::MouseMove, at(x), field->mapToGlobal(at(x)), Qt::NoButton, Qt::LeftButton,
-                       Qt::NoModifier);
+      QMouseEvent move(QEvent::MouseMove, at(x), origin + at(x), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
       QApplication::sendEvent(field, &move);
       QTest::qWait(5);
     }

@@ -102,10 +102,10 @@ class TestWelcome : public QObject {
 
   void samplesOpenWithTheirPipelines() {
     const auto& buttons = window_->welcomePage().sampleButtons();
-    QVERIFY2(buttons.size() >= 5, "the samples of the source folder");
+    QVERIFY2(buttons.size() >= 6, "the samples of the source folder");
     QTest::keyClick(buttons.front(), Qt::Key_Space);
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
-    QVERIFY(QString::fromStdString(window_->environment()->source).endsWith("house.obj"));
+    QVERIFY(QString::fromStdString(window_->environment()->source).endsWith("rooms.obj"));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
   }
@@ -148,7 +148,7 @@ class TestWelcome : public QObject {
     for (QToolButton* button : page.sampleButtons()) wanted << button;
     page.recentList()->setCurrentRow(0);
     page.openButton()->setFocus();
-    for (int i = 0; i < 200 && !wanted.isEmpty(); ++i) {
+    for (int i = 0; i < 600 && !wanted.isEmpty(); ++i) {
       wanted.removeAll(QApplication::focusWidget());
       QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }
