@@ -295,7 +295,7 @@
     <name>ViewMode</name>
     <message>
         <source>Result</source>
-        <translation type="unfinished">Ergebnis</translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Wireframe</source>
@@ -315,11 +315,11 @@
     </message>
     <message>
         <source>Slope</source>
-        <translation type="unfinished">Neigung</translation>
+        <translation>Neigung</translation>
     </message>
     <message>
         <source>Clearance</source>
-        <translation type="unfinished">Durchgangshöhe</translation>
+        <translation>Durchgangshöhe</translation>
     </message>
     <message>
         <source>Source triangles</source>

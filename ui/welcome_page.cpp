@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QList>
 #include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -190,7 +191,6 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
   sampleButtons_.clear();
   samples_->setVisible(!samples.empty());
   auto* layout = static_cast<QVBoxLayout*>(samples_->layout());
-  QWidget* before = remove_;
   for (const Sample& sample : samples) {
     auto* button = new QToolButton(samples_);
     button->setObjectName(QStringLiteral("sampleButton"));
@@ -225,8 +225,6 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
         std::max(kThumbnail.height() / 2, title->sizeHint().height() + 3 * text->fontMetrics().lineSpacing()) + 12);
     connect(button, &QToolButton::clicked, this, [this, sample] { emit sampleChosen(sample.path, sample.pipeline); });
     layout->insertWidget(layout->count() - 1, button);
-    setTabOrder(before, button);
-    before = button;
     sampleButtons_.push_back(button);
   }
 }
@@ -299,6 +297,22 @@ void WelcomePage::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QFrame::keyPressEvent(event);
+}
+
+// Samples come and go; the window's own order of controls forgets those that came late.
+bool WelcomePage::focusNextPrevChild(bool next) {
+  QList<QWidget*> order{close_, open_, continue_, recent_, remove_};
+  for (QToolButton* button : sampleButtons_) order << button;
+  order.removeIf([](const QWidget* widget) { return !widget->isVisible() || !widget->isEnabled(); });
+  const qsizetype at = order.indexOf(window()->focusWidget());
+  const qsizetype to = at + (next ? 1 : -1);
+  if (at >= 0 && to >= 0 && to < order.size()) {
+    order[to]->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    return true;
+  }
+  // Out of the page, from one that the window knows.
+  if (at >= 0) (next && remove_->isVisible() && remove_->isEnabled() ? remove_ : open_)->setFocus();
+  return QFrame::focusNextPrevChild(next);
 }
 
 }  // namespace footfall

@@ -62,6 +62,7 @@ class WelcomePage : public QFrame {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
  private:
   QWidget* makeFiles();

@@ -202,13 +202,13 @@ void TestStories::aCrateIsMoved() {
   clickAt(kDoorway);
   QTRY_COMPARE(window_->document().state().obstacles.size(), std::size_t{1});
   QVERIFY(waitUntilIdle(*window_));
-  // Wide enough to fill the doorway, in numbers.
+  // Wide enough to fill the doorway, in numbers; its top is too small to be walkable.
   DocumentState next = window_->document().state();
-  next.obstacles[0].size = {0.75, 1.5, 1};
-  next.obstacles[0].base = {8.875, 5.0, 0};
+  next.obstacles[0].size = {0.75, 1.3, 1};
+  next.obstacles[0].base = {8.875, 5.125, 0};
   window_->document().edit(next, QStringLiteral("Resize Box 1"));
   QVERIFY(waitUntilIdle(*window_));
-  QTRY_COMPARE(regions(), openRegions + 2);  // the second room is one of its own, and so is the crate's top
+  QTRY_COMPARE(regions(), openRegions + 1);  // the rooms are apart
   panelOnly("view.obstacles");
   window_->view().setHeights({});
   command("view.oblique")->trigger();
@@ -218,9 +218,9 @@ void TestStories::aCrateIsMoved() {
   window_->view().setHeights({-1, 1.5});
   command("view.top")->trigger();
   if (!command("obstacle.select")->isChecked()) command("obstacle.select")->trigger();
-  const QPoint from = window_->view().project({8.875, 5.0, 1})->toPoint();
-  const QPoint to = window_->view().project({5, 5.0, 1})->toPoint();
-  clickAt({8.875, 5.0, 1});
+  const QPoint from = window_->view().project({8.875, 5.125, 1})->toPoint();
+  const QPoint to = window_->view().project({5, 5.125, 1})->toPoint();
+  clickAt({8.875, 5.125, 1});
   QTest::mousePress(&window_->view(), Qt::LeftButton, {}, from + QPoint(0, 12));
   for (int i = 1; i <= 8; ++i) {
     QTest::mouseMove(&window_->view(), from + QPoint(0, 12) + (to - from) * i / 8);
@@ -229,10 +229,10 @@ void TestStories::aCrateIsMoved() {
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, to + QPoint(0, 12));
   QVERIFY(waitUntilIdle(*window_));
   QVERIFY(window_->document().state().obstacles[0].base.x < 7);
-  QTRY_COMPARE(regions(), openRegions + 1);
+  QTRY_COMPARE(regions(), openRegions);
   QTest::keyClick(&window_->view(), Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(waitUntilIdle(*window_));
-  QTRY_COMPARE(regions(), openRegions + 2);
+  QTRY_COMPARE(regions(), openRegions + 1);
 }
 
 void TestStories::severalAgents() {
