@@ -143,6 +143,7 @@ class TestWelcome : public QObject {
   void tabReachesEverything() {
     QSettings().setValue("recentFiles", QStringList{table_});
     window_->showWelcome(true);
+    QTest::qWait(50);  // layouts show new widgets a moment later
     WelcomePage& page = window_->welcomePage();
     QList<QWidget*> wanted{page.openButton(), page.recentList(), page.removeButton()};
     for (QToolButton* button : page.sampleButtons()) wanted << button;
