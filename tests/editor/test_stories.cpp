@@ -4,12 +4,15 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
+#include <QToolButton>
 #include <memory>
 
 #include "core/environment/import.hpp"
 #include "core/environment/navigation_mesh_reader.hpp"
 #include "core/metrics/components.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "ui/command_palette.hpp"
 #include "ui/inspection_feature.hpp"
 #include "ui/obstacle_features.hpp"
 #include "ui/path_feature.hpp"
@@ -142,7 +145,7 @@ void TestStories::aDoorwayIsClosed() {
   // Why? The lintel is in the way of the eye as well: cut above 1.5 m.
   auto* inspection = window_->findChild<InspectionFeature*>();
   QVERIFY(inspection != nullptr);
-  window_->view().setHeights({-1, 1.5});
+  window_->heightSlider().setRange({-1, 1.5});
   QTest::keyClick(&window_->view(), Qt::Key_Y);
   clickAt(kDoorway);
   QTRY_VERIFY(!inspection->watch().busy() && inspection->watch().explanation().has_value());
@@ -156,7 +159,7 @@ void TestStories::aDoorwayIsClosed() {
   setParameter("VerticalClearanceFilter", "1.8");
   QCOMPARE(window_->document().undoStack()->count(), 1);
   QTRY_VERIFY(paths->model().result() && paths->model().result()->reached());
-  window_->view().setHeights({});
+  window_->heightSlider().setRange({});
   QTest::keyClick(&window_->view(), Qt::Key_Escape);
   command("view.oblique")->trigger();
   panelOnly("panel.path");
@@ -195,7 +198,7 @@ void TestStories::aCrateIsMoved() {
   QVERIFY(regions() > 0);
   const std::size_t openRegions = regions();
 
-  window_->view().setHeights({-1, 1.5});
+  window_->heightSlider().setRange({-1, 1.5});
   command("view.top")->trigger();
   command("obstacle.box")->trigger();
   QVERIFY(window_->view().tool() != nullptr);
@@ -210,12 +213,12 @@ void TestStories::aCrateIsMoved() {
   QVERIFY(waitUntilIdle(*window_));
   QTRY_COMPARE(regions(), openRegions + 1);  // the rooms are apart
   panelOnly("view.obstacles");
-  window_->view().setHeights({});
+  window_->heightSlider().setRange({});
   command("view.oblique")->trigger();
   picture(QStringLiteral("guide-crate"));
 
   // Dragged by its body into the room.
-  window_->view().setHeights({-1, 1.5});
+  window_->heightSlider().setRange({-1, 1.5});
   command("view.top")->trigger();
   if (!command("obstacle.select")->isChecked()) command("obstacle.select")->trigger();
   const QPoint from = window_->view().project({8.875, 5.125, 1})->toPoint();
@@ -238,6 +241,27 @@ void TestStories::aCrateIsMoved() {
 void TestStories::severalAgents() {
   open(QStringLiteral("villa"));
   panelOnly("panel.agents");
+  auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("panel.agents"));
+  QVERIFY(dock && dock->isVisible());
+  auto* add = dock->findChild<QToolButton*>(QStringLiteral("addAgent"));
+  QVERIFY(add && add->menu());
+  for (int i = 0; i < 3; ++i) {
+    add->menu()->actions().at(i)->trigger();
+    QVERIFY(waitUntilIdle(*window_));
+  }
+  QCOMPARE(window_->document().state().agents.size(), std::size_t{3});
+  const double tall = window_->document().state().agents[0].height;
+  const double small = window_->document().state().agents[1].height;
+  QVERIFY(tall != small);
+  command("agent.all")->trigger();
+  QTest::qWait(3000);
+  // From one to the other by key, and the filters follow.
+  window_->view().setFocus();
+  for (const auto& [key, height] : {std::pair{Qt::Key_1, tall}, std::pair{Qt::Key_2, small}}) {
+    QTest::keyClick(&window_->view(), key, Qt::AltModifier);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(window_->document().pipeline().steps[3].values[0], height);
+  }
   picture(QStringLiteral("guide-agents"));
 }
 
@@ -255,8 +279,11 @@ void TestStories::aBuildingIsLookedInto() {
 void TestStories::theEditorWelcomes() {
   picture(QStringLiteral("guide-welcome"));
   QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
+  QTRY_VERIFY(window_->commandPalette().isVisible());
+  QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("cl"));
   QTest::qWait(100);
-  picture(QStringLiteral("guide-palette"));
+  if (!pictures_.isEmpty()) QVERIFY(window_->commandPalette().grab().save(pictures_ + "/guide-palette.png"));
+  window_->commandPalette().close();
 }
 
 // Qt calls neither of two actions with the same key.
