@@ -3351,15 +3351,15 @@ Grundriss %2, Höhe %3
         <translation>Quader</translation>
     </message>
     <message>
-        <source>place %1</source>
+        <source>Place %1</source>
         <translation>%1 setzen</translation>
     </message>
     <message>
-        <source>duplicate %1</source>
+        <source>Duplicate %1</source>
         <translation>%1 verdoppeln</translation>
     </message>
     <message>
-        <source>delete %1</source>
+        <source>Delete %1</source>
         <translation>%1 löschen</translation>
     </message>
 </context>
@@ -3549,19 +3549,19 @@ Grundriss %2, Höhe %3
         <translation>Was seitwärts bewegt wird, folgt dem Boden: bis einen Meter hinauf, und hinab, so weit es geht</translation>
     </message>
     <message>
-        <source>rename to %1</source>
+        <source>Rename to %1</source>
         <translation>in %1 umbenennen</translation>
     </message>
     <message>
-        <source>move %1</source>
+        <source>Move %1</source>
         <translation>%1 verschieben</translation>
     </message>
     <message>
-        <source>resize %1</source>
+        <source>Resize %1</source>
         <translation>Größe von %1 ändern</translation>
     </message>
     <message>
-        <source>turn %1</source>
+        <source>Turn %1</source>
         <translation>%1 drehen</translation>
     </message>
 </context>
@@ -3695,19 +3695,19 @@ Material: %2</translation>
         <translation>%1 Teile</translation>
     </message>
     <message>
-        <source>ignore %1</source>
+        <source>Ignore %1</source>
         <translation>%1 weglassen</translation>
     </message>
     <message>
-        <source>make %1 an obstacle only</source>
+        <source>Make %1 an obstacle only</source>
         <translation>%1 nur zum Hindernis machen</translation>
     </message>
     <message>
-        <source>make %1 walkable as usual</source>
+        <source>Make %1 walkable as usual</source>
         <translation>%1 wie sonst begehbar machen</translation>
     </message>
     <message>
-        <source>include %1</source>
+        <source>Include %1</source>
         <translation>%1 wieder aufnehmen</translation>
     </message>
     <message>
@@ -4101,15 +4101,15 @@ Material: %2</translation>
 <context>
     <name>footfall::SelectObstacleTool</name>
     <message>
-        <source>move %1</source>
+        <source>Move %1</source>
         <translation>%1 verschieben</translation>
     </message>
     <message>
-        <source>turn %1</source>
+        <source>Turn %1</source>
         <translation>%1 drehen</translation>
     </message>
     <message>
-        <source>resize %1</source>
+        <source>Resize %1</source>
         <translation>Größe von %1 ändern</translation>
     </message>
     <message>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/pipeline/state_size.hpp"
+
 namespace footfall {
 namespace {
 
@@ -17,13 +19,8 @@ std::size_t bytesOf(const MeshGeometry& geometry) {
          bytesOf(geometry.obstacleEdges) + bytesOf(geometry.connections);
 }
 
-std::size_t bytesOf(const NavigationMesh& mesh) {
-  return bytesOf(mesh.vertices) + bytesOf(mesh.triangles) + bytesOf(mesh.layers) + bytesOf(mesh.sourceTriangles) +
-         bytesOf(mesh.obstacleEdges) + bytesOf(mesh.connections);
-}
-
 std::size_t bytesOf(const FinishedRun& run, const ViewContent& content) {
-  std::size_t bytes = run.result.mesh ? bytesOf(*run.result.mesh) : 0;
+  std::size_t bytes = run.result.mesh ? sizeOf(*run.result.mesh) : 0;
   for (const auto& geometry : content.walkable) bytes += bytesOf(*geometry);
   for (const ViewContent::Removed& removed : content.removed) bytes += bytesOf(*removed.before);
   if (content.environmentLayers) bytes += bytesOf(*content.environmentLayers);

@@ -99,7 +99,7 @@ std::uint32_t ObstacleEditor::add(PlacedObstacle obstacle) {
   if (obstacle.name.empty()) obstacle.name = newName(nameOf(obstacle.shape)).toStdString();
   DocumentState next = document_.state();
   next.obstacles.push_back(obstacle);
-  document_.edit(std::move(next), tr("place %1").arg(fromName(obstacle)));
+  document_.edit(std::move(next), tr("Place %1").arg(fromName(obstacle)));
   select(obstacle.id);
   return obstacle.id;
 }
@@ -114,7 +114,7 @@ std::optional<std::uint32_t> ObstacleEditor::duplicate(std::uint32_t id, const V
   copy.base = {copy.base.x + offset.x, copy.base.y + offset.y, copy.base.z + offset.z};
   DocumentState next = document_.state();
   next.obstacles.push_back(copy);
-  document_.edit(std::move(next), tr("duplicate %1").arg(fromName(*original)));
+  document_.edit(std::move(next), tr("Duplicate %1").arg(fromName(*original)));
   select(copy.id);
   return copy.id;
 }
@@ -123,7 +123,7 @@ void ObstacleEditor::remove(std::uint32_t id) {
   endDrag();
   const PlacedObstacle* obstacle = inDocument(id);
   if (!obstacle) return;
-  const QString text = tr("delete %1").arg(fromName(*obstacle));
+  const QString text = tr("Delete %1").arg(fromName(*obstacle));
   DocumentState next = document_.state();
   std::erase_if(next.obstacles, [id](const PlacedObstacle& o) { return o.id == id; });
   document_.edit(std::move(next), text);
@@ -166,7 +166,7 @@ void ObstacleEditor::beginDrag(std::uint32_t id, const QString& text) {
 void ObstacleEditor::beginDragOfCopy(std::uint32_t id) {
   const PlacedObstacle* original = inDocument(id);
   if (!original) return;
-  const QString text = tr("duplicate %1").arg(fromName(*original));
+  const QString text = tr("Duplicate %1").arg(fromName(*original));
   PlacedObstacle copy = *original;
   copy.id = newId();
   copy.name = newName(nameOf(copy.shape)).toStdString();

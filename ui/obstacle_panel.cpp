@@ -146,7 +146,7 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
     }
     PlacedObstacle next = *o;
     next.name = name;
-    editor_.change(next, tr("rename to %1"));
+    editor_.change(next, tr("Rename to %1"));
   });
   connect(stick_, &QCheckBox::toggled, this, &ObstaclePanel::stickingChanged);
   showObstacles();
@@ -194,7 +194,7 @@ void ObstaclePanel::editField(std::size_t index, double value) {
   if (!selected) return;
   PlacedObstacle next = *selected;
   numberOf(next, index) = value;
-  const QString text = index < 3 ? tr("move %1") : index < 6 ? tr("resize %1") : tr("turn %1");
+  const QString text = index < 3 ? tr("Move %1") : index < 6 ? tr("Resize %1") : tr("Turn %1");
   editor_.changeSoon(next, text,
                      QStringLiteral("obstacle/%1/%2/%3").arg(next.id).arg(index).arg(fields_[index]->editSession()));
 }

@@ -13,17 +13,17 @@ const QString kHandles = QStringLiteral("obstacle.handles");
 
 QString textOf(std::optional<ObstacleHandle> handle) {
   using Handle = ObstacleHandle;
-  if (!handle) return SelectObstacleTool::tr("move %1");
+  if (!handle) return SelectObstacleTool::tr("Move %1");
   switch (*handle) {
     case Handle::MoveX:
     case Handle::MoveY:
     case Handle::MoveZ:
     case Handle::MovePlan:
-      return SelectObstacleTool::tr("move %1");
+      return SelectObstacleTool::tr("Move %1");
     case Handle::Turn:
-      return SelectObstacleTool::tr("turn %1");
+      return SelectObstacleTool::tr("Turn %1");
     default:
-      return SelectObstacleTool::tr("resize %1");
+      return SelectObstacleTool::tr("Resize %1");
   }
 }
 
@@ -181,7 +181,7 @@ bool SelectObstacleTool::nudge(int key, bool coarse) {
   const auto moved = [&](double place, int by) { return by == 0 ? place : roundTo(place + by * step, step / 1000); };
   next.base = {moved(next.base.x, way[0]), moved(next.base.y, way[1]), moved(next.base.z, way[2])};
   if (sticking_ && way[2] == 0) stick(next, next.base.z);
-  context_.editor.changeSoon(next, tr("move %1"));
+  context_.editor.changeSoon(next, tr("Move %1"));
   return true;
 }
 

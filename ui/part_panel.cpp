@@ -221,9 +221,9 @@ QString PartPanel::nameOf(const std::vector<std::uint32_t>& parts) const {
 void PartPanel::setRole(PartRole role) {
   const std::vector<std::uint32_t> parts = selectedParts();
   if (parts.empty()) return;
-  const QString text = role == PartRole::Ignored        ? tr("ignore %1")
-                       : role == PartRole::ObstacleOnly ? tr("make %1 an obstacle only")
-                                                        : tr("make %1 walkable as usual");
+  const QString text = role == PartRole::Ignored        ? tr("Ignore %1")
+                       : role == PartRole::ObstacleOnly ? tr("Make %1 an obstacle only")
+                                                        : tr("Make %1 walkable as usual");
   apply(parts, std::vector<PartRole>(parts.size(), role), text.arg(nameOf(parts)));
 }
 
@@ -241,7 +241,7 @@ void PartPanel::include(const std::vector<std::uint32_t>& parts, bool on) {
       roles.push_back(now != PartRole::Ignored ? now : before == before_.end() ? PartRole::Floor : before->second);
     }
   }
-  apply(parts, roles, (on ? tr("include %1") : tr("ignore %1")).arg(nameOf(parts)));
+  apply(parts, roles, (on ? tr("Include %1") : tr("Ignore %1")).arg(nameOf(parts)));
 }
 
 void PartPanel::apply(const std::vector<std::uint32_t>& parts, const std::vector<PartRole>& roles,

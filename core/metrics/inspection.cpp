@@ -18,6 +18,10 @@
 namespace footfall {
 namespace {
 
+// Of the environment's diagonal: typed coordinates are rounded. It chooses which place is meant, and decides nothing
+// about it.
+constexpr double kTypedReach = 1e-6;
+
 double slopeOf(const SourceMesh& mesh, Index face) {
   const auto& n = mesh.normals[face];
   return std::atan2(std::hypot(n[0].value, n[1].value), n[2].value) * (180 / std::numbers::pi);
@@ -213,7 +217,7 @@ std::optional<PickedPlace> Inspector::placeBelow(const Vec3& point) const {
     low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
     high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
   }
-  const double reach = 1e-6 * std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  const double reach = kTypedReach * std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
   const std::vector<Index> found = highestBelow(mesh, point, std::isfinite(reach) ? reach : 0);
   if (found.empty()) return std::nullopt;
   const auto order = [&](Index a, Index b) {

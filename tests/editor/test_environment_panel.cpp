@@ -71,7 +71,7 @@ class TestEnvironmentPanel : public QObject {
     QCOMPARE(area(), 64.0);
     QCOMPARE(window_->level()->triangles.size(), std::size_t{2});
     QCOMPARE(row("table").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
-    QCOMPARE(window_->document().undoStack()->undoText(), QString("ignore 2 parts"));
+    QCOMPARE(window_->document().undoStack()->undoText(), QString("Ignore 2 parts"));
     tree().expand(row("table"));
     clickBox(row("wood"));
     QCOMPARE(row("table").data(Qt::CheckStateRole).toInt(), int(Qt::PartiallyChecked));
@@ -101,7 +101,7 @@ class TestEnvironmentPanel : public QObject {
     for (QToolButton* button : tools().panel().findChildren<QToolButton*>())
       if (button->defaultAction() == ignore) QTest::mouseClick(button, Qt::LeftButton);
     QCOMPARE(area(), 8.0);
-    QCOMPARE(window_->document().undoStack()->undoText(), QString("ignore ground/stone"));
+    QCOMPARE(window_->document().undoStack()->undoText(), QString("Ignore ground/stone"));
   }
 
   void everythingIgnoredAndBack() {

@@ -72,7 +72,7 @@ class TestObstacleTools : public QObject {
     QVERIFY(obstacle().base.x > 2 && obstacle().base.y >= 0.25);
     QCOMPARE(obstacle().base.z, 0.0);
     QCOMPARE(window_->document().undoStack()->count(), 2);
-    QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("move Box 1"));
+    QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("Move Box 1"));
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(rooms(), std::size_t{1});
 
@@ -162,7 +162,7 @@ class TestObstacleTools : public QObject {
     after = along(Handle::Turn, {-y - x, x - y, 0});
     QVERIFY(std::abs(after.turn - 90) < 3);
     QCOMPARE(obstacle(), start);
-    QCOMPARE(window_->document().undoStack()->redoText(), QStringLiteral("turn Box 1"));
+    QCOMPARE(window_->document().undoStack()->redoText(), QStringLiteral("Turn Box 1"));
     // With Shift in steps of 15 degrees.
     drag(at(grip), at({-3 + x * 0.8 - y * 0.6, x * 0.6 + y * 0.8, 0}), Qt::ShiftModifier);
     QCOMPARE(std::fmod(obstacle().turn, 15.0), 0.0);
@@ -257,7 +257,7 @@ class TestObstacleTools : public QObject {
     const int entries = window_->document().undoStack()->count();
     drag(handle(Handle::MoveX), handle(Handle::MoveX) + QPoint(90, 0), Qt::AltModifier);
     QCOMPARE(features_->editor().obstacles().size(), std::size_t{3});
-    QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("duplicate Box 1"));
+    QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("Duplicate Box 1"));
     QVERIFY(window_->document().undoStack()->count() <= entries + 1);
   }
 
