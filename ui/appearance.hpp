@@ -17,6 +17,7 @@ enum class Pattern : std::uint8_t { Plain = 0, RisingStripes = 1, FallingStripes
 struct Paint {
   QColor colour;
   Pattern pattern = Pattern::Plain;
+  bool operator==(const Paint&) const = default;
 };
 
 /// Walls, ceilings and whatever else faces sideways or down.

@@ -111,10 +111,11 @@ void CellRenderer::drawRange(const Look& look, std::size_t first, std::size_t co
   program_.release();
 }
 
-void CellRenderer::draw(const Look& look) {
+void CellRenderer::draw(const Look& look, DrawingSlice& slice) {
   if (!geometry_) return;
   upload();
-  drawRange(look, 0, geometry_->surface.size(), {}, kOpacity);
+  const auto [first, count] = slice.take(static_cast<int>(geometry_->surface.size() / 3));
+  drawRange(look, 3 * static_cast<std::size_t>(first), 3 * static_cast<std::size_t>(count), {}, kOpacity);
 }
 
 void CellRenderer::drawCell(const Look& look, std::size_t cell, const QColor& colour, float opacity) {

@@ -14,6 +14,7 @@
 
 #include "ui/cell_geometry.hpp"
 #include "ui/clip_planes.hpp"
+#include "ui/drawing_slice.hpp"
 
 namespace footfall {
 
@@ -41,8 +42,8 @@ class CellRenderer : protected QOpenGLExtraFunctions {
   /// Another number after every change of the colours.
   [[nodiscard]] int version() const { return version_; }
 
-  /// All cells, over what is there.
-  void draw(const Look& look);
+  /// All cells, over what is there, or those of their triangles that the slice lets through.
+  void draw(const Look& look, DrawingSlice& slice);
   /// One cell again, in a colour of its own.
   void drawCell(const Look& look, std::size_t cell, const QColor& colour, float opacity);
 

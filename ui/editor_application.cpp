@@ -112,6 +112,7 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
     // A session has a view of its own.
     if (options.top) window.view().viewFromTop();
     if (!options.top && !window.openedSession()) window.view().viewOblique();
+    window.view().grabFramebuffer();  // what follows finds all of it drawn
     QSaveFile file(target);
     const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
     finish(written ? 0

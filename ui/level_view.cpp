@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace footfall {
@@ -19,7 +20,8 @@ using qglviewer::Camera;
 using qglviewer::Vec;
 
 constexpr double kSlowFrameMs = 30;
-constexpr double kCoarseFrameMs = 60;
+constexpr double kSliceMs = 20;  // of drawing between two events
+constexpr double kFirstMs = 8;   // of a picture with the frame that first lacks it: enough with a graphics card
 constexpr int kRestMs = 200;  // without movement
 
 /// Nearer than usual where one is close to something: in a corridor, walls must not be cut away.
@@ -49,6 +51,9 @@ LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, [this] { update(); });
+  slices_.setSingleShot(true);
+  slices_.setInterval(0);
+  connect(&slices_, &QTimer::timeout, this, &LevelView::drawOn);
   connect(this, &LevelView::cameraMoved, this, [this] { rest_.start(); });
   connect(&glideTimer_, &QTimer::timeout, this, &LevelView::glide);
 }
@@ -77,6 +82,7 @@ void LevelView::init() {
 void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera) {
   environment_ = std::move(geometry);
   renderer_.setEnvironment(environment_);
+  wholeFrameMs_ = 0;
   setContent({});
   setCells(nullptr, {});
   if (environment_) {
@@ -93,7 +99,7 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
 
 void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
   environment_ = std::move(geometry);
-  renderer_.setEnvironment(environment_);
+  renderer_.replaceEnvironment(environment_);
   // What has grown must not be cut off behind.
   if (environment_)
     setSceneRadius(std::max({sceneRadius(), toVec(environment_->lower).norm(), toVec(environment_->upper).norm()}));
@@ -102,7 +108,6 @@ void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> ge
 
 void LevelView::setContent(ViewContent content) {
   content_ = std::move(content);
-  wholeFrameMs_ = 0;
   renderer_.setContent(content_);
   update();
 }
@@ -136,11 +141,13 @@ void LevelView::setSources(std::shared_ptr<const MeshGeometry> sources) {
 
 void LevelView::setHeights(const HeightRange& heights) {
   heights_ = heights;
+  rest_.start();  // a slider is dragged
   update();
 }
 
 void LevelView::setCutPlane(const std::optional<CutPlane>& cut) {
   cut_ = cut;
+  rest_.start();
   update();
 }
 
@@ -354,9 +361,7 @@ OverlayRenderer::Look LevelView::overlayLook() const {
           environment_ ? environment_->centre : Vec3{}};
 }
 
-void LevelView::draw() {
-  if (!ready_) return;
-  lastFrameBegun_ = std::chrono::steady_clock::now();
+SceneCamera LevelView::sceneCamera() const {
   SceneCamera scene;
   scene.modelViewProjection = modelViewProjection();
   const Vec eye = camera()->position();
@@ -368,16 +373,49 @@ void LevelView::draw() {
   scene.devicePixelRatio = static_cast<float>(pixelRatio());
   scene.clip = clipPlanes();
   scene.viewport = size() * devicePixelRatioF();
-  SceneParts parts = parts_;
-  const bool moving = rest_.isActive();
-  const bool hurried = moving && wholeFrameMs_ > kSlowFrameMs;
-  if (hurried) parts.outlines = false;
-  renderer_.draw(scene, parts, moving, hurried && wholeFrameMs_ > kCoarseFrameMs);
+  return scene;
+}
+
+void LevelView::draw() {
+  if (!ready_) return;
+  lastFrameBegun_ = std::chrono::steady_clock::now();
+  SceneRenderer::Haste haste;
+  haste.moving = rest_.isActive();
+  // What is not known yet may take long.
+  haste.hurried = wholeFrameMs_ == 0 || wholeFrameMs_ > kSlowFrameMs;
+  haste.ms = unhurried_ ? std::numeric_limits<double>::infinity() : kFirstMs;
+  whole_ = renderer_.draw(sceneCamera(), parts_, haste);
   overlayRenderer_.draw(overlays_, overlayLook());
   context()->functions()->glFinish();  // software OpenGL works on after the call
   lastFrameMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - lastFrameBegun_).count();
-  // Pictures that are kept make frames short until the camera moves.
-  if (!hurried && (moving || lastFrameMs_ > wholeFrameMs_)) wholeFrameMs_ = lastFrameMs_;
+  if (!haste.moving && whole_) wholeFrameMs_ = renderer_.wholeMs();
+  if (haste.moving && !haste.hurried) wholeFrameMs_ = lastFrameMs_;
+  if (whole_) {
+    slices_.stop();
+  } else {
+    slices_.start();
+  }
+}
+
+// Between two events of the window, so that it answers while a large picture is drawn.
+void LevelView::drawOn() {
+  if (rest_.isActive()) return;
+  makeCurrent();
+  const bool complete = renderer_.advance(kSliceMs);
+  doneCurrent();
+  if (complete) {
+    update();
+  } else {
+    slices_.start();
+  }
+}
+
+QImage LevelView::grabFramebuffer() {
+  rest_.stop();  // nothing is left out
+  unhurried_ = true;
+  QImage image = QGLViewer::grabFramebuffer();
+  unhurried_ = false;
+  return image;
 }
 
 qreal LevelView::pixelRatio() const { return pictureRatio_ > 0 ? pictureRatio_ : devicePixelRatioF(); }
@@ -391,7 +429,6 @@ QImage LevelView::picture(const QSize& pixels, double ratio) {
   if (std::max(pixels.width(), pixels.height()) > most) return {};
   // The widget takes the size for one frame that is never shown: a picture has all that the view has.
   const QRect place = geometry();
-  rest_.stop();  // nothing is left out
   pictureRatio_ = ratio;
   const QSize logical = (QSizeF(pixels) / devicePixelRatioF()).toSize();
   resize(logical);

@@ -148,8 +148,14 @@ class LevelView : public QGLViewer {
   [[nodiscard]] CameraPose cameraPose() const;
   void setCameraPose(const CameraPose& pose);
 
-  /// Of the last frame, until OpenGL had finished it; 0 before the first. While the camera moves and whole frames take
-  /// long, frames leave out outlines and creases; the whole picture follows when it rests.
+  /// What the view shows, as it is once all of it has been drawn, however long that takes. (QWidget::grab() takes what
+  /// there is.)
+  QImage grabFramebuffer();
+  /// The last frame showed everything. Large scenes take several events to draw: until they are complete, the view
+  /// shows what it showed before, and while the camera moves, it leaves out outlines, creases and small things.
+  [[nodiscard]] bool isWhole() const { return whole_ && !rest_.isActive(); }
+
+  /// Of the last frame, until OpenGL had finished it; 0 before the first.
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
   /// When OpenGL got the first command of it.
   [[nodiscard]] std::chrono::steady_clock::time_point lastFrameBegun() const { return lastFrameBegun_; }
@@ -193,6 +199,8 @@ class LevelView : public QGLViewer {
   static ViewMouse toolMouse(const QMouseEvent& event);
   [[nodiscard]] Ray sceneRayAt(const QPoint& place) const;
   [[nodiscard]] QMatrix4x4 modelViewProjection() const;
+  [[nodiscard]] SceneCamera sceneCamera() const;
+  void drawOn();
   [[nodiscard]] OverlayRenderer::Look overlayLook() const;
   [[nodiscard]] ClipPlanes clipPlanes() const;
   [[nodiscard]] qreal pixelRatio() const;
@@ -218,6 +226,9 @@ class LevelView : public QGLViewer {
   bool ready_ = false;
   bool fitWhenSized_ = false;
   QTimer rest_;              ///< runs while the camera moves
+  QTimer slices_;            ///< to the next slice of a picture
+  bool whole_ = false;       ///< the last frame showed everything
+  bool unhurried_ = false;   ///< frames are to show everything
   double pictureRatio_ = 0;  ///< while picture() draws
   struct Glide {
     CameraPose from, to;

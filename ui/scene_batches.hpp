@@ -1,11 +1,12 @@
-// Vertex buffers of surfaces, lines and heat maps, and which layers of them are shown.
+// Vertex buffers of surfaces, lines and heat maps, filled a piece at a time, and which layers of them are shown.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QOpenGLBuffer>
+#include <QByteArray>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
-#include <QOpenGLVertexArrayObject>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <set>
 #include <vector>
@@ -15,27 +16,84 @@
 
 namespace footfall {
 
-/// A vertex array with its buffers.
+/// A buffer in the current OpenGL context, which must be current again when it goes: Qt's own classes keep lists of all
+/// that there are, and runs show thousands of small meshes.
+class SceneBuffer {
+ public:
+  SceneBuffer() = default;
+  ~SceneBuffer();
+  SceneBuffer(const SceneBuffer&) = delete;
+  SceneBuffer& operator=(const SceneBuffer&) = delete;
+
+  [[nodiscard]] bool filled() const { return name_ != 0; }
+  void fill(const QByteArray& bytes);
+  void bind() const;
+
+ private:
+  GLuint name_ = 0;
+};
+
+/// A vertex array, as SceneBuffer.
+class SceneArray {
+ public:
+  SceneArray() = default;
+  ~SceneArray();
+  SceneArray(const SceneArray&) = delete;
+  SceneArray& operator=(const SceneArray&) = delete;
+
+  void bind();
+
+ private:
+  GLuint name_ = 0;
+};
+
+/// Triangles or lines of one kind, in pieces that are uploaded one at a time. Batches may share vertices.
 struct SceneBatch {
-  QOpenGLVertexArrayObject array;
-  QOpenGLBuffer buffer{QOpenGLBuffer::VertexBuffer}, layers{QOpenGLBuffer::VertexBuffer};
-  int count = 0;  ///< vertices of a surface, instances of lines
+  enum class Kind { Surface, Field, Lines };
+  /// Copies nothing that is already there in this form.
+  using Bytes = std::function<QByteArray(std::size_t first, std::size_t count)>;
+
+  struct Piece {
+    SceneArray array;
+    std::shared_ptr<SceneBuffer> vertices;
+    std::shared_ptr<SceneBuffer> layers;  ///< null: it belongs to no layer
+    int firstLine = 0;                    ///< that the array begins with: OpenGL 3.3 has no first instance to draw
+  };
+  static constexpr int kPiece = 1 << 15;  ///< primitives in each piece but the last
+
+  Kind kind = Kind::Surface;
+  int count = 0;  ///< triangles of a surface or a field, lines
+  Bytes vertices, layers;
+  std::deque<Piece> pieces;
 };
 using SceneBatchPtr = std::shared_ptr<SceneBatch>;
 
-/// Needs a current OpenGL context from initialize() to release().
+/// Needs a current OpenGL context from initialize() to release(). Batches must not be drawn before upload() is done.
 class SceneBatches : protected QOpenGLExtraFunctions {
  public:
+  /// Keeps what is to be uploaded alive.
+  using Owner = std::shared_ptr<const void>;
+  using LayerOf = std::function<std::uint32_t(std::size_t triangle)>;
+  using LayersOf = std::function<LineLayers(std::size_t line)>;
+
   void initialize();
   void release();
 
-  SceneBatchPtr makeSurface(const std::vector<SurfaceVertex>& vertices);
-  SceneBatchPtr makeField(const std::vector<FieldVertex>& vertices);
-  SceneBatchPtr makeLines(const std::vector<LineSegment>& segments);
-  /// One for each triangle of a surface or a field; empty: they belong to no layer.
-  void setSurfaceLayers(const SceneBatchPtr& batch, const std::vector<std::uint32_t>& layers);
-  /// One for each line; empty: they belong to no layer.
-  void setLineLayers(const SceneBatchPtr& batch, const std::vector<LineLayers>& layers);
+  /// Of no layer.
+  SceneBatchPtr makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices);
+  SceneBatchPtr makeField(const Owner& owner, const std::vector<FieldVertex>& vertices);
+  SceneBatchPtr makeLines(const Owner& owner, const std::vector<LineSegment>& segments);
+  /// The same vertices with layers; with no function, of no layer.
+  SceneBatchPtr withLayers(const SceneBatchPtr& batch, const LayerOf& layerOf);
+  SceneBatchPtr withLineLayers(const SceneBatchPtr& batch, const LayersOf& layersOf);
+
+  /// Goes on for about so long; returns whether all batches that still exist can be drawn.
+  bool upload(double ms);
+  /// All of one batch.
+  void uploadNow(SceneBatch& batch);
+
+  /// With the program and what it needs in use. Triangles of a surface or a field, or lines, counting from 0.
+  void draw(SceneBatch& batch, int first, int count);
 
   void setHiddenLayers(const std::set<std::uint32_t>& hidden);
   [[nodiscard]] const std::set<std::uint32_t>& hiddenLayers() const { return hidden_; }
@@ -43,8 +101,17 @@ class SceneBatches : protected QOpenGLExtraFunctions {
   void useLayers(QOpenGLShaderProgram& program, const SceneBatch& batch);
 
  private:
-  void removeLayers(SceneBatch& batch, GLuint location);
+  struct Upload {
+    SceneBatchPtr batch;
+    std::size_t next = 0;  ///< piece
+  };
 
+  SceneBatchPtr queue(SceneBatch batch);
+  SceneBatchPtr sharing(const SceneBatch& batch, SceneBatch::Bytes layers);
+  void uploadPiece(SceneBatch& batch, std::size_t number);
+  void beginLinesAt(SceneBatch::Piece& piece, int first);
+
+  std::deque<Upload> uploads_;
   std::set<std::uint32_t> hidden_;
   bool hiddenPending_ = true;
   GLuint texture_ = 0;

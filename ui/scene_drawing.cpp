@@ -40,6 +40,7 @@ void SceneRenderer::endClip() {
 }
 
 void SceneRenderer::drawBackground() {
+  if (slice_->take(1).count == 0) return;
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   backgroundProgram_.bind();
@@ -53,20 +54,22 @@ void SceneRenderer::drawBackground() {
 
 void SceneRenderer::drawSurface(const BatchPtr& batch, float offset) {
   if (!batch || batch->count == 0) return;
+  const auto [first, count] = slice_->take(batch->count);
+  if (count == 0) return;
   glPolygonOffset(offset, 4 * offset);
   batches_.useLayers(surfaceProgram_, *batch);
-  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
-  glDrawArrays(GL_TRIANGLES, 0, batch->count);
+  batches_.draw(*batch, first, count);
 }
 
 void SceneRenderer::drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift) {
   if (!batch || batch->count == 0) return;
+  const auto [first, count] = slice_->take(batch->count);
+  if (count == 0) return;
   lineProgram_.setUniformValue("colour", QVector4D(toVector(colour), 1));
   lineProgram_.setUniformValue("width", width);
   lineProgram_.setUniformValue("lift", lift);
   batches_.useLayers(lineProgram_, *batch);
-  const QOpenGLVertexArrayObject::Binder bound(&batch->array);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, batch->count);
+  batches_.draw(*batch, first, count);
 }
 
 void SceneRenderer::useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera) {
@@ -84,17 +87,17 @@ void SceneRenderer::drawStill(const StillKey& key) {
   if (key.surface && key.mode != ViewMode::Wireframe) {
     beginSurfaces(key.camera, key.pale);
     if (wires) setOnlyPaint(Paint{hiddenLineFill()}, true);
-    surfaceProgram_.setUniformValue("floorPaint", key.floorPaint);
-    drawSurface(coarse_ && environmentCoarse_ ? environmentCoarse_ : environmentSurface_, key.offset);
+    surfaceProgram_.setUniformValue("floorPaint", toVector(key.floorPaint));
+    drawSurface(coarse_ && scene_.environmentCoarse ? scene_.environmentCoarse : scene_.environmentSurface, key.offset);
     setOnlyPaint(std::nullopt);
     glDisable(GL_POLYGON_OFFSET_FILL);
   }
   if (key.surface && wires)
-    drawWires(coarse_ && environmentCoarse_ ? environmentCoarse_ : environmentSurface_, key.camera, wireColour(),
+    drawWires(coarse_ && scene_.environmentCoarse ? scene_.environmentCoarse : scene_.environmentSurface, key.camera, wireColour(),
               false);
   if (key.creases) {
     beginLines(key.camera);
-    drawLines(environmentCreases_, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
+    drawLines(scene_.environmentCreases, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
     endLines();
   }
   endClip();
@@ -134,17 +137,17 @@ void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
   surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
   surfaceProgram_.setUniformValue("plainFloor", toVector(undecidedPaint()));
-  surfaceProgram_.setUniformValue("hatchBacks", camera.clip.active() && environment_ && !environment_->bothSides);
+  surfaceProgram_.setUniformValue("hatchBacks", camera.clip.active() && scene_.environment && !scene_.environment->bothSides);
   setOnlyPaint(std::nullopt);
 }
 
 void SceneRenderer::drawWalkable(const SceneCamera& camera, ViewMode mode) {
-  if (mode == ViewMode::SourceTriangles && sourceBatches_.surface) {
-    drawSurface(surfaceOf(sourceBatches_), 0);
+  if (mode == ViewMode::SourceTriangles && scene_.sourceMesh.surface) {
+    drawSurface(surfaceOf(scene_.sourceMesh), 0);
     return;
   }
   if (mode == ViewMode::RejectedBy) setOnlyPaint(paleWalkablePaint());
-  for (const MeshBatches& mesh : walkable_) {
+  for (const MeshBatches& mesh : scene_.walkable) {
     if (mode == ViewMode::Wireframe || mode == ViewMode::HiddenLine) {
       drawWires(surfaceOf(mesh), camera, {}, true);
     } else {
@@ -161,9 +164,9 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
   // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each. The
   // nearest come first, so that what they hide is not painted.
   const bool removed = parts.removed && parts.environment && (parts.mode == ViewMode::Result || vivid);
-  for (std::size_t i = removed_.size(); removed && i-- > 0;) {
-    if (vivid) setOnlyPaint(content_.removed[i].style->vivid);
-    drawSurface(surfaceOf(removed_[i]), static_cast<float>(removed_.size() - i));
+  for (std::size_t i = scene_.removed.size(); removed && i-- > 0;) {
+    if (vivid) setOnlyPaint(scene_.content.removed[i].style->vivid);
+    drawSurface(surfaceOf(scene_.removed[i]), static_cast<float>(scene_.removed.size() - i));
   }
   setOnlyPaint(std::nullopt);
   glDisable(GL_POLYGON_OFFSET_FILL);
@@ -171,7 +174,9 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
 
 // In place of all other floors.
 void SceneRenderer::drawField(const SceneCamera& camera) {
-  if (!fieldSurface_ || fieldSurface_->count == 0) return;
+  if (!scene_.fieldSurface || scene_.fieldSurface->count == 0) return;
+  const auto [first, count] = slice_->take(scene_.fieldSurface->count);
+  if (count == 0) return;
   useCamera(fieldProgram_, camera);
   glActiveTexture(GL_TEXTURE0);
   if (scaleTexture_ == 0) {
@@ -198,9 +203,8 @@ void SceneRenderer::drawField(const SceneCamera& camera) {
   fieldProgram_.setUniformValue("limit", QVector2D(static_cast<float>(fieldScale_.limit.value_or(0)), sign));
   fieldProgram_.setUniformValue("tolerance", static_cast<float>(1e-4 * (fieldScale_.upper - fieldScale_.lower)));
   fieldProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
-  batches_.useLayers(fieldProgram_, *fieldSurface_);
-  const QOpenGLVertexArrayObject::Binder bound(&fieldSurface_->array);
-  glDrawArrays(GL_TRIANGLES, 0, fieldSurface_->count);
+  batches_.useLayers(fieldProgram_, *scene_.fieldSurface);
+  batches_.draw(*scene_.fieldSurface, first, count);
   glBindTexture(GL_TEXTURE_2D, 0);
   fieldProgram_.release();
 }
@@ -218,19 +222,20 @@ void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& par
 }
 
 // Nearer than everything that they change, each nearer than the one before.
-void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& parts) {
-  if (changes_.empty() || !parts.walkable) return;
+void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& parts,
+                                const std::vector<MeshBatches>& changes) {
+  if (changes.empty() || !parts.walkable || parts.mode > ViewMode::RejectedBy) return;
   beginClip(camera);
   beginSurfaces(camera);
   float offset = 0;
-  for (const MeshBatches& mesh : changes_) drawSurface(mesh.surface, offset -= 1);
+  for (const MeshBatches& mesh : changes) drawSurface(mesh.surface, offset -= 1);
   glDisable(GL_POLYGON_OFFSET_FILL);
   endClip();
 }
 
 // Over the surfaces and under their lines: what is walkable can still be told by its outline.
 void SceneRenderer::drawCells(const SceneCamera& camera, const SceneParts& parts) {
-  cells_.draw({camera.modelViewProjection, camera.clip, camera.devicePixelRatio});
+  cells_.draw({camera.modelViewProjection, camera.clip, camera.devicePixelRatio}, *slice_);
   beginLines(camera);
   // Many cells have thin borders, or there would be nothing else to see.
   constexpr float kMany = 40;
@@ -250,7 +255,9 @@ void SceneRenderer::drawMarkedCells(const SceneCamera& camera, const SceneParts&
     beginClip(camera);
     cells_.drawCell({camera.modelViewProjection, camera.clip, camera.devicePixelRatio}, *cell, colour, 0.35F);
     endClip();
-    const BatchPtr edges = batches_.makeLines(edgesOf(cells_.geometry()->boxes[*cell]));
+    const std::vector<LineSegment> box = edgesOf(cells_.geometry()->boxes[*cell]);
+    const BatchPtr edges = batches_.makeLines(nullptr, box);
+    batches_.uploadNow(*edges);
     glDisable(GL_DEPTH_TEST);
     beginLines(camera);
     drawLines(edges, outlineColour(), 4.4F * camera.devicePixelRatio, 0);
@@ -265,8 +272,8 @@ void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& pa
   const float pixel = camera.devicePixelRatio;
   const bool wires = parts.mode == ViewMode::Wireframe || parts.mode == ViewMode::HiddenLine;
   if (parts.mode == ViewMode::SourceTriangles && parts.walkable && parts.outlines)
-    drawLines(sourceBatches_.creases, outlineColour(), 1.0F * pixel, 5e-5F);
-  for (const MeshBatches& mesh : walkable_) {
+    drawLines(scene_.sourceMesh.creases, outlineColour(), 1.0F * pixel, 5e-5F);
+  for (const MeshBatches& mesh : scene_.walkable) {
     if (parts.walkable && parts.outlines && !wires) {
       drawLines(mesh.creases, creaseColour(), 1.0F * pixel, 3e-5F);
       drawLines(mesh.outline, outlineColour(), 1.3F * pixel, 8e-5F);

@@ -8,16 +8,20 @@
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 #include <QString>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include "ui/appearance.hpp"
 #include "ui/cell_renderer.hpp"
 #include "ui/clip_planes.hpp"
+#include "ui/drawing_slice.hpp"
 #include "ui/field_geometry.hpp"
 #include "ui/render_geometry.hpp"
-#include "ui/scene_batches.hpp"
+#include "ui/scene_content.hpp"
 #include "ui/view_mode.hpp"
 
 namespace footfall {
@@ -60,34 +64,41 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   /// For others that draw lines in the same context.
   [[nodiscard]] QOpenGLShaderProgram& lineProgram() { return lineProgram_; }
 
-  /// Uploaded with the next draw(). Null: nothing.
+  /// Without content. Null: nothing. Here and below: what is set is uploaded by draw() and advance(), and shown once all
+  /// of it is there.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
+  /// An edit of what is shown, which stays until then.
+  void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
   void setContent(ViewContent content);
   void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
-  void setCellColours(CellColours colours) { cells_.setColours(std::move(colours)); }
+  void setCellColours(CellColours colours);
   void setMarkedCells(const MarkedCells& marked) { marked_ = marked; }
   /// For heat maps. Null: none yet.
   void setField(std::shared_ptr<const FieldGeometry> field);
-  void setFieldScale(const FieldScale& scale) { fieldScale_ = scale; }
+  void setFieldScale(const FieldScale& scale);
   /// For ViewMode::SourceTriangles, in place of the walkable surfaces. Null: none yet.
   void setSources(std::shared_ptr<const MeshGeometry> sources);
   /// By number; lines between two of them go with them.
   void setHiddenLayers(const std::set<std::uint32_t>& hidden);
 
-  /// `moving`: the camera will be elsewhere in the next frame. While it rests, pictures of the environment alone and of
-  /// it with the content and the cells, but without changes and marks, are drawn once and kept: frames after that cost
-  /// only what is new.
-  /// `coarse`: of large surfaces, those with fewer triangles.
-  void draw(const SceneCamera& camera, const SceneParts& parts, bool moving, bool coarse);
+  struct Haste {
+    bool moving = false;   ///< the camera will be elsewhere in the next frame
+    bool hurried = false;  ///< no outlines and creases, and of large surfaces those with fewer triangles
+    double ms = 0;         ///< to go on with a picture that is to be kept
+  };
+  /// While the camera rests, pictures of the environment alone and of it with the content and the cells, but without
+  /// changes and marks, are drawn once and kept: frames after that cost only what is new. Returns whether the frame
+  /// shows what it is to show; otherwise it shows the picture before, or, where one looks from elsewhere, what `hurried`
+  /// leaves: call advance() until it returns true, and draw again.
+  bool draw(const SceneCamera& camera, const SceneParts& parts, const Haste& haste);
+  /// Draws on for about so long at the picture that the last draw() lacked; returns whether it is complete.
+  bool advance(double ms);
+  /// What the last complete picture took; 0 before the first.
+  [[nodiscard]] double wholeMs() const { return wholeMs_; }
 
  private:
   using BatchPtr = SceneBatchPtr;
   using GeometryPtr = std::shared_ptr<const MeshGeometry>;
-  struct MeshBatches {
-    GeometryPtr geometry;  ///< what they were made of, which may come again with other content
-    BatchPtr surface, creases, outline, obstacleEdges, connections;
-    BatchPtr coarse;  ///< null for surfaces that are small
-  };
 
   /// All that the picture of the environment depends on.
   struct StillKey {
@@ -97,7 +108,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     SceneCamera camera;
     ViewMode mode = ViewMode::Result;
     bool surface = false, creases = false;
-    QVector4D floorPaint;
+    Paint floorPaint;
     float offset = 0;
     float pale = 0;
     bool operator==(const StillKey&) const = default;
@@ -116,9 +127,11 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   /// Colour and depth of a frame.
   using Picture = std::unique_ptr<QOpenGLFramebufferObject>;
 
-  void uploadPending();
-  void uploadEnvironmentLayers();
-  MeshBatches takeBatches(const GeometryPtr& geometry, bool withLines, const std::vector<MeshBatches>& known);
+  SceneContent& coming();
+  bool uploadComing(double ms);
+  void takeComing(const ContentKey& key);
+  void uploadBorders();
+  [[nodiscard]] StillKey stillKey(const SceneCamera& camera, const SceneParts& parts) const;
   [[nodiscard]] ContentKey contentKey(const StillKey& still, const SceneParts& parts) const;
 
   static constexpr float kUnderCells = 0.9F;  ///< pale: colours of cells are to look as in their legend
@@ -129,13 +142,20 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void drawStill(const StillKey& key);
   void drawWires(const BatchPtr& batch, const SceneCamera& camera, const QColor& colour, bool ownColours);
   void drawContent(const SceneCamera& camera, const SceneParts& parts);
-  void drawChanges(const SceneCamera& camera, const SceneParts& parts);
+  void drawChanges(const SceneCamera& camera, const SceneParts& parts, const std::vector<MeshBatches>& changes);
+  static bool inPicture(const std::vector<MeshBatches>& changes);
   [[nodiscard]] bool showsCells(const SceneParts& parts) const { return parts.cells && cells_.geometry(); }
   void drawCells(const SceneCamera& camera, const SceneParts& parts);
   void drawMarkedCells(const SceneCamera& camera, const SceneParts& parts);
-  bool copyStill(const StillKey& key);
-  bool copyContent(const ContentKey& key);
-  bool copyToFrame(const QOpenGLFramebufferObject& picture, GLint frame);
+  void drawDirectly(const StillKey& key, const SceneParts& parts, bool coarse);
+  void prepareState();
+  void dropUnfinished();
+  void goOnWithStill(const StillKey& key);
+  bool goOnWithContent(const ContentKey& key);
+  std::chrono::steady_clock::time_point beginGo(DrawingSlice& slice);
+  bool endGo(std::chrono::steady_clock::time_point begun, double& sum);
+  bool goOn(double ms);
+  bool copyToFrame(const QOpenGLFramebufferObject& picture, GLuint frame);
   void beginSurfaces(const SceneCamera& camera, float pale = 0);
   void setOnlyPaint(const std::optional<Paint>& paint, bool unlit = false);
   void drawSurfaces(const SceneCamera& camera, const SceneParts& parts);
@@ -158,24 +178,27 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   GLuint scaleTexture_ = 0;
   QOpenGLVertexArrayObject emptyArray_;
 
-  std::shared_ptr<const EnvironmentGeometry> environment_;
-  ViewContent content_;
-  bool environmentPending_ = false, contentPending_ = false;
-  std::shared_ptr<const EnvironmentLayers> shownEnvironmentLayers_;
-  std::shared_ptr<const FieldGeometry> field_;
-  bool fieldPending_ = false, sourcesPending_ = false;
+  SceneContent scene_;                  ///< what is shown
+  std::optional<SceneContent> coming_;  ///< what will be, once its buffers are full
+  bool comingMade_ = false;             ///< its batches have been made
+  bool afresh_ = false;                 ///< nothing of what is shown may be seen with what comes
   FieldScale fieldScale_;
-  BatchPtr fieldSurface_;
-  GeometryPtr sources_;
-  MeshBatches sourceBatches_;
 
-  BatchPtr environmentSurface_, environmentCreases_, environmentCoarse_;
   bool coarse_ = false;  ///< in this frame
   Picture still_;        ///< belongs to stillKey_
   StillKey stillKey_;
-  Picture picture_;  ///< belongs to pictureKey_
+  bool stillComplete_ = false;
+  bool keepsPictures_ = true;  ///< until OpenGL turns out not to be able to
+  Picture picture_;  ///< belongs to pictureKey_, complete
   ContentKey pictureKey_;
-  std::vector<MeshBatches> removed_, walkable_, changes_;
+  Picture next_;  ///< belongs to nextKey_, not complete
+  ContentKey nextKey_;
+  std::optional<ContentKey> wanted_;  ///< the picture that advance() draws
+  DrawingSlice whole_, stillSlice_, nextSlice_;
+  DrawingSlice* slice_ = &whole_;  ///< that what is drawn now belongs to
+  std::int64_t goSize_ = 1024;     ///< primitives in one go
+  double stillMs_ = 0, nextMs_ = 0, wholeMs_ = 0;
+  std::vector<MeshBatches> shownChanges_;  ///< over picture_, while no others are there
   CellRenderer cells_;
   MarkedCells marked_;
   bool bordersPending_ = false;

@@ -237,6 +237,7 @@ class TestPathTool : public QObject {
     const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
     if (folder.isEmpty()) return;
     QTest::qWait(200);
+    window_->view().grabFramebuffer();  // all of it drawn
     QVERIFY(window_->grab().save(folder + '/' + name + ".png"));
   }
 

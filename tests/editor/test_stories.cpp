@@ -84,6 +84,7 @@ void TestStories::picture(const QString& name) {
   QVERIFY(waitUntilIdle(*window_));
   QTest::qWait(400);  // transitions, and the whole frame after a hurried one
   if (pictures_.isEmpty()) return;
+  window_->view().grabFramebuffer();  // all of it drawn
   QVERIFY(window_->grab().save(pictures_ + '/' + name + ".png"));
 }
 

@@ -1,0 +1,27 @@
+// How the editor's own window and widgets answer a person: opening, turning, editing, dragging, switching agents.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSize>
+#include <string>
+
+#include "tests/bench/isolated.hpp"
+
+namespace footfall::bench {
+
+inline constexpr double kEditDueMs = 50;    ///< from an edit to the first visible change
+inline constexpr double kPauseDueMs = 100;  ///< in which the window answers nothing
+inline constexpr QSize kBenchWindow(1100, 800);
+
+struct EditorSubject {
+  std::string environment;
+  int edits = 12;       ///< of each parameter; 0: those parameters do not change what one sees
+  bool whole = true;    ///< with obstacles and agents
+};
+
+/// Needs a running GuardedApplication and a display. Members: "environment", "triangles", "opening", "repaint",
+/// "turning", "series" (one for each parameter), "obstacle", "agents"; all times in ms, those of which there are several
+/// as {"median", "most"}. Throws RunError.
+Json measureEditor(const EditorSubject& subject);
+
+}  // namespace footfall::bench

@@ -1,0 +1,46 @@
+// All that a view shows, with the buffers made of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ui/field_geometry.hpp"
+#include "ui/render_geometry.hpp"
+#include "ui/scene_batches.hpp"
+
+namespace footfall {
+
+struct MeshBatches {
+  std::shared_ptr<const MeshGeometry> geometry;  ///< what they were made of, which may come again with other content
+  SceneBatchPtr surface, creases, outline, obstacleEdges, connections;
+  SceneBatchPtr coarse;  ///< null for surfaces that are small
+};
+
+struct SceneContent {
+  std::shared_ptr<const EnvironmentGeometry> environment;
+  ViewContent content;
+  std::shared_ptr<const FieldGeometry> field;
+  std::shared_ptr<const MeshGeometry> sources;
+
+  // Of the above, by SceneContent::makeBatches().
+  SceneBatchPtr environmentSurface, environmentCoarse, environmentCreases;
+  SceneBatchPtr fieldSurface;
+  MeshBatches sourceMesh;
+  std::vector<MeshBatches> removed, walkable, changes;
+
+  /// Takes over what `before` has of the same, or what the content itself has of an earlier call, and makes the rest,
+  /// which is then to be uploaded.
+  void makeBatches(SceneBatches& batches, const SceneContent& before);
+
+ private:
+  /// What the batches were made of.
+  std::shared_ptr<const EnvironmentGeometry> madeEnvironment_;
+  std::shared_ptr<const EnvironmentLayers> madeLayers_;
+  std::shared_ptr<const FieldGeometry> madeField_;
+
+  void makeEnvironmentBatches(SceneBatches& batches, const SceneContent& before);
+  void makeFieldBatch(SceneBatches& batches, const SceneContent& before);
+};
+
+}  // namespace footfall

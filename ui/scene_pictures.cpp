@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SceneRenderer's pictures: kept ones, and how they are made a slice at a time.
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include "ui/scene_renderer.hpp"
+
+namespace footfall {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kGoMs = 12;                   // aim of one go: what comes between two looks at the clock
+constexpr std::int64_t kLeastGo = 256;         // primitives
+constexpr std::int64_t kMostGo = 4'000'000;
+constexpr int kManyChanges = 60'000;           // triangles: more become part of the picture
+
+// Returns whether the picture is new.
+bool preparePicture(std::unique_ptr<QOpenGLFramebufferObject>& picture, const QSize& size) {
+  if (picture && picture->isValid() && picture->size() == size) return false;
+  picture = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+  return true;
+}
+
+double msSince(Clock::time_point begun) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+}
+
+}  // namespace
+
+SceneRenderer::ContentKey SceneRenderer::contentKey(const StillKey& still, const SceneParts& parts) const {
+  ContentKey key{still, parts, {}, {}, 0, nullptr, {}};
+  if (isHeatMap(parts.mode)) {
+    key.field = scene_.field;
+    key.scale = fieldScale_;
+  }
+  if (parts.mode == ViewMode::SourceTriangles) key.surfaces = {scene_.sources, nullptr};
+  if (showsCells(parts)) {
+    key.cells = cells_.geometry();
+    key.cellColours = cells_.version();
+  }
+  std::vector<const std::vector<MeshBatches>*> lists{&scene_.removed, &scene_.walkable};
+  if (inPicture(scene_.changes)) lists.push_back(&scene_.changes);
+  for (const auto* batches : lists) {
+    for (const MeshBatches& mesh : *batches) key.surfaces.push_back(mesh.geometry);
+    key.surfaces.push_back(nullptr);  // where one list ends
+  }
+  return key;
+}
+
+bool SceneRenderer::copyToFrame(const QOpenGLFramebufferObject& picture, GLuint frame) {
+  const QSize size = picture.size();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.handle());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame);
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  const bool copied = glGetError() == GL_NO_ERROR;
+  glBindFramebuffer(GL_FRAMEBUFFER, frame);
+  return copied;
+}
+
+bool SceneRenderer::inPicture(const std::vector<MeshBatches>& changes) {
+  int triangles = 0;
+  for (const MeshBatches& mesh : changes) triangles += mesh.surface->count;
+  return triangles > kManyChanges;
+}
+
+void SceneRenderer::dropUnfinished() {
+  wanted_.reset();
+  nextKey_ = {};
+  if (!stillComplete_) stillKey_ = {};
+}
+
+// One go at the picture of the environment alone.
+void SceneRenderer::goOnWithStill(const StillKey& key) {
+  const bool made = preparePicture(still_, key.camera.viewport);
+  keepsPictures_ = still_->bind();
+  if (!keepsPictures_) return;
+  if (made || !(stillKey_ == key)) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    stillKey_ = key;
+    stillComplete_ = false;
+    stillMs_ = 0;
+    stillSlice_.restart();
+  }
+  const Clock::time_point begun = beginGo(stillSlice_);
+  drawStill(key);
+  stillComplete_ = endGo(begun, stillMs_);
+}
+
+// The same for what is on it; returns whether that is complete.
+bool SceneRenderer::goOnWithContent(const ContentKey& key) {
+  const bool made = preparePicture(next_, key.still.camera.viewport);
+  keepsPictures_ = next_->bind();
+  if (!keepsPictures_) return false;
+  if (made || !(nextKey_ == key)) {
+    nextKey_ = {};
+    keepsPictures_ = copyToFrame(*still_, next_->handle());
+    if (!keepsPictures_) return false;
+    nextKey_ = key;
+    nextMs_ = 0;
+    nextSlice_.restart();
+  }
+  const Clock::time_point begun = beginGo(nextSlice_);
+  drawContent(key.still.camera, key.parts);
+  if (inPicture(scene_.changes)) drawChanges(key.still.camera, key.parts, scene_.changes);
+  return endGo(begun, nextMs_);
+}
+
+Clock::time_point SceneRenderer::beginGo(DrawingSlice& slice) {
+  slice_ = &slice;
+  slice.begin(goSize_);
+  return Clock::now();
+}
+
+bool SceneRenderer::endGo(Clock::time_point begun, double& sum) {
+  const bool complete = slice_->end();
+  glFinish();  // software OpenGL works on after the call
+  const double ms = msSince(begun);
+  sum += ms;
+  // Towards the aim, but carefully: the next primitives may be larger.
+  const double factor = ms > 0 ? std::clamp(kGoMs / ms, 0.1, 2.0) : 2.0;
+  if (slice_->drawn() == goSize_ || factor < 1)
+    goSize_ = std::clamp(static_cast<std::int64_t>(static_cast<double>(goSize_) * factor), kLeastGo, kMostGo);
+  slice_ = &whole_;
+  return complete;
+}
+
+void SceneRenderer::prepareState() {
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+}
+
+bool SceneRenderer::advance(double ms) {
+  const Clock::time_point begun = Clock::now();
+  const bool uploaded = uploadComing(ms);
+  return (!wanted_ && uploaded) || goOn(ms - msSince(begun));
+}
+
+// With the picture that is wanted; returns whether one is complete now that was not before.
+bool SceneRenderer::goOn(double ms) {
+  if (!wanted_) return false;
+  const Clock::time_point begun = Clock::now();
+  GLint frame = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
+  GLint viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  const QSize size = wanted_->still.camera.viewport;
+  glViewport(0, 0, size.width(), size.height());
+  prepareState();
+  coarse_ = false;
+  do {
+    if (!stillComplete_ || !(stillKey_ == wanted_->still)) {
+      goOnWithStill(wanted_->still);
+    } else if (goOnWithContent(*wanted_)) {
+      std::swap(picture_, next_);
+      pictureKey_ = std::exchange(nextKey_, {});
+      wholeMs_ = stillMs_ + nextMs_;
+      wanted_.reset();
+    }
+    if (!keepsPictures_) wanted_.reset();
+  } while (wanted_ && msSince(begun) < ms);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(frame));
+  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  return !wanted_;
+}
+
+// `key`: of what is shown now. A picture of it that has been begun is finished first, or changes that come quickly
+// would never let one be seen; what an edit changes is shown at once.
+void SceneRenderer::takeComing(const ContentKey& key) {
+  if (wanted_ && *wanted_ == key) {
+    scene_.content.changes = coming_->content.changes;
+    scene_.changes = coming_->changes;
+    return;
+  }
+  scene_ = std::move(*coming_);
+  coming_.reset();
+}
+
+SceneRenderer::StillKey SceneRenderer::stillKey(const SceneCamera& camera, const SceneParts& parts) const {
+  const bool reasons = scene_.content.firstRemoval && parts.removed;
+  const bool vivid = parts.mode == ViewMode::RejectedBy;
+  Paint floor = undecidedPaint();
+  if (reasons && (parts.mode == ViewMode::Result || vivid))
+    floor = vivid ? scene_.content.firstRemoval->vivid : scene_.content.firstRemoval->paint;
+  // Behind everything that may come on top: a step for each of it, but the same for a few more or less.
+  constexpr std::size_t kSteps = 4;
+  const auto offset = static_cast<float>((scene_.removed.size() / kSteps + 1) * kSteps);
+  const bool surface = parts.environment && parts.mode != ViewMode::WalkableOnly;
+  const bool wires = parts.mode == ViewMode::Wireframe || parts.mode == ViewMode::HiddenLine;
+  return {scene_.environment,
+          scene_.content.environmentLayers,
+          batches_.hiddenLayers(),
+          camera,
+          parts.mode,
+          surface,
+          surface && parts.outlines && !wires,
+          floor,
+          offset,
+          showsCells(parts) ? kUnderCells : 0};
+}
+
+void SceneRenderer::drawDirectly(const StillKey& key, const SceneParts& parts, bool coarse) {
+  coarse_ = coarse;
+  drawStill(key);
+  drawContent(key.camera, parts);
+  coarse_ = false;
+}
+
+bool SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, const Haste& haste) {
+  uploadBorders();
+  prepareState();
+  const bool kept = !haste.moving && keepsPictures_;
+  bool whole = false;
+  StillKey still;
+  for (;;) {
+    const bool uploaded = uploadComing(haste.ms);
+    still = stillKey(camera, parts);
+    ContentKey key = contentKey(still, parts);
+    if (coming_ && uploaded) {
+      takeComing(key);
+      still = stillKey(camera, parts);
+      key = contentKey(still, parts);
+    }
+    wanted_.reset();
+    if (kept && !(pictureKey_ == key)) wanted_ = std::move(key);
+    goOn(haste.ms);
+    whole = !wanted_ && !coming_;
+    // Without haste, what came after the picture that had been begun is waited for as well.
+    if (whole || haste.ms < std::numeric_limits<double>::infinity()) break;
+  }
+  GLint frame = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
+  // Until a picture is complete, the one before stands for it, if one looks from the same place.
+  const bool copied = kept && keepsPictures_ && picture_ && pictureKey_.still.camera == camera &&
+                      copyToFrame(*picture_, static_cast<GLuint>(frame));
+  if (!copied) {
+    const bool hurried = haste.hurried && (haste.moving || !whole);
+    SceneParts left = parts;
+    left.outlines = left.outlines && !hurried;
+    still.creases = still.creases && !hurried;
+    drawDirectly(still, left, hurried);
+  }
+  const bool before = copied && !whole && scene_.changes.empty();
+  const std::vector<MeshBatches>& changes = before ? shownChanges_ : scene_.changes;
+  if (!copied || !inPicture(changes)) drawChanges(camera, parts, changes);
+  if (!before) shownChanges_ = scene_.changes;
+  drawMarkedCells(camera, parts);
+  return whole;
+}
+
+}  // namespace footfall
