@@ -110,7 +110,10 @@ void EditorWindow::connectParts() {
     legend_->describe(content);
     placeOverlays();
   });
-  connect(view_, &QOpenGLWidget::frameSwapped, &controller_, &RunController::frameShown);
+  connect(view_, &QOpenGLWidget::frameSwapped, &controller_, [this] {
+    controller_.setPictureTime(view_->wholeFrameMs());
+    controller_.frameShown();
+  });
   connect(&controller_, &RunController::finished, this, &EditorWindow::showResult);
   connect(&controller_, &RunController::cancelled, this, [this] {
     hideProgress();

@@ -157,6 +157,8 @@ class LevelView : public QGLViewer {
 
   /// Of the last frame, until OpenGL had finished it; 0 before the first.
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
+  /// What it takes to draw everything anew; 0 while that is not known.
+  [[nodiscard]] double wholeFrameMs() const { return wholeFrameMs_; }
   /// When OpenGL got the first command of it.
   [[nodiscard]] std::chrono::steady_clock::time_point lastFrameBegun() const { return lastFrameBegun_; }
 

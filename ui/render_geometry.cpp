@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <iterator>
 #include <unordered_map>
 
@@ -104,16 +105,35 @@ std::vector<std::uint32_t> weldedIds(const std::vector<Vec3>& vertices) {
 
 // The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface.
 std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
-  std::vector<Vec3> points;
-  for (int direction = 0; direction < 125 && !surface.empty(); ++direction) {
+  std::vector<std::array<float, 3>> directions;
+  for (int direction = 0; direction < 125; ++direction) {
     const std::array<int, 3> d{direction % 5 - 2, direction / 5 % 5 - 2, direction / 25 - 2};
-    if (std::none_of(d.begin(), d.end(), [](int c) { return std::abs(c) == 2; })) continue;
-    const auto reach = [&](const SurfaceVertex& v) {
-      return d[0] * v.position[0] + d[1] * v.position[1] + d[2] * v.position[2];
-    };
-    const auto& far = std::max_element(surface.begin(), surface.end(), [&](const auto& a, const auto& b) {
-                        return reach(a) < reach(b);
-                      })->position;
+    if (std::ranges::any_of(d, [](int c) { return std::abs(c) == 2; }))
+      directions.push_back({static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2])});
+  }
+  struct Farthest {
+    float reach = -std::numeric_limits<float>::infinity();
+    std::size_t vertex = 0;
+  };
+  std::vector<Farthest> farthest(directions.size());
+  // In blocks that stay in the nearest cache, or a million triangles would be read from memory for each direction.
+  constexpr std::size_t kBlock = 512;
+  for (std::size_t begin = 0; begin < surface.size(); begin += kBlock) {
+    const std::size_t end = std::min(surface.size(), begin + kBlock);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const auto& d = directions[i];
+      Farthest best = farthest[i];
+      for (std::size_t v = begin; v < end; ++v) {
+        const auto& p = surface[v].position;
+        const float reach = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+        if (reach > best.reach) best = {reach, v};
+      }
+      farthest[i] = best;
+    }
+  }
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < directions.size() && !surface.empty(); ++i) {
+    const auto& far = surface[farthest[i].vertex].position;
     points.push_back({far[0], far[1], far[2]});
   }
   return points;

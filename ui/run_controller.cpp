@@ -293,7 +293,8 @@ void RunController::listenTo(const std::shared_ptr<Job>& job) {
         // Pictures are made here and not on the window's thread, which would wait for them.
         std::shared_ptr<const MeshGeometry> geometry;
         const bool piece = event.kind == RunEvent::Kind::PartReady || event.kind == RunEvent::Kind::CellFinished;
-        if (event.part && (piece || !raw->follows)) geometry = makeMeshGeometry(*event.part, raw->centre);
+        if (event.part && piece) geometry = makeMeshGeometry(*event.part, raw->centre);
+        if (event.part && !piece && !raw->follows) geometry = raw->stepPictures.make(*event.part, raw->centre);
         raw->events->add(event, std::move(geometry));
       },
       true);

@@ -64,6 +64,8 @@ class RunController : public QObject {
   [[nodiscard]] const FinishedRuns& finishedRuns() const { return runs_; }
   /// The view has brought a frame to the screen.
   void frameShown();
+  /// What the view needs to draw everything: pictures of what a run has so far come the more seldom for it.
+  void setPictureTime(double ms) { pictureMs_ = ms; }
 
   [[nodiscard]] StepStatus status(int id) const;
   /// A run is under way.
@@ -163,6 +165,7 @@ class RunController : public QObject {
   QTimer drainTimer_;
   RunEventBuffer::Clock::time_point drained_;
   class PreviewCache;
+  class StepPictures;
   std::shared_ptr<PreviewCache> previews_;
   std::shared_ptr<ResultCache> cache_;
   /// What to show at once of edits of the finished run's steps, by steps so far and filter.
@@ -175,6 +178,7 @@ class RunController : public QObject {
   std::vector<std::string> blockKeys_;                               ///< of the last finished run
   bool cellsShown_ = false;                                          ///< there is something to take back
   static constexpr auto kFrameWait = std::chrono::milliseconds(60);  ///< a hidden view shows no frames
+  double pictureMs_ = 0;
   QTimer frameTimer_;                                                ///< ends waiting for a frame that does not come
   BackgroundQueue queue_, preparations_;                             // last: their threads end before the rest goes
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/environment/parallel_ranges.hpp"
 #include "ui/filter_text.hpp"
 #include "ui/run_job.hpp"
 
@@ -13,6 +14,8 @@ constexpr auto kDrainPeriod = std::chrono::milliseconds(100);  // between two up
 constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
 // What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
 constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
+// So many times what drawing takes lie between two pictures at least.
+constexpr double kPictureShare = 5;
 // The same where the change itself is on the screen already: pieces tell little more, and their frames are long ones.
 constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
 // What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
@@ -84,6 +87,7 @@ ViewContent RunController::makeContent(const Job& job, const RunResult& result) 
   ViewContent content;
   if (result.mesh) content.environmentLayers = makeEnvironmentLayers(*result.mesh, job.environment->triangles.size());
   const EnvironmentLayers* layers = content.environmentLayers.get();
+  std::vector<MeshPtr> before;
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
     const RemovalStyle* style = removalStyle(job.steps[i]->filter->name);
     if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;  // it removed nothing
@@ -91,11 +95,21 @@ ViewContent RunController::makeContent(const Job& job, const RunResult& result) 
       content.firstRemoval = style;
       continue;  // the environment's own floors stand for what was there before
     }
-    if (const MeshPtr before = job.previews->find(job.prefixes[i])) {
-      content.removed.push_back({style, makeMeshGeometry(*before, job.centre, style->paint, layers)});
+    if (const MeshPtr mesh = job.previews->find(job.prefixes[i])) {
+      before.push_back(mesh);
+      content.removed.push_back({style, nullptr});
     }
   }
-  if (result.mesh) content.walkable.push_back(makeMeshGeometry(*result.mesh, job.centre, std::nullopt, layers));
+  if (result.mesh) content.walkable.emplace_back();
+  // The result, which takes longest, first.
+  forRanges(before.size() + content.walkable.size(), 1, [&](std::size_t i, std::size_t) {
+    if (i < content.walkable.size()) {
+      content.walkable[i] = makeMeshGeometry(*result.mesh, job.centre, std::nullopt, layers);
+      return;
+    }
+    const std::size_t k = i - content.walkable.size();
+    content.removed[k].before = makeMeshGeometry(*before[k], job.centre, content.removed[k].style->paint, layers);
+  });
   return content;
 }
 
@@ -117,7 +131,8 @@ void RunController::drain() {
   const std::size_t changed = job_->firstChanged;
   if (job_->changes.empty() && changed < steps.size() && steps[changed].finished) job_->changes = job_->changesOfStep;
   const auto last = job_->lastPicture ? *job_->lastPicture : job_->begun;
-  const auto period = job_->changes.empty() ? kPicturePeriod : kDetailPeriod;
+  std::chrono::duration<double, std::milli> period = job_->changes.empty() ? kPicturePeriod : kDetailPeriod;
+  period = std::max(period, decltype(period)(kPictureShare * pictureMs_));
   if (waitsForPicture() || RunEventBuffer::Clock::now() - last > period) showParts(steps);
 }
 
@@ -177,7 +192,7 @@ void RunController::showParts(const std::vector<RunEventBuffer::Step>& steps) {
   if (!job_->sameEnvironment) return;  // pieces are put in by numbers of triangles
   for (std::size_t i = steps.size(); i-- > 0;) {
     const bool pieces = !steps[i].parts.empty();
-    if (!pieces && !steps[i].whole.mesh) continue;
+    if (!pieces && !(shown_.mesh ? steps[i].whole.mesh != nullptr : steps[i].whole.geometry != nullptr)) continue;
     const std::size_t parts = pieces ? steps[i].parts.size() + 1 : 0;
     if (job_->shownStep == i && job_->shownParts == parts) return;
     job_->shownStep = i;

@@ -49,6 +49,27 @@ class RunController::PreviewCache {
   std::list<std::pair<std::string, MeshPtr>> entries_;
 };
 
+/// Pictures of whole steps, made by the threads that compute: on large levels not of all of them, as the next step would
+/// wait for each.
+class RunController::StepPictures {
+ public:
+  /// Null while the last one was not long ago for what it took.
+  std::shared_ptr<const MeshGeometry> make(const NavigationMesh& mesh, const Vec3& centre) {
+    using Clock = RunEventBuffer::Clock;
+    constexpr int kShare = 10;
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    const Clock::time_point begun = Clock::now();
+    if (!lock || begun < next_) return nullptr;
+    std::shared_ptr<const MeshGeometry> made = makeMeshGeometry(mesh, centre);
+    next_ = Clock::now() + kShare * (Clock::now() - begun);
+    return made;
+  }
+
+ private:
+  std::mutex mutex_;
+  RunEventBuffer::Clock::time_point next_;
+};
+
 /// One run: shared by the window and the threads that work on it.
 struct RunController::Job {
   std::shared_ptr<const Environment> environment;
@@ -74,6 +95,7 @@ struct RunController::Job {
   std::size_t firstChanged = 0;
   MeshPtr changedBefore;
   EditPreview::Surfaces changesOfStep;  // written by the thread that computes, before the event of that step
+  StepPictures stepPictures;
   std::shared_ptr<PreviewCache> previews;
   std::unique_ptr<RunEventBuffer> events;
   std::unique_ptr<RunContext> context;

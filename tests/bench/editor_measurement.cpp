@@ -88,12 +88,19 @@ Json measureOpening(EditorWindow& window, ViewWatch& watch, const std::string& e
   FrameWatchdog watchdog;
   watchdog.start();
   const Stopwatch clock;
+  Json json;
+  QObject guard;
+  QObject::connect(&window.controller(), &RunController::started, &guard, [&] {
+    if (!json.contains("loaded_ms")) json["loaded_ms"] = clock.ms();
+  });
+  QObject::connect(&window.controller(), &RunController::finished, &guard, [&] { json["computed_ms"] = clock.ms(); });
   watch.begin();
   window.open(QString::fromStdString(environment));
   waitFor([&] { return watch.done() || window.messageBar().isVisible(); }, "nothing is opened");
   if (!watch.done()) throw RunError(environment + ": " + window.messageBar().text().toStdString());
-  Json json{{"ms", clock.ms()}};
-  waitFor([&] { return window.idle(); }, "opening does not end");
+  json["ms"] = clock.ms();
+  json["run_ms"] = window.controller().finishedRun()->result.totalMs;
+  waitFor([&] { return window.idle() && window.view().isWhole(); }, "opening does not end");
   QTest::qWait(kRestMs);
   addStalls(json, watchdog);
   return json;
