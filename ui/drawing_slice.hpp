@@ -18,9 +18,9 @@ class DrawingSlice {
 
   /// Another picture.
   void restart() { done_ = 0; }
-  /// A go that draws at most so many primitives.
+  /// A go of so much work: primitives, and kBatch for each batch that one is drawn of.
   void begin(std::int64_t most) {
-    passed_ = drawn_ = 0;
+    passed_ = drawn_ = spent_ = 0;
     most_ = most;
     complete_ = true;
   }
@@ -32,9 +32,10 @@ class DrawingSlice {
   /// Of a batch of `count` primitives: those that this go draws.
   Range take(int count) {
     const auto first = static_cast<int>(std::clamp<std::int64_t>(done_ - passed_, 0, count));
-    const auto taken = static_cast<int>(std::min<std::int64_t>(count - first, most_ - drawn_));
+    const auto taken = static_cast<int>(std::clamp<std::int64_t>(most_ - spent_, 0, count - first));
     passed_ += count;
     drawn_ += taken;
+    if (taken > 0) spent_ += taken + kBatch;
     if (first + taken < count) complete_ = false;
     return {first, taken};
   }
@@ -43,11 +44,13 @@ class DrawingSlice {
     done_ += drawn_;
     return complete_;
   }
-  /// In the go that has ended last.
-  [[nodiscard]] std::int64_t drawn() const { return drawn_; }
+  /// The work in the go that has ended last.
+  [[nodiscard]] std::int64_t spent() const { return spent_; }
+
+  static constexpr std::int64_t kBatch = 100;
 
  private:
-  std::int64_t done_ = 0, passed_ = 0, drawn_ = 0, most_ = 0;
+  std::int64_t done_ = 0, passed_ = 0, drawn_ = 0, spent_ = 0, most_ = 0;
   bool complete_ = true;
 };
 

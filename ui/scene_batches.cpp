@@ -31,6 +31,32 @@ SceneBatch::Bytes bytesOf(const SceneBatches::Owner& owner, const std::vector<El
   };
 }
 
+template <typename Element>
+std::size_t sizeOf(const SceneBatches::Joined<Element>& joined) {
+  std::size_t size = 0;
+  for (const auto& [owner, elements] : joined) size += elements->size();
+  return size;
+}
+
+template <typename Element>
+SceneBatch::Bytes bytesOf(const SceneBatches::Joined<Element>& joined, std::size_t perPrimitive) {
+  return [joined, perPrimitive](std::size_t first, std::size_t count) {
+    std::size_t skip = first * perPrimitive;
+    std::size_t left = count * perPrimitive;
+    QByteArray bytes;
+    bytes.reserve(static_cast<qsizetype>(left * sizeof(Element)));
+    for (const auto& [owner, elements] : joined) {
+      const std::size_t from = std::min(skip, elements->size());
+      const std::size_t taken = std::min(left, elements->size() - from);
+      bytes.append(reinterpret_cast<const char*>(elements->data() + from),
+                   static_cast<qsizetype>(taken * sizeof(Element)));
+      skip -= from;
+      left -= taken;
+    }
+    return bytes;
+  };
+}
+
 template <typename Element, typename ElementOf>
 SceneBatch::Bytes bytesOf(const ElementOf& elementOf, std::size_t perPrimitive) {
   return [elementOf, perPrimitive](std::size_t first, std::size_t count) {
@@ -96,6 +122,15 @@ SceneBatchPtr SceneBatches::queue(SceneBatch batch) {
 
 SceneBatchPtr SceneBatches::makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices) {
   return queue({SceneBatch::Kind::Surface, static_cast<int>(vertices.size() / 3), bytesOf(owner, vertices, 3), {}, {}});
+}
+
+SceneBatchPtr SceneBatches::makeSurface(const Joined<SurfaceVertex>& vertices) {
+  return queue(
+      {SceneBatch::Kind::Surface, static_cast<int>(sizeOf(vertices) / 3), bytesOf(vertices, 3), {}, {}});
+}
+
+SceneBatchPtr SceneBatches::makeLines(const Joined<LineSegment>& segments) {
+  return queue({SceneBatch::Kind::Lines, static_cast<int>(sizeOf(segments)), bytesOf(segments, 1), {}, {}});
 }
 
 SceneBatchPtr SceneBatches::makeField(const Owner& owner, const std::vector<FieldVertex>& vertices) {

@@ -73,6 +73,9 @@ class SceneBatches : protected QOpenGLExtraFunctions {
  public:
   /// Keeps what is to be uploaded alive.
   using Owner = std::shared_ptr<const void>;
+  /// Several that become one.
+  template <typename Element>
+  using Joined = std::vector<std::pair<Owner, const std::vector<Element>*>>;
   using LayerOf = std::function<std::uint32_t(std::size_t triangle)>;
   using LayersOf = std::function<LineLayers(std::size_t line)>;
 
@@ -81,6 +84,8 @@ class SceneBatches : protected QOpenGLExtraFunctions {
 
   /// Of no layer.
   SceneBatchPtr makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices);
+  SceneBatchPtr makeSurface(const Joined<SurfaceVertex>& vertices);
+  SceneBatchPtr makeLines(const Joined<LineSegment>& segments);
   SceneBatchPtr makeField(const Owner& owner, const std::vector<FieldVertex>& vertices);
   SceneBatchPtr makeLines(const Owner& owner, const std::vector<LineSegment>& segments);
   /// The same vertices with layers; with no function, of no layer.

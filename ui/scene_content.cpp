@@ -9,7 +9,7 @@ namespace {
 using Geometry = std::shared_ptr<const MeshGeometry>;
 
 MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withLines) {
-  MeshBatches made{geometry, batches.makeSurface(geometry, geometry->surface), {}, {}, {}, {}, {}};
+  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface), {}, {}, {}, {}, {}};
   const bool layered = !geometry->surfaceLayers.empty();
   if (layered) {
     made.surface = batches.withLayers(made.surface, [geometry](std::size_t i) { return geometry->surfaceLayers[i]; });
@@ -34,18 +34,55 @@ MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withL
   return made;
 }
 
-// The same geometry comes again and again while a run goes on, in thousands of parts: what is there already stays.
+bool hasOnly(const MeshBatches& mesh, const Geometry& geometry) { return mesh.geometries == std::vector{geometry}; }
+
+// Parts of a result that is still to come: without layers, and small.
+bool isPart(const MeshGeometry& geometry) {
+  constexpr std::size_t kSmall = 3 * 2000;  // corners
+  return geometry.surface.size() < kSmall && geometry.surfaceLayers.empty() && geometry.creaseLayers.empty();
+}
+
+MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geometries, bool withLines) {
+  const auto joined = [&]<typename Element>(std::vector<Element> MeshGeometry::* member) {
+    SceneBatches::Joined<Element> elements;
+    for (const Geometry& geometry : geometries) elements.push_back({geometry, &((*geometry).*member)});
+    return elements;
+  };
+  MeshBatches made{geometries, batches.makeSurface(joined(&MeshGeometry::surface)), {}, {}, {}, {}, {}};
+  if (!withLines) return made;
+  made.creases = batches.makeLines(joined(&MeshGeometry::creases));
+  made.outline = batches.makeLines(joined(&MeshGeometry::outline));
+  made.obstacleEdges = batches.makeLines(joined(&MeshGeometry::obstacleEdges));
+  made.connections = batches.makeLines(joined(&MeshGeometry::connections));
+  return made;
+}
+
+// The same geometry comes again and again while a run goes on, in thousands of parts: what is there already stays, and
+// parts that follow each other are drawn together.
 std::vector<MeshBatches> makeMeshes(SceneBatches& batches, const std::vector<Geometry>& geometries, bool withLines,
                                     const std::vector<MeshBatches>& before, const std::vector<MeshBatches>& known) {
-  std::unordered_map<const MeshGeometry*, const MeshBatches*> there;
+  constexpr std::size_t kGroup = 64;
+  std::unordered_map<const MeshGeometry*, const MeshBatches*> there;  // by the first of their geometries
   for (const auto* list : {&known, &before}) {
-    for (const MeshBatches& mesh : *list) there[mesh.geometry.get()] = &mesh;
+    for (const MeshBatches& mesh : *list) there[mesh.geometries.front().get()] = &mesh;
   }
   std::vector<MeshBatches> made;
-  made.reserve(geometries.size());
-  for (const Geometry& geometry : geometries) {
-    const auto found = there.find(geometry.get());
-    made.push_back(found != there.end() ? *found->second : makeMesh(batches, geometry, withLines));
+  for (std::size_t i = 0; i < geometries.size();) {
+    std::size_t end = i + 1;
+    while (geometries.size() > kGroup && isPart(*geometries[i]) && end < geometries.size() && end < i + kGroup &&
+           isPart(*geometries[end]))
+      ++end;
+    const std::vector<Geometry> group(geometries.begin() + static_cast<std::ptrdiff_t>(i),
+                                      geometries.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto found = there.find(group.front().get());
+    if (found != there.end() && found->second->geometries == group) {
+      made.push_back(*found->second);
+    } else if (group.size() > 1) {
+      made.push_back(makeGroup(batches, group, withLines));
+    } else {
+      made.push_back(makeMesh(batches, group.front(), withLines));
+    }
+    i = end;
   }
   return made;
 }
@@ -63,9 +100,9 @@ void SceneContent::makeBatches(SceneBatches& batches, const SceneContent& before
   walkable = makeMeshes(batches, content.walkable, true, before.walkable, walkable);
   if (!sources) {
     sourceMesh = {};
-  } else if (before.sourceMesh.geometry == sources) {
+  } else if (hasOnly(before.sourceMesh, sources)) {
     sourceMesh = before.sourceMesh;
-  } else if (sourceMesh.geometry != sources) {
+  } else if (!hasOnly(sourceMesh, sources)) {
     sourceMesh = makeMesh(batches, sources, true);
   }
   madeEnvironment_ = environment;

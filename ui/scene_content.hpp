@@ -12,7 +12,8 @@
 namespace footfall {
 
 struct MeshBatches {
-  std::shared_ptr<const MeshGeometry> geometry;  ///< what they were made of, which may come again with other content
+  /// What they were made of, which may come again with other content.
+  std::vector<std::shared_ptr<const MeshGeometry>> geometries;
   SceneBatchPtr surface, creases, outline, obstacleEdges, connections;
   SceneBatchPtr coarse;  ///< null for surfaces that are small
 };
@@ -27,6 +28,7 @@ struct SceneContent {
   SceneBatchPtr environmentSurface, environmentCoarse, environmentCreases;
   SceneBatchPtr fieldSurface;
   MeshBatches sourceMesh;
+  /// Of several small meshes each where there are many.
   std::vector<MeshBatches> removed, walkable, changes;
 
   /// Takes over what `before` has of the same, or what the content itself has of an earlier call, and makes the rest,

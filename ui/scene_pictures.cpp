@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kGoMs = 12;                   // aim of one go: what comes between two looks at the clock
-constexpr std::int64_t kLeastGo = 256;         // primitives
+constexpr std::int64_t kLeastGo = 256;         // as DrawingSlice counts
 constexpr std::int64_t kMostGo = 4'000'000;
 constexpr int kManyChanges = 60'000;           // triangles: more become part of the picture
 
@@ -44,7 +44,8 @@ SceneRenderer::ContentKey SceneRenderer::contentKey(const StillKey& still, const
   std::vector<const std::vector<MeshBatches>*> lists{&scene_.removed, &scene_.walkable};
   if (inPicture(scene_.changes)) lists.push_back(&scene_.changes);
   for (const auto* batches : lists) {
-    for (const MeshBatches& mesh : *batches) key.surfaces.push_back(mesh.geometry);
+    for (const MeshBatches& mesh : *batches)
+      key.surfaces.insert(key.surfaces.end(), mesh.geometries.begin(), mesh.geometries.end());
     key.surfaces.push_back(nullptr);  // where one list ends
   }
   return key;
@@ -124,7 +125,7 @@ bool SceneRenderer::endGo(Clock::time_point begun, double& sum) {
   sum += ms;
   // Towards the aim, but carefully: the next primitives may be larger.
   const double factor = ms > 0 ? std::clamp(kGoMs / ms, 0.1, 2.0) : 2.0;
-  if (slice_->drawn() == goSize_ || factor < 1)
+  if (slice_->spent() >= goSize_ || factor < 1)
     goSize_ = std::clamp(static_cast<std::int64_t>(static_cast<double>(goSize_) * factor), kLeastGo, kMostGo);
   slice_ = &whole_;
   return complete;

@@ -196,7 +196,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   std::optional<ContentKey> wanted_;  ///< the picture that advance() draws
   DrawingSlice whole_, stillSlice_, nextSlice_;
   DrawingSlice* slice_ = &whole_;  ///< that what is drawn now belongs to
-  std::int64_t goSize_ = 1024;     ///< primitives in one go
+  std::int64_t goSize_ = 1024;     ///< of one go
   double stillMs_ = 0, nextMs_ = 0, wholeMs_ = 0;
   std::vector<MeshBatches> shownChanges_;  ///< over picture_, while no others are there
   CellRenderer cells_;
