@@ -12,7 +12,8 @@ namespace {
 
 using Point = std::array<float, 3>;
 
-double areaOf(const Point& a, const Point& b, const Point& c) {
+template <typename Corner>
+double areaOf(const Corner& a, const Corner& b, const Corner& c) {
   const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
@@ -61,6 +62,75 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
     kept.push_back(first / 3);
   }
   return coarse;
+}
+
+namespace {
+
+double areaOf(const NavigationMesh& mesh, std::size_t triangle) {
+  const auto corner = [&](std::size_t k) {
+    const Vec3& p = mesh.vertices[mesh.triangles[triangle][k]];
+    return std::array<double, 3>{p.x, p.y, p.z};
+  };
+  return areaOf(corner(0), corner(1), corner(2));
+}
+
+// How much of each triangle of the environment the mesh has.
+std::vector<float> areasBySource(const NavigationMesh& mesh, std::size_t triangles) {
+  std::vector<float> areas(triangles);
+  for (std::size_t t = 0; t < mesh.triangles.size() && t < mesh.sourceTriangles.size(); ++t) {
+    if (mesh.sourceTriangles[t] < triangles) areas[mesh.sourceTriangles[t]] += static_cast<float>(areaOf(mesh, t));
+  }
+  return areas;
+}
+
+}  // namespace
+
+std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environment, const NavigationMesh& result,
+                                                   const std::vector<const NavigationMesh*>& before) {
+  const std::size_t triangles = environment.triangles.size();
+  if (triangles <= kCoarseAbove) return nullptr;
+  std::vector<float> half(triangles);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto corner = [&](std::size_t k) {
+      const Vec3& p = environment.vertices[environment.triangles[t][k]];
+      return std::array<double, 3>{p.x, p.y, p.z};
+    };
+    half[t] = static_cast<float>(areaOf(corner(0), corner(1), corner(2)) / 2);
+  }
+  auto states = std::make_shared<FloorStates>(triangles, kFloorAsItIs);
+  // A later filter's mesh lies within the ones before.
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const std::vector<float> areas = areasBySource(*before[k], triangles);
+    for (std::size_t t = 0; t < triangles; ++t) {
+      if (areas[t] > 0 && areas[t] >= half[t]) (*states)[t] = kFirstRemoval - static_cast<std::int32_t>(k);
+    }
+  }
+  const std::vector<float> areas = areasBySource(result, triangles);
+  for (std::size_t t = 0; t < result.triangles.size() && t < result.sourceTriangles.size(); ++t) {
+    const std::uint32_t source = result.sourceTriangles[t];
+    if (source < triangles && areas[source] >= half[source])
+      (*states)[source] = result.layers.empty() ? 0 : static_cast<std::int32_t>(result.layers[t]);
+  }
+  return states;
+}
+
+std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const ViewContent& content, bool vivid) {
+  std::vector<SurfaceVertex> painted = coarse.surface;
+  const FloorStates& states = *content.floorStates;
+  const bool layered = content.environmentLayers != nullptr;
+  for (std::size_t i = 0; i < coarse.triangles.size(); ++i) {
+    if (painted[3 * i].colour[3] != 0 || coarse.triangles[i] >= states.size()) continue;  // no floor
+    const std::int32_t state = states[coarse.triangles[i]];
+    if (state == kFloorAsItIs) continue;
+    Paint paint = vivid ? paleWalkablePaint() : layered ? layerPaint(static_cast<std::uint32_t>(state)) : walkablePaint();
+    if (state <= kFirstRemoval) {
+      const auto removal = static_cast<std::size_t>(kFirstRemoval - state);
+      if (removal >= content.removed.size()) continue;
+      paint = vivid ? content.removed[removal].style->vivid : content.removed[removal].style->paint;
+    }
+    for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) setPaint(painted[k], paint);
+  }
+  return painted;
 }
 
 }  // namespace footfall

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "ui/render_geometry.hpp"
@@ -13,11 +14,20 @@ namespace footfall {
 /// Above this many triangles, geometry brings a coarse surface along.
 inline constexpr std::size_t kCoarseAbove = 150000;
 /// About as many triangles as a coarse surface has.
-inline constexpr std::size_t kCoarseAim = 25000;
+inline constexpr std::size_t kCoarseAim = 60000;
 
 /// Joins all corners within cells of a grid and leaves out triangles that have lost their area by it (Rossignac and
 /// Borrel 1993); small things vanish. `kept` gets the numbers of the triangles that are left. Empty for surfaces that
 /// are small enough.
 std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, std::vector<std::uint32_t>& kept);
+
+/// What most of each triangle of a large environment is; null for small ones. `before`: the meshes of
+/// ViewContent::removed.
+std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environment, const NavigationMesh& result,
+                                                   const std::vector<const NavigationMesh*>& before);
+
+/// The coarse surface with its floors in the paints of a result: one surface for all, as surfaces that are made coarse
+/// each for itself lie in front of each other in places. `vivid`: in the paints of ViewMode::RejectedBy.
+std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const ViewContent& content, bool vivid);
 
 }  // namespace footfall

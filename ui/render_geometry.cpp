@@ -43,10 +43,9 @@ std::int8_t toByte(double component) { return static_cast<std::int8_t>(std::lrou
 void addTriangle(std::vector<SurfaceVertex>& surface, const std::array<const Vec3*, 3>& corners, const Vec3& centre,
                  const Vec3& normal, const Paint& paint, bool takesFloorPaint) {
   SurfaceVertex vertex;
-  vertex.normal = {toByte(normal.x), toByte(normal.y), toByte(normal.z), static_cast<std::int8_t>(paint.pattern)};
-  vertex.colour = {static_cast<std::uint8_t>(paint.colour.red()), static_cast<std::uint8_t>(paint.colour.green()),
-                   static_cast<std::uint8_t>(paint.colour.blue()),
-                   static_cast<std::uint8_t>(takesFloorPaint ? 0 : 255)};
+  vertex.normal = {toByte(normal.x), toByte(normal.y), toByte(normal.z), 0};
+  setPaint(vertex, paint);
+  if (takesFloorPaint) vertex.colour[3] = 0;
   for (const Vec3* corner : corners) {
     vertex.position = toFloats(*corner, centre);
     surface.push_back(vertex);
@@ -334,6 +333,12 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   return geometry;
 }
 
+void setPaint(SurfaceVertex& vertex, const Paint& paint) {
+  vertex.normal[3] = static_cast<std::int8_t>(paint.pattern);
+  vertex.colour = {static_cast<std::uint8_t>(paint.colour.red()), static_cast<std::uint8_t>(paint.colour.green()),
+                   static_cast<std::uint8_t>(paint.colour.blue()), 255};
+}
+
 std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh, std::size_t triangles) {
   if (mesh.layers.empty()) return nullptr;
   constexpr std::uint32_t kNotSeen = kNoLayer - 1;
@@ -362,7 +367,6 @@ std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh,
     addTriangle(geometry->surface, corners, centre, normals.back(), colour, false);
   }
   geometry->surfaceLayers = surfaceLayersOf(mesh, environmentLayers);
-  geometry->coarse.surface = coarsened(geometry->surface, geometry->coarse.triangles);
   if (paint) return geometry;  // what was removed shows no lines
   geometry->figures = figuresOf(mesh, centre);
   EdgeLayers edgeLayers(mesh);

@@ -37,6 +37,11 @@ inline constexpr std::uint32_t kFloorStays = 0x80000000;
 /// Of each triangle of an environment: the layer that all walkable pieces of it belong to, or kNoLayer.
 using EnvironmentLayers = std::vector<std::uint32_t>;
 
+/// What a triangle of an environment is: a layer (0 where there are none), or one of these; from kFirstRemoval down, what
+/// the filters of ViewContent::removed have removed, in their order.
+inline constexpr std::int32_t kFloorAsItIs = -1, kFirstRemoval = -2;
+using FloorStates = std::vector<std::int32_t>;
+
 /// On either side of a line; it is shown when one of them is.
 using LineLayers = std::array<std::uint32_t, 2>;
 
@@ -45,6 +50,8 @@ struct CoarseSurface {
   std::vector<SurfaceVertex> surface;
   std::vector<std::uint32_t> triangles;  ///< of the large one, for each
 };
+
+void setPaint(SurfaceVertex& vertex, const Paint& paint);
 
 struct EnvironmentGeometry {
   Vec3 centre;        ///< of the bounds, in the environment's coordinates: the origin of everything here
@@ -73,7 +80,6 @@ struct LayerFigures {
 
 struct MeshGeometry {
   std::vector<SurfaceVertex> surface;  ///< three a triangle
-  CoarseSurface coarse;
   std::vector<LineSegment> creases;  ///< sharp edges between two triangles
   std::vector<LineSegment> outline;  ///< edges with one triangle
   std::vector<LineSegment> obstacleEdges;
@@ -118,6 +124,8 @@ struct ViewContent {
   std::vector<std::shared_ptr<const MeshGeometry>> changes;
   /// Which triangles of the environment go with which layer; null without layers.
   std::shared_ptr<const EnvironmentLayers> environmentLayers;
+  /// Of a finished result on a large environment, for its coarse surface; null otherwise.
+  std::shared_ptr<const FloorStates> floorStates;
 };
 
 }  // namespace footfall

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/environment/parallel_ranges.hpp"
+#include "ui/coarse_geometry.hpp"
 #include "ui/filter_text.hpp"
 #include "ui/run_job.hpp"
 
@@ -101,6 +102,11 @@ ViewContent RunController::makeContent(const Job& job, const RunResult& result) 
     }
   }
   if (result.mesh) content.walkable.emplace_back();
+  if (result.mesh) {
+    std::vector<const NavigationMesh*> meshes;
+    for (const MeshPtr& mesh : before) meshes.push_back(mesh.get());
+    content.floorStates = makeFloorStates(*job.environment, *result.mesh, meshes);
+  }
   // The result, which takes longest, first.
   forRanges(before.size() + content.walkable.size(), 1, [&](std::size_t i, std::size_t) {
     if (i < content.walkable.size()) {

@@ -3,23 +3,18 @@
 
 #include <unordered_map>
 
+#include "ui/coarse_geometry.hpp"
+
 namespace footfall {
 namespace {
 
 using Geometry = std::shared_ptr<const MeshGeometry>;
 
 MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withLines) {
-  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface), {}, {}, {}, {}, {}};
+  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface), {}, {}, {}, {}};
   const bool layered = !geometry->surfaceLayers.empty();
   if (layered) {
     made.surface = batches.withLayers(made.surface, [geometry](std::size_t i) { return geometry->surfaceLayers[i]; });
-  }
-  if (!geometry->coarse.surface.empty()) {
-    made.coarse = batches.makeSurface(geometry, geometry->coarse.surface);
-    if (layered) {
-      made.coarse = batches.withLayers(
-          made.coarse, [geometry](std::size_t i) { return geometry->surfaceLayers[geometry->coarse.triangles[i]]; });
-    }
   }
   if (!withLines) return made;
   const auto lines = [&](const std::vector<LineSegment>& segments, const std::vector<LineLayers>& layers) {
@@ -48,7 +43,7 @@ MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geomet
     for (const Geometry& geometry : geometries) elements.push_back({geometry, &((*geometry).*member)});
     return elements;
   };
-  MeshBatches made{geometries, batches.makeSurface(joined(&MeshGeometry::surface)), {}, {}, {}, {}, {}};
+  MeshBatches made{geometries, batches.makeSurface(joined(&MeshGeometry::surface)), {}, {}, {}, {}};
   if (!withLines) return made;
   made.creases = batches.makeLines(joined(&MeshGeometry::creases));
   made.outline = batches.makeLines(joined(&MeshGeometry::outline));
@@ -93,6 +88,7 @@ void SceneContent::makeBatches(SceneBatches& batches, const SceneContent& before
   // What an edit changes is to be seen first.
   changes = makeMeshes(batches, content.changes, false, before.changes, changes);
   makeEnvironmentBatches(batches, before);
+  makeCoarseBatches(batches, before);
   makeFieldBatch(batches, before);
   std::vector<Geometry> removals;
   for (const ViewContent::Removed& removal : content.removed) removals.push_back(removal.before);
@@ -108,11 +104,12 @@ void SceneContent::makeBatches(SceneBatches& batches, const SceneContent& before
   madeEnvironment_ = environment;
   madeLayers_ = content.environmentLayers;
   madeField_ = field;
+  madeStates_ = content.floorStates;
 }
 
 void SceneContent::makeEnvironmentBatches(SceneBatches& batches, const SceneContent& before) {
   if (!environment) {
-    environmentSurface = environmentCoarse = environmentCreases = nullptr;
+    environmentSurface = environmentCreases = nullptr;
     return;
   }
   const std::shared_ptr<const EnvironmentLayers>& layers = content.environmentLayers;
@@ -120,31 +117,51 @@ void SceneContent::makeEnvironmentBatches(SceneBatches& batches, const SceneCont
       before.madeEnvironment_ == environment ? &before : (madeEnvironment_ == environment ? this : nullptr);
   if (same) {
     environmentSurface = same->environmentSurface;
-    environmentCoarse = same->environmentCoarse;
     environmentCreases = same->environmentCreases;
     if (same->madeLayers_ == layers) return;
   } else {
     environmentSurface = batches.makeSurface(environment, environment->surface);
     environmentCreases = batches.makeLines(environment, environment->creases);
-    environmentCoarse = environment->coarse.surface.empty()
-                            ? nullptr
-                            : batches.makeSurface(environment, environment->coarse.surface);
   }
   // The layers of the environment's triangles come with results.
   const bool fits = layers && layers->size() * 3 == environment->surface.size();
   if (!fits && !same) return;
   const SceneBatches::LayerOf layerOf = [layers](std::size_t i) { return (*layers)[i]; };
-  const SceneBatches::LayerOf layerOfCoarse = [layers, geometry = environment](std::size_t i) {
-    return (*layers)[geometry->coarse.triangles[i]];
-  };
   const SceneBatches::LayersOf layersOf = [layers, geometry = environment](std::size_t i) {
     const auto of = [&](std::uint32_t triangle) { return triangle < layers->size() ? (*layers)[triangle] : kNoLayer; };
     return LineLayers{of(geometry->creaseTriangles[i][0]), of(geometry->creaseTriangles[i][1])};
   };
   environmentSurface = batches.withLayers(environmentSurface, fits ? layerOf : SceneBatches::LayerOf());
-  if (environmentCoarse)
-    environmentCoarse = batches.withLayers(environmentCoarse, fits ? layerOfCoarse : SceneBatches::LayerOf());
   environmentCreases = batches.withLineLayers(environmentCreases, fits ? layersOf : SceneBatches::LayersOf());
+}
+
+void SceneContent::makeCoarseBatches(SceneBatches& batches, const SceneContent& before) {
+  if (!environment || environment->coarse.surface.empty()) {
+    coarse = {};
+    return;
+  }
+  const SceneContent* const same =
+      before.madeEnvironment_ == environment ? &before : (madeEnvironment_ == environment ? this : nullptr);
+  if (same && same->madeStates_ == content.floorStates && same->madeLayers_ == content.environmentLayers) {
+    coarse = same->coarse;
+    return;
+  }
+  const std::shared_ptr<const EnvironmentLayers>& layers = content.environmentLayers;
+  const bool layered = layers && layers->size() * 3 == environment->surface.size();
+  const auto make = [&](const SceneBatches::Owner& owner, const std::vector<SurfaceVertex>& surface) {
+    const SceneBatchPtr batch = batches.makeSurface(owner, surface);
+    if (!layered) return batch;
+    return batches.withLayers(
+        batch, [layers, geometry = environment](std::size_t i) { return (*layers)[geometry->coarse.triangles[i]]; });
+  };
+  coarse.plain = make(environment, environment->coarse.surface);
+  coarse.result = coarse.vivid = nullptr;
+  if (!content.floorStates) return;
+  for (const bool vivid : {false, true}) {
+    const auto painted =
+        std::make_shared<const std::vector<SurfaceVertex>>(paintedCoarse(environment->coarse, content, vivid));
+    (vivid ? coarse.vivid : coarse.result) = make(painted, *painted);
+  }
 }
 
 void SceneContent::makeFieldBatch(SceneBatches& batches, const SceneContent& before) {

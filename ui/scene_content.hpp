@@ -15,7 +15,12 @@ struct MeshBatches {
   /// What they were made of, which may come again with other content.
   std::vector<std::shared_ptr<const MeshGeometry>> geometries;
   SceneBatchPtr surface, creases, outline, obstacleEdges, connections;
-  SceneBatchPtr coarse;  ///< null for surfaces that are small
+};
+
+/// Few triangles that stand for a large environment and what is on it, while the camera moves.
+struct CoarseBatches {
+  SceneBatchPtr plain;          ///< null for small environments
+  SceneBatchPtr result, vivid;  ///< in the paints of a result, and those of ViewMode::RejectedBy; null without one
 };
 
 struct SceneContent {
@@ -25,7 +30,8 @@ struct SceneContent {
   std::shared_ptr<const MeshGeometry> sources;
 
   // Of the above, by SceneContent::makeBatches().
-  SceneBatchPtr environmentSurface, environmentCoarse, environmentCreases;
+  SceneBatchPtr environmentSurface, environmentCreases;
+  CoarseBatches coarse;
   SceneBatchPtr fieldSurface;
   MeshBatches sourceMesh;
   /// Of several small meshes each where there are many.
@@ -40,8 +46,10 @@ struct SceneContent {
   std::shared_ptr<const EnvironmentGeometry> madeEnvironment_;
   std::shared_ptr<const EnvironmentLayers> madeLayers_;
   std::shared_ptr<const FieldGeometry> madeField_;
+  std::shared_ptr<const FloorStates> madeStates_;
 
   void makeEnvironmentBatches(SceneBatches& batches, const SceneContent& before);
+  void makeCoarseBatches(SceneBatches& batches, const SceneContent& before);
   void makeFieldBatch(SceneBatches& batches, const SceneContent& before);
 };
 

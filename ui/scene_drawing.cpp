@@ -79,8 +79,8 @@ void SceneRenderer::useCamera(QOpenGLShaderProgram& program, const SceneCamera& 
   program.setUniformValue("layered", false);
 }
 
-// The environment without anything on it.
-void SceneRenderer::drawStill(const StillKey& key) {
+// The environment without anything on it; `surface` stands for all of it.
+void SceneRenderer::drawStill(const StillKey& key, const BatchPtr& surface) {
   drawBackground();
   beginClip(key.camera);
   const bool wires = key.mode == ViewMode::Wireframe || key.mode == ViewMode::HiddenLine;
@@ -88,13 +88,12 @@ void SceneRenderer::drawStill(const StillKey& key) {
     beginSurfaces(key.camera, key.pale);
     if (wires) setOnlyPaint(Paint{hiddenLineFill()}, true);
     surfaceProgram_.setUniformValue("floorPaint", toVector(key.floorPaint));
-    drawSurface(coarse_ && scene_.environmentCoarse ? scene_.environmentCoarse : scene_.environmentSurface, key.offset);
+    drawSurface(surface, key.offset);
     setOnlyPaint(std::nullopt);
     glDisable(GL_POLYGON_OFFSET_FILL);
   }
   if (key.surface && wires)
-    drawWires(coarse_ && scene_.environmentCoarse ? scene_.environmentCoarse : scene_.environmentSurface, key.camera, wireColour(),
-              false);
+    drawWires(surface, key.camera, wireColour(), false);
   if (key.creases) {
     beginLines(key.camera);
     drawLines(scene_.environmentCreases, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
@@ -143,15 +142,15 @@ void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
 
 void SceneRenderer::drawWalkable(const SceneCamera& camera, ViewMode mode) {
   if (mode == ViewMode::SourceTriangles && scene_.sourceMesh.surface) {
-    drawSurface(surfaceOf(scene_.sourceMesh), 0);
+    drawSurface(scene_.sourceMesh.surface, 0);
     return;
   }
   if (mode == ViewMode::RejectedBy) setOnlyPaint(paleWalkablePaint());
   for (const MeshBatches& mesh : scene_.walkable) {
     if (mode == ViewMode::Wireframe || mode == ViewMode::HiddenLine) {
-      drawWires(surfaceOf(mesh), camera, {}, true);
+      drawWires(mesh.surface, camera, {}, true);
     } else {
-      drawSurface(surfaceOf(mesh), 0);
+      drawSurface(mesh.surface, 0);
     }
   }
   setOnlyPaint(std::nullopt);
@@ -166,7 +165,7 @@ void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& pa
   const bool removed = parts.removed && parts.environment && (parts.mode == ViewMode::Result || vivid);
   for (std::size_t i = scene_.removed.size(); removed && i-- > 0;) {
     if (vivid) setOnlyPaint(scene_.content.removed[i].style->vivid);
-    drawSurface(surfaceOf(scene_.removed[i]), static_cast<float>(scene_.removed.size() - i));
+    drawSurface(scene_.removed[i].surface, static_cast<float>(scene_.removed.size() - i));
   }
   setOnlyPaint(std::nullopt);
   glDisable(GL_POLYGON_OFFSET_FILL);

@@ -89,7 +89,7 @@ void SceneRenderer::goOnWithStill(const StillKey& key) {
     stillSlice_.restart();
   }
   const Clock::time_point begun = beginGo(stillSlice_);
-  drawStill(key);
+  drawStill(key, scene_.environmentSurface);
   stillComplete_ = endGo(begun, stillMs_);
 }
 
@@ -155,7 +155,6 @@ bool SceneRenderer::goOn(double ms) {
   const QSize size = wanted_->still.camera.viewport;
   glViewport(0, 0, size.width(), size.height());
   prepareState();
-  coarse_ = false;
   do {
     if (!stillComplete_ || !(stillKey_ == wanted_->still)) {
       goOnWithStill(wanted_->still);
@@ -207,11 +206,20 @@ SceneRenderer::StillKey SceneRenderer::stillKey(const SceneCamera& camera, const
           showsCells(parts) ? kUnderCells : 0};
 }
 
-void SceneRenderer::drawDirectly(const StillKey& key, const SceneParts& parts, bool coarse) {
-  coarse_ = coarse;
-  drawStill(key);
+// Hurried, a large environment is drawn coarse, with what is on it as paint; all else without its lines.
+void SceneRenderer::drawDirectly(StillKey key, SceneParts parts, bool hurried) {
+  const CoarseBatches& coarse = scene_.coarse;
+  if (hurried && coarse.plain && key.surface && parts.walkable) {
+    const bool vivid = parts.mode == ViewMode::RejectedBy && coarse.vivid;
+    const bool result = parts.mode == ViewMode::Result && coarse.result;
+    key.creases = false;
+    drawStill(key, vivid ? coarse.vivid : result ? coarse.result : coarse.plain);
+    return;
+  }
+  parts.outlines = parts.outlines && !hurried;
+  key.creases = key.creases && !hurried;
+  drawStill(key, scene_.environmentSurface);
   drawContent(key.camera, parts);
-  coarse_ = false;
 }
 
 bool SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, const Haste& haste) {
@@ -242,11 +250,7 @@ bool SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, con
   const bool copied = kept && keepsPictures_ && picture_ && pictureKey_.still.camera == camera &&
                       copyToFrame(*picture_, static_cast<GLuint>(frame));
   if (!copied) {
-    const bool hurried = haste.hurried && (haste.moving || !whole);
-    SceneParts left = parts;
-    left.outlines = left.outlines && !hurried;
-    still.creases = still.creases && !hurried;
-    drawDirectly(still, left, hurried);
+    drawDirectly(still, parts, haste.hurried && (haste.moving || !whole));
   }
   const bool before = copied && !whole && scene_.changes.empty();
   const std::vector<MeshBatches>& changes = before ? shownChanges_ : scene_.changes;

@@ -83,7 +83,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
 
   struct Haste {
     bool moving = false;   ///< the camera will be elsewhere in the next frame
-    bool hurried = false;  ///< no outlines and creases, and of large surfaces those with fewer triangles
+    bool hurried = false;  ///< no outlines and creases; large environments coarse, and what is on them as paint
     double ms = 0;         ///< to go on with a picture that is to be kept
   };
   /// While the camera rests, pictures of the environment alone and of it with the content and the cells, but without
@@ -139,7 +139,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera);
   void beginClip(const SceneCamera& camera);
   void endClip();
-  void drawStill(const StillKey& key);
+  void drawStill(const StillKey& key, const BatchPtr& surface);
   void drawWires(const BatchPtr& batch, const SceneCamera& camera, const QColor& colour, bool ownColours);
   void drawContent(const SceneCamera& camera, const SceneParts& parts);
   void drawChanges(const SceneCamera& camera, const SceneParts& parts, const std::vector<MeshBatches>& changes);
@@ -147,7 +147,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   [[nodiscard]] bool showsCells(const SceneParts& parts) const { return parts.cells && cells_.geometry(); }
   void drawCells(const SceneCamera& camera, const SceneParts& parts);
   void drawMarkedCells(const SceneCamera& camera, const SceneParts& parts);
-  void drawDirectly(const StillKey& key, const SceneParts& parts, bool coarse);
+  void drawDirectly(StillKey key, SceneParts parts, bool hurried);
   void prepareState();
   void dropUnfinished();
   void goOnWithStill(const StillKey& key);
@@ -163,9 +163,6 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void drawField(const SceneCamera& camera);
   void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
   void drawBackground();
-  [[nodiscard]] const BatchPtr& surfaceOf(const MeshBatches& mesh) const {
-    return coarse_ && mesh.coarse ? mesh.coarse : mesh.surface;
-  }
   void drawSurface(const BatchPtr& batch, float offset);
   void beginLines(const SceneCamera& camera);
   void endLines();
@@ -184,8 +181,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   bool afresh_ = false;                 ///< nothing of what is shown may be seen with what comes
   FieldScale fieldScale_;
 
-  bool coarse_ = false;  ///< in this frame
-  Picture still_;        ///< belongs to stillKey_
+  Picture still_;  ///< belongs to stillKey_
   StillKey stillKey_;
   bool stillComplete_ = false;
   bool keepsPictures_ = true;  ///< until OpenGL turns out not to be able to

@@ -86,6 +86,74 @@ class TestCoarseGeometry : public QObject {
     QVERIFY2(ratio > 0.95 && ratio < 1.05, qPrintable(QString::number(ratio)));
   }
 
+  // A third walkable in two layers, a third removed by a filter, a third by the first; triangles that are cut count as
+  // what most of them is.
+  void floorsHaveThePaintsOfTheResult() {
+    constexpr std::uint32_t kTriangles = kCoarseAbove + 9;
+    constexpr std::uint32_t kThird = kTriangles / 3;
+    Environment environment;
+    for (std::uint32_t t = 0; t < kTriangles; ++t) {
+      const double x = t;
+      for (const Vec3& p : {Vec3{x, 0, 0}, Vec3{x + 1, 0, 0}, Vec3{x, 1, 0}}) environment.vertices.push_back(p);
+      environment.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    // Of each triangle the part below `height`: 1 - (1 - height)^2 of it.
+    const auto part = [](std::uint32_t from, std::uint32_t to, double height) {
+      NavigationMesh mesh;
+      for (std::uint32_t t = from; t < to; ++t) {
+        const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+        const double x = t;
+        for (const Vec3& p :
+             {Vec3{x, 0, 0}, Vec3{x + 1, 0, 0}, Vec3{x + 1 - height, height, 0}, Vec3{x, height, 0}})
+          mesh.vertices.push_back(p);
+        mesh.triangles.push_back({base, base + 1, base + 2});
+        mesh.triangles.push_back({base, base + 2, base + 3});
+        mesh.sourceTriangles.insert(mesh.sourceTriangles.end(), 2, t);
+        mesh.layers.insert(mesh.layers.end(), 2, t % 2);
+      }
+      return mesh;
+    };
+    const NavigationMesh before = part(0, 2 * kThird, 0.9);
+    for (const double height : {0.4, 0.2}) {  // 64 % and 36 %
+      const NavigationMesh result = part(0, kThird, height);
+      const auto states = makeFloorStates(environment, result, {&before});
+      QVERIFY(states);
+      QCOMPARE(states->size(), environment.triangles.size());
+      for (std::uint32_t t = 0; t < kTriangles; ++t) {
+        std::int32_t due = kFloorAsItIs;
+        if (t < 2 * kThird) due = kFirstRemoval;
+        if (t < kThird && height > 0.3) due = static_cast<std::int32_t>(t % 2);
+        QCOMPARE((*states)[t], due);
+      }
+      ViewContent content;
+      content.floorStates = states;
+      content.environmentLayers = std::make_shared<const EnvironmentLayers>();
+      const RemovalStyle* const style = removalStyle("VerticalClearanceFilter");
+      QVERIFY(style);
+      content.removed.push_back({style, nullptr});
+      CoarseSurface coarse;
+      coarse.triangles = {0, 1, kThird, kTriangles - 1, 0};
+      coarse.surface.resize(3 * coarse.triangles.size());
+      coarse.surface[12].colour = {1, 2, 3, 255};  // a wall
+      const std::vector<SurfaceVertex> painted = paintedCoarse(coarse, content, false);
+      const auto colourOf = [&](std::size_t triangle) {
+        const auto& colour = painted[3 * triangle].colour;
+        return QColor(colour[0], colour[1], colour[2], colour[3]);
+      };
+      if (height > 0.3) {
+        QCOMPARE(colourOf(0), layerPaint(0).colour);
+        QCOMPARE(colourOf(1), layerPaint(1).colour);
+        QCOMPARE(QColor(paintedCoarse(coarse, content, true)[0].colour[0], 0, 0).red(),
+                 paleWalkablePaint().colour.red());
+      }
+      QCOMPARE(colourOf(2), style->paint.colour);
+      QCOMPARE(colourOf(3).alpha(), 0);  // takes the view's floor paint
+      QCOMPARE(colourOf(4), QColor(1, 2, 3));
+    }
+    environment.triangles.resize(kCoarseAbove);
+    QVERIFY(!makeFloorStates(environment, before, {}));
+  }
+
   // All in one place, or on one line: there is nothing to divide.
   void surfacesWithoutAreaHaveNone() {
     std::vector<std::uint32_t> kept;
