@@ -1,5 +1,5 @@
-// Sentences for people, in a form that can be said in other languages: an English pattern and what stands in its
-// places. SPDX-License-Identifier: GPL-3.0-or-later
+// Sentences for people that can be translated: an English pattern and what stands in its places.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <concepts>
