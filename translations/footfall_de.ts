@@ -2,6 +2,673 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Core</name>
+    <message>
+        <source>node &apos;%1&apos; refers to a mesh that is not there</source>
+        <translation>Knoten „%1“ verweist auf ein Netz, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>export the file again</source>
+        <translation>exportieren Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>more than 4294967295 vertices</source>
+        <translation>mehr als 4294967295 Ecken</translation>
+    </message>
+    <message>
+        <source>split the file</source>
+        <translation>teilen Sie die Datei</translation>
+    </message>
+    <message>
+        <source>vertex %1 of mesh &apos;%2&apos; has a coordinate that is not finite or too large</source>
+        <translation>Ecke %1 des Netzes „%2“ hat eine Koordinate, die nicht endlich oder zu groß ist</translation>
+    </message>
+    <message>
+        <source>correct it or export the file again</source>
+        <translation>berichtigen Sie das, oder exportieren Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>vertex index %1 in mesh &apos;%2&apos; is out of range: it has %3 vertices</source>
+        <translation>Eckennummer %1 im Netz „%2“ liegt außerhalb: Es hat %3 Ecken</translation>
+    </message>
+    <message>
+        <source>unknown content</source>
+        <translation>unbekannter Inhalt</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>check that the file is complete and of the format that its extension says</source>
+        <translation>prüfen Sie, ob die Datei vollständig ist und das Format hat, das ihre Endung nennt</translation>
+    </message>
+    <message>
+        <source>an obstacle has a coordinate that is not finite; nothing was changed</source>
+        <translation>Ein Hindernis hat eine Koordinate, die nicht endlich ist; es wurde nichts geändert</translation>
+    </message>
+    <message>
+        <source>an obstacle&apos;s triangle names vertex %1 of %2; nothing was changed</source>
+        <translation>Das Dreieck eines Hindernisses nennt Ecke %1 von %2; es wurde nichts geändert</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1 to remove; the environment has %2</source>
+        <translation>Es gibt kein Dreieck %1 zum Entfernen; die Umgebung hat %2</translation>
+    </message>
+    <message>
+        <source>there is no obstacle %1</source>
+        <translation>Es gibt kein Hindernis %1</translation>
+    </message>
+    <message>
+        <source>the scale of the export must be a number above 0; 1 keeps the file&apos;s units</source>
+        <translation>Der Maßstab des Exports muss eine Zahl über 0 sein; 1 behält die Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>the scale of the export makes coordinates infinite; choose a smaller one</source>
+        <translation>Der Maßstab des Exports macht Koordinaten unendlich; wählen Sie einen kleineren</translation>
+    </message>
+    <message>
+        <source>a coordinate is larger than a float of glTF can be; export as OBJ, or with a smaller scale</source>
+        <translation>Eine Koordinate ist größer, als eine Zahl in glTF sein kann; exportieren Sie als OBJ oder mit einem kleineren Maßstab</translation>
+    </message>
+    <message>
+        <source>glTF: Assimp wrote less than it said; export as OBJ</source>
+        <translation>glTF: Assimp hat weniger geschrieben als angegeben; exportieren Sie als OBJ</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written in the format &quot;%2&quot;; give a name that ends in .obj, .gltf or .glb</source>
+        <translation>%1: kann nicht im Format „%2“ geschrieben werden; geben Sie einen Namen, der auf .obj, .gltf oder .glb endet</translation>
+    </message>
+    <message>
+        <source>scale: must be a positive number of metres per unit; give for example 0.01 for centimetres</source>
+        <translation>Maßstab: muss eine positive Zahl von Metern je Einheit sein; geben Sie zum Beispiel 0.01 für Zentimeter</translation>
+    </message>
+    <message>
+        <source>has no extension</source>
+        <translation>hat keine Endung</translation>
+    </message>
+    <message>
+        <source>unknown extension &apos;.%1&apos;</source>
+        <translation>unbekannte Endung „.%1“</translation>
+    </message>
+    <message>
+        <source>use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads</source>
+        <translation>nehmen Sie OBJ, glTF, FBX, DAE, PLY, STL, 3DS oder ein anderes Format, das Assimp liest</translation>
+    </message>
+    <message>
+        <source>no triangles in it (skipped: %1 polygons, %2 lines, %3 points)</source>
+        <translation>enthält keine Dreiecke (übergangene Polygone: %1, Linien: %2, Punkte: %3)</translation>
+    </message>
+    <message>
+        <source>choose a file that has faces</source>
+        <translation>wählen Sie eine Datei mit Flächen</translation>
+    </message>
+    <message>
+        <source>the file is empty (0 bytes)</source>
+        <translation>die Datei ist leer (0 Bytes)</translation>
+    </message>
+    <message>
+        <source>export it again or choose another file</source>
+        <translation>exportieren Sie sie noch einmal, oder wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>prüfen Sie den Namen</translation>
+    </message>
+    <message>
+        <source>no permission to read it</source>
+        <translation>keine Berechtigung zum Lesen</translation>
+    </message>
+    <message>
+        <source>change the permissions of the file and its folders</source>
+        <translation>ändern Sie die Rechte der Datei und ihrer Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>choose a file in it</source>
+        <translation>wählen Sie eine Datei darin</translation>
+    </message>
+    <message>
+        <source>is not an ordinary file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>prüfen Sie den Datenträger</translation>
+    </message>
+    <message>
+        <source>it was cut off or changed by hand: export it again</source>
+        <translation>sie wurde abgeschnitten oder von Hand geändert: exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>its comments count %1 vertices, but it has %2</source>
+        <translation>ihre Kommentare zählen %1 Ecken, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>its comments count %1 triangles, but it has %2</source>
+        <translation>ihre Kommentare zählen %1 Dreiecke, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>its comments count %1 layers, but it has %2</source>
+        <translation>ihre Kommentare zählen %1 Ebenen, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>its comments count %1 connections, but it has %2</source>
+        <translation>ihre Kommentare zählen %1 Verbindungen, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>its comments count %1 obstacle edges, but it has %2</source>
+        <translation>ihre Kommentare zählen %1 Hinderniskanten, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>no triangles in it</source>
+        <translation>enthält keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>a coordinate above 1e100</source>
+        <translation>eine Koordinate über 1e100</translation>
+    </message>
+    <message>
+        <source>areas and distances would overflow: choose another unit</source>
+        <translation>Flächen und Abstände wären zu groß: wählen Sie eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>correct the line or export the file again</source>
+        <translation>berichtigen Sie die Zeile, oder exportieren Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>the file ends inside this line</source>
+        <translation>die Datei endet in dieser Zeile</translation>
+    </message>
+    <message>
+        <source>it is truncated: copy or export it again</source>
+        <translation>sie ist abgeschnitten: kopieren oder exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>not an OBJ statement: %1</source>
+        <translation>keine OBJ-Anweisung: %1</translation>
+    </message>
+    <message>
+        <source>is the file really OBJ? Rename it or export it again</source>
+        <translation>ist die Datei wirklich OBJ? Benennen Sie sie um, oder exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>a vertex needs three coordinates</source>
+        <translation>eine Ecke braucht drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>write numbers with a decimal point, and export the file again</source>
+        <translation>schreiben Sie Zahlen mit einem Dezimalpunkt, und exportieren Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>coordinate %1 is not finite or too large</source>
+        <translation>Koordinate %1 ist nicht endlich oder zu groß</translation>
+    </message>
+    <message>
+        <source>%1 is not a face corner</source>
+        <translation>%1 ist keine Ecke einer Fläche</translation>
+    </message>
+    <message>
+        <source>vertex index 0: OBJ counts from 1</source>
+        <translation>Eckennummer 0: OBJ zählt ab 1</translation>
+    </message>
+    <message>
+        <source>vertex index %1 is out of range: only %2 vertices precede it</source>
+        <translation>Eckennummer %1 liegt außerhalb: Nur %2 Ecken gehen ihr voran</translation>
+    </message>
+    <message>
+        <source>vertex index %1 is out of range</source>
+        <translation>Eckennummer %1 liegt außerhalb</translation>
+    </message>
+    <message>
+        <source>vertex index %1 is out of range: the file has %2 vertices</source>
+        <translation>Eckennummer %1 liegt außerhalb: Die Datei hat %2 Ecken</translation>
+    </message>
+    <message>
+        <source>has a NUL byte, so it is not OBJ text</source>
+        <translation>hat ein NUL-Byte, ist also kein OBJ-Text</translation>
+    </message>
+    <message>
+        <source>give the file the extension of its real format, or export it as plain text</source>
+        <translation>geben Sie der Datei die Endung ihres wirklichen Formats, oder exportieren Sie sie als Text</translation>
+    </message>
+    <message>
+        <source>the file names no meshes or materials</source>
+        <translation>die Datei nennt keine Netze oder Materialien</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>sie hat %1</translation>
+    </message>
+    <message>
+        <source>it has %1 and %2 more; `footfall info` lists all</source>
+        <translation>sie hat %1 und %2 weitere; `footfall info` nennt alle</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;: %3 has no mesh or material of that name; %4</source>
+        <translation>%1 „%2“: %3 hat kein Netz oder Material dieses Namens; %4</translation>
+    </message>
+    <message>
+        <source>obstacle &apos;%1&apos; has a number that is not finite</source>
+        <translation>Hindernis „%1“ hat eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>obstacle &apos;%1&apos; has an extent that is not above 0; give a larger one</source>
+        <translation>Hindernis „%1“ hat eine Ausdehnung, die nicht über 0 liegt; geben Sie eine größere</translation>
+    </message>
+    <message>
+        <source>obstacle &apos;%1&apos; reaches too far; make it smaller</source>
+        <translation>Hindernis „%1“ reicht zu weit; machen Sie es kleiner</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>choose another place</source>
+        <translation>wählen Sie einen anderen Ort</translation>
+    </message>
+    <message>
+        <source>cannot be written: its folder does not exist</source>
+        <translation>kann nicht geschrieben werden: Den Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>create the folder or choose another one</source>
+        <translation>legen Sie den Ordner an, oder wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>give the name of a file in it</source>
+        <translation>geben Sie den Namen einer Datei darin</translation>
+    </message>
+    <message>
+        <source>no permission to write it</source>
+        <translation>keine Berechtigung zum Schreiben</translation>
+    </message>
+    <message>
+        <source>change the permissions or choose another folder</source>
+        <translation>ändern Sie die Rechte, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be written: the disk is full</source>
+        <translation>kann nicht geschrieben werden: Der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>free some space or choose another disk</source>
+        <translation>schaffen Sie Platz, oder wählen Sie einen anderen Datenträger</translation>
+    </message>
+    <message>
+        <source>no file name to write to; give one</source>
+        <translation>Es fehlt der Name der Datei, die geschrieben werden soll; geben Sie einen</translation>
+    </message>
+    <message>
+        <source>line %1 of the PLY header, &apos;%2 ...&apos;, is not understood</source>
+        <translation>Zeile %1 des PLY-Kopfes, „%2 ...“, ist nicht verständlich</translation>
+    </message>
+    <message>
+        <source>the file ends before the elements that its header announces</source>
+        <translation>die Datei endet vor den Elementen, die ihr Kopf ankündigt</translation>
+    </message>
+    <message>
+        <source>a list in the PLY file has fewer than no entries</source>
+        <translation>eine Liste in der PLY-Datei hat eine negative Länge</translation>
+    </message>
+    <message>
+        <source>the PLY header has no end_header</source>
+        <translation>dem PLY-Kopf fehlt end_header</translation>
+    </message>
+    <message>
+        <source>the ASCII STL file does not end with endsolid</source>
+        <translation>die ASCII-STL-Datei endet nicht mit endsolid</translation>
+    </message>
+    <message>
+        <source>%1 of %2 regions removed</source>
+        <translation>%1 von %2 Gebieten entfernt</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>length in the environment&apos;s units</source>
+        <translation>Länge in den Einheiten der Umgebung</translation>
+    </message>
+    <message>
+        <source>area in the environment&apos;s units</source>
+        <translation>Fläche in den Einheiten der Umgebung</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a number above %1</source>
+        <translation>eine Zahl über %1</translation>
+    </message>
+    <message>
+        <source>a number of at least %1</source>
+        <translation>eine Zahl von mindestens %1</translation>
+    </message>
+    <message>
+        <source>a whole number above %1</source>
+        <translation>eine ganze Zahl über %1</translation>
+    </message>
+    <message>
+        <source>a whole number of at least %1</source>
+        <translation>eine ganze Zahl von mindestens %1</translation>
+    </message>
+    <message>
+        <source>%1 and below %2</source>
+        <translation>%1 und unter %2</translation>
+    </message>
+    <message>
+        <source>%1 and at most %2</source>
+        <translation>%1 und höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 vertices at %2 positions</source>
+        <translation>%1 Ecken an %2 Stellen</translation>
+    </message>
+    <message>
+        <source>%1 vertices merged</source>
+        <translation>Vereinte Ecken: %1</translation>
+    </message>
+    <message>
+        <source>%1 layers, %2 connections</source>
+        <translation>Ebenen: %1, Verbindungen: %2</translation>
+    </message>
+    <message>
+        <source>all vertices are exact already</source>
+        <translation>Alle Ecken sind schon exakt</translation>
+    </message>
+    <message>
+        <source>case 1: %1, case 2: %2, case 3: %3, case 4: %4, case 5: %5</source>
+        <translation>Fall 1: %1, Fall 2: %2, Fall 3: %3, Fall 4: %4, Fall 5: %5</translation>
+    </message>
+    <message>
+        <source>triangle %1 does not exist; the environment has %2</source>
+        <translation>Dreieck %1 gibt es nicht; die Umgebung hat %2</translation>
+    </message>
+    <message>
+        <source>the place has a coordinate that is not finite; give three numbers</source>
+        <translation>Die Stelle hat eine Koordinate, die nicht endlich ist; geben Sie drei Zahlen</translation>
+    </message>
+    <message>
+        <source>--height: must be a length in the file&apos;s units; give 0 or more</source>
+        <translation>--height: muss eine Länge in den Einheiten der Datei sein; geben Sie 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>--error: must be a length in the file&apos;s units; give a number above 0</source>
+        <translation>--error: muss eine Länge in den Einheiten der Datei sein; geben Sie eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>One cell, because one thread runs.</source>
+        <translation>Eine Zelle, weil ein Thread läuft.</translation>
+    </message>
+    <message>
+        <source>One cell, because an environment of %1 triangles is done before cells would pay: threads share its floors.</source>
+        <translation>Eine Zelle, weil eine Umgebung mit %1 Dreiecken fertig ist, bevor sich Zellen lohnen: Threads teilen sich ihre Böden.</translation>
+    </message>
+    <message>
+        <source>One cell, because the %1 triangles are little work: threads share its floors.</source>
+        <translation>Eine Zelle, weil die %1 Dreiecke wenig Arbeit sind: Threads teilen sich ihre Böden.</translation>
+    </message>
+    <message>
+        <source>Up to %1 cells of about equal estimated work for %2 threads, because %3 triangles are enough work to share; cut between storeys where that cuts no floor.</source>
+        <translation>Bis zu %1 Zellen mit etwa gleich viel geschätzter Arbeit für %2 Threads, weil %3 Dreiecke genug Arbeit zum Teilen sind; zwischen Stockwerken geschnitten, wo das keinen Boden schneidet.</translation>
+    </message>
+    <message>
+        <source>give fewer columns or rows</source>
+        <translation>geben Sie weniger Spalten oder Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 would make more than %2 cells; %3</source>
+        <translation>%1 ergäbe mehr als %2 Zellen; %3</translation>
+    </message>
+    <message>
+        <source>give a larger min or a smaller depth</source>
+        <translation>geben Sie ein größeres Minimum oder eine kleinere Tiefe</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>the parallel block that %1 begins in %2</source>
+        <translation>dem parallelen Block, den %1 in %2 beginnt</translation>
+    </message>
+    <message>
+        <source>Collapse ends no parallel block; remove it or put a strategy such as GridStrategy before it</source>
+        <translation>Collapse beendet keinen parallelen Block; entfernen Sie es, oder setzen Sie eine Strategie wie GridStrategy davor</translation>
+    </message>
+    <message>
+        <source>%1 stands inside %2; put a Collapse before it</source>
+        <translation>%1 steht in %2; setzen Sie ein Collapse davor</translation>
+    </message>
+    <message>
+        <source>%1 sees across cells and cannot run inside %2; move it behind Collapse or before the block</source>
+        <translation>%1 sieht über Zellen hinweg und kann nicht laufen in %2; setzen Sie es hinter Collapse oder vor den Block</translation>
+    </message>
+    <message>
+        <source>%1 begins a parallel block that never ends; add a Collapse behind it</source>
+        <translation>%1 beginnt einen parallelen Block, der nie endet; setzen Sie ein Collapse dahinter</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number; give %2</source>
+        <translation>%1 ist keine endliche Zahl; geben Sie %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number; give %2</source>
+        <translation>%1 ist keine ganze Zahl; geben Sie %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 is out of range; give %3</source>
+        <translation>%1 %2 liegt außerhalb des Bereichs; geben Sie %3</translation>
+    </message>
+    <message>
+        <source>unknown filter %1; did you mean %2? (`footfall filters` lists them all)</source>
+        <translation>Unbekannter Filter %1; war %2 gemeint? (`footfall filters` nennt alle)</translation>
+    </message>
+    <message>
+        <source>%1 needs a value for %2; write for example &quot;%3&quot;</source>
+        <translation>%1 braucht einen Wert für %2; schreiben Sie zum Beispiel „%3“</translation>
+    </message>
+    <message>
+        <source>%1 takes no parameters; remove %2</source>
+        <translation>%1 nimmt keine Parameter; entfernen Sie %2</translation>
+    </message>
+    <message>
+        <source>%1 takes only &quot;%2&quot;; remove %3</source>
+        <translation>%1 nimmt nur „%2“; entfernen Sie %3</translation>
+    </message>
+    <message>
+        <source>%1 is no value for %2; give %3</source>
+        <translation>%1 ist kein Wert für %2; geben Sie %3</translation>
+    </message>
+    <message>
+        <source>%1: is a folder; give a pipeline file</source>
+        <translation>%1: ist ein Ordner; geben Sie eine Pipeline-Datei</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2); give a pipeline file that can be read</source>
+        <translation>%1: kann nicht geöffnet werden (%2); geben Sie eine lesbare Pipeline-Datei</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read; check the file and its disk</source>
+        <translation>%1: kann nicht gelesen werden; prüfen Sie die Datei und ihren Datenträger</translation>
+    </message>
+    <message>
+        <source>%1: is too long for a pipeline; give a text file of filters</source>
+        <translation>%1: ist zu lang für eine Pipeline; geben Sie eine Textdatei mit Filtern</translation>
+    </message>
+    <message>
+        <source>%1: has %2 values; give %3</source>
+        <translation>%1: hat %2 Werte; geben Sie %3</translation>
+    </message>
+    <message>
+        <source>%1: memory ran out; close other programs or use a smaller environment</source>
+        <translation>%1: Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
+    </message>
+    <message>
+        <source>%1: internal error (%2); please report it with the environment&apos;s file</source>
+        <translation>%1: Interner Fehler (%2); bitte melden Sie ihn mit der Datei der Umgebung</translation>
+    </message>
+    <message>
+        <source>navigation mesh</source>
+        <translation>Navigationsnetz</translation>
+    </message>
+    <message>
+        <source>environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>%1, parallel block of %2</source>
+        <translation>%1, paralleler Block von %2</translation>
+    </message>
+    <message>
+        <source>step %1 is no strategy that is switched on; choose one that is</source>
+        <translation>Schritt %1 ist keine eingeschaltete Strategie; wählen Sie eine solche</translation>
+    </message>
+    <message>
+        <source>a place is not finite</source>
+        <translation>eine Stelle ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no view</source>
+        <translation>„%1“ ist keine Ansicht</translation>
+    </message>
+    <message>
+        <source>something is missing or of the wrong type</source>
+        <translation>etwas fehlt oder ist von falscher Art</translation>
+    </message>
+    <message>
+        <source>the picture cannot be made; choose a smaller size</source>
+        <translation>Das Bild kann nicht erzeugt werden; wählen Sie eine kleinere Größe</translation>
+    </message>
+    <message>
+        <source>%1: names no environment; open one first, this session brings only filters</source>
+        <translation>%1: nennt keine Umgebung; öffnen Sie zuerst eine, diese Sitzung bringt nur Filter mit</translation>
+    </message>
+    <message>
+        <source>there is no view mode &apos;%1&apos;</source>
+        <translation>es gibt keine Ansichtsart „%1“</translation>
+    </message>
+    <message>
+        <source>the cut plane has no direction</source>
+        <translation>die Schnittebene hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>%1: is missing; install again</source>
+        <translation>%1: fehlt; installieren Sie neu</translation>
+    </message>
+    <message>
+        <source>unknown filter &apos;%1&apos;; see &apos;footfall filters&apos;</source>
+        <translation>unbekannter Filter „%1“; siehe `footfall filters`</translation>
+    </message>
+    <message>
+        <source>%1 has no parameter &apos;%2&apos;; see &apos;footfall filters %1&apos;</source>
+        <translation>%1 hat keinen Parameter „%2“; siehe `footfall filters %1`</translation>
+    </message>
+    <message>
+        <source>view: the orientation is no unit quaternion; remove &apos;view&apos;</source>
+        <translation>view: Die Ausrichtung ist kein Einheitsquaternion; entfernen Sie „view“</translation>
+    </message>
+    <message>
+        <source>cells: colours are &apos;%1&apos;; give thread, time, triangles or cost</source>
+        <translation>cells: colours ist „%1“; geben Sie thread, time, triangles oder cost</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;; give one of %3</source>
+        <translation>%1 ist „%2“; geben Sie eines von %3</translation>
+    </message>
+    <message>
+        <source>%1 is not finite; give three numbers</source>
+        <translation>%1 ist nicht endlich; geben Sie drei Zahlen</translation>
+    </message>
+    <message>
+        <source>obstacles: a size is not above 0, or a turn not finite; mend or remove it</source>
+        <translation>obstacles: Eine Größe liegt nicht über 0, oder eine Drehung ist nicht endlich; berichtigen oder entfernen Sie das</translation>
+    </message>
+    <message>
+        <source>agents: &apos;%1&apos; needs a height above 0 and a slope between 0 and 90 degrees</source>
+        <translation>agents: „%1“ braucht eine Höhe über 0 und eine Neigung zwischen 0 und 90 Grad</translation>
+    </message>
+    <message>
+        <source>is not a session; open a file that Footfall saved</source>
+        <translation>ist keine Sitzung; öffnen Sie eine Datei, die Footfall gespeichert hat</translation>
+    </message>
+    <message>
+        <source>comes from a newer Footfall; update this one</source>
+        <translation>stammt von einem neueren Footfall; bringen Sie dieses auf den neuesten Stand</translation>
+    </message>
+    <message>
+        <source>import: up is &apos;%1&apos;; give y or z</source>
+        <translation>import: up ist „%1“; geben Sie y oder z</translation>
+    </message>
+    <message>
+        <source>import: metres_per_unit is not above 0; give for example 0.01</source>
+        <translation>import: metres_per_unit liegt nicht über 0; geben Sie zum Beispiel 0.01</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read or is empty; choose a session that Footfall saved</source>
+        <translation>%1: kann nicht gelesen werden oder ist leer; wählen Sie eine Sitzung, die Footfall gespeichert hat</translation>
+    </message>
+    <message>
+        <source>%1: broken at byte %2; choose a session that Footfall saved</source>
+        <translation>%1: fehlerhaft bei Byte %2; wählen Sie eine Sitzung, die Footfall gespeichert hat</translation>
+    </message>
+    <message>
+        <source>%1: something is missing or of the wrong type; choose a session that Footfall saved</source>
+        <translation>%1: Etwas fehlt oder ist von falscher Art; wählen Sie eine Sitzung, die Footfall gespeichert hat</translation>
+    </message>
+    <message>
+        <source>(unnamed)</source>
+        <translation>(ohne Namen)</translation>
+    </message>
+</context>
+<context>
     <name>Filter</name>
     <message>
         <source>Duplication</source>
@@ -2592,6 +3259,10 @@
     <message>
         <source>&lt;p&gt;&lt;i&gt;Effect:&lt;/i&gt; %1&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;i&gt;Wirkung:&lt;/i&gt; %1&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Takes %1. Default: %2%3.</source>
+        <translation>Nimmt %1. Vorgabe: %2%3.</translation>
     </message>
 </context>
 <context>

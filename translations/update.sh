@@ -13,8 +13,18 @@ trap 'rm -rf "${work}"' EXIT
 
 "${descriptor_texts}" >"${work}/descriptor_texts.cpp"
 if [ "${mode}" != --check ]; then cp "${work}/descriptor_texts.cpp" "${here}/descriptor_texts.cpp"; fi
-find "${repository}/ui" "${repository}/app" -name '*.cpp' -o -name '*.hpp' | LC_ALL=C sort >"${work}/sources"
-echo "${work}/descriptor_texts.cpp" >>"${work}/sources"
+echo "${work}/descriptor_texts.cpp" >"${work}/sources"
+# What the core says is marked without Qt (core/text.hpp): lupdate reads copies with a mark that it knows.
+while read -r source; do
+  if grep -qE 'FOOTFALL_TEXT\(("|$)' "${source}"; then
+    copy="${work}/${source#"${repository}/"}"
+    mkdir -p "$(dirname -- "${copy}")"
+    sed 's/FOOTFALL_TEXT(/QT_TRANSLATE_NOOP("Core", /g' "${source}" >"${copy}"
+    echo "${copy}" >>"${work}/sources"
+  elif [[ "${source}" != "${repository}"/core/* ]]; then
+    echo "${source}" >>"${work}/sources"
+  fi
+done < <(find "${repository}"/{core,ui,app} -name '*.cpp' -o -name '*.hpp' | LC_ALL=C sort)
 
 failed=0
 for translation in "${here}"/footfall_*.ts; do

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/agent_edits.hpp"
+#include "ui/core_text.hpp"
 #include "ui/number_field.hpp"
 
 namespace footfall {
@@ -166,7 +167,7 @@ bool AgentModel::setData(const QModelIndex& index, const QVariant& value, int ro
   const auto size = sizeIn(index.column());
   if (!size) return false;
   const auto number = parseNumber(value.toString());
-  const QString wrong = number ? QString::fromStdString(checkValue(filterOf(*size).parameters[0], *number))
+  const QString wrong = number ? coreText(checkValue(filterOf(*size).parameters[0], *number))
                                : tr("'%1' is not a number; write for example 1.8").arg(value.toString());
   if (!wrong.isEmpty()) {
     emit failed(tr("agent: %1").arg(wrong));

@@ -14,16 +14,16 @@ namespace footfall {
 namespace {
 
 // The pattern of shaders/surface.frag; y runs down here and up there.
-bool inked(Pattern pattern, double x, double y) {
+bool inked(FillPattern pattern, double x, double y) {
   const auto wrap = [](double value, double period) { return value - period * std::floor(value / period); };
   switch (pattern) {
-    case Pattern::Plain:
+    case FillPattern::Plain:
       return false;
-    case Pattern::RisingStripes:
+    case FillPattern::RisingStripes:
       return wrap(x + y, 8) <= 2.5;
-    case Pattern::FallingStripes:
+    case FillPattern::FallingStripes:
       return wrap(x - y, 8) <= 2.5;
-    case Pattern::Dots:
+    case FillPattern::Dots:
       return std::hypot(wrap(x, 6) - 3, wrap(y, 6) - 3) <= 1.6;
   }
   return false;
@@ -31,9 +31,9 @@ bool inked(Pattern pattern, double x, double y) {
 
 }  // namespace
 
-Paint wallPaint() { return {QColor(196, 199, 203), Pattern::Plain}; }
-Paint undecidedPaint() { return {QColor(222, 224, 227), Pattern::Plain}; }
-Paint walkablePaint() { return {QColor(0, 158, 115), Pattern::Plain}; }
+Paint wallPaint() { return {QColor(196, 199, 203), FillPattern::Plain}; }
+Paint undecidedPaint() { return {QColor(222, 224, 227), FillPattern::Plain}; }
+Paint walkablePaint() { return {QColor(0, 158, 115), FillPattern::Plain}; }
 
 Paint layerPaint(std::uint32_t layer) {
   static const std::array<QColor, 6> kColours = {QColor(0, 158, 115), QColor(86, 180, 233),  QColor(240, 228, 66),
@@ -41,11 +41,11 @@ Paint layerPaint(std::uint32_t layer) {
   const QColor& colour = kColours[layer % kColours.size()];
   switch (layer / kColours.size() % 3) {
     case 1:
-      return {colour.darker(150), Pattern::Plain};
+      return {colour.darker(150), FillPattern::Plain};
     case 2:
-      return {colour.lighter(140), Pattern::Plain};
+      return {colour.lighter(140), FillPattern::Plain};
     default:
-      return {colour, Pattern::Plain};
+      return {colour, FillPattern::Plain};
   }
 }
 
@@ -59,7 +59,7 @@ QColor selectedCellColour() { return {255, 196, 0}; }
 QColor backgroundLower() { return isDarkTheme() ? QColor(44, 49, 55) : QColor(247, 248, 250); }
 QColor backgroundUpper() { return isDarkTheme() ? QColor(24, 27, 31) : QColor(221, 227, 234); }
 
-Paint paleWalkablePaint() { return {QColor(226, 238, 233), Pattern::Plain}; }
+Paint paleWalkablePaint() { return {QColor(226, 238, 233), FillPattern::Plain}; }
 
 Paint sourcePaint(std::uint32_t triangle) {
   // Neighbours in the file are often neighbours in space: their numbers are spread.
@@ -87,16 +87,16 @@ const RemovalStyle* removalStyle(std::string_view filter) {
   static const std::array<RemovalStyle, 3> kStyles = {{
       {"SlopeFilter",
        QCoreApplication::translate("Legend", "Too steep"),
-       {QColor(176, 150, 128), Pattern::RisingStripes},
-       {QColor(230, 159, 0), Pattern::RisingStripes}},
+       {QColor(176, 150, 128), FillPattern::RisingStripes},
+       {QColor(230, 159, 0), FillPattern::RisingStripes}},
       {"VerticalClearanceFilter",
        QCoreApplication::translate("Legend", "Too little headroom"),
-       {QColor(150, 138, 176), Pattern::FallingStripes},
-       {QColor(204, 121, 167), Pattern::FallingStripes}},
+       {QColor(150, 138, 176), FillPattern::FallingStripes},
+       {QColor(204, 121, 167), FillPattern::FallingStripes}},
       {"AreaFilter",
        QCoreApplication::translate("Legend", "Too small an area"),
-       {QColor(146, 160, 168), Pattern::Dots},
-       {QColor(0, 114, 178), Pattern::Dots}},
+       {QColor(146, 160, 168), FillPattern::Dots},
+       {QColor(0, 114, 178), FillPattern::Dots}},
   }};
   for (const RemovalStyle& style : kStyles) {
     if (style.filter == filter) return &style;

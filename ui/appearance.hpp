@@ -12,11 +12,11 @@ namespace footfall {
 
 /// Drawn over a paint, so that what was removed differs from layers in more than colour. The numbers are those of
 /// shaders/surface.frag.
-enum class Pattern : std::uint8_t { Plain = 0, RisingStripes = 1, FallingStripes = 2, Dots = 3 };
+enum class FillPattern : std::uint8_t { Plain = 0, RisingStripes = 1, FallingStripes = 2, Dots = 3 };
 
 struct Paint {
   QColor colour;
-  Pattern pattern = Pattern::Plain;
+  FillPattern pattern = FillPattern::Plain;
   bool operator==(const Paint&) const = default;
 };
 

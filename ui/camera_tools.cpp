@@ -20,7 +20,8 @@ Json toJson(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 Vec3 vectorFrom(const Json& json) {
   const Vec3 v{json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) throw InputError("a place is not finite");
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+    throw InputError(FOOTFALL_TEXT("a place is not finite"));
   return v;
 }
 
@@ -224,12 +225,12 @@ void CameraTools::load(const std::string& text) {
       for (const double part : bookmark.pose.orientation) norm += part * part;
       const int slot = json.at("slot").get<int>();
       if (!(norm > 0.9 && norm < 1.1) || slot < 1 || slot > kBookmarks)
-        throw InputError("'" + bookmark.name.toStdString() + "' is no view");
+        throw InputError(FOOTFALL_TEXT("'%1' is no view"), bookmark.name.toStdString());
       read[slot] = bookmark;
     }
     bookmarks_ = std::move(read);
   } catch (const Json::exception&) {
-    throw InputError("something is missing or of the wrong type");
+    throw InputError(FOOTFALL_TEXT("something is missing or of the wrong type"));
   }
 }
 

@@ -49,7 +49,7 @@ QPixmap scaleSwatch(qreal ratio) {
 }
 
 QPixmap unfinishedSwatch(qreal ratio) {
-  return paintSwatch({unfinishedColour(), Pattern::RisingStripes}, QSize(30, 14), ratio);
+  return paintSwatch({unfinishedColour(), FillPattern::RisingStripes}, QSize(30, 14), ratio);
 }
 
 }  // namespace

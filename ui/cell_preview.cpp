@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/pipeline/runner.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -51,7 +52,7 @@ void CellPreview::request(std::shared_ptr<const Environment> environment, const 
     } catch (const Cancelled&) {
       return;
     } catch (const std::exception& problem) {
-      error = QString::fromUtf8(problem.what());
+      error = coreText(problem);
     }
     const auto tell = [this, context, partition, error] {
       if (context != context_) return;  // overtaken

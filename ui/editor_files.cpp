@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/environment/export.hpp"
+#include "ui/core_text.hpp"
 #include "ui/editor_window.hpp"
 #include "ui/guarded_application.hpp"
 
@@ -70,7 +71,7 @@ void EditorWindow::loadSections(const std::map<std::string, std::string>& sectio
     try {
       section.load(found == sections.end() ? std::string() : found->second);
     } catch (const std::exception& error) {
-      messages_->showError(tr("session, '%1': %2; this part was left out").arg(section.name, error.what()));
+      messages_->showError(tr("session, '%1': %2; this part was left out").arg(section.name, coreText(error)));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "ui/agent_rules.hpp"
+#include "ui/core_text.hpp"
 #include "ui/welcome_page.hpp"
 
 namespace footfall {
@@ -153,7 +154,8 @@ void EditorWindow::openFile(const QString& path, const std::optional<Pipeline>& 
       const Session session = readSession(toPath(path));
       if (session.environment.empty()) {
         if (!loaded_.environment) {
-          throw InputError(toPath(path) + ": names no environment; open one first, this session brings only filters");
+          throw InputError(FOOTFALL_TEXT("%1: names no environment; open one first, this session brings only filters"),
+                           toPath(path));
         }
         document_.replacePipeline(session.pipeline, tr("Open %1").arg(QFileInfo(path).fileName()));
         return;
@@ -178,7 +180,7 @@ void EditorWindow::openFile(const QString& path, const std::optional<Pipeline>& 
       if (import.metresPerUnit) opening.import.metresPerUnit = import.metresPerUnit;
     }
   } catch (const std::exception& error) {
-    const QString message = QString::fromUtf8(error.what());
+    const QString message = coreText(error);
     messages_->showError(message);
     emit loadFailed(message);
     return;
@@ -271,7 +273,7 @@ void EditorWindow::openPipeline(const QString& path) {
   try {
     document_.replacePipeline(readPipelineFile(toPath(path)), tr("Open %1").arg(QFileInfo(path).fileName()));
   } catch (const std::exception& error) {
-    messages_->showError(QString::fromUtf8(error.what()));
+    messages_->showError(coreText(error));
   }
 }
 

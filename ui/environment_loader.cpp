@@ -6,6 +6,7 @@
 
 #include "core/environment/import.hpp"
 #include "core/environment/worker_arena.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 
@@ -34,7 +35,7 @@ void EnvironmentLoader::load(const QString& path, const ImportOptions& options, 
       error =
           tr("%1: memory ran out; close other programs or use a smaller environment").arg(QString::fromStdString(name));
     } catch (const std::exception& problem) {
-      error = QString::fromUtf8(problem.what());
+      error = coreText(problem);
     }
     QMetaObject::invokeMethod(
         this,

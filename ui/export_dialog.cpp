@@ -14,6 +14,7 @@
 
 #include "core/environment/gltf_export.hpp"
 #include "core/pipeline/export_header.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -317,7 +318,7 @@ void ExportDialog::estimate() {
       if (error > 0)
         text += QStringLiteral("; ") + tr("glTF has floats: coordinates move by up to %1 m").arg(error, 0, 'g', 2);
     } catch (const std::exception& problem) {
-      text = QString::fromUtf8(problem.what());
+      text = coreText(problem);
     }
     QMetaObject::invokeMethod(
         this,

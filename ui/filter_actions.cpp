@@ -8,6 +8,7 @@
 
 #include "core/errors.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
+#include "ui/core_text.hpp"
 #include "ui/edit_text.hpp"
 #include "ui/filter_text.hpp"
 #include "ui/icon.hpp"
@@ -150,7 +151,7 @@ void FilterActions::paste() {
     const std::size_t index = ids.empty() ? document_.filters().size() : placeOf(ids.back()) + 1;
     emit chosen(insertFilters(document_, index, part.steps, tr("Paste %1").arg(stepsText(part.steps))));
   } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(coreText(error));
   }
 }
 

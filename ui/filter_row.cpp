@@ -9,6 +9,7 @@
 
 #include "core/filters/descriptor_text.hpp"
 #include "ui/cell_colours.hpp"
+#include "ui/core_text.hpp"
 #include "ui/filter_text.hpp"
 
 namespace footfall {
@@ -32,12 +33,14 @@ QString helpOf(const ParameterDescriptor& parameter) {
                            : FilterRow::tr(
                                  "<p>Type it, drag sideways, or turn the wheel while the field has the focus; "
                                  "Shift: finer, Ctrl: coarser, Esc: back.</p>");
-  return QStringLiteral("<p>%1</p><p>Takes %2. Default: %3%4.</p>%5")
-      .arg(filterText(parameter.help), QString::fromStdString(describeRange(parameter)),
-           QString::fromStdString(formatValue(parameter, parameter.defaultValue)),
-           parameter.unit == Unit::Length ? QStringLiteral(" m")
-           : parameter.unit == Unit::Area ? QStringLiteral(" m²")
-                                          : QString(),
+  return QStringLiteral("<p>%1</p><p>%2</p>%3")
+      .arg(filterText(parameter.help),
+           FilterRow::tr("Takes %1. Default: %2%3.")
+               .arg(coreText(describeRange(parameter)),
+                    QString::fromStdString(formatValue(parameter, parameter.defaultValue)),
+                    parameter.unit == Unit::Length ? QStringLiteral(" m")
+                    : parameter.unit == Unit::Area ? QStringLiteral(" m²")
+                                                   : QString()),
            drag);
 }
 

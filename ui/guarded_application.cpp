@@ -6,6 +6,7 @@
 #include <new>
 
 #include "core/errors.hpp"
+#include "ui/core_text.hpp"
 #include "ui/frame_watchdog.hpp"
 
 namespace footfall {
@@ -40,9 +41,10 @@ QString errorText(const std::exception& error) {
     return GuardedApplication::tr(
         "memory ran out; what was there is still there. Close other programs, or open a smaller environment");
   }
-  const bool known = dynamic_cast<const InputError*>(&error) || dynamic_cast<const RunError*>(&error);
-  const QString text = QString::fromUtf8(error.what());
-  return known ? text : GuardedApplication::tr("internal error (%1); please report it with what you did").arg(text);
+  const QString text = coreText(error);
+  return dynamic_cast<const TextError*>(&error)
+             ? text
+             : GuardedApplication::tr("internal error (%1); please report it with what you did").arg(text);
 }
 
 }  // namespace footfall

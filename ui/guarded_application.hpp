@@ -25,7 +25,7 @@ class GuardedApplication : public QApplication {
   void tell(const QString& message) noexcept;
 };
 
-/// An exception in words: what() for errors of Footfall's own; where memory ran out, what to do about it.
+/// An exception in words, in the user's language; where memory ran out, what to do about it.
 QString errorText(const std::exception& error);
 
 /// Calls `work` and gives back what went wrong in words; empty when nothing did. For jobs in the background, which must

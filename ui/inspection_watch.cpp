@@ -10,6 +10,7 @@
 #include "core/environment/worker_arena.hpp"
 #include "core/errors.hpp"
 #include "ui/appearance.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -102,7 +103,7 @@ void InspectionWatch::refresh() {
     } catch (const std::bad_alloc&) {
       answer.error = tr("Why: memory ran out; close other programs or use a smaller environment");
     } catch (const std::exception& error) {
-      answer.error = QString::fromUtf8(error.what());
+      answer.error = coreText(error);
     }
     QMetaObject::invokeMethod(
         this,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/environment/environment_edit.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -92,7 +93,7 @@ LevelComposer::Composed LevelComposer::withObstacles(const Composed& from, const
     try {
       soup = solidSoupOf(obstacle, kSpacingMetres / base_->metresPerUnit);
     } catch (const std::exception& error) {
-      emit failed(QString::fromUtf8(error.what()));
+      emit failed(coreText(error));
     }
     place(obstacle, static_cast<std::uint32_t>(soup.triangles.size()));
     const auto first = static_cast<std::uint32_t>(added.vertices.size());

@@ -165,17 +165,17 @@ void LevelLook::load(const std::string& text) {
     kept.heights.lower = json.value("lower", kAll.lower);
     kept.heights.upper = json.value("upper", kAll.upper);
     const auto mode = json.value("mode", std::string(nameOf(kept.mode)));
-    if (!viewModeFrom(mode)) throw InputError("there is no view mode '" + mode + "'");
+    if (!viewModeFrom(mode)) throw InputError(FOOTFALL_TEXT("there is no view mode '%1'"), mode);
     kept.mode = *viewModeFrom(mode);
     if (json.contains("cut")) {
       const auto cut = json.at("cut").get<std::array<double, 3>>();
       const double norm = std::hypot(cut[0], cut[1]);
-      if (!(norm > 0.99 && norm < 1.01)) throw InputError("the cut plane has no direction");
+      if (!(norm > 0.99 && norm < 1.01)) throw InputError(FOOTFALL_TEXT("the cut plane has no direction"));
       kept.cut = CutPlane{cut[0], cut[1], cut[2]};
     }
     pending_ = kept;
   } catch (const Json::exception&) {
-    throw InputError("something is missing or of the wrong type");
+    throw InputError(FOOTFALL_TEXT("something is missing or of the wrong type"));
   }
 }
 

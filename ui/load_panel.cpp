@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/partitioning/load_balancing.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -141,7 +142,8 @@ void LoadPanel::refresh() {
   } else {
     text += count;
   }
-  if (!block->report.reason.empty()) text += QStringLiteral("&nbsp; · &nbsp;") + escaped(block->report.reason);
+  if (!block->report.reason.empty())
+    text += QStringLiteral("&nbsp; · &nbsp;") + coreText(block->report.reason).toHtmlEscaped();
   strategy_->setText(text);
 
   back_->setVisible(model_.previewing());

@@ -16,6 +16,8 @@
 #include "core/environment/number_text.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/pipeline/pipeline.hpp"
+#include "ui/core_text.hpp"
+#include "ui/filter_text.hpp"
 
 namespace footfall {
 namespace {
@@ -31,11 +33,10 @@ double factorOf(Qt::KeyboardModifiers modifiers) {
 
 // The core's words, with the name that people see: "Maximum slope 95 is out of range; give ...".
 QString problemOf(const ParameterDescriptor& parameter, double value) {
-  QString wrong = QString::fromStdString(checkValue(parameter, value));
-  const QString name = QString::fromUtf8(parameter.name.data(), static_cast<qsizetype>(parameter.name.size()));
-  if (!wrong.startsWith(name + QLatin1Char(' '))) return wrong;
-  return wrong.replace(0, name.size(),
-                       QString::fromUtf8(parameter.label.data(), static_cast<qsizetype>(parameter.label.size())));
+  const std::string label = filterText(parameter.label).toStdString();
+  ParameterDescriptor shown = parameter;
+  shown.name = label;
+  return coreText(checkValue(shown, value));
 }
 
 // In the shortest digits: 2.1 and not 2.1000000000000001.
@@ -100,9 +101,8 @@ void NumberField::setValue(double value) {
 void NumberField::readText(const QString& text) {
   const auto number = parseNumber(text);
   if (!number) {
-    setProblem(text.contains(QLatin1Char(','))
-                   ? tr("not a number; write decimals with a point")
-                   : tr("not a number; give %1").arg(QString::fromStdString(describeRange(parameter_))));
+    setProblem(text.contains(QLatin1Char(',')) ? tr("not a number; write decimals with a point")
+                                               : tr("not a number; give %1").arg(coreText(describeRange(parameter_))));
     return;
   }
   const QString wrong = problemOf(parameter_, *number);

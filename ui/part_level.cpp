@@ -8,6 +8,7 @@
 
 #include "core/environment/environment_diff.hpp"
 #include "core/errors.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -83,7 +84,7 @@ void PartLevel::work(EnvironmentPtr base) {
       return;
     } catch (const std::exception& problem) {
       error = tr("the roles of parts cannot be applied (%1); close other programs or use a smaller environment")
-                  .arg(QString::fromUtf8(problem.what()));
+                  .arg(coreText(problem));
     }
     QMetaObject::invokeMethod(
         this,

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/environment/part_names.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -215,7 +216,7 @@ QModelIndex PartPanel::rowOf(std::uint32_t part) const { return proxy_->mapFromS
 
 QString PartPanel::nameOf(const std::vector<std::uint32_t>& parts) const {
   if (parts.size() != 1) return tr("%1 parts").arg(parts.size());
-  return QString::fromStdString(partLabel(model_->part(parts.front())));
+  return coreText(partLabel(model_->part(parts.front())));
 }
 
 void PartPanel::setRole(PartRole role) {

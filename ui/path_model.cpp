@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 
@@ -74,7 +75,7 @@ void PathModel::startJob() {
         } catch (const std::bad_alloc&) {
           error = tr("the path: memory ran out; close other programs or use a smaller environment");
         } catch (const std::exception& problem) {
-          error = QString::fromUtf8(problem.what());
+          error = coreText(problem);
         }
         QMetaObject::invokeMethod(
             this, [this, mesh, result, error] { finishJob(mesh, result, error); }, Qt::QueuedConnection);

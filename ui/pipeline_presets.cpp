@@ -40,7 +40,8 @@ const std::vector<BuiltInPreset>& builtInPresets() {
 
 Pipeline builtInPipeline(const BuiltInPreset& preset, double metresPerUnit) {
   QFile file(preset.resource);
-  if (!file.open(QIODevice::ReadOnly)) throw InputError(preset.resource.toStdString() + ": is missing; install again");
+  if (!file.open(QIODevice::ReadOnly))
+    throw InputError(FOOTFALL_TEXT("%1: is missing; install again"), preset.resource.toStdString());
   const Pipeline pipeline = parsePipeline(file.readAll().toStdString(), preset.resource.toStdString());
   return preset.inMetres ? rescaleDefaults(pipeline, 1, metresPerUnit) : pipeline;
 }

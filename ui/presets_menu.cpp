@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "ui/core_text.hpp"
+
 namespace footfall {
 
 PresetsMenu::PresetsMenu(Document& document, PresetStore store, QWidget* parent)
@@ -19,7 +21,7 @@ void PresetsMenu::guarded(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(coreText(error));
   }
 }
 

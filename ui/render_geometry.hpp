@@ -19,7 +19,7 @@ namespace footfall {
 /// 20 bytes; locations 0, 1 and 2 of shaders/surface.vert.
 struct SurfaceVertex {
   std::array<float, 3> position{};
-  std::array<std::int8_t, 4> normal{};   ///< w: Pattern
+  std::array<std::int8_t, 4> normal{};   ///< w: FillPattern
   std::array<std::uint8_t, 4> colour{};  ///< alpha 0: takes the view's floor paint
 };
 

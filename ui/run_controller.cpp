@@ -6,6 +6,7 @@
 
 #include "core/pipeline/block_structure.hpp"
 #include "ui/appearance.hpp"
+#include "ui/core_text.hpp"
 #include "ui/run_job.hpp"
 
 namespace footfall {
@@ -199,12 +200,12 @@ bool RunController::reportInvalidStep() {
   for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
   const auto error = findStructureError(pipeline);
   if (!error) return false;
-  const QString message = QString::fromStdString(error->message);
+  const QString message = coreText(error->message);
   StepStatus& status = statuses_[filters_[error->step].id];
   status.state = StepState::Failed;
   status.error = message;
   emit statusChanged();
-  emit failed(QString::fromStdString(placeOfStep(pipeline, error->step)) + QStringLiteral(": ") + message);
+  emit failed(coreText(placeOfStep(pipeline, error->step)) + QStringLiteral(": ") + message);
   return true;
 }
 
@@ -344,7 +345,7 @@ RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
   } catch (const std::bad_alloc&) {
     outcome.error = tr("memory ran out; close other programs or use a smaller environment");
   } catch (const std::exception& error) {
-    outcome.error = QString::fromUtf8(error.what());
+    outcome.error = coreText(error);
   }
   return outcome;
 }
@@ -401,7 +402,7 @@ void RunController::adopt(const Job& job, const Outcome& outcome, bool known) {
     status.wallMs = steps[i].wallMs;
     status.trianglesIn = steps[i].in.triangles;
     status.trianglesOut = steps[i].out.triangles;
-    status.note = QString::fromStdString(steps[i].note);
+    status.note = coreText(steps[i].note);
     status.prefix = job.prefixes[i + 1];
   }
   rememberTimes(job);

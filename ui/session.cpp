@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMark = "footfall_session";
 constexpr int kVersion = 1;
+constexpr Pattern kAtPlace{"%1: %2"};
 constexpr std::size_t kMarkWithin = 256;  // bytes from the start of the file
 
 Json toJson(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -45,7 +46,7 @@ Json toJson(const PipelineStep& step) {
 PipelineStep stepFrom(const Json& json) {
   const auto name = json.at("filter").get<std::string>();
   const FilterDescriptor* filter = findFilter(name);
-  if (!filter) throw InputError("unknown filter '" + name + "'; see 'footfall filters'");
+  if (!filter) throw InputError(FOOTFALL_TEXT("unknown filter '%1'; see 'footfall filters'"), name);
   PipelineStep step = defaultStep(*filter, 1);
   step.enabled = json.value("enabled", true);
   const Json parameters = json.value("parameters", Json::object());
@@ -53,11 +54,11 @@ PipelineStep stepFrom(const Json& json) {
     std::size_t index = 0;
     while (index < filter->parameters.size() && filter->parameters[index].name != key) ++index;
     if (index == filter->parameters.size()) {
-      throw InputError(name + " has no parameter '" + key + "'; see 'footfall filters " + name + "'");
+      throw InputError(FOOTFALL_TEXT("%1 has no parameter '%2'; see 'footfall filters %1'"), name, key);
     }
     step.values[index] = value.is_boolean() ? (value.get<bool>() ? 1 : 0) : value.get<double>();
-    const std::string wrong = checkValue(filter->parameters[index], step.values[index]);
-    if (!wrong.empty()) throw InputError(name + ": " + wrong);
+    const Text wrong = checkValue(filter->parameters[index], step.values[index]);
+    if (!wrong.empty()) throw InputError(kAtPlace, name, wrong);
   }
   return step;
 }
@@ -71,7 +72,8 @@ CameraPose cameraFrom(const Json& json) {
     pose.orientation[i] = json.at("orientation").at(i).get<double>();
     norm += pose.orientation[i] * pose.orientation[i];
   }
-  if (!(norm > 0.9 && norm < 1.1)) throw InputError("view: the orientation is no unit quaternion; remove 'view'");
+  if (!(norm > 0.9 && norm < 1.1))
+    throw InputError(FOOTFALL_TEXT("view: the orientation is no unit quaternion; remove 'view'"));
   pose.orthographic = json.value("orthographic", false);
   return pose;
 }
@@ -82,7 +84,8 @@ CellsShown cellsFrom(const Json& json) {
   cells.load = json.value("load", false);
   const auto name = json.value("colours", std::string(nameOf(cells.colouring)));
   const std::optional<CellColouring> colouring = colouringFrom(name);
-  if (!colouring) throw InputError("cells: colours are '" + name + "'; give thread, time, triangles or cost");
+  if (!colouring)
+    throw InputError(FOOTFALL_TEXT("cells: colours are '%1'; give thread, time, triangles or cost"), name);
   cells.colouring = *colouring;
   return cells;
 }
@@ -95,7 +98,7 @@ Value named(const Json& json, const char* key, const std::array<std::pair<const 
     if (text == name) return value;
     known += (known.empty() ? "" : ", ") + std::string(name);
   }
-  throw InputError(std::string(key) + " is '" + text + "'; give one of " + known);
+  throw InputError(FOOTFALL_TEXT("%1 is '%2'; give one of %3"), key, text, known);
 }
 
 template <typename Value, std::size_t kCount>
@@ -112,7 +115,7 @@ constexpr std::array<std::pair<const char*, PlacedObstacle::Shape>, 3> kShapes =
 
 void requireFinite(const Vec3& v, const char* what) {
   if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-    throw InputError(std::string(what) + " is not finite; give three numbers");
+    throw InputError(FOOTFALL_TEXT("%1 is not finite; give three numbers"), what);
 }
 
 PlacedObstacle obstacleFrom(const Json& json) {
@@ -125,7 +128,7 @@ PlacedObstacle obstacleFrom(const Json& json) {
   requireFinite(obstacle.base, "obstacles: base");
   requireFinite(obstacle.size, "obstacles: size");
   if (!(obstacle.size.x > 0 && obstacle.size.y > 0 && obstacle.size.z > 0) || !std::isfinite(obstacle.turn))
-    throw InputError("obstacles: a size is not above 0, or a turn not finite; mend or remove it");
+    throw InputError(FOOTFALL_TEXT("obstacles: a size is not above 0, or a turn not finite; mend or remove it"));
   return obstacle;
 }
 
@@ -133,7 +136,8 @@ Agent agentFrom(const Json& json) {
   Agent agent{0, json.at("name").get<std::string>(), json.at("height").get<double>(),
               json.at("max_slope").get<double>()};
   if (!(agent.height > 0 && std::isfinite(agent.height) && agent.maxSlope > 0 && agent.maxSlope < 90))
-    throw InputError("agents: '" + agent.name + "' needs a height above 0 and a slope between 0 and 90 degrees");
+    throw InputError(FOOTFALL_TEXT("agents: '%1' needs a height above 0 and a slope between 0 and 90 degrees"),
+                     agent.name);
   return agent;
 }
 
@@ -181,8 +185,10 @@ std::string relativeTo(const std::string& environment, const std::string& sessio
 }
 
 Session sessionFrom(const Json& json, const std::string& path) {
-  if (!json.is_object() || !json.contains(kMark)) throw InputError("is not a session; open a file that Footfall saved");
-  if (json.at(kMark).get<int>() > kVersion) throw InputError("comes from a newer Footfall; update this one");
+  if (!json.is_object() || !json.contains(kMark))
+    throw InputError(FOOTFALL_TEXT("is not a session; open a file that Footfall saved"));
+  if (json.at(kMark).get<int>() > kVersion)
+    throw InputError(FOOTFALL_TEXT("comes from a newer Footfall; update this one"));
   Session session;
   session.environment = json.value("environment", std::string());
   if (!session.environment.empty()) {
@@ -191,13 +197,13 @@ Session sessionFrom(const Json& json, const std::string& path) {
   const Json import = json.value("import", Json::object());
   if (import.contains("up")) {
     const auto up = import.at("up").get<std::string>();
-    if (up != "y" && up != "z") throw InputError("import: up is '" + up + "'; give y or z");
+    if (up != "y" && up != "z") throw InputError(FOOTFALL_TEXT("import: up is '%1'; give y or z"), up);
     session.import.up = up == "y" ? UpAxis::Y : UpAxis::Z;
   }
   if (import.contains("metres_per_unit")) {
     const auto scale = import.at("metres_per_unit").get<double>();
     if (!(std::isfinite(scale) && scale > 0))
-      throw InputError("import: metres_per_unit is not above 0; give for example 0.01");
+      throw InputError(FOOTFALL_TEXT("import: metres_per_unit is not above 0; give for example 0.01"));
     session.import.metresPerUnit = scale;
   }
   session.import.bothSides = import.value("both_sides", false);
@@ -241,17 +247,17 @@ Session readSession(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file || text.empty()) {
-    throw InputError(path + ": cannot be read or is empty; choose a session that Footfall saved");
+    throw InputError(FOOTFALL_TEXT("%1: cannot be read or is empty; choose a session that Footfall saved"), path);
   }
   try {
     return sessionFrom(Json::parse(text), path);
   } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
+    throw InputError(kAtPlace, path, error.text());
   } catch (const nlohmann::json::parse_error& error) {
-    throw InputError(path + ": broken at byte " + std::to_string(error.byte) +
-                     "; choose a session that Footfall saved");
+    throw InputError(FOOTFALL_TEXT("%1: broken at byte %2; choose a session that Footfall saved"), path, error.byte);
   } catch (const nlohmann::json::exception&) {
-    throw InputError(path + ": something is missing or of the wrong type; choose a session that Footfall saved");
+    throw InputError(
+        FOOTFALL_TEXT("%1: something is missing or of the wrong type; choose a session that Footfall saved"), path);
   }
 }
 

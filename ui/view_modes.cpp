@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/environment/worker_arena.hpp"
+#include "ui/core_text.hpp"
 
 namespace footfall {
 namespace {
@@ -193,7 +194,7 @@ void ViewModes::compute() {
     } catch (const std::bad_alloc&) {
       error = tr("view: memory ran out; choose another view mode or a smaller environment");
     } catch (const std::exception& problem) {
-      error = QString::fromUtf8(problem.what());
+      error = coreText(problem);
     }
     QMetaObject::invokeMethod(
         this,

@@ -73,8 +73,8 @@ class SceneReader {
       stack.pop_back();
       for (unsigned i = 0; i < node->mNumMeshes; ++i) {
         if (node->mMeshes[i] >= scene_.mNumMeshes) {
-          failInput(path_, 0, "node '" + std::string(node->mName.C_Str()) + "' refers to a mesh that is not there",
-                    "export the file again");
+          failInput(path_, 0, Text(FOOTFALL_TEXT("node '%1' refers to a mesh that is not there"), node->mName.C_Str()),
+                    FOOTFALL_TEXT("export the file again"));
         }
         const aiMesh& shape = *scene_.mMeshes[node->mMeshes[i]];
         mesh(shape, world);
@@ -114,16 +114,16 @@ class SceneReader {
   void mesh(const aiMesh& mesh, const Affine& world) {
     const std::size_t first = environment_.vertices.size();
     if (first + mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
-      failInput(path_, 0, "more than 4294967295 vertices", "split the file");
+      failInput(path_, 0, FOOTFALL_TEXT("more than 4294967295 vertices"), FOOTFALL_TEXT("split the file"));
     }
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       poll();
       const Vec3 p = world * mesh.mVertices[i];
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
         failInput(path_, 0,
-                  "vertex " + std::to_string(i) + " of mesh '" + mesh.mName.C_Str() +
-                      "' has a coordinate that is not finite or too large",
-                  "correct it or export the file again");
+                  Text(FOOTFALL_TEXT("vertex %1 of mesh '%2' has a coordinate that is not finite or too large"), i,
+                       mesh.mName.C_Str()),
+                  FOOTFALL_TEXT("correct it or export the file again"));
       }
       environment_.vertices.push_back(p);
     }
@@ -139,9 +139,9 @@ class SceneReader {
     for (unsigned i = 0; i < face.mNumIndices; ++i) {
       if (face.mIndices[i] >= mesh.mNumVertices) {
         failInput(path_, 0,
-                  "vertex index " + std::to_string(face.mIndices[i]) + " in mesh '" + mesh.mName.C_Str() +
-                      "' is out of range: it has " + std::to_string(mesh.mNumVertices) + " vertices",
-                  "export the file again");
+                  Text(FOOTFALL_TEXT("vertex index %1 in mesh '%2' is out of range: it has %3 vertices"),
+                       face.mIndices[i], mesh.mName.C_Str(), mesh.mNumVertices),
+                  FOOTFALL_TEXT("export the file again"));
       }
       corners_.push_back(first + face.mIndices[i]);
     }
@@ -226,8 +226,9 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
   }
   if (context != nullptr) context->checkCancelled();
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    failInput(path, 0, "cannot be read (" + (problem.empty() ? "unknown content" : problem) + ")",
-              "check that the file is complete and of the format that its extension says");
+    const Text reason = problem.empty() ? Text(FOOTFALL_TEXT("unknown content")) : Text(problem);
+    failInput(path, 0, Text(FOOTFALL_TEXT("cannot be read (%1)"), reason),
+              FOOTFALL_TEXT("check that the file is complete and of the format that its extension says"));
   }
 
   FileFrame frame;

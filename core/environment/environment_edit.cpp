@@ -13,12 +13,12 @@ namespace {
 void checkSoup(const TriangleSoup& soup) {
   for (const Vec3& v : soup.vertices)
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      throw InputError("an obstacle has a coordinate that is not finite; nothing was changed");
+      throw InputError(FOOTFALL_TEXT("an obstacle has a coordinate that is not finite; nothing was changed"));
   for (const Triangle& t : soup.triangles)
     for (const std::uint32_t v : t)
       if (v >= soup.vertices.size())
-        throw InputError("an obstacle's triangle names vertex " + std::to_string(v) + " of " +
-                         std::to_string(soup.vertices.size()) + "; nothing was changed");
+        throw InputError(FOOTFALL_TEXT("an obstacle's triangle names vertex %1 of %2; nothing was changed"), v,
+                         soup.vertices.size());
 }
 
 constexpr std::uint32_t kGone = 0xFFFFFFFF;
@@ -52,8 +52,7 @@ std::shared_ptr<const Environment> editEnvironment(const std::shared_ptr<const E
   const std::size_t count = base->triangles.size();
   for (const std::uint32_t t : removed)
     if (t >= count)
-      throw InputError("there is no triangle " + std::to_string(t) + " to remove; the environment has " +
-                       std::to_string(count));
+      throw InputError(FOOTFALL_TEXT("there is no triangle %1 to remove; the environment has %2"), t, count);
   return editedCopy(base, removed, added);
 }
 
@@ -121,7 +120,7 @@ ObstacleId EditableEnvironment::add(const TriangleSoup& obstacle) {
 
 void EditableEnvironment::replace(ObstacleId id, const TriangleSoup& obstacle) {
   const auto found = triangles_.find(id);
-  if (found == triangles_.end()) throw InputError("there is no obstacle " + std::to_string(id));
+  if (found == triangles_.end()) throw InputError(FOOTFALL_TEXT("there is no obstacle %1"), id);
   checkSoup(obstacle);
   const std::vector<std::uint32_t> removed = std::move(found->second);
   triangles_.erase(found);

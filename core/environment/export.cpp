@@ -82,11 +82,11 @@ void appendExtras(std::string& text, std::span<const ExportExtra> extras, std::u
 
 void checkScale(const ExportOptions& options, const NavigationMesh& mesh) {
   if (!(options.scale > 0 && std::isfinite(options.scale)))
-    throw InputError("the scale of the export must be a number above 0; 1 keeps the file's units");
+    throw InputError(FOOTFALL_TEXT("the scale of the export must be a number above 0; 1 keeps the file's units"));
   for (const Vec3& p : mesh.vertices)
     for (const double x : {p.x, p.y, p.z})
       if (!std::isfinite(x * options.scale))
-        throw InputError("the scale of the export makes coordinates infinite; choose a smaller one");
+        throw InputError(FOOTFALL_TEXT("the scale of the export makes coordinates infinite; choose a smaller one"));
 }
 
 std::string formatObj(const NavigationMesh& mesh, const Environment& environment, const ExportHeader& header,

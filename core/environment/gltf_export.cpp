@@ -121,7 +121,8 @@ class SceneMaker {
     for (std::size_t k = 0; k < 3; ++k) {
       rounded[k] = static_cast<float>(turned[k] + 0.0);  // no -0
       if (!std::isfinite(rounded[k]))
-        throw InputError("a coordinate is larger than a float of glTF can be; export as OBJ, or with a smaller scale");
+        throw InputError(FOOTFALL_TEXT(
+            "a coordinate is larger than a float of glTF can be; export as OBJ, or with a smaller scale"));
       largestError_ = std::max(largestError_, std::fabs(static_cast<double>(rounded[k]) - turned[k]));
     }
     return {rounded[0], rounded[1], rounded[2]};
@@ -158,6 +159,8 @@ void addLayers(SceneMaker& maker, const NavigationMesh& mesh, bool byLayers) {
     maker.add("layer_" + std::to_string(i), layerColour(i), mesh.vertices, layers[i]);
 }
 
+constexpr Pattern kTooShort = FOOTFALL_TEXT("glTF: Assimp wrote less than it said; export as OBJ");
+
 /// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes.
 struct Chunks {
   Json json;
@@ -166,7 +169,7 @@ struct Chunks {
 
 std::uint32_t word(const std::string& bytes, std::size_t at) {
   std::array<unsigned char, 4> b{};
-  if (at + 4 > bytes.size()) throw RunError("glTF: Assimp wrote less than it said; export as OBJ");
+  if (at + 4 > bytes.size()) throw RunError(kTooShort);
   std::memcpy(b.data(), bytes.data() + at, 4);
   return b[0] | b[1] << 8U | b[2] << 16U | std::uint32_t{b[3]} << 24U;
 }
@@ -177,7 +180,7 @@ void appendWord(std::string& bytes, std::size_t value) {
 
 Chunks takeApart(const std::string& glb) {
   const std::size_t size = word(glb, 12);
-  if (20 + size > glb.size()) throw RunError("glTF: Assimp wrote less than it said; export as OBJ");
+  if (20 + size > glb.size()) throw RunError(kTooShort);
   Chunks chunks;
   chunks.json = Json::parse(glb.begin() + 20, glb.begin() + 20 + static_cast<std::ptrdiff_t>(size));
   if (20 + size < glb.size()) chunks.numbers = glb.substr(28 + size, word(glb, 20 + size));
@@ -193,7 +196,7 @@ void dropTextureCoordinates(Chunks& chunks) {
     Json accessor = json.at("accessors").at(reference.get<std::size_t>());
     Json view = json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
     const auto offset = view.value("byteOffset", std::size_t{0}), length = view.at("byteLength").get<std::size_t>();
-    if (offset + length > chunks.numbers.size()) throw RunError("glTF: Assimp wrote less than it said; export as OBJ");
+    if (offset + length > chunks.numbers.size()) throw RunError(kTooShort);
     numbers.resize((numbers.size() + 3) / 4 * 4, '\0');
     view["byteOffset"] = numbers.size();
     numbers.append(chunks.numbers, offset, length);
@@ -240,7 +243,7 @@ std::string putTogether(Chunks chunks, GltfKind kind) {
 std::string exportScene(const aiScene& scene) {
   Assimp::Exporter exporter;
   const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, "glb2", 0);
-  if (blob == nullptr || blob->size < 20) throw RunError(std::string("glTF: ") + exporter.GetErrorString());
+  if (blob == nullptr || blob->size < 20) throw RunError(Pattern{"glTF: %1"}, exporter.GetErrorString());
   return {static_cast<const char*>(blob->data), blob->size};
 }
 
@@ -287,8 +290,9 @@ ExportFormat exportFormatOf(const std::string& path) {
   if (ending.empty() || ending == ".obj") return ExportFormat::Obj;
   if (ending == ".gltf") return ExportFormat::Gltf;
   if (ending == ".glb") return ExportFormat::Glb;
-  throw InputError(path + ": cannot be written in the format \"" + ending.substr(1) +
-                   "\"; give a name that ends in .obj, .gltf or .glb");
+  throw InputError(
+      FOOTFALL_TEXT("%1: cannot be written in the format \"%2\"; give a name that ends in .obj, .gltf or .glb"), path,
+      ending.substr(1));
 }
 
 double writeExport(const std::string& path, const NavigationMesh& mesh, const Environment& environment,

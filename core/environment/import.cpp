@@ -50,7 +50,8 @@ void turnToZUp(std::vector<Vec3>& vertices, UpAxis up) {
 std::shared_ptr<const Environment> importEnvironment(const std::string& path, const ImportOptions& options,
                                                      RunContext* context) {
   if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
-    throw InputError("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres");
+    throw InputError(
+        FOOTFALL_TEXT("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres"));
   }
   checkInputFile(path);
   const std::string extension = lowerExtension(path);
@@ -63,17 +64,19 @@ std::shared_ptr<const Environment> importEnvironment(const std::string& path, co
   } else {
     const std::vector<std::string> known = importableExtensions();
     if (std::find(known.begin(), known.end(), extension) == known.end()) {
-      failInput(path, 0, extension.empty() ? "has no extension" : "unknown extension '." + extension + "'",
-                "use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads");
+      failInput(path, 0,
+                extension.empty() ? Text(FOOTFALL_TEXT("has no extension"))
+                                  : Text(FOOTFALL_TEXT("unknown extension '.%1'"), extension),
+                FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
     }
     frame = readWithAssimp(path, *environment, context);
   }
   if (environment->triangles.empty()) {
     const SkippedElements& skipped = environment->skipped;
     failInput(path, 0,
-              "no triangles in it (skipped: " + std::to_string(skipped.polygons) + " polygons, " +
-                  std::to_string(skipped.lines) + " lines, " + std::to_string(skipped.points) + " points)",
-              "choose a file that has faces");
+              Text(FOOTFALL_TEXT("no triangles in it (skipped: %1 polygons, %2 lines, %3 points)"), skipped.polygons,
+                   skipped.lines, skipped.points),
+              FOOTFALL_TEXT("choose a file that has faces"));
   }
 
   environment->upGuessed = !options.up;

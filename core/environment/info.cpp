@@ -128,7 +128,7 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
   if (environment.parts.empty()) return text;
   appendLine(text, "parts (MESH/MATERIAL)", number(environment.parts.size()));
   for (std::size_t p = 0; p < environment.parts.size(); ++p)
-    text += "  " + partLabel(environment.parts[p]) + ": " + number(info.partTriangles[p]) + " triangles\n";
+    text += "  " + partLabel(environment.parts[p]).str() + ": " + number(info.partTriangles[p]) + " triangles\n";
   return text;
 }
 

@@ -12,6 +12,9 @@
 namespace footfall {
 namespace {
 
+constexpr Pattern kEmpty = FOOTFALL_TEXT("the file is empty (0 bytes)");
+constexpr Pattern kExportAgain = FOOTFALL_TEXT("export it again or choose another file");
+
 /// An open file descriptor of a non-empty regular file.
 class InputDescriptor {
  public:
@@ -20,26 +23,29 @@ class InputDescriptor {
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) {
       const int error = errno;
-      if (error == ENOENT || error == ENOTDIR) failInput(path, 0, "no such file", "check the name");
+      if (error == ENOENT || error == ENOTDIR)
+        failInput(path, 0, FOOTFALL_TEXT("no such file"), FOOTFALL_TEXT("check the name"));
       if (error == EACCES || error == EPERM) {
-        failInput(path, 0, "no permission to read it", "change the permissions of the file and its folders");
+        failInput(path, 0, FOOTFALL_TEXT("no permission to read it"),
+                  FOOTFALL_TEXT("change the permissions of the file and its folders"));
       }
-      failInput(path, 0, std::string("cannot be opened: ") + std::strerror(error), "choose another file");
+      failInput(path, 0, Text(FOOTFALL_TEXT("cannot be opened: %1"), std::strerror(error)),
+                FOOTFALL_TEXT("choose another file"));
     }
     struct stat status {};
     const bool known = ::fstat(descriptor_, &status) == 0;
-    const char* problem = nullptr;
-    const char* todo = "choose a file";
+    Text problem;
+    Text todo = FOOTFALL_TEXT("choose a file");
     if (known && S_ISDIR(status.st_mode)) {
-      problem = "is a folder, not a file";
-      todo = "choose a file in it";
+      problem = FOOTFALL_TEXT("is a folder, not a file");
+      todo = FOOTFALL_TEXT("choose a file in it");
     } else if (!known || !S_ISREG(status.st_mode)) {
-      problem = "is not an ordinary file";
+      problem = FOOTFALL_TEXT("is not an ordinary file");
     } else if (status.st_size == 0) {
-      problem = "the file is empty (0 bytes)";
-      todo = "export it again or choose another file";
+      problem = kEmpty;
+      todo = kExportAgain;
     }
-    if (problem != nullptr) {
+    if (!problem.empty()) {
       ::close(descriptor_);
       failInput(path, 0, problem, todo);
     }
@@ -59,14 +65,9 @@ class InputDescriptor {
 
 }  // namespace
 
-void failInput(const std::string& path, std::size_t line, std::string_view what, std::string_view todo) {
-  std::string message = path;
-  if (line != 0) message += ':' + std::to_string(line);
-  message.append(": ").append(what).append("; ").append(todo);
-  for (char& c : message) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  throw InputError(message);
+void failInput(const std::string& path, std::size_t line, const Text& what, const Text& todo) {
+  const Text place = line == 0 ? Text(path) : Text(Pattern{"%1:%2"}, path, line);
+  throw InputError(Text(Pattern{"%1: %2; %3"}, place, what, todo).inOneLine());
 }
 
 void checkInputFile(const std::string& path) { InputDescriptor check(path); }
@@ -80,12 +81,14 @@ std::string readInputFile(const std::string& path, RunContext* context) {
     if (context != nullptr) context->checkCancelled();
     const ssize_t count = ::read(file.get(), text.data() + filled, std::min(kBlock, text.size() - filled));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) failInput(path, 0, std::string("cannot be read: ") + std::strerror(errno), "check the disk");
+    if (count < 0)
+      failInput(path, 0, Text(FOOTFALL_TEXT("cannot be read: %1"), std::strerror(errno)),
+                FOOTFALL_TEXT("check the disk"));
     if (count == 0) break;  // shortened while we read
     filled += static_cast<std::size_t>(count);
   }
   text.resize(filled);
-  if (text.empty()) failInput(path, 0, "the file is empty (0 bytes)", "export it again or choose another file");
+  if (text.empty()) failInput(path, 0, kEmpty, kExportAgain);
   return text;
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "core/pipeline/run_context.hpp"
 
@@ -12,7 +11,7 @@ namespace footfall {
 
 /// Throws InputError "PATH: what; what to do", or "PATH:LINE: what; what to do" when `line` is not 0. Line breaks and
 /// other control characters in the texts are replaced, so that the message is always one line.
-[[noreturn]] void failInput(const std::string& path, std::size_t line, std::string_view what, std::string_view todo);
+[[noreturn]] void failInput(const std::string& path, std::size_t line, const Text& what, const Text& todo);
 
 /// Throws InputError unless `path` is a readable, non-empty regular file.
 void checkInputFile(const std::string& path);

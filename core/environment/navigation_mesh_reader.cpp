@@ -140,26 +140,29 @@ void dropExtras(ObjGroups& groups, Environment& soup, const StatedContent& state
   groups.groups.erase(first, groups.groups.end());
 }
 
-void checkCount(const std::string& path, std::optional<std::uint64_t> stated, std::size_t found, const char* what) {
+void checkCount(const std::string& path, std::optional<std::uint64_t> stated, std::size_t found, Pattern counts) {
   if (!stated || *stated == found) return;
-  failInput(path, 0,
-            "its comments count " + std::to_string(*stated) + ' ' + what + ", but it has " + std::to_string(found),
-            "it was cut off or changed by hand: export it again");
+  failInput(path, 0, Text(counts, *stated, found), FOOTFALL_TEXT("it was cut off or changed by hand: export it again"));
 }
 
 void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
   const NavigationMesh& mesh = file.mesh;
-  checkCount(file.path, stated.vertices, mesh.vertices.size(), "vertices");
-  checkCount(file.path, stated.triangles, mesh.triangles.size(), "triangles");
-  checkCount(file.path, stated.layers, mesh.layerCount, "layers");
-  checkCount(file.path, stated.connections, mesh.connections.size(), "connections");
-  checkCount(file.path, stated.obstacleEdges, mesh.obstacleEdges.size(), "obstacle edges");
+  checkCount(file.path, stated.vertices, mesh.vertices.size(),
+             FOOTFALL_TEXT("its comments count %1 vertices, but it has %2"));
+  checkCount(file.path, stated.triangles, mesh.triangles.size(),
+             FOOTFALL_TEXT("its comments count %1 triangles, but it has %2"));
+  checkCount(file.path, stated.layers, mesh.layerCount, FOOTFALL_TEXT("its comments count %1 layers, but it has %2"));
+  checkCount(file.path, stated.connections, mesh.connections.size(),
+             FOOTFALL_TEXT("its comments count %1 connections, but it has %2"));
+  checkCount(file.path, stated.obstacleEdges, mesh.obstacleEdges.size(),
+             FOOTFALL_TEXT("its comments count %1 obstacle edges, but it has %2"));
   if (mesh.triangles.empty() && !(stated.isExport && stated.triangles)) {
-    failInput(file.path, 0, "no triangles in it", "choose a file that has faces");
+    failInput(file.path, 0, FOOTFALL_TEXT("no triangles in it"), FOOTFALL_TEXT("choose a file that has faces"));
   }
   for (const Vec3& v : mesh.vertices) {
     if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > kLargestCoordinate)
-      failInput(file.path, 0, "a coordinate above 1e100", "areas and distances would overflow: choose another unit");
+      failInput(file.path, 0, FOOTFALL_TEXT("a coordinate above 1e100"),
+                FOOTFALL_TEXT("areas and distances would overflow: choose another unit"));
   }
 }
 

@@ -22,7 +22,7 @@
 namespace footfall {
 namespace {
 
-constexpr const char* kExportAgain = "correct the line or export the file again";
+constexpr Pattern kExportAgain = FOOTFALL_TEXT("correct the line or export the file again");
 
 /// A face that is not a triangle; split once all vertices are known, because a face may refer to later ones.
 struct PendingPolygon {
@@ -111,7 +111,7 @@ class ObjParser {
  private:
   static constexpr std::ptrdiff_t kPollBytes = 1 << 20;  // about 5 ms of parsing
 
-  [[noreturn]] void fail(std::string_view what, std::string_view todo = kExportAgain) const {
+  [[noreturn]] void fail(const Text& what, const Text& todo = kExportAgain) const {
     failInput(path_, line_, what, todo);
   }
 
@@ -179,7 +179,8 @@ class ObjParser {
 
   /// To be called where a statement lacks something.
   void rejectTruncation() const {
-    if (*cursor_ == '\0') fail("the file ends inside this line", "it is truncated: copy or export it again");
+    if (*cursor_ == '\0')
+      fail(FOOTFALL_TEXT("the file ends inside this line"), FOOTFALL_TEXT("it is truncated: copy or export it again"));
   }
 
   void statement() {
@@ -196,7 +197,8 @@ class ObjParser {
     } else if (isLetter(first)) {
       otherStatement();
     } else {
-      fail("not an OBJ statement: " + word(cursor_), "is the file really OBJ? Rename it or export it again");
+      fail(Text(FOOTFALL_TEXT("not an OBJ statement: %1"), word(cursor_)),
+           FOOTFALL_TEXT("is the file really OBJ? Rename it or export it again"));
     }
   }
 
@@ -206,7 +208,7 @@ class ObjParser {
     position.y = coordinate();
     position.z = coordinate();
     if (environment_.vertices.size() == std::numeric_limits<std::uint32_t>::max()) {
-      fail("more than 4294967295 vertices", "split the file");
+      fail(FOOTFALL_TEXT("more than 4294967295 vertices"), FOOTFALL_TEXT("split the file"));
     }
     environment_.vertices.push_back(position);
     skipStatement();
@@ -216,7 +218,7 @@ class ObjParser {
     skipBlanks();
     if (atEndOfValues()) {
       rejectTruncation();
-      fail("a vertex needs three coordinates");
+      fail(FOOTFALL_TEXT("a vertex needs three coordinates"));
     }
     const char* start = cursor_;
     const char* digits = *start == '+' && start[1] != '-' ? start + 1 : start;
@@ -224,11 +226,11 @@ class ObjParser {
     const auto [stop, error] = std::from_chars(digits, end_, value);
     if (error == std::errc::invalid_argument || !(isBlank(*stop) || *stop == '\n' || *stop == '\0' || *stop == '\\')) {
       const bool comma = stop != digits && *stop == ',';
-      fail(word(start) + " is not a number",
-           comma ? "write numbers with a decimal point, and export the file again" : kExportAgain);
+      fail(Text(FOOTFALL_TEXT("%1 is not a number"), word(start)),
+           comma ? FOOTFALL_TEXT("write numbers with a decimal point, and export the file again") : kExportAgain);
     }
     if (error == std::errc::result_out_of_range) value = outOfRange(digits, stop);
-    if (!std::isfinite(value)) fail("coordinate " + word(start) + " is not finite or too large");
+    if (!std::isfinite(value)) fail(Text(FOOTFALL_TEXT("coordinate %1 is not finite or too large"), word(start)));
     cursor_ = stop;
     return value;
   }
@@ -267,26 +269,27 @@ class ObjParser {
     const char* start = cursor_;
     const bool negative = *cursor_ == '-';
     if (negative) ++cursor_;
-    if (!isDigit(*cursor_)) fail(word(start) + " is not a face corner");
+    if (!isDigit(*cursor_)) fail(Text(FOOTFALL_TEXT("%1 is not a face corner"), word(start)));
     std::uint64_t value = 0;
     for (; isDigit(*cursor_); ++cursor_) {
       if (value < std::uint64_t{1} << 40) value = value * 10 + static_cast<std::uint64_t>(*cursor_ - '0');
     }
     // texture coordinate and normal indices are not used, but garbage in their place is a broken file
     while (*cursor_ == '/' || *cursor_ == '-' || isDigit(*cursor_)) ++cursor_;
-    if (!isBlank(*cursor_) && !atLineEnd() && continuation() == 0) fail(word(start) + " is not a face corner");
+    if (!isBlank(*cursor_) && !atLineEnd() && continuation() == 0)
+      fail(Text(FOOTFALL_TEXT("%1 is not a face corner"), word(start)));
 
     const std::uint64_t known = environment_.vertices.size();
-    if (value == 0) fail("vertex index 0: OBJ counts from 1");
+    if (value == 0) fail(FOOTFALL_TEXT("vertex index 0: OBJ counts from 1"));
     if (negative) {
       needWhole();
       if (value > known) {
-        fail("vertex index " + word(start) + " is out of range: only " + std::to_string(known) +
-             " vertices precede it");
+        fail(Text(FOOTFALL_TEXT("vertex index %1 is out of range: only %2 vertices precede it"), word(start), known));
       }
       return static_cast<std::uint32_t>(known - value);
     }
-    if (value > std::numeric_limits<std::uint32_t>::max()) fail("vertex index " + word(start) + " is out of range");
+    if (value > std::numeric_limits<std::uint32_t>::max())
+      fail(Text(FOOTFALL_TEXT("vertex index %1 is out of range"), word(start)));
     if (value > known && value > largestForward_) {
       largestForward_ = value;
       largestForwardLine_ = line_;
@@ -297,8 +300,8 @@ class ObjParser {
   void checkForwardReferences() const {
     if (largestForward_ <= environment_.vertices.size()) return;
     failInput(path_, largestForwardLine_,
-              "vertex index " + std::to_string(largestForward_) + " is out of range: the file has " +
-                  std::to_string(environment_.vertices.size()) + " vertices",
+              Text(FOOTFALL_TEXT("vertex index %1 is out of range: the file has %2 vertices"), largestForward_,
+                   environment_.vertices.size()),
               kExportAgain);
   }
 
@@ -307,7 +310,7 @@ class ObjParser {
     while (isLetter(*cursor_)) ++cursor_;
     const std::string_view keyword(start, static_cast<std::size_t>(cursor_ - start));
     if (keyword == "v" || keyword == "f") {
-      if (!atLineEnd() && continuation() == 0) fail("not an OBJ statement: " + word(start));
+      if (!atLineEnd() && continuation() == 0) fail(Text(FOOTFALL_TEXT("not an OBJ statement: %1"), word(start)));
       keyword == "v" ? vertex() : face();
       return;
     }
@@ -385,8 +388,8 @@ void rejectBinary(const std::string& path, const std::string& text) {
   const std::size_t nul = text.find('\0');
   if (nul == std::string::npos) return;
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
-  failInput(path, static_cast<std::size_t>(line), "has a NUL byte, so it is not OBJ text",
-            "give the file the extension of its real format, or export it as plain text");
+  failInput(path, static_cast<std::size_t>(line), FOOTFALL_TEXT("has a NUL byte, so it is not OBJ text"),
+            FOOTFALL_TEXT("give the file the extension of its real format, or export it as plain text"));
 }
 
 constexpr std::size_t kStretchBytes = 1 << 17;

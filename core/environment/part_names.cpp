@@ -52,8 +52,8 @@ std::string cleanName(std::string_view name) {
   return clean;
 }
 
-std::string partLabel(const EnvironmentPart& part) {
-  if (part.mesh.empty() && part.material.empty()) return "(unnamed)";
+Text partLabel(const EnvironmentPart& part) {
+  if (part.mesh.empty() && part.material.empty()) return FOOTFALL_TEXT("(unnamed)");
   if (part.material.empty()) return part.mesh;
   return part.mesh.empty() ? part.material : part.mesh + '/' + part.material;
 }

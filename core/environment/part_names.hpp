@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/environment/environment.hpp"
+#include "core/text.hpp"
 
 namespace footfall {
 
@@ -18,7 +19,7 @@ namespace footfall {
 std::string cleanName(std::string_view name);
 
 /// How a part is called in lists and on the command line: MESH/MATERIAL, or the one that there is, or "(unnamed)".
-std::string partLabel(const EnvironmentPart& part);
+Text partLabel(const EnvironmentPart& part);
 
 /// For each of Environment::parts how many triangles it has.
 std::vector<std::uint64_t> countPartTriangles(const Environment& environment);

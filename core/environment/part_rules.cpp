@@ -21,7 +21,7 @@ std::vector<EnvironmentPart> partsOf(const Environment& environment) {
 }
 
 /// Meshes and materials, each once, quoted.
-std::string listNames(const Environment& environment) {
+Text listNames(const Environment& environment) {
   constexpr std::size_t kMost = 40;  // a message must stay readable
   std::vector<std::string_view> names;
   std::set<std::string_view> known;
@@ -29,12 +29,12 @@ std::string listNames(const Environment& environment) {
   for (const EnvironmentPart& part : parts)
     for (const std::string_view name : {std::string_view(part.mesh), std::string_view(part.material)})
       if (!name.empty() && known.insert(name).second) names.push_back(name);
-  if (names.empty()) return "the file names no meshes or materials";
-  std::string text = "it has ";
+  if (names.empty()) return FOOTFALL_TEXT("the file names no meshes or materials");
+  std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
     text.append(i == 0 ? "\"" : ", \"").append(names[i]).append("\"");
-  if (names.size() > kMost) text += " and " + std::to_string(names.size() - kMost) + " more; `footfall info` lists all";
-  return text;
+  if (names.size() <= kMost) return {FOOTFALL_TEXT("it has %1"), text};
+  return {FOOTFALL_TEXT("it has %1 and %2 more; `footfall info` lists all"), text, names.size() - kMost};
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ std::vector<PartRule> rulesForName(const Environment& environment, const std::st
     if (!name.empty() && (name == part.mesh || name == part.material || name == part.mesh + '/' + part.material))
       rules.push_back({part.mesh, part.material, role});
   if (rules.empty())
-    throw InputError(option + " \"" + name + "\": " + environment.source + " has no mesh or material of that name; " +
-                     listNames(environment));
+    throw InputError(FOOTFALL_TEXT("%1 \"%2\": %3 has no mesh or material of that name; %4"), option, name,
+                     environment.source, listNames(environment));
   return rules;
 }
 

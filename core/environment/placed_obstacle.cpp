@@ -22,12 +22,12 @@ struct PlanVector {
 void check(const PlacedObstacle& obstacle) {
   const auto& [id, shape, name, base, size, turn] = obstacle;
   for (const double number : {base.x, base.y, base.z, size.x, size.y, size.z, turn})
-    if (!std::isfinite(number)) throw InputError("obstacle '" + name + "' has a number that is not finite");
+    if (!std::isfinite(number)) throw InputError(FOOTFALL_TEXT("obstacle '%1' has a number that is not finite"), name);
   if (!(size.x > 0 && size.y > 0 && size.z > 0))
-    throw InputError("obstacle '" + name + "' has an extent that is not above 0; give a larger one");
+    throw InputError(FOOTFALL_TEXT("obstacle '%1' has an extent that is not above 0; give a larger one"), name);
   for (const double reach : {base.x, base.y, base.z})
     if (!std::isfinite(std::abs(reach) + size.x + size.y + size.z))
-      throw InputError("obstacle '" + name + "' reaches too far; make it smaller");
+      throw InputError(FOOTFALL_TEXT("obstacle '%1' reaches too far; make it smaller"), name);
 }
 
 /// From the middle of the bottom: half its extents along its own axes, turned.

@@ -19,33 +19,33 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void failWriting(const std::string& path, int error) {
-  std::string what = std::string("cannot be written: ") + std::strerror(error);
-  std::string todo = "choose another place";
+  Text what(FOOTFALL_TEXT("cannot be written: %1"), std::strerror(error));
+  Text todo = FOOTFALL_TEXT("choose another place");
   switch (error) {
     case ENOENT:
     case ENOTDIR:
-      what = "cannot be written: its folder does not exist";
-      todo = "create the folder or choose another one";
+      what = FOOTFALL_TEXT("cannot be written: its folder does not exist");
+      todo = FOOTFALL_TEXT("create the folder or choose another one");
       break;
     case EISDIR:
-      what = "is a folder";
-      todo = "give the name of a file in it";
+      what = FOOTFALL_TEXT("is a folder");
+      todo = FOOTFALL_TEXT("give the name of a file in it");
       break;
     case EACCES:
     case EPERM:
     case EROFS:
-      what = "no permission to write it";
-      todo = "change the permissions or choose another folder";
+      what = FOOTFALL_TEXT("no permission to write it");
+      todo = FOOTFALL_TEXT("change the permissions or choose another folder");
       break;
     case ENOSPC:
     case EDQUOT:
-      what = "cannot be written: the disk is full";
-      todo = "free some space or choose another disk";
+      what = FOOTFALL_TEXT("cannot be written: the disk is full");
+      todo = FOOTFALL_TEXT("free some space or choose another disk");
       break;
     default:
       break;
   }
-  throw RunError(path + ": " + what + "; " + todo);
+  throw RunError(Pattern{"%1: %2; %3"}, path, what, todo);
 }
 
 /// Creates a new file of a name that nobody has; its folder is the target's, since only there a rename is atomic.
@@ -117,7 +117,7 @@ void syncFolder(const fs::path& folder) {
 }  // namespace
 
 void writeFileSafely(const std::string& path, const std::string& text) {
-  if (path.empty()) throw RunError("no file name to write to; give one");
+  if (path.empty()) throw RunError(FOOTFALL_TEXT("no file name to write to; give one"));
   if (path.back() == '/') failWriting(path, EISDIR);
   // A link stays a link: what it points to is replaced.
   fs::path target(path);

@@ -15,7 +15,7 @@
 namespace footfall {
 namespace {
 
-constexpr const char* kTruncated = "it is truncated: copy or export it again";
+constexpr Pattern kTruncated = FOOTFALL_TEXT("it is truncated: copy or export it again");
 
 std::string_view takeLine(std::string_view& text) {
   const std::size_t stop = text.find('\n');
@@ -119,16 +119,16 @@ PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
     const std::vector<std::string_view> line = words(takeLine(text));
     if (line.empty() || takePlyHeaderLine(line, header)) continue;
     if (text.empty()) break;  // cut inside the line
-    failInput(path, 0,
-              "line " + std::to_string(number) + " of the PLY header, '" + std::string(line[0].substr(0, 24)) +
-                  " ...', is not understood",
-              "correct it or export the file again");
+    failInput(
+        path, 0,
+        Text(FOOTFALL_TEXT("line %1 of the PLY header, '%2 ...', is not understood"), number, line[0].substr(0, 24)),
+        FOOTFALL_TEXT("correct it or export the file again"));
   }
   return header;
 }
 
 [[noreturn]] void failShortPly(const std::string& path) {
-  failInput(path, 0, "the file ends before the elements that its header announces", kTruncated);
+  failInput(path, 0, FOOTFALL_TEXT("the file ends before the elements that its header announces"), kTruncated);
 }
 
 /// Each element has a line of its own; the last line may itself be cut.
@@ -155,7 +155,8 @@ std::uint64_t takeListCount(const std::string& path, const PlyProperty& list, bo
   }
   text.remove_prefix(list.size);
   if (list.isSigned && (count >> (8 * list.size - 1)) != 0)
-    failInput(path, 0, "a list in the PLY file has fewer than no entries", "correct it or export the file again");
+    failInput(path, 0, FOOTFALL_TEXT("a list in the PLY file has fewer than no entries"),
+              FOOTFALL_TEXT("correct it or export the file again"));
   return count;
 }
 
@@ -187,7 +188,7 @@ void checkBinaryPly(const std::string& path, const PlyHeader& header, std::strin
 void rejectTruncatedPly(const std::string& path, std::string_view text) {
   if (!startsWith(text, "ply")) return;  // Assimp says that it is no PLY
   const PlyHeader header = takePlyHeader(path, text);
-  if (!header.complete) failInput(path, 0, "the PLY header has no end_header", kTruncated);
+  if (!header.complete) failInput(path, 0, FOOTFALL_TEXT("the PLY header has no end_header"), kTruncated);
   header.ascii ? checkAsciiPly(path, header, text) : checkBinaryPly(path, header, text);
 }
 
@@ -201,7 +202,7 @@ void rejectTruncatedStl(const std::string& path, std::string_view text) {
   }
   const std::size_t facet = text.rfind("facet"), end = text.rfind("endsolid");
   if (end == std::string_view::npos || (facet != std::string_view::npos && facet > end)) {
-    failInput(path, 0, "the ASCII STL file does not end with endsolid", kTruncated);
+    failInput(path, 0, FOOTFALL_TEXT("the ASCII STL file does not end with endsolid"), kTruncated);
   }
 }
 

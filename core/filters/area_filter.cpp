@@ -211,7 +211,7 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   result->topology = nullptr;
   result->dropped = std::move(dropped);
   outcome.state = std::move(result);
-  outcome.note = std::to_string(removed) + " of " + std::to_string(regionCount) + " regions removed";
+  outcome.note = Text(FOOTFALL_TEXT("%1 of %2 regions removed"), removed, regionCount);
   return outcome;
 }
 

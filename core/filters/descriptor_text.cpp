@@ -19,14 +19,14 @@ bool hasMaximum(const ParameterDescriptor& parameter) {
   return parameter.maximum < limit;
 }
 
-std::string_view unitText(Unit unit) {
+Text unitText(Unit unit) {
   switch (unit) {
     case Unit::Degrees:
-      return "degrees";
+      return FOOTFALL_TEXT("degrees");
     case Unit::Length:
-      return "length in the environment's units";
+      return FOOTFALL_TEXT("length in the environment's units");
     case Unit::Area:
-      return "area in the environment's units";
+      return FOOTFALL_TEXT("area in the environment's units");
     case Unit::Count:
     case Unit::None:
       break;
@@ -102,17 +102,20 @@ std::string formatValue(const ParameterDescriptor& parameter, double value) {
   return {buffer.data(), end};
 }
 
-std::string describeRange(const ParameterDescriptor& parameter) {
-  if (parameter.type == ParameterType::Boolean) return "true or false";
-  std::string text = parameter.type == ParameterType::Integer ? "a whole number " : "a number ";
-  const std::string minimum = formatValue(parameter, parameter.minimum);
-  text += (parameter.minimumOpen ? "above " : "of at least ") + minimum;
+Text describeRange(const ParameterDescriptor& parameter) {
+  if (parameter.type == ParameterType::Boolean) return FOOTFALL_TEXT("true or false");
+  Pattern number =
+      parameter.minimumOpen ? FOOTFALL_TEXT("a number above %1") : FOOTFALL_TEXT("a number of at least %1");
+  if (parameter.type == ParameterType::Integer)
+    number = parameter.minimumOpen ? FOOTFALL_TEXT("a whole number above %1")
+                                   : FOOTFALL_TEXT("a whole number of at least %1");
+  Text text(number, formatValue(parameter, parameter.minimum));
   if (hasMaximum(parameter)) {
-    text += (parameter.maximumOpen ? " and below " : " and at most ") + formatValue(parameter, parameter.maximum);
+    text = Text(parameter.maximumOpen ? FOOTFALL_TEXT("%1 and below %2") : FOOTFALL_TEXT("%1 and at most %2"), text,
+                formatValue(parameter, parameter.maximum));
   }
-  const std::string_view unit = unitText(parameter.unit);
-  if (!unit.empty()) text.append(" (").append(unit).append(")");
-  return text;
+  const Text unit = unitText(parameter.unit);
+  return unit.empty() ? text : Text(Pattern{"%1 (%2)"}, text, unit);
 }
 
 std::string describeUsage(const FilterDescriptor& filter) {
@@ -132,7 +135,7 @@ std::string describeFilter(const FilterDescriptor& filter) {
   for (const ParameterDescriptor& parameter : filter.parameters) {
     const std::string head = "  " + std::string(parameter.name) + ": ";
     appendWrapped(text, head,
-                  std::string(parameter.help) + " Write " + describeRange(parameter) + "; default " +
+                  std::string(parameter.help) + " Write " + describeRange(parameter).str() + "; default " +
                       defaultText(parameter) + (parameter.optional ? ", may be left out." : "."));
   }
   if (!filter.parameters.empty()) text += '\n';
@@ -179,7 +182,7 @@ std::string filtersMarkdown() {
       text += "| parameter | meaning | value | default |\n|---|---|---|---|\n";
       for (const ParameterDescriptor& parameter : filter.parameters) {
         text += "| `" + std::string(parameter.name) + "` | " + std::string(parameter.help) + " | " +
-                describeRange(parameter) + " | " + defaultText(parameter) + " |\n";
+                describeRange(parameter).str() + " | " + defaultText(parameter) + " |\n";
       }
       text += '\n';
     }

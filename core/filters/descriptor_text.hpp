@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/filters/descriptor.hpp"
+#include "core/text.hpp"
 
 namespace footfall {
 
@@ -13,7 +14,7 @@ namespace footfall {
 std::string formatValue(const ParameterDescriptor& parameter, double value);
 
 /// What a value may be, e.g. "a number above 0 and below 90 (degrees)".
-std::string describeRange(const ParameterDescriptor& parameter);
+Text describeRange(const ParameterDescriptor& parameter);
 
 /// How to write the filter in a pipeline file, e.g. "SimplificationFilter [approximate [tolerance]]".
 std::string describeUsage(const FilterDescriptor& filter);

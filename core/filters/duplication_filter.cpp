@@ -83,8 +83,7 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   if (distance == 0) {
     // Equal positions are one vertex from the start; say how many there were.
     const std::size_t given = state->environment->vertices.size();
-    outcome.note =
-        std::to_string(given) + " vertices at " + std::to_string(state->kernel->mesh().vertices.size()) + " positions";
+    outcome.note = Text(FOOTFALL_TEXT("%1 vertices at %2 positions"), given, state->kernel->mesh().vertices.size());
     return outcome;
   }
   GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
@@ -102,7 +101,7 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   const std::vector<Index> first = clusterPlaces(places, distance, context);
   std::size_t moved = 0;
   for (Index i = 0; i < static_cast<Index>(first.size()); ++i) moved += first[i] != i;
-  outcome.note = std::to_string(moved) + " vertices merged";
+  outcome.note = Text(FOOTFALL_TEXT("%1 vertices merged"), moved);
   if (moved == 0) return outcome;
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = places[first[placeOf[i]]];
   outcome.state = startGeneration(*state, soup, context);

@@ -11,6 +11,7 @@
 #include "core/exact/exact_fallbacks.hpp"
 #include "core/filters/descriptor.hpp"
 #include "core/pipeline/run_context.hpp"
+#include "core/text.hpp"
 
 namespace footfall {
 
@@ -30,7 +31,7 @@ struct StateSummary {
 /// What a filter says about its own work beside the result, for the user (e.g. "3 vertices merged").
 struct FilterOutcome {
   StatePtr state;
-  std::string note;  ///< may be empty
+  Text note;  ///< may be empty
   ExactFallbacks fallbacks;
 };
 

@@ -239,8 +239,7 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);
   outcome.fallbacks += subdivision.fallbacks();
 
-  outcome.note = std::to_string(mesh->layerCount) + " layers, " + std::to_string(countConnections(*mesh, *topology)) +
-                 " connections";
+  outcome.note = Text(FOOTFALL_TEXT("%1 layers, %2 connections"), mesh->layerCount, countConnections(*mesh, *topology));
   auto result = std::make_shared<WalkableState>(*state);
   result->topology = topology;
   result->topologyOwner = mesh;

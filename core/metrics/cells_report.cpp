@@ -83,7 +83,7 @@ std::string formatCells(const CellsReport& report) {
   text += counted(costs.size(), "cell", "cells") + " by " + report.partition.strategy + "; on " +
           counted(static_cast<std::uint64_t>(std::max(report.threads, 1)), "thread", "threads") +
           ", largest first, the busiest has " + number(imbalanceOf(report), "%.3g") + " times the mean cost\n";
-  if (!report.partition.reason.empty()) text += "why: " + report.partition.reason + '\n';
+  if (!report.partition.reason.empty()) text += "why: " + report.partition.reason.str() + '\n';
   if (const auto& cut = report.cut) {
     text += "cut: " + counted(cut->triangles, "triangle", "triangles") + " from " +
             std::to_string(report.environment.triangles.size()) + ", " + counted(cut->vertices, "vertex", "vertices") +
@@ -104,7 +104,7 @@ std::string formatCellsJson(const CellsReport& report) {
                          {"up", environment.up == UpAxis::Y ? "y" : "z"},
                          {"metres_per_unit", environment.metresPerUnit}};
   json["strategy"] = report.partition.strategy;
-  json["reason"] = report.partition.reason;
+  json["reason"] = report.partition.reason.str();
   json["plan_axes"] = {kAxes[axes[0]], kAxes[axes[1]]};
   json["threads"] = std::max(report.threads, 1);
   json["imbalance"] = imbalanceOf(report);

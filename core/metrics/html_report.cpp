@@ -164,7 +164,7 @@ std::string stepsSection(const RunResult& result) {
   }
   for (const StepStatistics& step : result.steps)
     row(stepName(step), step.wallMs, grouped(step.out.triangles), shortNumber(step.out.area),
-        step.fromCache ? step.note.empty() ? "from the cache" : step.note + "; from the cache" : step.note);
+        step.fromCache ? step.note.empty() ? "from the cache" : step.note.str() + "; from the cache" : step.note.str());
   row("(navigation mesh)", result.finishMs, result.mesh ? grouped(result.mesh->triangles.size()) : "", "", "");
   return "<section>\n<h2>Steps</h2>\n" + table.finish() + "<p class=\"quiet\">The run took " +
          milliseconds(result.totalMs) + " on " +
@@ -221,7 +221,7 @@ std::string resultSection(const RunResult& result) {
 std::string blockSection(const BlockReport& block, int threads) {
   std::string html = "<section>\n<h2>Cells and threads</h2>\n<p>" +
                      escapeHtml(block.strategy + ": " + counted(block.cells.size(), "cell", "cells") +
-                                (block.reason.empty() ? "" : "; " + block.reason)) +
+                                (block.reason.empty() ? "" : "; " + block.reason.str())) +
                      "</p>\n<p class=\"quiet\">Partitioning " + milliseconds(block.partitioningMs) + ", cells " +
                      milliseconds(block.parallelMs) + ", merging " + milliseconds(block.mergingMs) + "; imbalance " +
                      number(block.imbalance(threads), "%.2f") + "</p>\n";

@@ -121,11 +121,11 @@ Inspector::Inspector(std::shared_ptr<const Environment> environment, Pipeline pi
 
 PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext& context) const {
   if (picked.triangle >= faceOf_.size())
-    throw InputError("triangle " + std::to_string(picked.triangle) + " does not exist; the environment has " +
-                     std::to_string(faceOf_.size()));
+    throw InputError(FOOTFALL_TEXT("triangle %1 does not exist; the environment has %2"), picked.triangle,
+                     faceOf_.size());
   const Vec3& point = picked.point;
   if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
-    throw InputError("the place has a coordinate that is not finite; give three numbers");
+    throw InputError(FOOTFALL_TEXT("the place has a coordinate that is not finite; give three numbers"));
   context.checkCancelled();
 
   PlaceExplanation result;

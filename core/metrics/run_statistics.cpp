@@ -77,7 +77,7 @@ Json blockJson(const BlockReport& block, int threads) {
   return {{"first_step", block.firstStep},
           {"last_step", block.lastStep},
           {"strategy", block.strategy},
-          {"reason", block.reason},
+          {"reason", block.reason.str()},
           {"start_ms", block.startMs},
           {"partitioning_ms", block.partitioningMs},
           {"parallel_ms", block.parallelMs},
@@ -148,7 +148,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
                              {"triangles_out", step.out.triangles},
                              {"area_in", step.in.area},
                              {"area_out", step.out.area},
-                             {"note", step.note}});
+                             {"note", step.note.str()}});
   }
   json["load_ms"] = times.loadMs;
   json["start_ms"] = result.startMs;
@@ -187,7 +187,7 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
   }
   for (const StepStatistics& step : result.steps) {
     rows.push_back({stepText(step), number(step.wallMs), number(step.cpuMs), std::to_string(step.out.triangles),
-                    number(step.out.area, "%.6g"), step.note});
+                    number(step.out.area, "%.6g"), step.note.str()});
   }
   rows.push_back({"(navigation mesh)", number(result.finishMs), "",
                   std::to_string(result.mesh ? result.mesh->triangles.size() : result.summary.triangles), "", ""});

@@ -63,14 +63,14 @@ class Trace {
       const StepStatistics& step = result_.steps[i];
       if (step.fromCache || isInBlock(i)) continue;
       add(step.name, "step", kRunLane, step.startMs, step.startMs + step.wallMs,
-          {{"triangles_in", step.in.triangles}, {"triangles_out", step.out.triangles}, {"note", step.note}});
+          {{"triangles_in", step.in.triangles}, {"triangles_out", step.out.triangles}, {"note", step.note.str()}});
     }
     add("navigation mesh", "phase", kRunLane, result_.totalMs - result_.finishMs, result_.totalMs);
   }
 
   void addBlock(const BlockReport& block) {
     add("partitioning", "phase", kRunLane, block.startMs, block.startMs + block.partitioningMs,
-        {{"strategy", block.strategy}, {"reason", block.reason}, {"cells", block.cells.size()}});
+        {{"strategy", block.strategy}, {"reason", block.reason.str()}, {"cells", block.cells.size()}});
     double start = -1, end = -1;
     for (const CellReport& cell : block.cells) {
       if (cell.spans.empty()) continue;

@@ -23,14 +23,15 @@ constexpr double kFewestTriangles = 50;
 AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double(const RecursionLimits&)>& work) {
   AutoChoice choice;
   const std::size_t triangles = input.mesh.triangles.size();
-  const std::string size = std::to_string(triangles) + " triangles";
   if (input.threads <= 1) {
-    choice.reason = "One cell, because one thread runs.";
+    choice.reason = FOOTFALL_TEXT("One cell, because one thread runs.");
     return choice;
   }
   if (triangles < kFewTriangles) {
     choice.reason =
-        "One cell, because an environment of " + size + " is done before cells would pay: threads share its floors.";
+        Text(FOOTFALL_TEXT("One cell, because an environment of %1 triangles is done before cells would pay: threads "
+                           "share its floors."),
+             triangles);
     return choice;
   }
   const auto depthOf = [](double cells) {
@@ -39,15 +40,17 @@ AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double
   const double most = kCellsPerThread * input.threads;
   const double affordable = work({kFewestTriangles, static_cast<double>(depthOf(most))}) / kLeastWorkOfCell;
   if (affordable < 2) {
-    choice.reason = "One cell, because the " + size + " are little work: threads share its floors.";
+    choice.reason =
+        Text(FOOTFALL_TEXT("One cell, because the %1 triangles are little work: threads share its floors."), triangles);
     return choice;
   }
   const int depth = depthOf(std::min(most, affordable));
   choice.isOneCell = false;
   choice.limits = {kFewestTriangles, static_cast<double>(depth)};
-  choice.reason = "Up to " + std::to_string(1 << depth) + " cells of about equal estimated work for " +
-                  std::to_string(input.threads) + " threads, because " + size +
-                  " are enough work to share; cut between storeys where that cuts no floor.";
+  choice.reason =
+      Text(FOOTFALL_TEXT("Up to %1 cells of about equal estimated work for %2 threads, because %3 triangles "
+                         "are enough work to share; cut between storeys where that cuts no floor."),
+           1 << depth, input.threads, triangles);
   return choice;
 }
 

@@ -45,7 +45,7 @@ std::unique_ptr<CutTree> balancedTree(const Cuts& cuts) {
 
 std::unique_ptr<CutTree> growGrid(double columns, double rows, const std::string& name, const StrategyInput& input) {
   // Checked as doubles, before anything is counted in integers or allocated.
-  CellLimit limit(name, "give fewer columns or rows");
+  CellLimit limit(name, FOOTFALL_TEXT("give fewer columns or rows"));
   limit.add(columns * rows > CellLimit::kMostCells ? CellLimit::kMostCells : 0);
   const PlanBox box = planBoxOf(input);
   if (box.empty()) return std::make_unique<CutTree>();

@@ -80,7 +80,7 @@ class FloorTree {
   };
 
   FloorTree(const RecursionLimits& limits, const FloorWork& work, const std::string& name, const StrategyInput& input)
-      : limits_(limits), work_(work), input_(input), cellLimit_(name, "give a larger min or a smaller depth") {}
+      : limits_(limits), work_(work), input_(input), cellLimit_(name, RecursionLimits::kAdvice) {}
 
   void grow(CutTree& tree, Part part, int depth) {
     if (depth >= limits_.depth) return;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/exact/source_mesh.hpp"
+#include "core/text.hpp"
 
 namespace footfall {
 
@@ -45,7 +46,7 @@ struct Partition {
   std::vector<Node> nodes;                     ///< the first is the root; empty: one cell
   std::vector<Cell> cells;                     ///< at least one
   std::string strategy;                        ///< the strategy that made the cells, with its parameters
-  std::string reason;                          ///< why, where a strategy had the choice; else empty
+  Text reason;                                 ///< why, where a strategy had the choice; else empty
 
   /// Calls `visit(cell)` for every cell that a floor whose lowest corner is at `z` can have a part in: the cells that
   /// its box in the plan overlaps with an area; for a box without width, those that hold it (half-open).

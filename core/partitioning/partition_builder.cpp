@@ -93,7 +93,7 @@ PlanBox planBoxOf(const StrategyInput& input) {
 
 void CellLimit::add(std::int64_t cells) {
   if (cells_.fetch_add(cells) + cells <= kMostCells) return;
-  throw InputError(strategy_ + " would make more than " + std::to_string(kMostCells) + " cells; " + advice_);
+  throw InputError(FOOTFALL_TEXT("%1 would make more than %2 cells; %3"), strategy_, kMostCells, advice_);
 }
 
 Partition partitionOf(const CutTree& tree) {

@@ -47,12 +47,13 @@ class CellLimit {
   static constexpr std::int64_t kMostCells = 65536;
 
   /// `strategy` with its parameters, and `advice` on what to change, for the message.
-  CellLimit(std::string strategy, std::string advice) : strategy_(std::move(strategy)), advice_(std::move(advice)) {}
+  CellLimit(std::string strategy, Text advice) : strategy_(std::move(strategy)), advice_(std::move(advice)) {}
   /// More cells than the one at the beginning: throws InputError when there are too many now. Called by any thread.
   void add(std::int64_t cells);
 
  private:
-  std::string strategy_, advice_;
+  std::string strategy_;
+  Text advice_;
   std::atomic<std::int64_t> cells_{1};
 };
 
@@ -65,6 +66,9 @@ std::unique_ptr<CutTree> growGrid(double columns, double rows, const std::string
 struct RecursionLimits {
   double triangles = 0;  ///< parts with no more are not cut
   double depth = 0;      ///< cuts on the way to a cell
+
+  /// When they make too many cells.
+  static constexpr Pattern kAdvice = FOOTFALL_TEXT("give a larger min or a smaller depth");
 };
 std::unique_ptr<CutTree> growRecursive(const RecursionLimits& limits, const std::string& name,
                                        const StrategyInput& input);
@@ -78,7 +82,7 @@ std::unique_ptr<CutTree> growHeightAware(const RecursionLimits& limits, const Fl
 struct AutoChoice {
   bool isOneCell = true;
   RecursionLimits limits;  ///< of HeightAwareStrategy, where it is picked
-  std::string reason;
+  Text reason;
 };
 /// `work` is asked for only where it matters.
 AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double(const RecursionLimits&)>& work);

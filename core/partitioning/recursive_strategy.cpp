@@ -15,7 +15,7 @@ constexpr std::size_t kParallelSize = 2048;  ///< fewer pieces are not worth a s
 class QuadTree {
  public:
   QuadTree(const RecursionLimits& limits, const std::string& name, const StrategyInput& input)
-      : limits_(limits), input_(input), cellLimit_(name, "give a larger min or a smaller depth") {}
+      : limits_(limits), input_(input), cellLimit_(name, RecursionLimits::kAdvice) {}
 
   void grow(CutTree& tree, TrianglePieces pieces, const PlanBox& box, int depth) {
     if (depth >= limits_.depth || static_cast<double>(pieces.size()) <= limits_.triangles) return;

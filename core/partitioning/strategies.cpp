@@ -24,7 +24,7 @@ std::string textOf(std::string_view strategy, const std::vector<double>& values)
 
 Partition makePartition(std::string_view strategy, const std::vector<double>& values, const StrategyInput& input) {
   std::string name = textOf(strategy, values);
-  std::string reason;
+  Text reason;
   std::optional<FloorWork> estimate;
   const auto work = [&](std::size_t cells) -> const FloorWork& {
     if (!estimate) estimate = estimateFloorWork(input, cells);

@@ -3,9 +3,9 @@
 
 namespace footfall {
 
-std::string placeOfStep(const Pipeline& pipeline, std::size_t step) {
+Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
   const int line = pipeline.steps[step].line;
-  return line > 0 ? "line " + std::to_string(line) : "step " + std::to_string(step + 1);
+  return line > 0 ? Text(FOOTFALL_TEXT("line %1"), line) : Text(FOOTFALL_TEXT("step %1"), step + 1);
 }
 
 std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
@@ -13,35 +13,39 @@ std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled) continue;
-    const std::string name(step.filter->name);
+    const std::string_view name = step.filter->name;
     const auto blockText = [&] {
-      return "the parallel block that " + std::string(pipeline.steps[*opened].filter->name) + " begins in " +
-             placeOfStep(pipeline, *opened);
+      return Text(FOOTFALL_TEXT("the parallel block that %1 begins in %2"), pipeline.steps[*opened].filter->name,
+                  placeOfStep(pipeline, *opened));
     };
     switch (step.filter->kind) {
       case FilterKind::Collapse:
         if (!opened) {
-          return StructureError{i,
-                                "Collapse ends no parallel block; remove it or put a strategy such as "
-                                "GridStrategy before it"};
+          return StructureError{i, FOOTFALL_TEXT("Collapse ends no parallel block; remove it or put a strategy such as "
+                                                 "GridStrategy before it")};
         }
         opened.reset();
         break;
       case FilterKind::Strategy:
-        if (opened) return StructureError{i, name + " stands inside " + blockText() + "; put a Collapse before it"};
+        if (opened)
+          return StructureError{
+              i, Text(FOOTFALL_TEXT("%1 stands inside %2; put a Collapse before it"), name, blockText())};
         opened = i;
         break;
       case FilterKind::Filter:
         if (opened && step.filter->scope == Scope::Global) {
-          return StructureError{i, name + " sees across cells and cannot run inside " + blockText() +
-                                       "; move it behind Collapse or before the block"};
+          return StructureError{i, Text(FOOTFALL_TEXT("%1 sees across cells and cannot run inside %2; move it behind "
+                                                      "Collapse or before the block"),
+                                        name, blockText())};
         }
         break;
     }
   }
   if (opened) {
-    return StructureError{*opened, std::string(pipeline.steps[*opened].filter->name) +
-                                       " begins a parallel block that never ends; add a Collapse behind it"};
+    return StructureError{*opened,
+                          Text(FOOTFALL_TEXT("%1 begins a parallel block that never ends; add a Collapse behind "
+                                             "it"),
+                               pipeline.steps[*opened].filter->name)};
   }
   return std::nullopt;
 }

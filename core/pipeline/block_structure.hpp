@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 #include "core/pipeline/pipeline.hpp"
 
@@ -12,7 +11,7 @@ namespace footfall {
 
 struct StructureError {
   std::size_t step = 0;  ///< index into Pipeline::steps
-  std::string message;   ///< what is wrong and what to do, without the place
+  Text message;          ///< what is wrong and what to do, without the place
 };
 
 /// The first enabled step that breaks the rules of parallel blocks: a Collapse without a strategy, a strategy without a
@@ -20,6 +19,6 @@ struct StructureError {
 std::optional<StructureError> findStructureError(const Pipeline& pipeline);
 
 /// "line 3" when the step comes from a file, else "step 3" (1-based); for messages.
-std::string placeOfStep(const Pipeline& pipeline, std::size_t step);
+Text placeOfStep(const Pipeline& pipeline, std::size_t step);
 
 }  // namespace footfall

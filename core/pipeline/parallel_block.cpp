@@ -68,8 +68,10 @@ class Block {
     }
     report.partitioningMs = watch.wallMs();
     StepStatistics& step = addStep(0, report.startMs, report.partitioningMs, watch.cpuMs());
-    step.note = std::to_string(partition_.cells.size()) + (partition_.cells.size() == 1 ? " cell" : " cells");
-    if (!partition_.reason.empty()) step.note += "; " + partition_.strategy + ": " + partition_.reason;
+    const std::size_t cells = partition_.cells.size();
+    step.note = cells == 1 ? Text(FOOTFALL_TEXT("1 cell")) : Text(FOOTFALL_TEXT("%1 cells"), cells);
+    if (!partition_.reason.empty())
+      step.note = Text(Pattern{"%1; %2: %3"}, step.note, partition_.strategy, partition_.reason);
     context_.cellsMade(std::make_shared<const BlockReport>(report));
     context_.endStep(request_.firstStep, nullptr);
   }
@@ -190,7 +192,7 @@ class Block {
   Partition partition_;
   CellFloors floors_;
   std::shared_ptr<const SourceMesh> mesh_;  ///< that floors_ is about
-  std::string note_;
+  Text note_;
   double mergingStartMs_ = 0, mergingCpuMs_ = 0;
   BlockOutcome outcome_;
 };

@@ -58,20 +58,18 @@ PipelineStep defaultStep(const FilterDescriptor& filter, double metresPerUnit) {
   return step;
 }
 
-std::string checkValue(const ParameterDescriptor& parameter, double value) {
-  const auto complain = [&](const std::string& what) {
-    return std::string(parameter.name) + ' ' + what + "; give " + describeRange(parameter);
-  };
-  if (!std::isfinite(value)) return complain("is not a finite number");
-  if (parameter.type != ParameterType::Real && value != std::floor(value)) {
-    return complain("is not a whole number");
-  }
+Text checkValue(const ParameterDescriptor& parameter, double value) {
+  const std::string_view name = parameter.name;
+  if (!std::isfinite(value))
+    return {FOOTFALL_TEXT("%1 is not a finite number; give %2"), name, describeRange(parameter)};
+  if (parameter.type != ParameterType::Real && value != std::floor(value))
+    return {FOOTFALL_TEXT("%1 is not a whole number; give %2"), name, describeRange(parameter)};
   const bool above = parameter.minimumOpen ? value > parameter.minimum : value >= parameter.minimum;
   const bool below = parameter.maximumOpen ? value < parameter.maximum : value <= parameter.maximum;
   if (!above || !below) {
     ParameterDescriptor plain = parameter;  // an integer field shows a number of any size in its shortest form
     plain.type = ParameterType::Real;
-    return complain(formatValue(plain, value) + " is out of range");
+    return {FOOTFALL_TEXT("%1 %2 is out of range; give %3"), name, formatValue(plain, value), describeRange(parameter)};
   }
   return {};
 }

@@ -8,6 +8,7 @@
 
 #include "core/environment/environment.hpp"
 #include "core/filters/descriptor.hpp"
+#include "core/text.hpp"
 
 namespace footfall {
 
@@ -41,8 +42,8 @@ std::string formatStep(const PipelineStep& step);
 /// A step with default values, lengths and areas converted from metres to the environment's units.
 PipelineStep defaultStep(const FilterDescriptor& filter, double metresPerUnit);
 
-/// Checks values against the descriptor; returns an empty string when valid, else what is wrong and what to do.
-std::string checkValue(const ParameterDescriptor& parameter, double value);
+/// Checks values against the descriptor; returns an empty text when valid, else what is wrong and what to do.
+Text checkValue(const ParameterDescriptor& parameter, double value);
 
 /// Duplication 0, degeneracy, slope 45, clearance 2 m, area, simplification, layers, in the environment's units.
 Pipeline defaultPipeline(const Environment& environment);

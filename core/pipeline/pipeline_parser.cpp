@@ -68,9 +68,9 @@ class Parser {
 
     const FilterDescriptor* filter = findFilter(tokens[0].text);
     if (filter == nullptr) {
-      fail(tokens[0].column, "unknown filter " + quote(tokens[0].text) + "; did you mean " +
-                                 std::string(nearestFilterName(tokens[0].text)) +
-                                 "? (`footfall filters` lists them all)");
+      fail(tokens[0].column,
+           Text(FOOTFALL_TEXT("unknown filter %1; did you mean %2? (`footfall filters` lists them all)"),
+                quote(tokens[0].text), nearestFilterName(tokens[0].text)));
     }
     PipelineStep step{filter, {}, enabled, number};
     parseValues(step, tokens, columnOf(line, line.find_last_not_of(kBlanks) + 1));
@@ -89,8 +89,8 @@ class Parser {
   }
 
  private:
-  [[noreturn]] void fail(int column, const std::string& message) const {
-    throw InputError(source_ + ':' + std::to_string(line_) + ':' + std::to_string(column) + ": " + message);
+  [[noreturn]] void fail(int column, const Text& message) const {
+    throw InputError(Pattern{"%1:%2:%3: %4"}, source_, line_, column, message);
   }
 
   // `#off` before a filter's name is a step that is switched off; before anything else it is an ordinary comment.
@@ -106,15 +106,17 @@ class Parser {
 
   void parseValues(PipelineStep& step, const std::vector<Token>& tokens, int columnBehind) const {
     const std::vector<ParameterDescriptor>& parameters = step.filter->parameters;
-    const std::string name(tokens[0].text);
-    const std::string example = "write for example \"" + formatStep(defaultStep(*step.filter, 1)) + '"';
+    const std::string_view name = tokens[0].text;
     const auto failMissing = [&](const ParameterDescriptor& parameter) {
-      fail(columnBehind, name + " needs a value for " + std::string(parameter.name) + "; " + example);
+      fail(columnBehind, Text(FOOTFALL_TEXT("%1 needs a value for %2; write for example \"%3\""), name, parameter.name,
+                              formatStep(defaultStep(*step.filter, 1))));
     };
     if (tokens.size() > parameters.size() + 1) {
       const Token& extra = tokens[parameters.size() + 1];
-      const std::string takes = parameters.empty() ? "no parameters" : "only \"" + describeUsage(*step.filter) + '"';
-      fail(extra.column, name + " takes " + takes + "; remove " + quote(extra.text));
+      if (parameters.empty())
+        fail(extra.column, Text(FOOTFALL_TEXT("%1 takes no parameters; remove %2"), name, quote(extra.text)));
+      fail(extra.column, Text(FOOTFALL_TEXT("%1 takes only \"%2\"; remove %3"), name, describeUsage(*step.filter),
+                              quote(extra.text)));
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       if (i + 1 < tokens.size()) {
@@ -129,8 +131,8 @@ class Parser {
 
   double parseValue(const ParameterDescriptor& parameter, const Token& token) const {
     const auto notValue = [&]() {
-      fail(token.column, quote(token.text) + " is no value for " + std::string(parameter.name) + "; give " +
-                             describeRange(parameter));
+      fail(token.column, Text(FOOTFALL_TEXT("%1 is no value for %2; give %3"), quote(token.text), parameter.name,
+                              describeRange(parameter)));
     };
     if (parameter.type == ParameterType::Boolean) {
       if (token.text != "true" && token.text != "false") notValue();
@@ -140,7 +142,7 @@ class Parser {
     const char* end = token.text.data() + token.text.size();
     const auto read = std::from_chars(token.text.data(), end, value);
     if (read.ec != std::errc() || read.ptr != end) notValue();
-    const std::string wrong = checkValue(parameter, value);
+    const Text wrong = checkValue(parameter, value);
     if (!wrong.empty()) fail(token.column, wrong);
     return value + 0.0;  // -0 becomes 0: equal values are to be equal in every way
   }
@@ -184,18 +186,20 @@ Pipeline readPipelineFile(const std::string& path) {
   constexpr std::size_t kLongest = 1 << 20;  // a thousand times more than any pipeline
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError(path + ": is a folder; give a pipeline file");
+    throw InputError(FOOTFALL_TEXT("%1: is a folder; give a pipeline file"), path);
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw InputError(path + ": cannot be opened (" + std::strerror(errno) + "); give a pipeline file that can be read");
+    throw InputError(FOOTFALL_TEXT("%1: cannot be opened (%2); give a pipeline file that can be read"), path,
+                     std::strerror(errno));
   }
   std::string text(kLongest + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad()) throw InputError(path + ": cannot be read; check the file and its disk");
+  if (file.bad()) throw InputError(FOOTFALL_TEXT("%1: cannot be read; check the file and its disk"), path);
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kLongest) throw InputError(path + ": is too long for a pipeline; give a text file of filters");
+  if (text.size() > kLongest)
+    throw InputError(FOOTFALL_TEXT("%1: is too long for a pipeline; give a text file of filters"), path);
   return parsePipeline(text, path);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/partitioning/partition.hpp"
+#include "core/text.hpp"
 
 namespace footfall {
 
@@ -39,7 +40,7 @@ struct BlockReport {
   std::size_t firstStep = 0;  ///< the strategy's, among the enabled steps
   std::size_t lastStep = 0;   ///< Collapse's
   std::string strategy;       ///< that made the cells, with its parameters
-  std::string reason;         ///< why, where Auto picked it; else empty
+  Text reason;                ///< why, where Auto picked it; else empty
   double startMs = 0;         ///< since the run began
   double partitioningMs = 0;
   double parallelMs = 0;

@@ -16,29 +16,31 @@
 namespace footfall {
 namespace {
 
+constexpr Pattern kAtPlace{"%1: %2"};
+
 // Everything that can be known to be wrong before the first step runs.
 void checkRunnable(const Pipeline& pipeline) {
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled) continue;
-    const std::string place = placeOfStep(pipeline, i) + ", " + std::string(step.filter->name) + ": ";
+    const Text place(Pattern{"%1, %2"}, placeOfStep(pipeline, i), step.filter->name);
     if (step.values.size() != step.filter->parameters.size()) {
-      throw InputError(place + "has " + std::to_string(step.values.size()) + " values; give " +
-                       std::to_string(step.filter->parameters.size()));
+      throw InputError(FOOTFALL_TEXT("%1: has %2 values; give %3"), place, step.values.size(),
+                       step.filter->parameters.size());
     }
     for (std::size_t v = 0; v < step.values.size(); ++v) {
-      const std::string wrong = checkValue(step.filter->parameters[v], step.values[v]);
-      if (!wrong.empty()) throw InputError(place + wrong);
+      const Text wrong = checkValue(step.filter->parameters[v], step.values[v]);
+      if (!wrong.empty()) throw InputError(kAtPlace, place, wrong);
     }
   }
   if (const auto error = findStructureError(pipeline)) {
-    throw InputError(placeOfStep(pipeline, error->step) + ": " + error->message);
+    throw InputError(kAtPlace, placeOfStep(pipeline, error->step), error->message);
   }
 }
 
 // Runs `work`; whatever goes wrong in it that is not the user's doing becomes a RunError that says where.
 template <typename Work>
-auto guarded(const std::string& where, Work&& work) {
+auto guarded(const Text& where, Work&& work) {
   try {
     return work();
   } catch (const Cancelled&) {
@@ -48,19 +50,20 @@ auto guarded(const std::string& where, Work&& work) {
   } catch (const RunError&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw RunError(where + ": memory ran out; close other programs or use a smaller environment");
+    throw RunError(FOOTFALL_TEXT("%1: memory ran out; close other programs or use a smaller environment"), where);
   } catch (const std::exception& error) {
-    throw RunError(where + ": internal error (" + error.what() + "); please report it with the environment's file");
+    throw RunError(FOOTFALL_TEXT("%1: internal error (%2); please report it with the environment's file"), where,
+                   error.what());
   }
 }
 
 // Runs `work`; says where the step is that asks for what cannot be.
 template <typename Work>
-auto withPlace(const std::string& place, Work&& work) {
+auto withPlace(const Text& place, Work&& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    throw InputError(place + ": " + error.what());
+    throw InputError(kAtPlace, place, error.text());
   }
 }
 
@@ -100,7 +103,8 @@ class Run {
     const Stopwatch finishing;
     context_.checkCancelled();
     if (!current_.mesh) {
-      current_.mesh = guarded("navigation mesh", [&] { return makeNavigationMesh(current_.state, context_); });
+      current_.mesh =
+          guarded(FOOTFALL_TEXT("navigation mesh"), [&] { return makeNavigationMesh(current_.state, context_); });
       remember();
     }
     RunResult result;
@@ -157,7 +161,7 @@ class Run {
   }
 
   StatePtr applyAlone(std::size_t index, const StatePtr& state) {
-    return guarded(placeOf(index) + ", " + std::string(steps_[index]->filter->name),
+    return guarded(Text(Pattern{"%1, %2"}, placeOf(index), steps_[index]->filter->name),
                    [&] { return applyFilter(*steps_[index]->filter, steps_[index]->values, state, context_).state; });
   }
 
@@ -182,7 +186,7 @@ class Run {
   // Returns the time it took, in milliseconds.
   double makeStart() {
     const Stopwatch watch;
-    guarded("environment", [&] {
+    guarded(FOOTFALL_TEXT("environment"), [&] {
       current_.state = makeInitialState(environment_, context_, recall(0));
       current_.summary = summarize(*current_.state);
     });
@@ -198,7 +202,7 @@ class Run {
     statistics.parameters = step.values;
     statistics.startMs = clock_.wallMs();
     statistics.in = current_.summary;
-    guarded(placeOf(index) + ", " + statistics.name, [&] {
+    guarded(Text(Pattern{"%1, %2"}, placeOf(index), statistics.name), [&] {
       context_.beginStep(index, statistics.name);
       const Stopwatch watch;
       FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1));
@@ -228,7 +232,7 @@ class Run {
     request.summary = current_.summary;
     request.recall = recall(last + 1);
     request.threads = threads_;
-    guarded(placeOf(first) + ", parallel block of " + std::string(steps_[first]->filter->name), [&] {
+    guarded(Text(FOOTFALL_TEXT("%1, parallel block of %2"), placeOf(first), steps_[first]->filter->name), [&] {
       BlockOutcome outcome = withPlace(placeOf(first), [&] { return runBlock(request, clock_, context_); });
       current_.state = std::move(outcome.state);
       current_.summary = outcome.summary;
@@ -251,7 +255,7 @@ class Run {
   }
 
   // For messages: steps_ are pointers into the pipeline's steps.
-  [[nodiscard]] std::string placeOf(std::size_t index) const {
+  [[nodiscard]] Text placeOf(std::size_t index) const {
     return placeOfStep(pipeline_, static_cast<std::size_t>(steps_[index] - pipeline_.steps.data()));
   }
 
@@ -316,7 +320,7 @@ Partition previewPartition(const std::shared_ptr<const Environment>& environment
     if (pipeline.steps[i].enabled && pipeline.steps[i].filter->kind == FilterKind::Collapse) break;
   }
   if (steps.empty() || steps[0]->filter->kind != FilterKind::Strategy)
-    throw InputError("step " + std::to_string(step + 1) + " is no strategy that is switched on; choose one that is");
+    throw InputError(FOOTFALL_TEXT("step %1 is no strategy that is switched on; choose one that is"), step + 1);
   return guarded(placeOfStep(pipeline, step), [&] {
     return onThreads(threads, [&](int workers) {
       const StatePtr state = makeInitialState(environment, context);

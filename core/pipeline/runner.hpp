@@ -10,6 +10,7 @@
 #include "core/filters/filter.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "core/pipeline/run_report.hpp"
+#include "core/text.hpp"
 
 namespace footfall {
 
@@ -21,7 +22,7 @@ struct StepStatistics {
   double cpuMs = 0;    ///< of the whole process while the step ran; inside a parallel block: of all threads on cells
   bool fromCache = false;
   StateSummary in, out;
-  std::string note;
+  Text note;
   ExactFallbacks fallbacks;
 };
 

@@ -86,7 +86,7 @@ class TimesMeasurement {
     const BlockReport& block = result.blocks.back();
     json["cells"] = block.cells.size();
     json["made_by"] = block.strategy;
-    json["reason"] = block.reason;
+    json["reason"] = block.reason.str();
   }
 
   static void addMedians(Slot& slot) {

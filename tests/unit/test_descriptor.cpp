@@ -63,7 +63,7 @@ void TestDescriptor::defaultsAreInRange() {
   for (const FilterDescriptor& filter : filterDescriptors()) {
     for (const ParameterDescriptor& parameter : filter.parameters) {
       QVERIFY(parameter.minimum < parameter.maximum);
-      QCOMPARE(checkValue(parameter, parameter.defaultValue), std::string());
+      QVERIFY(checkValue(parameter, parameter.defaultValue).empty());
     }
   }
 }
@@ -144,17 +144,17 @@ void TestDescriptor::valuesAtTheLimits() {
   QFETCH(int, parameter);
   QFETCH(double, value);
   QFETCH(bool, valid);
-  const std::string message = checkValue(findFilter(filter.toStdString())->parameters.at(parameter), value);
+  const std::string message = checkValue(findFilter(filter.toStdString())->parameters.at(parameter), value).str();
   QCOMPARE(message.empty(), valid);
   if (!valid) QVERIFY2(message.find("; give ") != message.npos, message.c_str());
 }
 
 void TestDescriptor::valuesInWords() {
   const ParameterDescriptor& slope = findFilter("SlopeFilter")->parameters[0];
-  QCOMPARE(describeRange(slope), std::string("a number above 0 and below 90 (degrees)"));
+  QCOMPARE(describeRange(slope).str(), std::string("a number above 0 and below 90 (degrees)"));
   QCOMPARE(formatValue(slope, 45), std::string("45"));
   QCOMPARE(formatValue(slope, 0.1), std::string("0.1"));
-  QCOMPARE(describeRange(findFilter("GridStrategy")->parameters[0]), std::string("a whole number of at least 1"));
+  QCOMPARE(describeRange(findFilter("GridStrategy")->parameters[0]).str(), std::string("a whole number of at least 1"));
   QCOMPARE(formatValue(findFilter("GridStrategy")->parameters[0], 2147483647), std::string("2147483647"));
   QCOMPARE(formatValue(findFilter("RoundingFilter")->parameters[0], 1), std::string("true"));
 }

@@ -19,7 +19,7 @@ constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 /// Labels of the triangles' parts, one after the other.
 std::string labels(const Environment& environment) {
   std::string text;
-  for (const std::uint32_t part : environment.partOf) text += partLabel(environment.parts[part]) + ' ';
+  for (const std::uint32_t part : environment.partOf) text += partLabel(environment.parts[part]).str() + ' ';
   return text;
 }
 

@@ -467,7 +467,7 @@ class TestStrategies : public QObject {
     const Partition one = small.partition("AutoStrategy", {});
     QCOMPARE(one.cells.size(), std::size_t{1});
     QCOMPARE(one.strategy, std::string("GridStrategy 1 1"));
-    QVERIFY(one.reason.find("2 triangles") != std::string::npos);
+    QVERIFY(one.reason.str().find("2 triangles") != std::string::npos);
     QCOMPARE(one.cells[0].cost, 2.0);
 
     Case large(randomLevel(18000));

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/core_text.hpp"
+
+#include <QCoreApplication>
+
+#include "core/errors.hpp"
+
+namespace footfall {
+namespace {
+
+std::string translated(const Text& text) {
+  if (!text.isPattern()) return text.pattern();
+  const std::string pattern = QCoreApplication::translate("Core", text.pattern().c_str()).toStdString();
+  return fillPlaces(pattern, text.arguments().size(), [&](std::size_t i) { return translated(text.arguments()[i]); });
+}
+
+}  // namespace
+
+QString coreText(const Text& text) { return QString::fromStdString(translated(text)); }
+
+QString coreText(const std::exception& error) {
+  const auto* own = dynamic_cast<const TextError*>(&error);
+  return own ? coreText(own->text()) : QString::fromUtf8(error.what());
+}
+
+}  // namespace footfall
