@@ -1901,10 +1901,6 @@
         <translation>Was die Farben der Zellen zeigen</translation>
     </message>
     <message>
-        <source>By %1</source>
-        <translation>Nach %1</translation>
-    </message>
-    <message>
         <source>not finished yet</source>
         <translation>noch nicht fertig</translation>
     </message>
@@ -1947,6 +1943,10 @@
     <message>
         <source>, estimated</source>
         <translation>, geschätzt</translation>
+    </message>
+    <message>
+        <source>Colours: %1</source>
+        <translation>Farben: %1</translation>
     </message>
 </context>
 <context>

@@ -65,8 +65,7 @@ CellLegend::CellLegend(CellModel& model, QWidget* parent) : QFrame(parent), mode
   colouring_->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
   colouring_->setAccessibleName(tr("Colour cells by"));
   colouring_->setToolTip(tr("What the colours of the cells show"));
-  for (const CellColouring colouring : kCellColourings)
-    colouring_->addItem(tr("By %1").arg(labelOf(colouring).toLower()));
+  for (const CellColouring colouring : kCellColourings) colouring_->addItem(tr("Colours: %1").arg(labelOf(colouring)));
   colours_ = new QLabel(this);
   text_ = new QLabel(this);
   text_->setFixedWidth(kWidth);

@@ -122,7 +122,9 @@ std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const View
     if (painted[3 * i].colour[3] != 0 || coarse.triangles[i] >= states.size()) continue;  // no floor
     const std::int32_t state = states[coarse.triangles[i]];
     if (state == kFloorAsItIs) continue;
-    Paint paint = vivid ? paleWalkablePaint() : layered ? layerPaint(static_cast<std::uint32_t>(state)) : walkablePaint();
+    Paint paint = vivid     ? paleWalkablePaint()
+                  : layered ? layerPaint(static_cast<std::uint32_t>(state))
+                            : walkablePaint();
     if (state <= kFirstRemoval) {
       const auto removal = static_cast<std::size_t>(kFirstRemoval - state);
       if (removal >= content.removed.size()) continue;

@@ -22,7 +22,7 @@ using qglviewer::Vec;
 constexpr double kSlowFrameMs = 30;
 constexpr double kSliceMs = 20;  // of drawing between two events
 constexpr double kFirstMs = 8;   // of a picture with the frame that first lacks it: enough with a graphics card
-constexpr int kRestMs = 200;  // without movement
+constexpr int kRestMs = 200;     // without movement
 
 /// Nearer than usual where one is close to something: in a corridor, walls must not be cut away.
 class LevelCamera : public Camera {

@@ -37,6 +37,13 @@ namespace {
 
 double axisOf(const Vec3& place, std::size_t axis) { return axis == 0 ? place.x : axis == 1 ? place.y : place.z; }
 
+// A picked place is rounded somewhere on its way: what is left of a 0 is shown as one. The place stays as it is.
+QString textOf(const Vec3& place, std::size_t axis) {
+  const double value = axisOf(place, axis);
+  const double extent = std::abs(place.x) + std::abs(place.y) + std::abs(place.z);
+  return measureText(std::abs(value) < 1e-12 * extent ? 0 : value);
+}
+
 }  // namespace
 
 void PlaceFields::setPlace(const std::optional<Vec3>& place) {
@@ -51,8 +58,9 @@ void PlaceFields::setPlace(const std::optional<Vec3>& place) {
     const double value = axisOf(*place, i);
     // What has been typed stays as it was typed, while it means the same.
     if (const auto typed = parseNumber(fields_[i]->text()); typed && *typed == value) continue;
-    if (fields_[i]->text() == measureText(value)) continue;
-    fields_[i]->setText(measureText(value));
+    const QString text = textOf(*place, i);
+    if (fields_[i]->text() == text) continue;
+    fields_[i]->setText(text);
     fields_[i]->setCursorPosition(0);
   }
   if (place) showProblems();

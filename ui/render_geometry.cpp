@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <iterator>
+#include <limits>
 #include <unordered_map>
 
 #include "ui/coarse_geometry.hpp"

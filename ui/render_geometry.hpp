@@ -37,8 +37,8 @@ inline constexpr std::uint32_t kFloorStays = 0x80000000;
 /// Of each triangle of an environment: the layer that all walkable pieces of it belong to, or kNoLayer.
 using EnvironmentLayers = std::vector<std::uint32_t>;
 
-/// What a triangle of an environment is: a layer (0 where there are none), or one of these; from kFirstRemoval down, what
-/// the filters of ViewContent::removed have removed, in their order.
+/// What a triangle of an environment is: a layer (0 where there are none), or one of these; from kFirstRemoval down,
+/// what the filters of ViewContent::removed have removed, in their order.
 inline constexpr std::int32_t kFloorAsItIs = -1, kFirstRemoval = -2;
 using FloorStates = std::vector<std::int32_t>;
 
@@ -80,8 +80,8 @@ struct LayerFigures {
 
 struct MeshGeometry {
   std::vector<SurfaceVertex> surface;  ///< three a triangle
-  std::vector<LineSegment> creases;  ///< sharp edges between two triangles
-  std::vector<LineSegment> outline;  ///< edges with one triangle
+  std::vector<LineSegment> creases;    ///< sharp edges between two triangles
+  std::vector<LineSegment> outline;    ///< edges with one triangle
   std::vector<LineSegment> obstacleEdges;
   std::vector<LineSegment> connections;
   std::uint32_t layers = 0;

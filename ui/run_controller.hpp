@@ -179,8 +179,8 @@ class RunController : public QObject {
   bool cellsShown_ = false;                                          ///< there is something to take back
   static constexpr auto kFrameWait = std::chrono::milliseconds(60);  ///< a hidden view shows no frames
   double pictureMs_ = 0;
-  QTimer frameTimer_;                                                ///< ends waiting for a frame that does not come
-  BackgroundQueue queue_, preparations_;                             // last: their threads end before the rest goes
+  QTimer frameTimer_;                     ///< ends waiting for a frame that does not come
+  BackgroundQueue queue_, preparations_;  // last: their threads end before the rest goes
 };
 
 }  // namespace footfall

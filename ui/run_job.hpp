@@ -49,8 +49,8 @@ class RunController::PreviewCache {
   std::list<std::pair<std::string, MeshPtr>> entries_;
 };
 
-/// Pictures of whole steps, made by the threads that compute: on large levels not of all of them, as the next step would
-/// wait for each.
+/// Pictures of whole steps, made by the threads that compute: on large levels not of all of them, as the next step
+/// would wait for each.
 class RunController::StepPictures {
  public:
   /// Null while the last one was not long ago for what it took.

@@ -125,8 +125,7 @@ SceneBatchPtr SceneBatches::makeSurface(const Owner& owner, const std::vector<Su
 }
 
 SceneBatchPtr SceneBatches::makeSurface(const Joined<SurfaceVertex>& vertices) {
-  return queue(
-      {SceneBatch::Kind::Surface, static_cast<int>(sizeOf(vertices) / 3), bytesOf(vertices, 3), {}, {}});
+  return queue({SceneBatch::Kind::Surface, static_cast<int>(sizeOf(vertices) / 3), bytesOf(vertices, 3), {}, {}});
 }
 
 SceneBatchPtr SceneBatches::makeLines(const Joined<LineSegment>& segments) {

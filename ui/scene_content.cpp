@@ -38,7 +38,7 @@ bool isPart(const MeshGeometry& geometry) {
 }
 
 MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geometries, bool withLines) {
-  const auto joined = [&]<typename Element>(std::vector<Element> MeshGeometry::* member) {
+  const auto joined = [&]<typename Element>(std::vector<Element> MeshGeometry::*member) {
     SceneBatches::Joined<Element> elements;
     for (const Geometry& geometry : geometries) elements.push_back({geometry, &((*geometry).*member)});
     return elements;
@@ -178,11 +178,12 @@ void SceneContent::makeFieldBatch(SceneBatches& batches, const SceneContent& bef
     fieldSurface = batches.makeField(field, field->surface);
   }
   if (!layers && !same) return;
-  fieldSurface = batches.withLayers(fieldSurface, layers ? SceneBatches::LayerOf([layers, field = field](std::size_t i) {
-    const std::uint32_t source = field->sources[i];
-    return source < layers->size() ? (*layers)[source] : kNoLayer;
-  })
-                                                         : SceneBatches::LayerOf());
+  fieldSurface =
+      batches.withLayers(fieldSurface, layers ? SceneBatches::LayerOf([layers, field = field](std::size_t i) {
+                           const std::uint32_t source = field->sources[i];
+                           return source < layers->size() ? (*layers)[source] : kNoLayer;
+                         })
+                                              : SceneBatches::LayerOf());
 }
 
 }  // namespace footfall

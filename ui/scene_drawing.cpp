@@ -92,8 +92,7 @@ void SceneRenderer::drawStill(const StillKey& key, const BatchPtr& surface) {
     setOnlyPaint(std::nullopt);
     glDisable(GL_POLYGON_OFFSET_FILL);
   }
-  if (key.surface && wires)
-    drawWires(surface, key.camera, wireColour(), false);
+  if (key.surface && wires) drawWires(surface, key.camera, wireColour(), false);
   if (key.creases) {
     beginLines(key.camera);
     drawLines(scene_.environmentCreases, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
@@ -136,7 +135,8 @@ void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
   surfaceProgram_.setUniformValue("orthographic", camera.orthographic);
   surfaceProgram_.setUniformValue("patternScale", camera.devicePixelRatio);
   surfaceProgram_.setUniformValue("plainFloor", toVector(undecidedPaint()));
-  surfaceProgram_.setUniformValue("hatchBacks", camera.clip.active() && scene_.environment && !scene_.environment->bothSides);
+  surfaceProgram_.setUniformValue("hatchBacks",
+                                  camera.clip.active() && scene_.environment && !scene_.environment->bothSides);
   setOnlyPaint(std::nullopt);
 }
 

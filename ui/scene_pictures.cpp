@@ -12,10 +12,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kGoMs = 12;                   // aim of one go: what comes between two looks at the clock
-constexpr std::int64_t kLeastGo = 256;         // as DrawingSlice counts
+constexpr double kGoMs = 12;            // aim of one go: what comes between two looks at the clock
+constexpr std::int64_t kLeastGo = 256;  // as DrawingSlice counts
 constexpr std::int64_t kMostGo = 4'000'000;
-constexpr int kManyChanges = 60'000;           // triangles: more become part of the picture
+constexpr int kManyChanges = 60'000;  // triangles: more become part of the picture
 
 // Returns whether the picture is new.
 bool preparePicture(std::unique_ptr<QOpenGLFramebufferObject>& picture, const QSize& size) {

@@ -64,8 +64,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   /// For others that draw lines in the same context.
   [[nodiscard]] QOpenGLShaderProgram& lineProgram() { return lineProgram_; }
 
-  /// Without content. Null: nothing. Here and below: what is set is uploaded by draw() and advance(), and shown once all
-  /// of it is there.
+  /// Without content. Null: nothing. Here and below: what is set is uploaded by draw() and advance(), and shown once
+  /// all of it is there.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
   /// An edit of what is shown, which stays until then.
   void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
@@ -88,8 +88,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   };
   /// While the camera rests, pictures of the environment alone and of it with the content and the cells, but without
   /// changes and marks, are drawn once and kept: frames after that cost only what is new. Returns whether the frame
-  /// shows what it is to show; otherwise it shows the picture before, or, where one looks from elsewhere, what `hurried`
-  /// leaves: call advance() until it returns true, and draw again.
+  /// shows what it is to show; otherwise it shows the picture before, or, where one looks from elsewhere, what
+  /// `hurried` leaves: call advance() until it returns true, and draw again.
   bool draw(const SceneCamera& camera, const SceneParts& parts, const Haste& haste);
   /// Draws on for about so long at the picture that the last draw() lacked; returns whether it is complete.
   bool advance(double ms);
@@ -185,7 +185,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   StillKey stillKey_;
   bool stillComplete_ = false;
   bool keepsPictures_ = true;  ///< until OpenGL turns out not to be able to
-  Picture picture_;  ///< belongs to pictureKey_, complete
+  Picture picture_;            ///< belongs to pictureKey_, complete
   ContentKey pictureKey_;
   Picture next_;  ///< belongs to nextKey_, not complete
   ContentKey nextKey_;

@@ -32,9 +32,11 @@ std::string pair(const Json& times) { return rounded(times["median"]) + " / " + 
 
 // A row for each way to use the editor, with the longest stretch in which it answered nothing.
 std::string formatOthers(const Json& results) {
-  std::string text =
-      "Stalls: stretches in which the event loop could not take the next event; at most " + rounded(kPauseDueMs) +
-      " ms are due.\n\n| what | ms, median / most | longest stall | during | stalls above |\n|---|---:|---:|---|---:|\n";
+  std::string text = std::to_string(results["triangles"].get<int>()) +
+                     " triangles. Stalls: stretches in which the event loop could not take the next event; at most " +
+                     rounded(kPauseDueMs) +
+                     " ms are due.\n\n| what | ms, median / most | longest stall | during | stalls above "
+                     "|\n|---|---:|---:|---|---:|\n";
   const auto row = [&](const std::string& name, const std::string& times, const Json& json) {
     text += "| " + name + " | " + times + " | " + rounded(json["longest_stall"]["ms"]) + " | " +
             json["longest_stall"]["during"].get<std::string>() + " | " + std::to_string(json["stalls"].size()) + " |\n";
@@ -56,7 +58,7 @@ std::string formatOthers(const Json& results) {
   return text;
 }
 
-std::string formatEditorReport(const Json& results) {
+std::string formatEdits(const Json& results) {
   std::string text = "Edits of one parameter with " + std::to_string(results["triangles"].get<int>()) +
                      " triangles loaded in a window of " + std::to_string(kBenchWindow.width()) + " x " +
                      std::to_string(kBenchWindow.height()) +
@@ -77,9 +79,12 @@ std::string formatEditorReport(const Json& results) {
             (seen ? figure("visible_cpu_ms") : "") + " | " + figure("finished_ms") + " | " +
             figure("longest_pause_ms") + " | " + figure("slowest_frame_ms") + " |\n";
   }
-  text += "\nPainting the window with nothing new in it takes " + rounded(results["repaint"]["ms"]) + " ms, " +
-          rounded(results["repaint"]["cpu_ms"]) + " ms of processor time.\n\n";
-  return text + formatOthers(results);
+  return text + "\nPainting the window with nothing new in it takes " + rounded(results["repaint"]["ms"]) + " ms, " +
+         rounded(results["repaint"]["cpu_ms"]) + " ms of processor time.\n\n";
+}
+
+std::string formatEditorReport(const Json& results) {
+  return (results["series"].empty() ? std::string() : formatEdits(results)) + formatOthers(results);
 }
 
 void runBench(const Arguments& arguments) {

@@ -17,7 +17,7 @@ namespace footfall::bench {
 namespace {
 
 constexpr int kRepaints = 9;
-constexpr int kMoves = 40;   // of the mouse, in a drag
+constexpr int kMoves = 40;    // of the mouse, in a drag
 constexpr int kRestMs = 400;  // between two edits: nothing of the one before is under way any more
 constexpr int kPatienceMs = 300'000;
 
@@ -140,11 +140,12 @@ Json measureTurning(LevelView& view) {
     frames.add(clock.ms());
   }
   sendMouse(view, QEvent::MouseButtonRelease, middle + QPoint(5 * kMoves, kMoves), Qt::LeftButton, Qt::NoButton);
-  QTest::qWait(4 * kRestMs);
+  waitFor([&] { return view.isWhole(); }, "the view does not come to rest");
   Json json{{"frame", frames.json()}};
   addStalls(json, watchdog);
   view.viewOblique();
-  QTest::qWait(2 * kRestMs);
+  waitFor([&] { return view.isWhole(); }, "the view does not come to rest");
+  QTest::qWait(kRestMs);
   return json;
 }
 

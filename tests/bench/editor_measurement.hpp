@@ -15,13 +15,13 @@ inline constexpr QSize kBenchWindow(1100, 800);
 
 struct EditorSubject {
   std::string environment;
-  int edits = 12;       ///< of each parameter; 0: those parameters do not change what one sees
-  bool whole = true;    ///< with obstacles and agents
+  int edits = 12;     ///< of each parameter; 0: those parameters do not change what one sees
+  bool whole = true;  ///< with obstacles and agents
 };
 
 /// Needs a running GuardedApplication and a display. Members: "environment", "triangles", "opening", "repaint",
-/// "turning", "series" (one for each parameter), "obstacle", "agents"; all times in ms, those of which there are several
-/// as {"median", "most"}. Throws RunError.
+/// "turning", "series" (one for each parameter), "obstacle", "agents"; all times in ms, those of which there are
+/// several as {"median", "most"}. Throws RunError.
 Json measureEditor(const EditorSubject& subject);
 
 }  // namespace footfall::bench

@@ -33,5 +33,12 @@ if [ -x "${build}/footfall-editor-bench" ]; then
   else
     QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x1024x24" "${command[@]}"
   fi
+  command=("${build}/footfall-editor-bench" --terrain 1000000 --no-tools --markdown "${scratch}/large.md")
+  if [ -n "${DISPLAY:-}" ]; then
+    "${command[@]}"
+  else
+    QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x1024x24" "${command[@]}"
+  fi
+  cat "${scratch}/large.md" >>"${scratch}/editor.md"
   replace editor "${scratch}/editor.md"
 fi

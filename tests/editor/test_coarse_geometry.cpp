@@ -103,8 +103,7 @@ class TestCoarseGeometry : public QObject {
       for (std::uint32_t t = from; t < to; ++t) {
         const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
         const double x = t;
-        for (const Vec3& p :
-             {Vec3{x, 0, 0}, Vec3{x + 1, 0, 0}, Vec3{x + 1 - height, height, 0}, Vec3{x, height, 0}})
+        for (const Vec3& p : {Vec3{x, 0, 0}, Vec3{x + 1, 0, 0}, Vec3{x + 1 - height, height, 0}, Vec3{x, height, 0}})
           mesh.vertices.push_back(p);
         mesh.triangles.push_back({base, base + 1, base + 2});
         mesh.triangles.push_back({base, base + 2, base + 3});
