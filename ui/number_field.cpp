@@ -229,17 +229,20 @@ void NumberField::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 bool NumberField::eventFilter(QObject* watched, QEvent* event) {
-  const auto* mouse = static_cast<QMouseEvent*>(event);  // only looked at where it is one
   switch (event->type()) {
-    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonPress: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
       if (mouse->button() != Qt::LeftButton || !isEnabled()) break;
       setFocus(Qt::OtherFocusReason);  // so that Escape comes here
       beginDrag(mouse->globalPosition().x(), false);
       break;  // the row takes it as a click, too
-    case QEvent::MouseMove:
+    }
+    case QEvent::MouseMove: {
       if (!drag_) break;
+      const auto* mouse = static_cast<QMouseEvent*>(event);
       dragTo(mouse->globalPosition().x(), mouse->modifiers());
       return true;
+    }
     case QEvent::MouseButtonRelease:
       if (!drag_) break;
       if (!drag_->moved) selectAll();
