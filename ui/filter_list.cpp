@@ -174,6 +174,8 @@ void FilterList::giveRowsTheirHeight() {
   const int width = scroll_->viewport()->width();
   content_->setMinimumHeight(layout_->hasHeightForWidth() ? layout_->heightForWidth(width)
                                                           : layout_->sizeHint().height());
+  // Rows of blocks are wide, and there is no bar to move them by.
+  scroll_->setMinimumWidth(layout_->minimumSize().width() + scroll_->verticalScrollBar()->sizeHint().width());
 }
 
 void FilterList::resizeEvent(QResizeEvent* event) {
