@@ -53,9 +53,9 @@ EditorWindow::~EditorWindow() {
   delete cellWatch_;
   delete cellLegend_;
   delete loadDock_;
-  // Docks and the view tell that they go, when the window itself is gone.
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->disconnect();
-  view_->disconnect();
+  // Docks tell that they go when the window itself is gone. Only this signal: styles listen to others of theirs.
+  for (QDockWidget* dock : findChildren<QDockWidget*>())
+    disconnect(dock, &QDockWidget::visibilityChanged, nullptr, nullptr);
   // The parts outlive the widgets that listen to them.
   document_.disconnect();
   document_.undoStack()->disconnect();
