@@ -75,10 +75,10 @@ double areaOf(const NavigationMesh& mesh, std::size_t triangle) {
 }
 
 // How much of each triangle of the environment the mesh has.
-std::vector<float> areasBySource(const NavigationMesh& mesh, std::size_t triangles) {
-  std::vector<float> areas(triangles);
+std::vector<double> areasBySource(const NavigationMesh& mesh, std::size_t triangles) {
+  std::vector<double> areas(triangles);
   for (std::size_t t = 0; t < mesh.triangles.size() && t < mesh.sourceTriangles.size(); ++t) {
-    if (mesh.sourceTriangles[t] < triangles) areas[mesh.sourceTriangles[t]] += static_cast<float>(areaOf(mesh, t));
+    if (mesh.sourceTriangles[t] < triangles) areas[mesh.sourceTriangles[t]] += areaOf(mesh, t);
   }
   return areas;
 }
@@ -89,23 +89,23 @@ std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environmen
                                                    const std::vector<const NavigationMesh*>& before) {
   const std::size_t triangles = environment.triangles.size();
   if (triangles <= kCoarseAbove) return nullptr;
-  std::vector<float> half(triangles);
+  std::vector<double> half(triangles);
   for (std::size_t t = 0; t < triangles; ++t) {
     const auto corner = [&](std::size_t k) {
       const Vec3& p = environment.vertices[environment.triangles[t][k]];
       return std::array<double, 3>{p.x, p.y, p.z};
     };
-    half[t] = static_cast<float>(areaOf(corner(0), corner(1), corner(2)) / 2);
+    half[t] = areaOf(corner(0), corner(1), corner(2)) / 2;
   }
   auto states = std::make_shared<FloorStates>(triangles, kFloorAsItIs);
   // A later filter's mesh lies within the ones before.
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const std::vector<float> areas = areasBySource(*before[k], triangles);
+    const std::vector<double> areas = areasBySource(*before[k], triangles);
     for (std::size_t t = 0; t < triangles; ++t) {
       if (areas[t] > 0 && areas[t] >= half[t]) (*states)[t] = kFirstRemoval - static_cast<std::int32_t>(k);
     }
   }
-  const std::vector<float> areas = areasBySource(result, triangles);
+  const std::vector<double> areas = areasBySource(result, triangles);
   for (std::size_t t = 0; t < result.triangles.size() && t < result.sourceTriangles.size(); ++t) {
     const std::uint32_t source = result.sourceTriangles[t];
     if (source < triangles && areas[source] >= half[source])
@@ -122,13 +122,15 @@ std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const View
     if (painted[3 * i].colour[3] != 0 || coarse.triangles[i] >= states.size()) continue;  // no floor
     const std::int32_t state = states[coarse.triangles[i]];
     if (state == kFloorAsItIs) continue;
-    Paint paint = vivid     ? paleWalkablePaint()
-                  : layered ? layerPaint(static_cast<std::uint32_t>(state))
-                            : walkablePaint();
+    Paint paint;
     if (state <= kFirstRemoval) {
       const auto removal = static_cast<std::size_t>(kFirstRemoval - state);
       if (removal >= content.removed.size()) continue;
       paint = vivid ? content.removed[removal].style->vivid : content.removed[removal].style->paint;
+    } else if (vivid) {
+      paint = paleWalkablePaint();
+    } else {
+      paint = layered ? layerPaint(static_cast<std::uint32_t>(state)) : walkablePaint();
     }
     for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) setPaint(painted[k], paint);
   }
