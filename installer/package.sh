@@ -8,8 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 prepare release
 say "building"
-cmake --build --preset release -j "$(build_jobs)" --target footfall footfall-editor footfall-man footfall-editor-man \
-  application-icons
+cmake --build --preset release -j "$(build_jobs)" --target installable
 
 say "Debian package"
 rm -f -- "${repository}"/build/footfall_*.deb

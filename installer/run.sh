@@ -37,7 +37,7 @@ if [ -f "${pipeline}" ]; then arguments+=(-p "${pipeline}"); fi
 started_in="${PWD}"
 prepare release
 say "building"
-cmake --build --preset release -j "$(build_jobs)" --target footfall footfall-editor
+cmake --build --preset release -j "$(build_jobs)" --target installable
 
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   say "opening the editor on ${environment}"
