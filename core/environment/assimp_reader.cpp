@@ -20,6 +20,7 @@
 #include "core/environment/input_file.hpp"
 #include "core/environment/part_names.hpp"
 #include "core/environment/polygon_triangulation.hpp"
+#include "core/environment/skipped_polygons.hpp"
 #include "core/environment/truncation_check.hpp"
 
 namespace footfall {
@@ -130,11 +131,12 @@ class SceneReader {
     const bool mirrored = determinant(world) < 0;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       poll();
-      face(mesh, mesh.mFaces[i], static_cast<std::uint32_t>(first), mirrored);
+      face(mesh, i, static_cast<std::uint32_t>(first), mirrored);
     }
   }
 
-  void face(const aiMesh& mesh, const aiFace& face, std::uint32_t first, bool mirrored) {
+  void face(const aiMesh& mesh, unsigned number, std::uint32_t first, bool mirrored) {
+    const aiFace& face = mesh.mFaces[number];
     corners_.clear();
     for (unsigned i = 0; i < face.mNumIndices; ++i) {
       if (face.mIndices[i] >= mesh.mNumVertices) {
@@ -150,7 +152,11 @@ class SceneReader {
       return;
     }
     if (mirrored) std::reverse(corners_.begin() + 1, corners_.end());
-    if (!triangulatePolygon(corners_, environment_.vertices, environment_.triangles)) ++environment_.skipped.polygons;
+    if (triangulatePolygon(corners_, environment_.vertices, environment_.triangles)) return;
+    SkippedPolygon skipped = skippedPolygon(corners_, environment_.vertices);
+    skipped.face = std::uint64_t{number} + 1;
+    skipped.mesh = cleanName(mesh.mName.C_Str());
+    addSkipped(environment_.skipped, std::move(skipped));
   }
 
   const std::string& path_;

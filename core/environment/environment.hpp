@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -30,11 +31,32 @@ struct ImportOptions {
   bool bothSides = false;
 };
 
+enum class SkipReason : std::uint8_t {
+  TooFewCorners,    ///< one or two corners
+  RepeatedCorners,  ///< three corners or more, but fewer than three distinct vertices
+  FreeForm          ///< a curved surface, which is not read
+};
+
+/// A polygon of the file that import left out (core/environment/skipped_polygons.hpp has it in words).
+struct SkippedPolygon {
+  SkipReason reason = SkipReason::TooFewCorners;
+  std::size_t cornerCount = 0;  ///< that the file gives it; 0 where it says nothing
+  std::uint64_t line = 0;       ///< of the file, from 1; 0 where the format has no lines
+  std::uint64_t face = 0;       ///< without a line: its number in the mesh, from 1
+  std::string mesh;             ///< without a line: the mesh's name, which may be empty
+  /// Its distinct corners, two at most: where it is. Empty where it has none.
+  std::vector<Vec3> corners;
+  bool operator==(const SkippedPolygon&) const = default;
+};
+
 /// What import left out, for the user to see.
 struct SkippedElements {
+  static constexpr std::size_t kMostListed = 1000;
   std::uint64_t points = 0;    ///< point elements
   std::uint64_t lines = 0;     ///< line elements
-  std::uint64_t polygons = 0;  ///< faces with fewer than three distinct corners, or that cannot be triangulated
+  std::uint64_t polygons = 0;  ///< faces with fewer than three distinct corners, and curved surfaces
+  /// The first of the polygons in the order of the file, kMostListed at most.
+  std::vector<SkippedPolygon> listed;
 };
 
 /// One mesh with one material, as the file names them; either may be empty.

@@ -86,6 +86,7 @@ std::shared_ptr<const Environment> importEnvironment(const std::string& path, co
       options.metresPerUnit.value_or(frame.metresPerUnit.value_or(usualMetresPerUnit(extension)));
   environment->bothSides = options.bothSides;
   turnToZUp(environment->vertices, environment->up);
+  for (SkippedPolygon& polygon : environment->skipped.listed) turnToZUp(polygon.corners, environment->up);
   return environment;
 }
 

@@ -7,10 +7,13 @@
 
 #include "core/environment/number_text.hpp"
 #include "core/environment/part_names.hpp"
+#include "core/environment/skipped_polygons.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall {
 namespace {
+
+constexpr std::size_t kSkippedShown = 20;
 
 /// For each vertex a number that it shares with exactly the vertices at the same position.
 std::vector<std::uint32_t> numberPositions(const std::vector<Vec3>& vertices) {
@@ -125,6 +128,7 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
   appendLine(text, "skipped",
              number(environment.skipped.points) + " points, " + number(environment.skipped.lines) + " lines, " +
                  number(environment.skipped.polygons) + " polygons");
+  text += formatSkipped(environment.skipped, kSkippedShown);
   if (environment.parts.empty()) return text;
   appendLine(text, "parts (MESH/MATERIAL)", number(environment.parts.size()));
   for (std::size_t p = 0; p < environment.parts.size(); ++p)

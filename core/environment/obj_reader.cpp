@@ -18,17 +18,21 @@
 #include "core/environment/obj_parts.hpp"
 #include "core/environment/parallel_ranges.hpp"
 #include "core/environment/polygon_triangulation.hpp"
+#include "core/environment/skipped_polygons.hpp"
 
 namespace footfall {
 namespace {
 
 constexpr Pattern kExportAgain = FOOTFALL_TEXT("correct the line or export the file again");
 
-/// A face that is not a triangle; split once all vertices are known, because a face may refer to later ones.
+/// A face that is not a triangle; split, or left out, once all vertices are known, because a face may refer to later
+/// ones.
 struct PendingPolygon {
   std::size_t trianglesBefore;  ///< number of triangular faces before it in the file
   std::size_t firstCorner;
   std::size_t cornerCount;
+  std::size_t line;
+  bool isFreeForm = false;  ///< a curved surface, without corners
 };
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -81,13 +85,18 @@ class ObjParser {
   /// What names the parts; triangles are counted right after splitPolygons().
   [[nodiscard]] const ObjPartChanges& parts() const { return parts_; }
 
+  /// Lines of this text once it has been read, when it ends with a line end.
+  [[nodiscard]] std::size_t lineCount() const { return line_ - 1; }
+
   /// Puts the triangles of the polygons between those of the triangular faces, in the order of the file.
   void splitPolygons(const std::vector<Vec3>& vertices) {
     if (polygons_.empty()) return;
     const std::vector<Triangle> faces = std::move(environment_.triangles);
     std::vector<Triangle>& triangles = environment_.triangles;
     triangles.clear();
-    triangles.reserve(faces.size() + corners_.size() - 2 * polygons_.size());
+    std::size_t split = 0;
+    for (const PendingPolygon& polygon : polygons_) split += std::max<std::size_t>(polygon.cornerCount, 2) - 2;
+    triangles.reserve(faces.size() + split);
     std::size_t copied = 0, sincePoll = 0;
     std::vector<std::size_t> added = {0};
     added.reserve(polygons_.size() + 1);
@@ -100,7 +109,7 @@ class ObjParser {
       if (++sincePoll % 1024 == 0 && context_ != nullptr) context_->checkCancelled();
       copyUpTo(polygon.trianglesBefore);
       const std::span<const std::uint32_t> corners(corners_.data() + polygon.firstCorner, polygon.cornerCount);
-      if (!triangulatePolygon(corners, vertices, triangles)) ++environment_.skipped.polygons;
+      if (!triangulatePolygon(corners, vertices, triangles)) skip(polygon, corners, vertices);
       added.push_back(triangles.size() - copied);
     }
     copyUpTo(faces.size());
@@ -244,25 +253,32 @@ class ObjParser {
     return stream.fail() ? std::numeric_limits<double>::infinity() : value;
   }
 
+  void skip(const PendingPolygon& polygon, std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices) {
+    SkippedPolygon skipped = skippedPolygon(corners, vertices);
+    if (polygon.isFreeForm) skipped.reason = SkipReason::FreeForm;
+    skipped.line = polygon.line;
+    addSkipped(environment_.skipped, std::move(skipped));
+  }
+
   void face() {
+    const std::size_t line = line_;
     corners_.resize(faceStart_);
     for (skipBlanks(); !atEndOfValues(); skipBlanks()) corners_.push_back(cornerIndex());
     const std::size_t count = corners_.size() - faceStart_;
-    if (count < 3) {
-      rejectTruncation();
-      ++environment_.skipped.polygons;
-    } else if (count == 3) {
-      const Triangle triangle{corners_[faceStart_], corners_[faceStart_ + 1], corners_[faceStart_ + 2]};
-      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
-        ++environment_.skipped.polygons;
-      } else {
-        environment_.triangles.push_back(triangle);
-      }
+    if (count < 3) rejectTruncation();
+    if (count == 3 && isTriangle()) {
+      environment_.triangles.push_back({corners_[faceStart_], corners_[faceStart_ + 1], corners_[faceStart_ + 2]});
     } else {
-      polygons_.push_back({environment_.triangles.size(), faceStart_, count});
+      polygons_.push_back({environment_.triangles.size(), faceStart_, count, line});
       faceStart_ = corners_.size();
     }
     skipPhysicalLine();
+  }
+
+  /// Whether the three corners of the face are three vertices.
+  [[nodiscard]] bool isTriangle() const {
+    const std::uint32_t a = corners_[faceStart_], b = corners_[faceStart_ + 1], c = corners_[faceStart_ + 2];
+    return a != b && b != c && c != a;
   }
 
   std::uint32_t cornerIndex() {
@@ -326,7 +342,10 @@ class ObjParser {
         while (!isBlank(*cursor_) && !atLineEnd() && continuation() == 0) ++cursor_;
       }
     }
-    if (keyword == "surf") ++environment_.skipped.polygons;
+    if (keyword == "surf") {
+      corners_.resize(faceStart_);
+      polygons_.push_back({environment_.triangles.size(), faceStart_, 0, line_, true});
+    }
     if (keyword == "curv") ++environment_.skipped.lines;
     skipStatement();
   }
@@ -456,12 +475,14 @@ bool readInStretches(const std::string& path, std::string_view text, Environment
   std::vector<Triangle>& triangles = environment.triangles;
   triangles.reserve(triangleCount);
   ObjPartAssigner parts(environment, triangleCount);
+  std::uint64_t linesBefore = 0;
   for (const auto& stretch : stretches) {
     parts.add(stretch->parser.parts(), stretch->found.triangles.size());
     triangles.insert(triangles.end(), stretch->found.triangles.begin(), stretch->found.triangles.end());
     environment.skipped.points += stretch->found.skipped.points;
     environment.skipped.lines += stretch->found.skipped.lines;
-    environment.skipped.polygons += stretch->found.skipped.polygons;
+    appendSkippedPolygons(environment.skipped, stretch->found.skipped, linesBefore);
+    linesBefore += stretch->parser.lineCount();
   }
   parts.finish();
   return true;

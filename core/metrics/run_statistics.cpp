@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/environment/skipped_polygons.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/metrics/text_table.hpp"
@@ -125,6 +126,28 @@ std::string stepText(const StepStatistics& step) {
   return filter == nullptr ? step.name : formatStep({filter, step.parameters, true, 0});
 }
 
+/// What import left out, in a few lines; empty where it is nothing of area.
+std::string skippedLines(const Environment& environment) {
+  constexpr std::size_t kShown = 3;
+  const std::uint64_t polygons = environment.skipped.polygons;
+  if (polygons == 0) return {};
+  return "skipped " + std::to_string(polygons) + (polygons == 1 ? " polygon" : " polygons") + " of the file:\n" +
+         formatSkipped(environment.skipped, kShown);
+}
+
+Json skippedJson(const SkippedElements& skipped) {
+  Json listed = Json::array();
+  for (const SkippedPolygon& polygon : skipped.listed) {
+    Json entry = Json::object();
+    entry["line"] = polygon.line > 0 ? Json(polygon.line) : Json(nullptr);
+    entry["face"] = polygon.line > 0 ? Json(nullptr) : Json(polygon.face);
+    entry["mesh"] = polygon.mesh;
+    entry["reason"] = skippedReason(polygon).str();
+    listed.push_back(std::move(entry));
+  }
+  return {{"points", skipped.points}, {"lines", skipped.lines}, {"polygons", skipped.polygons}, {"listed", listed}};
+}
+
 }  // namespace
 
 std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
@@ -136,7 +159,8 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
                          {"up_guessed", environment.upGuessed},
                          {"metres_per_unit", environment.metresPerUnit},
                          {"scale_guessed", environment.scaleGuessed},
-                         {"both_sides", environment.bothSides}};
+                         {"both_sides", environment.bothSides},
+                         {"skipped", skippedJson(environment.skipped)}};
   json["steps"] = Json::array();
   for (const StepStatistics& step : result.steps) {
     json["steps"].push_back({{"name", step.name},
@@ -194,7 +218,8 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
   std::string text = environment.source + ": " + std::to_string(environment.triangles.size()) + " triangles, " +
                      (environment.up == UpAxis::Y ? "Y" : "Z") + " up" + (environment.upGuessed ? " (guessed)" : "") +
                      ", " + number(environment.metresPerUnit, "%.6g") + " m per unit" +
-                     (environment.scaleGuessed ? " (guessed)" : "") + "\n\n" + formatTable(rows) + '\n';
+                     (environment.scaleGuessed ? " (guessed)" : "") + '\n' + skippedLines(environment) + '\n' +
+                     formatTable(rows) + '\n';
   const StateSummary& summary = result.summary;
   const auto count = [](std::uint64_t n, const char* one, const char* many) {
     return std::to_string(n) + ' ' + (n == 1 ? one : many);

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/environment/import.hpp"
+#include "core/environment/skipped_polygons.hpp"
 #include "tests/unit/environment_files.hpp"
 
 using namespace footfall;
@@ -137,6 +138,33 @@ class TestImport : public QObject {
     QCOMPARE(environment->triangles.size(), std::size_t{1});
   }
 
+  void skippedPolygonsAreListedWithReasonLineAndPlace() {
+    const auto environment = importObjText(QByteArray("f 1 1\\\n 3\n") + kTriangle +
+                                           "f 1 2\nf 1 2 1 2\nsurf 0 1 0 1 1 2\nf 3\nf 2 2 2 2\nf 1 2 3\n");
+    const std::vector<SkippedPolygon>& listed = environment->skipped.listed;
+    const Vec3 a{0, 0, 0}, b = environment->vertices[1], c = environment->vertices[2];
+    const std::vector<SkippedPolygon> expected = {
+        {SkipReason::RepeatedCorners, 3, 1, 0, {}, {a, c}}, {SkipReason::TooFewCorners, 2, 6, 0, {}, {a, b}},
+        {SkipReason::RepeatedCorners, 4, 7, 0, {}, {a, b}}, {SkipReason::FreeForm, 0, 8, 0, {}, {}},
+        {SkipReason::TooFewCorners, 1, 9, 0, {}, {c}},      {SkipReason::RepeatedCorners, 4, 10, 0, {}, {b}}};
+    QCOMPARE(environment->skipped.polygons, 6U);
+    QVERIFY(listed == expected);
+    QCOMPARE(QString::fromStdString(formatSkipped(environment->skipped, 3)),
+             QString("  line 1: its 3 corners are only two different vertices; a polygon needs three\n"
+                     "  line 6: has two corners; a polygon needs three\n"
+                     "  line 7: its 4 corners are only two different vertices; a polygon needs three\n"
+                     "  and 3 more\n"));
+  }
+
+  void theListOfSkippedPolygonsIsBounded() {
+    QByteArray text = kTriangle;
+    for (int i = 0; i < 1500; ++i) text += "f 1 2\nf 1 1 2 2\n";
+    const auto environment = importObjText(text + "f 1 2 3\n");
+    QCOMPARE(environment->skipped.polygons, 3000U);
+    QCOMPARE(environment->skipped.listed.size(), SkippedElements::kMostListed);
+    QCOMPARE(environment->skipped.listed.back().line, std::uint64_t{1003});
+  }
+
   void geometricallyDegenerateTrianglesStay() {
     const auto environment = importObjText("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\n");
     QCOMPARE(environment->triangles.size(), std::size_t{2});
@@ -241,6 +269,8 @@ class TestImport : public QObject {
     QCOMPARE(together->skipped.points, alone->skipped.points);
     QCOMPARE(together->skipped.lines, alone->skipped.lines);
     QCOMPARE(together->skipped.polygons, alone->skipped.polygons);
+    QVERIFY(together->skipped.listed == alone->skipped.listed);
+    QVERIFY(!together->skipped.listed.empty());
   }
 
   void continuedLinesMayCrossStretches() {

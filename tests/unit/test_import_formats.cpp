@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "core/environment/import.hpp"
+#include "core/environment/skipped_polygons.hpp"
 #include "tests/unit/environment_files.hpp"
 
 using namespace footfall;
@@ -71,6 +72,18 @@ class TestImportFormats : public QObject {
     const std::vector<Vec3> expected = {{1, 1, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {0, 0, 0},
                                         {4, 0, 0}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
     QVERIFY(corners(*environment) == expected);
+  }
+
+  void skippedPolygonsAreKnownByMeshAndFace() {
+    const TemporaryFolder folder;
+    QByteArray ply = readAll(dataFile("polygons.ply"));
+    const auto environment = importEnvironment(folder.write("a.ply", ply.replace("3 4 5 6", "3 4 5 5")));
+    const std::vector<SkippedPolygon> expected = {{SkipReason::RepeatedCorners, 3, 0, 2, {}, {{0, 0, 2}, {1, 0, 2}}}};
+    QVERIFY(environment->skipped.listed == expected);
+    QCOMPARE(QString::fromStdString(skippedSource(expected[0]).str()), QString("face 2"));
+    SkippedPolygon named = expected[0];
+    named.mesh = "Wall";
+    QCOMPARE(QString::fromStdString(skippedSource(named).str()), QString("face 2 of mesh 'Wall'"));
   }
 
   void stlIsZUp() {
