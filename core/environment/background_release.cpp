@@ -16,13 +16,16 @@ void releaseInBackground(std::shared_ptr<const void> thing) noexcept {
     static auto* const waiting = new std::atomic<int>(0);
     constexpr int kMostWaiting = 4;
     if (waiting->load() >= kMostWaiting) return;  // freed here
-    waiting->fetch_add(1);
-    const auto release = [held = std::move(thing)](const void*) mutable {
-      held.reset();
+    // The task alone holds the thing. A reference that is also in an object of this function, if only for the time of a
+    // copy, may be the last one when the worker is quick, or this thread is slow.
+    auto held = std::make_unique<std::shared_ptr<const void>>(std::move(thing));
+    arena->enqueue([whole = held.get()] {
+      delete whole;
       waiting->fetch_sub(1);
-    };
-    arena->enqueue([whole = std::shared_ptr<const void>(nullptr, release)] {});  // goes with the task
-  } catch (...) {  // no memory for a task: `thing` is freed here
+    });
+    waiting->fetch_add(1);
+    static_cast<void>(held.release());  // the task's since it was enqueued
+  } catch (...) {                       // no memory for a task: `thing` is freed here
   }
 }
 

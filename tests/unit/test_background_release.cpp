@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <thread>
 
 #include "core/environment/background_release.hpp"
 
@@ -26,9 +27,30 @@ class TestBackgroundRelease : public QObject {
   Q_OBJECT
 
  private slots:
+  void theCallerNeverFrees();
   void fewWait();
   void allGoInTheEnd();
 };
+
+// However quick the other thread is: once in some ten thousand times it was done before the caller had let go.
+void TestBackgroundRelease::theCallerNeverFrees() {
+  struct Told {
+    std::atomic<bool>& gone;
+    std::atomic<bool>& elsewhere;
+    std::thread::id caller = std::this_thread::get_id();
+    ~Told() {
+      elsewhere = elsewhere && std::this_thread::get_id() != caller;
+      gone = true;
+    }
+  };
+  std::atomic<bool> elsewhere = true;
+  for (int i = 0; i < 50000; ++i) {
+    std::atomic<bool> gone = false;
+    releaseInBackground(std::make_shared<Told>(gone, elsewhere));
+    while (!gone) std::this_thread::yield();
+  }
+  QVERIFY(elsewhere);
+}
 
 // Faster than anybody could free them: what waits stays bounded all the same.
 void TestBackgroundRelease::fewWait() {

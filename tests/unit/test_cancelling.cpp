@@ -22,19 +22,21 @@ using namespace std::chrono_literals;
 /// Tells which thread took it down.
 class Witness {
  public:
-  explicit Witness(std::promise<std::thread::id>& gone) : gone_(gone) {}
-  ~Witness() { gone_.set_value(std::this_thread::get_id()); }
+  using Told = std::shared_ptr<std::promise<std::thread::id>>;  // alive until it has told, whoever waits for it
+
+  explicit Witness(Told gone) : gone_(std::move(gone)) {}
+  ~Witness() { gone_->set_value(std::this_thread::get_id()); }
   Witness(const Witness&) = delete;
   Witness& operator=(const Witness&) = delete;
 
  private:
-  std::promise<std::thread::id>& gone_;
+  Told gone_;
 };
 
 // Where something is freed that an exception passes, or that nothing interrupts.
 std::thread::id whereFreed(bool isLarge, bool throws) {
-  std::promise<std::thread::id> gone;
-  auto result = gone.get_future();
+  const auto gone = std::make_shared<std::promise<std::thread::id>>();
+  auto result = gone->get_future();
   try {
     ReleaseOnException large(isLarge);
     const auto thing = std::make_shared<Witness>(gone);
@@ -86,8 +88,8 @@ void TestCancelling::exceptionsLeaveLargeThingsToOthers() {
 }
 
 void TestCancelling::whatIsStillInUseStays() {
-  std::promise<std::thread::id> gone;
-  auto result = gone.get_future();
+  const auto gone = std::make_shared<std::promise<std::thread::id>>();
+  auto result = gone->get_future();
   auto thing = std::make_shared<Witness>(gone);
   try {
     ReleaseOnException large(true);
