@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/environment/outline_triangulation.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall {
@@ -49,11 +50,11 @@ class ProjectedPolygon {
     for (const std::uint32_t corner : corners) {
       const Vec3& p = vertices[corner];
       if (az >= ax && az >= ay) {
-        points_.push_back({p.x, p.y, 0});
+        points_.push_back(p);
       } else if (ax >= ay) {
-        points_.push_back({p.y, p.z, 0});
+        points_.push_back({p.y, p.z, p.x});
       } else {
-        points_.push_back({p.z, p.x, 0});
+        points_.push_back({p.z, p.x, p.y});
       }
     }
     const double dominant = az >= ax && az >= ay ? normal.z : ax >= ay ? normal.x : normal.y;
@@ -62,7 +63,8 @@ class ProjectedPolygon {
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool hasArea() const { return orientation_ != 0; }
-  [[nodiscard]] const Vec3& point(std::size_t i) const { return points_[i]; }
+  /// In the plane, and with the third coordinate as height above it.
+  [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
 
   /// +1 when the corners a, b, c turn the same way as the polygon, 0 when they are collinear.
   [[nodiscard]] int turn(std::size_t a, std::size_t b, std::size_t c) const {
@@ -77,11 +79,13 @@ class ProjectedPolygon {
         q.y < std::min({pa.y, pb.y, pc.y}) || q.y > std::max({pa.y, pb.y, pc.y})) {
       return false;
     }
-    if (q == pa || q == pb || q == pc) return false;
+    if (sameInPlane(q, pa) || sameInPlane(q, pb) || sameInPlane(q, pc)) return false;
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
   }
 
  private:
+  static bool sameInPlane(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; }
+
   std::vector<Vec3> points_;
   int orientation_ = 0;
 };
@@ -145,7 +149,7 @@ std::vector<LocalTriangle> clipEars(const ProjectedPolygon& polygon) {
 }  // namespace
 
 bool triangulatePolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
-                        std::vector<Triangle>& triangles) {
+                        std::vector<Triangle>& triangles, const std::function<void()>& poll) {
   if (corners.size() == 3) {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return false;
     triangles.push_back({corners[0], corners[1], corners[2]});
@@ -165,9 +169,10 @@ bool triangulatePolygon(std::span<const std::uint32_t> corners, const std::vecto
 
   const ProjectedPolygon polygon(distinct, vertices);
   if (distinct.size() > 3 && !fanIsValid(polygon)) {
-    const std::vector<LocalTriangle> ears = clipEars(polygon);
-    for (const auto& [a, b, c] : ears) triangles.push_back({distinct[a], distinct[b], distinct[c]});
-    if (!ears.empty()) return true;
+    const bool isLarge = distinct.size() > kMostClippedCorners;
+    const std::vector<LocalTriangle> parts = isLarge ? triangulateOutline(polygon.points(), poll) : clipEars(polygon);
+    for (const auto& [a, b, c] : parts) triangles.push_back({distinct[a], distinct[b], distinct[c]});
+    if (!parts.empty()) return true;
   }
   for (std::size_t i = 1; i + 1 < distinct.size(); ++i) {
     const Triangle triangle{distinct[0], distinct[i], distinct[i + 1]};

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,12 +18,17 @@ namespace footfall {
 /// The polygon is looked at along the coordinate axis that is nearest to its normal (Newell's method), where its
 /// corners keep their exact coordinates. There, the fan from the first corner is taken when each of its triangles
 /// turns the same way as the polygon, else ears are clipped (Meisters 1975; ElGindy, Everett and Toussaint 1993 show
-/// that one always exists in a simple polygon); all turns are exact. A polygon that crosses itself or has no area is
-/// covered by a fan, so that none of it gets lost.
+/// that one always exists in a simple polygon). Clipping can take n^3; above kMostClippedCorners the outline is
+/// triangulated in n log n instead (outline_triangulation.hpp). All turns are exact. A polygon that crosses itself or
+/// has no area is covered by a fan, so that none of it gets lost.
 ///
 /// Returns false, and appends nothing, when fewer than three of the corners are distinct vertices. A corner that
-/// follows itself counts once.
-bool triangulatePolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
-                        std::vector<Triangle>& triangles);
+/// follows itself counts once. `poll` is called now and then for large polygons and may throw to cancel.
+bool triangulatePolygon(
+    std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices, std::vector<Triangle>& triangles,
+    const std::function<void()>& poll = [] {});
+
+/// The most corners of a polygon whose ears are clipped: few enough for some milliseconds, whatever its shape.
+inline constexpr std::size_t kMostClippedCorners = 500;
 
 }  // namespace footfall

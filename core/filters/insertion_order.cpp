@@ -5,25 +5,10 @@
 #include <cstdint>
 #include <tuple>
 
+#include "core/exact/hilbert_curve.hpp"
+
 namespace footfall {
 namespace {
-
-// Place along a Hilbert curve of 2^16 x 2^16 cells.
-std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
-  std::uint64_t index = 0;
-  for (std::uint32_t s = 1U << 15; s > 0; s >>= 1) {
-    const std::uint32_t rx = (x & s) != 0 ? 1 : 0, ry = (y & s) != 0 ? 1 : 0;
-    index += static_cast<std::uint64_t>(s) * s * ((3 * rx) ^ ry);
-    if (ry == 0) {
-      if (rx == 1) {
-        x = 65535 - x;
-        y = 65535 - y;
-      }
-      std::swap(x, y);
-    }
-  }
-  return index;
-}
 
 bool isBefore(const PlanPoint& p, const PlanPoint& q) {
   const auto key = [](const PlanPoint& v) { return std::tie(v.kind, v.a, v.b, v.c, v.d, v.e, v.f, v.face); };
