@@ -16,11 +16,18 @@
 #include "app/run_command.hpp"
 #include "app/why_command.hpp"
 #include "core/environment/info.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/errors.hpp"
 #include "core/filters/descriptor_text.hpp"
 
 namespace footfall {
 namespace {
+
+CLI::IsMember upAxisNames() {
+  std::vector<std::string> names;
+  for (const UpAxis up : kUpAxes) names.emplace_back(nameOf(up));
+  return CLI::IsMember(names, CLI::ignore_case);
+}
 
 struct EnvironmentArguments {
   std::string path;
@@ -31,7 +38,7 @@ struct EnvironmentArguments {
 
   [[nodiscard]] EnvironmentChoice choice() const {
     ImportOptions options;
-    if (!up.empty()) options.up = up == "y" ? UpAxis::Y : UpAxis::Z;
+    options.up = upAxisFrom(up);
     if (metresPerUnit && !(std::isfinite(*metresPerUnit) && *metresPerUnit > 0)) {
       throw InputError("--scale: must be the metres in one unit of the file; give a number above 0");
     }
@@ -44,9 +51,9 @@ struct EnvironmentArguments {
 void addEnvironmentArguments(CLI::App& command, EnvironmentArguments& arguments) {
   command.add_option("ENV", arguments.path, "The environment: OBJ, glTF, FBX, PLY, STL or another mesh file")
       ->required();
-  command.add_option("--up", arguments.up, "The file's up axis, y or z; guessed from the format when left out")
-      ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case))
-      ->type_name("y|z");
+  command.add_option("--up", arguments.up, "The file's up axis; guessed from the format when left out")
+      ->check(upAxisNames())
+      ->type_name(kUpAxisNames);
   command.add_option("--scale", arguments.metresPerUnit, "Metres in one unit of the file; guessed when left out")
       ->type_name("METRES");
   command.add_flag("--both-sides", arguments.bothSides,
@@ -96,9 +103,9 @@ void addCompareArguments(CLI::App& command, CompareArguments& arguments) {
                   "How exactly to bound the Hausdorff distances, in the files' units; a thousandth of the diagonal "
                   "by default")
       ->type_name("E");
-  command.add_option("--up", arguments.up, "The up axis of both files, y or z; what they state, else y, when left out")
-      ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case))
-      ->type_name("y|z");
+  command.add_option("--up", arguments.up, "The up axis of both files; what they state, else y, when left out")
+      ->check(upAxisNames())
+      ->type_name(kUpAxisNames);
   command.add_flag("--json", arguments.json, "Print one JSON object");
   command.add_flag("--fail-if-different", arguments.failIfDifferent,
                    "Exit with 1 unless both are the same set of points, exactly");
@@ -150,10 +157,10 @@ void addExportArguments(CLI::App& command, RunArguments& run) {
   leaveOut("--no-obstacle-edges", options.obstacleEdges, "Leave out the lines of obstacle edges");
   command
       .add_option_function<std::string>(
-          "--export-up", [&options](const std::string& up) { options.up = up == "y" ? UpAxis::Y : UpAxis::Z; },
-          "Up axis of an OBJ export, y or z; the environment's when left out. glTF is always Y up")
-      ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case))
-      ->type_name("y|z");
+          "--export-up", [&options](const std::string& up) { options.up = upAxisFrom(up); },
+          "Up axis of an OBJ export; the environment's when left out. glTF is always Y up")
+      ->check(upAxisNames())
+      ->type_name(kUpAxisNames);
   command
       .add_option("--export-scale", options.scale,
                   "Multiply the coordinates of the export; 1 (the default) keeps the environment's units, in which OBJ "

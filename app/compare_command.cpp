@@ -10,6 +10,7 @@
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
 #include "core/environment/number_text.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/metrics/comparison_report.hpp"
 #include "core/metrics/process_usage.hpp"
 
@@ -19,8 +20,7 @@ namespace {
 constexpr std::size_t kSteps = 4;  // of compareMeshes()
 
 std::array<NavigationMeshFile, 2> readBoth(const CompareArguments& arguments, RunContext& context) {
-  std::optional<UpAxis> up;
-  if (!arguments.up.empty()) up = arguments.up == "z" || arguments.up == "Z" ? UpAxis::Z : UpAxis::Y;
+  const std::optional<UpAxis> up = upAxisFrom(arguments.up);
   std::array<NavigationMeshFile, 2> files;
   files[0] = readNavigationMesh(arguments.files[0], up, UpAxis::Y, &context);
   // What states no axis lies as the other does.

@@ -13,7 +13,7 @@ namespace footfall {
 struct CompareArguments {
   std::array<std::string, 2> files;  ///< A, the ground truth, and B
   ComparisonOptions options;
-  std::string up;  ///< "y", "z", or empty: what the files state
+  std::string up;  ///< a name of nameOf(UpAxis), or empty: what the files state
   bool json = false;
   bool failIfDifferent = false;
   std::optional<double> failAbove;  ///< area in the plan

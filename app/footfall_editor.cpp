@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/environment/up_axis.hpp"
 #include "core/errors.hpp"
 #include "ui/editor_application.hpp"
 
@@ -36,7 +37,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "footfall-editor " FOOTFALL_VERSION);
   app.add_option("ENV", options.environment, "environment (OBJ, glTF, PLY, ...) or session (.footfall)");
   app.add_option("-p,--pipeline", pipelinePath, "pipeline file instead of the default filters");
-  app.add_option("--up", up, "axis of the file that points up")->check(CLI::IsMember({"y", "z"}));
+  std::vector<std::string> ups;
+  for (const footfall::UpAxis axis : footfall::kUpAxes) ups.emplace_back(footfall::nameOf(axis));
+  app.add_option("--up", up, "axis of the file that points up")->check(CLI::IsMember(ups));
   auto* scaleOption = app.add_option("--scale", scale, "metres per unit of the file")->check(CLI::PositiveNumber);
   app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
   app.add_option("--size", size, "size of the window, e.g. 1600x1000");
@@ -66,7 +69,7 @@ int main(int argc, char** argv) {
     }
     if (!pipelinePath.empty()) options.pipeline = footfall::readPipelineFile(pipelinePath);
     if (!size.empty()) options.size = sizeFrom(size);
-    if (!up.empty()) options.import.up = up == "y" ? footfall::UpAxis::Y : footfall::UpAxis::Z;
+    options.import.up = footfall::upAxisFrom(up);
     if (*scaleOption) options.import.metresPerUnit = scale;
     options.top = view == "top";
     if (!theme.empty()) {

@@ -9,6 +9,7 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/environment/worker_arena.hpp"
 #include "core/errors.hpp"
 #include "core/navigation/path_finder.hpp"
@@ -32,10 +33,7 @@ void checkArguments(const PathArguments& arguments) {
     throw InputError("--reach: must be a height in the file's units; give a number that is not negative");
 }
 
-/// Import turns Y-up files to Z up; so it does with places.
-Vec3 turned(const std::array<double, 3>& p, UpAxis up) {
-  return up == UpAxis::Y ? Vec3{p[0], -p[2], p[1]} : Vec3{p[0], p[1], p[2]};
-}
+Vec3 turned(const std::array<double, 3>& p, UpAxis up) { return fromFileFrame({p[0], p[1], p[2]}, up); }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
 #include "core/environment/number_text.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/errors.hpp"
 #include "core/metrics/inspection_report.hpp"
 #include "core/pipeline/runner.hpp"
@@ -36,7 +37,7 @@ std::string nothingBelow(const Environment& environment, const Vec3& place) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   return "--at: nothing is at or under " + coordinates(place) + "; " + environment.source + " goes from " +
-         coordinates(low) + " to " + coordinates(high) + ", and " + (environment.up == UpAxis::Y ? "y" : "z") +
+         coordinates(low) + " to " + coordinates(high) + ", and " + std::string(nameOf(environment.up)) +
          " is up; give a point above a floor";
 }
 

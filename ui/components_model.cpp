@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/metrics/inspection_report.hpp"
+#include "core/environment/up_axis.hpp"
 
 namespace footfall {
 namespace {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/environment/up_axis.hpp"
 #include "core/errors.hpp"
 
 namespace footfall {
@@ -197,8 +198,8 @@ Session sessionFrom(const Json& json, const std::string& path) {
   const Json import = json.value("import", Json::object());
   if (import.contains("up")) {
     const auto up = import.at("up").get<std::string>();
-    if (up != "y" && up != "z") throw InputError(FOOTFALL_TEXT("import: up is '%1'; give y or z"), up);
-    session.import.up = up == "y" ? UpAxis::Y : UpAxis::Z;
+    session.import.up = upAxisFrom(up);
+    if (!session.import.up) throw InputError(FOOTFALL_TEXT("import: up is '%1'; give y, z, x, -y, -z or -x"), up);
   }
   if (import.contains("metres_per_unit")) {
     const auto scale = import.at("metres_per_unit").get<double>();
@@ -223,7 +224,7 @@ std::string formatSession(const Session& session, const std::string& path) {
   json[kMark] = kVersion;
   if (!session.environment.empty()) json["environment"] = relativeTo(session.environment, path);
   Json import = Json::object();
-  if (session.import.up) import["up"] = *session.import.up == UpAxis::Y ? "y" : "z";
+  if (session.import.up) import["up"] = nameOf(*session.import.up);
   if (session.import.metresPerUnit) import["metres_per_unit"] = *session.import.metresPerUnit;
   import["both_sides"] = session.import.bothSides;
   json["import"] = import;

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "core/environment/up_axis.hpp"
 #include "core/metrics/inspection_report.hpp"
 
 namespace footfall {

@@ -16,12 +16,14 @@
 #include <limits>
 #include <string_view>
 
+#include "core/counted_text.hpp"
 #include "core/environment/collada_asset.hpp"
 #include "core/environment/input_file.hpp"
 #include "core/environment/part_names.hpp"
 #include "core/environment/polygon_triangulation.hpp"
 #include "core/environment/skipped_polygons.hpp"
 #include "core/environment/truncation_check.hpp"
+#include "core/environment/up_axis.hpp"
 
 namespace footfall {
 namespace {
@@ -30,8 +32,6 @@ namespace {
 using Affine = std::array<std::array<double, 4>, 3>;
 
 constexpr Affine kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-/// Collada's X up (right is -Y, up is +X) turned to Y up.
-constexpr Affine kXUpToYUp{{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
 /// Undoes the turn from Z up to Y up that Assimp gives the root of a 3DS file.
 constexpr Affine kYUpToZUp{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
 
@@ -91,8 +91,11 @@ class SceneReader {
   }
 
  private:
-  void poll() {
-    if (++polls_ % 4096 == 0 && context_ != nullptr) context_->checkCancelled();
+  void poll(std::size_t work = 1) {
+    work_ += work;
+    if (work_ < 4096) return;
+    work_ = 0;
+    if (context_ != nullptr) context_->checkCancelled();
   }
 
   /// Named by the node, which is what users see as an object in their editors, else by the mesh. What Assimp makes up
@@ -130,7 +133,7 @@ class SceneReader {
     }
     const bool mirrored = determinant(world) < 0;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-      poll();
+      poll(1 + 8 * std::size_t{mesh.mFaces[i].mNumIndices});
       face(mesh, i, static_cast<std::uint32_t>(first), mirrored);
     }
   }
@@ -141,8 +144,9 @@ class SceneReader {
     for (unsigned i = 0; i < face.mNumIndices; ++i) {
       if (face.mIndices[i] >= mesh.mNumVertices) {
         failInput(path_, 0,
-                  Text(FOOTFALL_TEXT("vertex index %1 in mesh '%2' is out of range: it has %3 vertices"),
-                       face.mIndices[i], mesh.mName.C_Str(), mesh.mNumVertices),
+                  Text(FOOTFALL_TEXT("vertex index %1 in mesh '%2' is out of range: it has %3"), face.mIndices[i],
+                       mesh.mName.C_Str(),
+                       countedText(mesh.mNumVertices, FOOTFALL_TEXT("1 vertex"), FOOTFALL_TEXT("%1 vertices"))),
                   FOOTFALL_TEXT("export the file again"));
       }
       corners_.push_back(first + face.mIndices[i]);
@@ -152,7 +156,10 @@ class SceneReader {
       return;
     }
     if (mirrored) std::reverse(corners_.begin() + 1, corners_.end());
-    if (triangulatePolygon(corners_, environment_.vertices, environment_.triangles)) return;
+    const auto poll = [this] {
+      if (context_ != nullptr) context_->checkCancelled();
+    };
+    if (triangulatePolygon(corners_, environment_.vertices, environment_.triangles, poll)) return;
     SkippedPolygon skipped = skippedPolygon(corners_, environment_.vertices);
     skipped.face = std::uint64_t{number} + 1;
     skipped.mesh = cleanName(mesh.mName.C_Str());
@@ -165,15 +172,22 @@ class SceneReader {
   RunContext* context_;
   PartList parts_;
   std::vector<std::uint32_t> corners_;
-  std::size_t polls_ = 0;
+  std::size_t work_ = 0;  ///< since the last look at the context
 };
 
-/// FBX says which axis is up (0, 1, 2) and how many centimetres a unit has.
+UpAxis axisOf(char letter, bool downwards) {
+  const std::array<char, 2> name{'-', letter};
+  const std::string_view whole(name.data(), name.size());
+  return upAxisFrom(whole.substr(downwards ? 0 : 1)).value_or(UpAxis::Y);
+}
+
+/// FBX says which axis is up (0, 1, 2), along it or against it, and how many centimetres a unit has.
 FileFrame fbxFrame(const aiMetadata* metadata) {
   FileFrame frame;
   if (metadata == nullptr) return frame;
-  std::int32_t axis = 1;
-  if (metadata->Get("UpAxis", axis)) frame.up = axis == 2 ? UpAxis::Z : UpAxis::Y;
+  std::int32_t axis = 1, sign = 1;
+  metadata->Get("UpAxisSign", sign);
+  if (metadata->Get("UpAxis", axis)) frame.up = axisOf(axis == 0 ? 'X' : axis == 2 ? 'Z' : 'Y', sign < 0);
   double centimetres = 0;
   float narrow = 0;
   if (!metadata->Get("UnitScaleFactor", centimetres) && metadata->Get("UnitScaleFactor", narrow)) {
@@ -189,8 +203,7 @@ FileFrame fbxFrame(const aiMetadata* metadata) {
 Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
   const auto unit = static_cast<ai_real>(asset.metresPerUnit.value_or(1));
   const aiMatrix4x4 scale(unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1);
-  const Affine own = root == scale ? kIdentity : toAffine(root);
-  return asset.upAxis == 'X' ? kXUpToYUp * own : own;
+  return root == scale ? kIdentity : toAffine(root);
 }
 
 /// The first few bytes of a file, in lower case.
@@ -245,7 +258,7 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     root = kYUpToZUp * root;
   } else if (extension == ".dae") {
     const ColladaAsset asset = readColladaAsset(readInputFile(path, context));
-    frame.up = asset.upAxis == 'Z' ? UpAxis::Z : UpAxis::Y;
+    frame.up = axisOf(asset.upAxis, false);
     frame.metresPerUnit = asset.metresPerUnit;
     root = colladaRoot(scene->mRootNode->mTransformation, asset);
   }

@@ -19,7 +19,8 @@ struct Vec3 {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-enum class UpAxis { Y, Z };
+/// The axis of a file that points up, along it or against it; names and turns: core/environment/up_axis.hpp.
+enum class UpAxis { Y, Z, X, NegativeY, NegativeZ, NegativeX };
 
 /// What the user may say about a file; what is left empty is guessed from the format and reported.
 struct ImportOptions {
@@ -67,8 +68,8 @@ struct EnvironmentPart {
 
 struct EnvironmentEdit;  // core/environment/environment_edit.hpp
 
-/// A triangle soup. Coordinates are the file's own doubles; a Y-up file is turned by (x, y, z) -> (x, -z, y), which is
-/// exact and is undone on export.
+/// A triangle soup. Coordinates are the file's own doubles; a file whose up axis is another is turned to Z up (a Y-up
+/// file by (x, y, z) -> (x, -z, y)), which is exact and is undone on export.
 struct Environment {
   std::string source;  ///< path as given by the user, for messages and export comments
   std::vector<Vec3> vertices;

@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/counted_text.hpp"
 #include "core/environment/assimp_reader.hpp"
 #include "core/environment/input_file.hpp"
 #include "core/environment/obj_reader.hpp"
+#include "core/environment/up_axis.hpp"
 
 namespace footfall {
 namespace {
@@ -36,13 +38,6 @@ double usualMetresPerUnit(const std::string& extension) {
   if (extension == "3mf" || extension == "amf") return 0.001;
   if (extension == "fbx") return 0.01;
   return 1;
-}
-
-/// Exact. Adding to +0 makes +0 of -0, so that equal positions also have equal bits.
-void turnToZUp(std::vector<Vec3>& vertices, UpAxis up) {
-  for (Vec3& p : vertices) {
-    p = up == UpAxis::Y ? Vec3{0.0 + p.x, 0.0 - p.z, 0.0 + p.y} : Vec3{0.0 + p.x, 0.0 + p.y, 0.0 + p.z};
-  }
 }
 
 }  // namespace
@@ -74,8 +69,10 @@ std::shared_ptr<const Environment> importEnvironment(const std::string& path, co
   if (environment->triangles.empty()) {
     const SkippedElements& skipped = environment->skipped;
     failInput(path, 0,
-              Text(FOOTFALL_TEXT("no triangles in it (skipped: %1 polygons, %2 lines, %3 points)"), skipped.polygons,
-                   skipped.lines, skipped.points),
+              Text(FOOTFALL_TEXT("no triangles in it (skipped: %1, %2, %3)"),
+                   countedText(skipped.polygons, FOOTFALL_TEXT("1 polygon"), FOOTFALL_TEXT("%1 polygons")),
+                   countedText(skipped.lines, FOOTFALL_TEXT("1 line"), FOOTFALL_TEXT("%1 lines")),
+                   countedText(skipped.points, FOOTFALL_TEXT("1 point"), FOOTFALL_TEXT("%1 points"))),
               FOOTFALL_TEXT("choose a file that has faces"));
   }
 
@@ -85,8 +82,9 @@ std::shared_ptr<const Environment> importEnvironment(const std::string& path, co
   environment->metresPerUnit =
       options.metresPerUnit.value_or(frame.metresPerUnit.value_or(usualMetresPerUnit(extension)));
   environment->bothSides = options.bothSides;
-  turnToZUp(environment->vertices, environment->up);
-  for (SkippedPolygon& polygon : environment->skipped.listed) turnToZUp(polygon.corners, environment->up);
+  for (Vec3& p : environment->vertices) p = fromFileFrame(p, environment->up);
+  for (SkippedPolygon& polygon : environment->skipped.listed)
+    for (Vec3& p : polygon.corners) p = fromFileFrame(p, environment->up);
   return environment;
 }
 

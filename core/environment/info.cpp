@@ -5,9 +5,11 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/counted_text.hpp"
 #include "core/environment/number_text.hpp"
 #include "core/environment/part_names.hpp"
 #include "core/environment/skipped_polygons.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall {
@@ -114,9 +116,8 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
   appendLine(text, "bounds (Z up)",
              "x " + range(info.lower.x, info.upper.x) + ", y " + range(info.lower.y, info.upper.y) + ", z " +
                  range(info.lower.z, info.upper.z));
-  appendLine(
-      text, "up axis of the file",
-      std::string(environment.up == UpAxis::Y ? "Y" : "Z") + (environment.upGuessed ? " (guessed)" : " (given)"));
+  appendLine(text, "up axis of the file",
+             shownName(environment.up) + (environment.upGuessed ? " (guessed)" : " (given)"));
   appendLine(text, "metres per unit",
              number(environment.metresPerUnit) + (environment.scaleGuessed ? " (guessed)" : " (given)"));
   appendLine(text, "upper sides", environment.bothSides ? "both (given)" : "front");
@@ -126,13 +127,15 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
   appendLine(text, "open edges", number(info.openEdges));
   appendLine(text, "non-manifold edges", number(info.nonManifoldEdges));
   appendLine(text, "skipped",
-             number(environment.skipped.points) + " points, " + number(environment.skipped.lines) + " lines, " +
-                 number(environment.skipped.polygons) + " polygons");
+             counted(environment.skipped.points, "point", "points") + ", " +
+                 counted(environment.skipped.lines, "line", "lines") + ", " +
+                 counted(environment.skipped.polygons, "polygon", "polygons"));
   text += formatSkipped(environment.skipped, kSkippedShown);
   if (environment.parts.empty()) return text;
   appendLine(text, "parts (MESH/MATERIAL)", number(environment.parts.size()));
   for (std::size_t p = 0; p < environment.parts.size(); ++p)
-    text += "  " + partLabel(environment.parts[p]).str() + ": " + number(info.partTriangles[p]) + " triangles\n";
+    text += "  " + partLabel(environment.parts[p]).str() + ": " +
+            counted(info.partTriangles[p], "triangle", "triangles") + '\n';
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/environment/input_file.hpp"
 #include "core/environment/obj_reader.hpp"
+#include "core/environment/up_axis.hpp"
 
 namespace footfall {
 namespace {
@@ -38,8 +39,8 @@ bool removePrefix(std::string_view& text, std::string_view prefix) {
 }
 
 void readFrame(std::string_view line, StatedContent& content) {
-  if (line.starts_with("Y up")) content.up = UpAxis::Y;
-  if (line.starts_with("Z up")) content.up = UpAxis::Z;
+  if (const std::size_t space = line.find(" up"); space != std::string_view::npos)
+    content.up = upAxisFrom(line.substr(0, space));
   if (const std::size_t comma = line.find(", "); comma != std::string_view::npos)
     content.metresPerUnit = leadingNumber<double>(line.substr(comma + 2));
 }
@@ -148,14 +149,14 @@ void checkCount(const std::string& path, std::optional<std::uint64_t> stated, st
 void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
   const NavigationMesh& mesh = file.mesh;
   checkCount(file.path, stated.vertices, mesh.vertices.size(),
-             FOOTFALL_TEXT("its comments count %1 vertices, but it has %2"));
+             FOOTFALL_TEXT("vertices: its comments count %1, but it has %2"));
   checkCount(file.path, stated.triangles, mesh.triangles.size(),
-             FOOTFALL_TEXT("its comments count %1 triangles, but it has %2"));
-  checkCount(file.path, stated.layers, mesh.layerCount, FOOTFALL_TEXT("its comments count %1 layers, but it has %2"));
+             FOOTFALL_TEXT("triangles: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.layers, mesh.layerCount, FOOTFALL_TEXT("layers: its comments count %1, but it has %2"));
   checkCount(file.path, stated.connections, mesh.connections.size(),
-             FOOTFALL_TEXT("its comments count %1 connections, but it has %2"));
+             FOOTFALL_TEXT("connections: its comments count %1, but it has %2"));
   checkCount(file.path, stated.obstacleEdges, mesh.obstacleEdges.size(),
-             FOOTFALL_TEXT("its comments count %1 obstacle edges, but it has %2"));
+             FOOTFALL_TEXT("obstacle edges: its comments count %1, but it has %2"));
   if (mesh.triangles.empty() && !(stated.isExport && stated.triangles)) {
     failInput(file.path, 0, FOOTFALL_TEXT("no triangles in it"), FOOTFALL_TEXT("choose a file that has faces"));
   }
@@ -188,10 +189,7 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   file.mesh.triangles = std::move(soup.triangles);
   takeGroups(groups, file);
   checkContent(file, stated);
-  for (Vec3& p : file.mesh.vertices) {
-    // Adding to +0 makes +0 of -0, so that equal positions also have equal bits.
-    p = file.up == UpAxis::Y ? Vec3{0.0 + p.x, 0.0 - p.z, 0.0 + p.y} : Vec3{0.0 + p.x, 0.0 + p.y, 0.0 + p.z};
-  }
+  for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
   return file;
 }
 

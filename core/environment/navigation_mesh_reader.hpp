@@ -25,7 +25,7 @@ struct NavigationMeshFile {
 
 /// Reads OBJ at double precision. Faces in groups "layer_N" get layer N, `l` elements in the groups "connections" and
 /// "obstacle_edges" become those; anything else is one surface without layers. The up axis is `up` where given, else
-/// the one that an export states, else `usualUp`. A Y-up file is turned as import does, which is exact.
+/// the one that an export states, else `usualUp`. A file that is not Z up is turned as import does, which is exact.
 ///
 /// Throws InputError with one line: what readObj() and readInputFile() refuse; no triangles, unless the file is an
 /// export that says so; an export that does not hold what its own comments count, because it was cut off; coordinates

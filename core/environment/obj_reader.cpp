@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "core/counted_text.hpp"
 #include "core/environment/input_file.hpp"
 #include "core/environment/obj_parts.hpp"
 #include "core/environment/parallel_ranges.hpp"
@@ -97,7 +98,7 @@ class ObjParser {
     std::size_t split = 0;
     for (const PendingPolygon& polygon : polygons_) split += std::max<std::size_t>(polygon.cornerCount, 2) - 2;
     triangles.reserve(faces.size() + split);
-    std::size_t copied = 0, sincePoll = 0;
+    std::size_t copied = 0, cornersSincePoll = 0;
     std::vector<std::size_t> added = {0};
     added.reserve(polygons_.size() + 1);
     const auto copyUpTo = [&](std::size_t stop) {
@@ -105,11 +106,18 @@ class ObjParser {
                        faces.begin() + static_cast<std::ptrdiff_t>(stop));
       copied = stop;
     };
+    const auto poll = [this] {
+      if (context_ != nullptr) context_->checkCancelled();
+    };
     for (const PendingPolygon& polygon : polygons_) {
-      if (++sincePoll % 1024 == 0 && context_ != nullptr) context_->checkCancelled();
+      cornersSincePoll += polygon.cornerCount;
+      if (cornersSincePoll > kMostClippedCorners) {
+        poll();
+        cornersSincePoll = 0;
+      }
       copyUpTo(polygon.trianglesBefore);
       const std::span<const std::uint32_t> corners(corners_.data() + polygon.firstCorner, polygon.cornerCount);
-      if (!triangulatePolygon(corners, vertices, triangles)) skip(polygon, corners, vertices);
+      if (!triangulatePolygon(corners, vertices, triangles, poll)) skip(polygon, corners, vertices);
       added.push_back(triangles.size() - copied);
     }
     copyUpTo(faces.size());
@@ -300,7 +308,8 @@ class ObjParser {
     if (negative) {
       needWhole();
       if (value > known) {
-        fail(Text(FOOTFALL_TEXT("vertex index %1 is out of range: only %2 vertices precede it"), word(start), known));
+        fail(Text(FOOTFALL_TEXT("vertex index %1 is out of range: only %2 before it"), word(start),
+                  countedText(known, FOOTFALL_TEXT("1 vertex"), FOOTFALL_TEXT("%1 vertices"))));
       }
       return static_cast<std::uint32_t>(known - value);
     }
@@ -316,8 +325,8 @@ class ObjParser {
   void checkForwardReferences() const {
     if (largestForward_ <= environment_.vertices.size()) return;
     failInput(path_, largestForwardLine_,
-              Text(FOOTFALL_TEXT("vertex index %1 is out of range: the file has %2 vertices"), largestForward_,
-                   environment_.vertices.size()),
+              Text(FOOTFALL_TEXT("vertex index %1 is out of range: the file has %2"), largestForward_,
+                   countedText(environment_.vertices.size(), FOOTFALL_TEXT("1 vertex"), FOOTFALL_TEXT("%1 vertices"))),
               kExportAgain);
   }
 

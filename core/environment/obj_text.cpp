@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/environment/up_axis.hpp"
+
 #ifndef FOOTFALL_VERSION
 #define FOOTFALL_VERSION "unknown"
 #endif
@@ -36,19 +38,20 @@ void appendHeader(std::string& text, std::string_view title, const Environment& 
   appendComment(text, "pipeline: ", header.pipeline);
   appendComment(text, "agent: ", header.agent);
   appendComment(text, "note: ", header.note);
-  std::string frame = environment.up == UpAxis::Y ? "Y up, " : "Z up, ";
+  std::string frame = shownName(environment.up) + " up, ";
   appendNumber(frame, environment.metresPerUnit);
   appendComment(text, "frame: ", frame + " metres per unit");
   appendComment(text, "content: ", content);
 }
 
 void appendVertex(std::string& text, const Vec3& p, UpAxis up) {
+  const Vec3 place = inFileFrame(p, up);
   text += "v ";
-  appendNumber(text, p.x);
+  appendNumber(text, place.x);
   text += ' ';
-  appendNumber(text, up == UpAxis::Y ? p.z : p.y);
+  appendNumber(text, place.y);
   text += ' ';
-  appendNumber(text, up == UpAxis::Y ? -p.y : p.z);
+  appendNumber(text, place.z);
   text += '\n';
 }
 

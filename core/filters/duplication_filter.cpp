@@ -13,6 +13,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/counted_text.hpp"
 #include "core/filters/disjoint_sets.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/generation.hpp"
@@ -83,7 +84,9 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   if (distance == 0) {
     // Equal positions are one vertex from the start; say how many there were.
     const std::size_t given = state->environment->vertices.size();
-    outcome.note = Text(FOOTFALL_TEXT("%1 vertices at %2 positions"), given, state->kernel->mesh().vertices.size());
+    outcome.note = Text(
+        FOOTFALL_TEXT("%1 at %2"), countedText(given, FOOTFALL_TEXT("1 vertex"), FOOTFALL_TEXT("%1 vertices")),
+        countedText(state->kernel->mesh().vertices.size(), FOOTFALL_TEXT("1 position"), FOOTFALL_TEXT("%1 positions")));
     return outcome;
   }
   GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
@@ -101,7 +104,7 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   const std::vector<Index> first = clusterPlaces(places, distance, context);
   std::size_t moved = 0;
   for (Index i = 0; i < static_cast<Index>(first.size()); ++i) moved += first[i] != i;
-  outcome.note = Text(FOOTFALL_TEXT("%1 vertices merged"), moved);
+  outcome.note = countedText(moved, FOOTFALL_TEXT("1 vertex merged"), FOOTFALL_TEXT("%1 vertices merged"));
   if (moved == 0) return outcome;
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = places[first[placeOf[i]]];
   outcome.state = startGeneration(*state, soup, context);

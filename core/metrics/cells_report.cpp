@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <vector>
 
+#include "core/counted_text.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/metrics/text_table.hpp"
 #include "core/partitioning/load_balancing.hpp"
 
@@ -17,26 +18,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(double value, const char* format) {
-  std::array<char, 400> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
 /// A cell's sides along the axes of the file.
 struct FileBounds {
   std::array<double, 3> lower, upper;
 };
 
 FileBounds fileBounds(const CellBounds& b, UpAxis up) {
-  if (up == UpAxis::Z) return {b.lower, b.upper};
-  return {{b.lower[0], b.lower[2], -b.upper[1]}, {b.upper[0], b.upper[2], -b.lower[1]}};
+  FileBounds bounds{};
+  const auto axes = fileAxes(up);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [axis, sign] = axes[i];
+    bounds.lower[axis] = sign > 0 ? b.lower[i] : -b.upper[i];
+    bounds.upper[axis] = sign > 0 ? b.upper[i] : -b.lower[i];
+  }
+  return bounds;
 }
 
 /// The axes of the plan and the one that is up, as the file numbers them.
 std::array<std::size_t, 3> planAndHeight(UpAxis up) {
-  if (up == UpAxis::Y) return {0, 2, 1};
-  return {0, 1, 2};
+  const auto axes = fileAxes(up);
+  return {std::min(axes[0].axis, axes[1].axis), std::max(axes[0].axis, axes[1].axis), axes[2].axis};
 }
 
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
@@ -44,7 +45,8 @@ constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 std::string rangeText(double lower, double upper) {
   const bool begins = std::isfinite(lower), ends = std::isfinite(upper);
   if (!begins && !ends) return "all";
-  return (begins ? number(lower + 0.0, "%.9g") + ' ' : "") + ".." + (ends ? ' ' + number(upper + 0.0, "%.9g") : "");
+  return (begins ? formatted(lower + 0.0, "%.9g") + ' ' : "") + ".." +
+         (ends ? ' ' + formatted(upper + 0.0, "%.9g") : "");
 }
 
 std::vector<double> costsOf(const Partition& partition) {
@@ -58,10 +60,6 @@ double imbalanceOf(const CellsReport& report) {
       .imbalance();
 }
 
-std::string counted(std::uint64_t n, const char* one, const char* many) {
-  return std::to_string(n) + ' ' + (n == 1 ? one : many);
-}
-
 }  // namespace
 
 std::string formatCells(const CellsReport& report) {
@@ -73,16 +71,16 @@ std::string formatCells(const CellsReport& report) {
   for (std::size_t i = 0; i < report.partition.cells.size(); ++i) {
     const Cell& cell = report.partition.cells[i];
     const FileBounds b = fileBounds(cell.bounds, report.environment.up);
-    std::vector<std::string> row{std::to_string(i)};
+    std::vector<std::string> row{std::to_string(i + 1)};
     for (const std::size_t axis : axes) row.push_back(rangeText(b.lower[axis], b.upper[axis]));
-    row.insert(row.end(), {std::to_string(cell.floors), std::to_string(cell.obstacles), number(cell.cost, "%.6g"),
-                           total > 0 ? number(100 * cell.cost / total, "%.1f %%") : ""});
+    row.insert(row.end(), {std::to_string(cell.floors), std::to_string(cell.obstacles), formatted(cell.cost, "%.6g"),
+                           total > 0 ? formatted(100 * cell.cost / total, "%.1f %%") : ""});
     rows.push_back(std::move(row));
   }
   std::string text = formatTable(rows) + '\n';
   text += counted(costs.size(), "cell", "cells") + " by " + report.partition.strategy + "; on " +
           counted(static_cast<std::uint64_t>(std::max(report.threads, 1)), "thread", "threads") +
-          ", largest first, the busiest has " + number(imbalanceOf(report), "%.3g") + " times the mean cost\n";
+          ", largest first, the busiest has " + formatted(imbalanceOf(report), "%.3g") + " times the mean cost\n";
   if (!report.partition.reason.empty()) text += "why: " + report.partition.reason.str() + '\n';
   if (const auto& cut = report.cut) {
     text += "cut: " + counted(cut->triangles, "triangle", "triangles") + " from " +
@@ -101,7 +99,7 @@ std::string formatCellsJson(const CellsReport& report) {
   Json json;
   json["environment"] = {{"source", environment.source},
                          {"triangles", environment.triangles.size()},
-                         {"up", environment.up == UpAxis::Y ? "y" : "z"},
+                         {"up", nameOf(environment.up)},
                          {"metres_per_unit", environment.metresPerUnit}};
   json["strategy"] = report.partition.strategy;
   json["reason"] = report.partition.reason.str();
@@ -117,7 +115,7 @@ std::string formatCellsJson(const CellsReport& report) {
       for (const double v : values) array.push_back(std::isfinite(v) ? Json(v + 0.0) : Json());
       return array;
     };
-    json["cells"].push_back({{"cell", i},
+    json["cells"].push_back({{"cell", i + 1},
                              {"lower", sides(b.lower)},
                              {"upper", sides(b.upper)},
                              {"floors", cell.floors},

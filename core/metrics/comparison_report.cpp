@@ -2,10 +2,11 @@
 #include "core/metrics/comparison_report.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/counted_text.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/metrics/process_usage.hpp"
 
 namespace footfall {
@@ -15,10 +16,9 @@ using Json = nlohmann::ordered_json;
 using comparison::Areas;
 using comparison::Distances;
 
-/// Of an internal position in the frame of the file.
-std::array<double, 3> inFile(const Vec3& p, UpAxis up) {
-  if (up == UpAxis::Z) return {p.x, p.y, p.z};
-  return {p.x, p.z, 0.0 - p.y};
+Json placeJson(const Vec3& p, UpAxis up) {
+  const Vec3 place = inFileFrame(p, up);
+  return {place.x, place.y, place.z};
 }
 
 Json areasJson(const Areas& areas) { return {{"area", areas.surface}, {"plan_area", areas.plan}}; }
@@ -38,7 +38,7 @@ Json partJson(const MeshPart& part) {
 Json meshJson(const NavigationMeshFile& file, const MeshDescription& mesh) {
   Json json = {{"file", file.path},
                {"footfall_export", file.isExport},
-               {"up", file.up == UpAxis::Y ? "y" : "z"},
+               {"up", nameOf(file.up)},
                {"up_stated", file.statedUp.has_value()},
                {"metres_per_unit", file.metresPerUnit ? Json(*file.metresPerUnit) : Json()},
                {"vertices", mesh.vertices},
@@ -66,17 +66,13 @@ Json distancesJson(const Distances& d, UpAxis up) {
           {"d_max", d.max},
           {"d_mean", d.mean},
           {"d_rms", d.rms},
-          {"d_max_at", inFile(d.farthest, up)},
+          {"d_max_at", placeJson(d.farthest, up)},
           {"hausdorff_lower", d.lower},
           {"hausdorff_upper", d.upper},
           {"error_reached", d.boundReached}};
 }
 
-std::string number(double value, const char* format = "%.10g") {
-  std::array<char, 64> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
+std::string number(double value, const char* format = "%.10g") { return formatted(value, format); }
 
 /// Rows of a label and cells, as wide as the widest.
 class Table {
@@ -172,7 +168,7 @@ std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, con
                              const ComparisonTimes& times) {
   std::string text;
   for (const std::size_t i : {0, 1}) {
-    text += (i == 0 ? "A: " : "B: ") + files[i].path + (files[i].up == UpAxis::Y ? ", Y up" : ", Z up") +
+    text += (i == 0 ? "A: " : "B: ") + files[i].path + ", " + shownName(files[i].up) + " up" +
             (files[i].statedUp ? "" : " (not stated)") + '\n';
   }
   if (files[0].metresPerUnit && files[1].metresPerUnit && *files[0].metresPerUnit != *files[1].metresPerUnit)

@@ -10,7 +10,9 @@
 #include <numeric>
 #include <vector>
 
+#include "core/counted_text.hpp"
 #include "core/environment/base64.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/navigation/surface_topology.hpp"
@@ -51,11 +53,7 @@ figcaption { color: var(--quiet); }
 @media print { body { max-width: none; margin: 0; } figure, tr { break-inside: avoid; } }
 )";
 
-std::string number(double value, const char* format) {
-  std::array<char, 400> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
+std::string number(double value, const char* format) { return formatted(value, format); }
 std::string milliseconds(double ms) { return number(ms, ms < 10 ? "%.2f ms" : "%.0f ms"); }
 std::string shortNumber(double x) { return number(x, "%.6g"); }
 
@@ -133,10 +131,9 @@ std::string environmentSection(const Environment& environment, const Pipeline& p
   std::string html =
       "<section>\n<h2>Environment</h2>\n<p>" +
       escapeHtml(counted(environment.triangles.size(), "triangle", "triangles") + ", " +
-                 counted(environment.vertices.size(), "vertex", "vertices") + "; " +
-                 (environment.up == UpAxis::Y ? "Y up" : "Z up") + (environment.upGuessed ? " (guessed)" : "") + ", " +
-                 shortNumber(environment.metresPerUnit) + " metres per unit" +
-                 (environment.scaleGuessed ? " (guessed)" : "") +
+                 counted(environment.vertices.size(), "vertex", "vertices") + "; " + shownName(environment.up) + " up" +
+                 (environment.upGuessed ? " (guessed)" : "") + ", " + shortNumber(environment.metresPerUnit) +
+                 " metres per unit" + (environment.scaleGuessed ? " (guessed)" : "") +
                  (environment.bothSides ? ", both sides count as up" : "")) +
       "</p>\n";
   if (times.loadMs > 0) html += "<p class=\"quiet\">Loaded in " + milliseconds(times.loadMs) + "</p>\n";
@@ -239,7 +236,7 @@ std::string blockSection(const BlockReport& block, int threads) {
   Table cells({"Cell", "", "Work", "Thread", "Triangles in", "Triangles out"}, 2);
   for (std::size_t i = 0; i < std::min(order.size(), kMostRows); ++i) {
     const CellReport& cell = block.cells[order[i]];
-    cells.row({std::to_string(order[i]), percent(cell.workMs(), block.cells[order[0]].workMs()),
+    cells.row({std::to_string(order[i] + 1), percent(cell.workMs(), block.cells[order[0]].workMs()),
                milliseconds(cell.workMs()), std::to_string(cell.thread), grouped(cell.trianglesIn),
                grouped(cell.trianglesOut)});
   }

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/environment/up_axis.hpp"
+
 namespace footfall {
 namespace {
 
@@ -108,12 +110,6 @@ std::string textBeside(double value, double limit) {
   }
   return text;
 }
-
-Vec3 inFileFrame(const Vec3& p, UpAxis up) {
-  return up == UpAxis::Y ? Vec3{p.x + 0.0, p.z + 0.0, 0.0 - p.y} : Vec3{p.x + 0.0, p.y + 0.0, p.z + 0.0};
-}
-
-Vec3 fromFileFrame(const Vec3& p, UpAxis up) { return up == UpAxis::Y ? Vec3{p.x, -p.z, p.y} : p; }
 
 std::string formatExplanation(const Inspector& inspector, const PlaceExplanation& told) {
   const Environment& environment = inspector.environment();

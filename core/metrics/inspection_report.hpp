@@ -27,8 +27,4 @@ std::string_view verdictWord(PlaceVerdict verdict);
 /// 17 do not tell.
 std::string textBeside(double value, double limit);
 
-/// A place in the frame of the environment's file, and the other way round.
-Vec3 inFileFrame(const Vec3& place, UpAxis up);
-Vec3 fromFileFrame(const Vec3& place, UpAxis up);
-
 }  // namespace footfall

@@ -5,11 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/counted_text.hpp"
 #include "core/environment/skipped_polygons.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/metrics/process_usage.hpp"
 #include "core/metrics/text_table.hpp"
@@ -115,11 +116,7 @@ ExactFallbacks sumFallbacks(const RunResult& result) {
   return sum;
 }
 
-std::string number(double value, const char* format = "%.1f") {
-  std::array<char, 400> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
+std::string number(double value, const char* format = "%.1f") { return formatted(value, format); }
 
 std::string stepText(const StepStatistics& step) {
   const FilterDescriptor* filter = findFilter(step.name);
@@ -155,7 +152,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["environment"] = {{"source", environment.source},
                          {"triangles", environment.triangles.size()},
                          {"vertices", environment.vertices.size()},
-                         {"up", environment.up == UpAxis::Y ? "y" : "z"},
+                         {"up", nameOf(environment.up)},
                          {"up_guessed", environment.upGuessed},
                          {"metres_per_unit", environment.metresPerUnit},
                          {"scale_guessed", environment.scaleGuessed},
@@ -215,23 +212,20 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
   }
   rows.push_back({"(navigation mesh)", number(result.finishMs), "",
                   std::to_string(result.mesh ? result.mesh->triangles.size() : result.summary.triangles), "", ""});
-  std::string text = environment.source + ": " + std::to_string(environment.triangles.size()) + " triangles, " +
-                     (environment.up == UpAxis::Y ? "Y" : "Z") + " up" + (environment.upGuessed ? " (guessed)" : "") +
-                     ", " + number(environment.metresPerUnit, "%.6g") + " m per unit" +
+  std::string text = environment.source + ": " + counted(environment.triangles.size(), "triangle", "triangles") + ", " +
+                     shownName(environment.up) + " up" + (environment.upGuessed ? " (guessed)" : "") + ", " +
+                     number(environment.metresPerUnit, "%.6g") + " m per unit" +
                      (environment.scaleGuessed ? " (guessed)" : "") + '\n' + skippedLines(environment) + '\n' +
                      formatTable(rows) + '\n';
   const StateSummary& summary = result.summary;
-  const auto count = [](std::uint64_t n, const char* one, const char* many) {
-    return std::to_string(n) + ' ' + (n == 1 ? one : many);
-  };
-  text += count(result.mesh ? result.mesh->layerCount : summary.layers, "layer", "layers") + ", " +
-          count(result.mesh ? result.mesh->connections.size() : summary.connections, "connection", "connections") +
+  text += counted(result.mesh ? result.mesh->layerCount : summary.layers, "layer", "layers") + ", " +
+          counted(result.mesh ? result.mesh->connections.size() : summary.connections, "connection", "connections") +
           ", " +
-          count(result.mesh ? result.mesh->obstacleEdges.size() : summary.obstacleEdges, "obstacle edge",
-                "obstacle edges") +
+          counted(result.mesh ? result.mesh->obstacleEdges.size() : summary.obstacleEdges, "obstacle edge",
+                  "obstacle edges") +
           '\n';
   for (const BlockReport& block : result.blocks) {
-    text += "block of " + count(block.cells.size(), "cell", "cells") + ": partitioning " +
+    text += "block of " + counted(block.cells.size(), "cell", "cells") + ": partitioning " +
             number(block.partitioningMs) + " ms, parallel " + number(block.parallelMs) + " ms, merging " +
             number(block.mergingMs) + " ms; the busiest thread did " + number(block.imbalance(result.threads), "%.2f") +
             " times the mean\n";
@@ -242,7 +236,7 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
             " ms on one thread without blocks, " + number(times.speedUp->parallelMs) + " ms as given (medians)\n";
   }
   text += "load " + number(times.loadMs) + " ms, run " + number(result.totalMs) + " ms on " +
-          count(static_cast<std::uint64_t>(result.threads), "thread", "threads") + ", export " +
+          counted(static_cast<std::uint64_t>(result.threads), "thread", "threads") + ", export " +
           number(times.exportMs) + " ms\n";
   return text;
 }

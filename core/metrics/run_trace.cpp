@@ -101,7 +101,8 @@ class Trace {
       while (j < lane.size() && lane[j].first == number &&
              lane[j].second->startMs - lane[j - 1].second->endMs < kBreakMs)
         ++j;
-      add("cell " + std::to_string(number), "cell", laneOf(thread), lane[i].second->startMs, lane[j - 1].second->endMs,
+      add("cell " + std::to_string(number + 1), "cell", laneOf(thread), lane[i].second->startMs,
+          lane[j - 1].second->endMs,
           {{"triangles_in", cell.trianglesIn},
            {"triangles_out", cell.trianglesOut},
            {"cost", cell.cost},

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/counted_text.hpp"
 #include "core/environment/number_text.hpp"
 #include "core/environment/obj_text.hpp"
+#include "core/environment/up_axis.hpp"
 
 namespace footfall {
 namespace {
-
-Vec3 inFile(const Vec3& p, UpAxis up) { return up == UpAxis::Y ? Vec3{p.x, p.z, -p.y} : p; }
 
 /// Six digits are more than enough to read.
 std::string shown(double x) {
@@ -20,12 +20,12 @@ std::string shown(double x) {
 }
 
 std::string place(const SurfacePlace& p, UpAxis up) {
-  const Vec3 q = inFile(p.position, up);
+  const Vec3 q = inFileFrame(p.position, up);
   return shown(q.x) + ' ' + shown(q.y) + ' ' + shown(q.z);
 }
 
 nlohmann::ordered_json pointJson(const Vec3& p, UpAxis up) {
-  const Vec3 q = inFile(p, up);
+  const Vec3 q = inFileFrame(p, up);
   return {q.x + 0.0, q.y + 0.0, q.z + 0.0};
 }
 
@@ -57,7 +57,7 @@ const char* statusName(PathStatus status) {
 }  // namespace
 
 std::string formatPlace(const Vec3& p, UpAxis up) {
-  const Vec3 q = inFile(p, up);
+  const Vec3 q = inFileFrame(p, up);
   std::string text;
   appendNumber(text, q.x);
   text += ' ';
@@ -76,12 +76,12 @@ std::string formatPath(const Environment& environment, const PathResult& path) {
     text += (path.reached() ? "end      " : "fails at ") + place(*path.end, environment.up) + '\n';
   if (path.hasPath()) {
     text += "length   " + shown(path.length) + " (" + shown(path.planLength) + " in the plan), " +
-            std::to_string(path.bends.size()) + (path.bends.size() == 1 ? " bend\n" : " bends\n");
+            counted(path.bends.size(), "bend", "bends") + '\n';
     if (!path.layers.empty()) {
       text += "layers   ";
       for (std::size_t i = 0; i < path.layers.size(); ++i)
         text += (i == 0 ? "" : " > ") + std::to_string(path.layers[i]);
-      text += ", " + std::to_string(path.connections) + (path.connections == 1 ? " connection\n" : " connections\n");
+      text += ", " + counted(path.connections, "connection", "connections") + '\n';
     }
     text += "slope    " + shown(path.maxSlopeDegrees) + " degrees at most; climbs or falls at " +
             shown(path.maxInclineDegrees) + " degrees at most\n";
@@ -114,7 +114,7 @@ std::string formatPathJson(const NavigationMesh& mesh, const Environment& enviro
 std::string formatPathObj(const Environment& environment, const ExportHeader& header, const PathResult& path) {
   std::string text;
   appendHeader(text, "Shortest path", environment, header,
-               std::to_string(path.points.size()) + " points, length " + shown(path.length) + ", in the plan " +
+               counted(path.points.size(), "point", "points") + ", length " + shown(path.length) + ", in the plan " +
                    shown(path.planLength));
   for (const Vec3& p : path.points) appendVertex(text, p, environment.up);
   text += "g path\n";

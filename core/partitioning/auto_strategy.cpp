@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/counted_text.hpp"
 #include "core/partitioning/partition_builder.hpp"
 
 namespace footfall {
@@ -29,9 +30,9 @@ AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double
   }
   if (triangles < kFewTriangles) {
     choice.reason =
-        Text(FOOTFALL_TEXT("One cell, because an environment of %1 triangles is done before cells would pay: threads "
-                           "share its floors."),
-             triangles);
+        Text(FOOTFALL_TEXT("One cell, because an environment of %1 is done before cells would pay: threads share its "
+                           "floors."),
+             countedText(triangles, FOOTFALL_TEXT("1 triangle"), FOOTFALL_TEXT("%1 triangles")));
     return choice;
   }
   const auto depthOf = [](double cells) {

@@ -32,7 +32,7 @@ std::string formatCutObj(const CutEnvironment& cut, std::size_t cellCount, const
     if (numbers[v] != kUnused) appendVertex(text, cut.places[v], environment.up);
   for (std::size_t cell = 0; cell < cellCount; ++cell) {
     text += "g cell_";
-    appendNumber(text, cell);
+    appendNumber(text, cell + 1);
     text += '\n';
     for (const std::size_t i : members[cell]) {
       const auto& c = cut.triangles[i].corners;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/counted_text.hpp"
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/pipeline/cell_run.hpp"
@@ -69,7 +70,7 @@ class Block {
     report.partitioningMs = watch.wallMs();
     StepStatistics& step = addStep(0, report.startMs, report.partitioningMs, watch.cpuMs());
     const std::size_t cells = partition_.cells.size();
-    step.note = cells == 1 ? Text(FOOTFALL_TEXT("1 cell")) : Text(FOOTFALL_TEXT("%1 cells"), cells);
+    step.note = countedText(cells, FOOTFALL_TEXT("1 cell"), FOOTFALL_TEXT("%1 cells"));
     if (!partition_.reason.empty())
       step.note = Text(Pattern{"%1; %2: %3"}, step.note, partition_.strategy, partition_.reason);
     context_.cellsMade(std::make_shared<const BlockReport>(report));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
 
+#include "core/environment/up_axis.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/agent_edits.hpp"
@@ -162,6 +163,20 @@ class TestDocument : public QObject {
     QVERIFY(back.camera->position == session.camera->position && back.camera->pivot == session.camera->pivot);
     QCOMPARE(back.camera->orientation, session.camera->orientation);
     QCOMPARE(formatSession(back, path), text);
+  }
+
+  void sessionsKeepEveryUpAxis() {
+    const QTemporaryDir folder;
+    for (const UpAxis up : kUpAxes) {
+      Session session;
+      session.import.up = up;
+      const std::string path = folder.filePath("a.footfall").toStdString();
+      writeFile(folder, "a.footfall", QByteArray::fromStdString(formatSession(session, path)));
+      QVERIFY(readSession(path).import.up == up);
+    }
+    const QByteArray wrong("{\"footfall_session\": 1, \"import\": {\"up\": \"w\"}, \"pipeline\": []}");
+    const std::string path = writeFile(folder, "bad.footfall", wrong).toStdString();
+    QVERIFY_EXCEPTION_THROWN(readSession(path), InputError);
   }
 
   void badSessionsAreOneLineWithTheFile_data() {

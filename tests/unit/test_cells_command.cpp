@@ -94,6 +94,8 @@ class TestCellsCommand : public QObject {
     QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
     QVERIFY(QRegularExpression("^cell +x +z +y ").match(outcome.out).hasMatch());
     QVERIFY2(outcome.out.contains("-4 .. -2"), outcome.out.constData());
+    // Numbered as people count, and as the editor does.
+    QVERIFY(QRegularExpression("\n1 .*\n2 .*\n3 .*\n\n3 cells by ").match(outcome.out).hasMatch());
   }
 
   void autoSaysWhatItPicked() {
@@ -125,8 +127,9 @@ class TestCellsCommand : public QObject {
     QVERIFY(json.at("environment").at("triangles") == 4);
     QVERIFY(json.at("imbalance").get<double>() >= 1);
     QCOMPARE(json.at("cells").size(), std::size_t{4});
-    int open = 0;
+    int open = 0, number = 0;
     for (const auto& cell : json.at("cells")) {
+      QCOMPARE(cell.at("cell").get<int>(), ++number);
       for (const char* key : {"floors", "obstacles"}) QVERIFY(cell.at(key).is_number_unsigned());
       QVERIFY(cell.at("cost").is_number());
       QVERIFY(cell.at("lower")[0].is_null() != cell.at("upper")[0].is_null());
@@ -239,7 +242,7 @@ class TestCellsCommand : public QObject {
     for (const char* strategy : {"GridStrategy 3 2", "RecursiveStrategy 1 3 true", "AutoStrategy"}) {
       const Outcome outcome = footfallCells({path("line.obj"), "--strategy", strategy, "-o", path("out.obj")});
       QVERIFY(!outcome.crashed && (outcome.exitCode == 0 || outcome.exitCode == 2));
-      if (outcome.exitCode == 0) QVERIFY(contentOf(path("out.obj")).contains("\ng cell_0\n"));
+      if (outcome.exitCode == 0) QVERIFY(contentOf(path("out.obj")).contains("\ng cell_1\n"));
     }
   }
 

@@ -176,9 +176,9 @@ void TestCompareFiles::refusedFiles_data() {
                                 << "'x'";
   QTest::newRow("cut in a line") << QByteArray(kSquare).chopped(6) << "truncated";
   QTest::newRow("cut after a line") << header + "0 connections, 0 obstacle edges\n" + QByteArray(kSquare).chopped(8)
-                                    << "count 2 triangles, but it has 1; it was cut off";
+                                    << "triangles: its comments count 2, but it has 1; it was cut off";
   QTest::newRow("lost connections") << header + "3 connections, 0 obstacle edges\n" + kSquare
-                                    << "count 3 connections, but it has 0";
+                                    << "connections: its comments count 3, but it has 0";
   QTest::newRow("enormous") << QByteArray("v 0 0 0\nv 1e200 0 0\nv 0 0 1e200\nf 1 2 3\n") << "above 1e100";
 }
 

@@ -111,6 +111,13 @@ class TestImportFormats : public QObject {
     QCOMPARE(environment->metresPerUnit, 0.0254);
     QCOMPARE(environment->triangles.size(), std::size_t{2});
     QVERIFY(environment->vertices == (std::vector<Vec3>{{5, 6, 7}, {6, 6, 7}, {6, 7, 7}, {5, 7, 7}}));
+    // any axis, also downwards
+    QByteArray text = readAll(dataFile("z_up_inches.fbx"));
+    text.replace("\"UpAxis\", \"int\", \"Integer\", \"\",2", "\"UpAxis\", \"int\", \"Integer\", \"\",0");
+    text.replace("\"UpAxisSign\", \"int\", \"Integer\", \"\",1", "\"UpAxisSign\", \"int\", \"Integer\", \"\",-1");
+    const TemporaryFolder folder;
+    const auto turned = importEnvironment(folder.write("a.fbx", text));
+    QVERIFY(turned->up == UpAxis::NegativeX && turned->vertices[0] == (Vec3{6, -7, -5}));
   }
 
   void colladaKeepsItsFrameAndUnit_data() {
@@ -121,7 +128,7 @@ class TestImportFormats : public QObject {
     QTest::addColumn<double>("z");
     QTest::newRow("Z_UP") << QByteArray("Z_UP") << int(UpAxis::Z) << 5.0 << 6.0 << 7.0;
     QTest::newRow("Y_UP") << QByteArray("Y_UP") << int(UpAxis::Y) << 5.0 << -7.0 << 6.0;
-    QTest::newRow("X_UP") << QByteArray("X_UP") << int(UpAxis::Y) << -6.0 << -7.0 << 5.0;
+    QTest::newRow("X_UP") << QByteArray("X_UP") << int(UpAxis::X) << -6.0 << -7.0 << 5.0;
   }
   void colladaKeepsItsFrameAndUnit() {
     QFETCH(QByteArray, axis);

@@ -60,7 +60,7 @@ class TestInfo : public QObject {
     const auto environment = importObjText("v 0 0 -0.5\nv 1.25 0 0\nv 0 1 0\nl 1 2\np 1 2\nf 1 2\nf 1 2 3\n");
     const QString text = QString::fromStdString(formatInfo(*environment, inspectEnvironment(*environment)));
     for (const char* expected : {"x 0 to 1.25, y 0 to 1, z -0.5 to 0", "Z (given)", "1 (guessed)",
-                                 "2 points, 1 lines, 1 polygons", "walkable at 45 degrees  1\n", "open edges"}) {
+                                 "2 points, 1 line, 1 polygon", "walkable at 45 degrees  1\n", "open edges"}) {
       QVERIFY2(text.contains(expected), qPrintable(text));
     }
   }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "core/counted_text.hpp"
 #include "core/environment/input_file.hpp"
 #include "core/errors.hpp"
 #include "core/pipeline/pipeline.hpp"
@@ -29,6 +30,28 @@ class TestText : public QObject {
   Q_OBJECT
 
  private slots:
+  void oneIsNotMany() {
+    const auto layers = [](std::uint64_t n) {
+      return countedText(n, FOOTFALL_TEXT("1 layer"), FOOTFALL_TEXT("%1 layers")).str();
+    };
+    QCOMPARE(layers(0), std::string("0 layers"));
+    QCOMPARE(layers(1), std::string("1 layer"));
+    QCOMPARE(layers(21), std::string("21 layers"));
+    QCOMPARE(counted(1, "vertex", "vertices"), std::string("1 vertex"));
+    QCOMPARE(counted(0, "vertex", "vertices"), std::string("0 vertices"));
+  }
+
+  void zeroHasNoSign() {
+    QCOMPARE(formatted(-0.001, "%.2f ms"), std::string("0.00 ms"));
+    QCOMPARE(formatted(-0.0, "%g"), std::string("0"));
+    QCOMPARE(formatted(-0.0, "%.3e"), std::string("0.000e+00"));
+    QCOMPARE(formatted(-0.006, "%.2f"), std::string("-0.01"));
+    QCOMPARE(formatted(-1e-20, "%.6g"), std::string("-1e-20"));
+    QCOMPARE(formatted(-0.05, "%.6g"), std::string("-0.05"));
+    QCOMPARE(formatted(-10, "%.0f"), std::string("-10"));
+    QCOMPARE(formatted(-std::numeric_limits<double>::infinity(), "%g"), std::string("-inf"));
+  }
+
   void placesAreFilled() {
     QCOMPARE(Text(FOOTFALL_TEXT("%1 of %2"), 3, std::size_t{40}).str(), std::string("3 of 40"));
     QCOMPARE(Text(FOOTFALL_TEXT("%2 %1 %2"), "a", std::string("b")).str(), std::string("b a b"));
