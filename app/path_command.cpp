@@ -54,13 +54,19 @@ PathOutcome findPath(const PathArguments& arguments) {
   bar.begin("looking for the path", 0);
   const auto poll = [&context] { context.checkCancelled(); };
   const PathFinder finder(run.mesh, poll);
-  const PathResult path = finder.find(turned(arguments.from, environment->up), turned(arguments.to, environment->up),
-                                      arguments.reach.value_or(placeReach(*pipeline)), poll);
+  PathResult path = finder.find(turned(arguments.from, environment->up), turned(arguments.to, environment->up),
+                                arguments.reach.value_or(placeReach(*pipeline)), poll);
+  if (path.status == PathStatus::NotConnected) {
+    bar.begin("looking for what keeps the parts apart", 0);
+    const SeparationFinder separations(*run.mesh, finder.topology(), environment,
+                                       agentHeight(*pipeline, environment->metresPerUnit), poll);
+    addSeparation(path, finder.topology(), separations, poll);
+  }
   if (!arguments.output.empty() && path.hasPath())
     writeFileSafely(arguments.output, formatPathObj(*environment, makeExportHeader(*pipeline), path));
   bar.clear();
   return {arguments.json ? formatPathJson(*run.mesh, *environment, path) : formatPath(*environment, path),
-          path.reached() ? std::string() : environment->source + ": " + describeFailure(path)};
+          path.reached() ? std::string() : environment->source + ": " + formatFailure(path, environment->up)};
 }
 
 }  // namespace footfall

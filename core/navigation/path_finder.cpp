@@ -149,7 +149,7 @@ PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, cons
   result.to = to;
   if (topology_.componentCount == 0) return result;
   result.start = places_.locate(from, reach);
-  result.end = places_.locate(to, reach);
+  result.end = result.target = places_.locate(to, reach);
   if (!result.start) {
     result.status = PathStatus::StartNotWalkable;
     result.start = places_.nearest(from);
@@ -175,6 +175,13 @@ void PathFinder::addPath(PathResult& result, const std::function<void()>& poll) 
   if (!sides.found) return;
   Tracer(*mesh_, topology_, sides, result).run();
   addFigures(*mesh_, result);
+}
+
+void addSeparation(PathResult& result, const SurfaceTopology& topology, const SeparationFinder& separations,
+                   const std::function<void()>& poll) {
+  if (result.status != PathStatus::NotConnected) return;
+  result.separation =
+      separations.find(topology.components[result.start->triangle], topology.components[result.target->triangle], poll);
 }
 
 }  // namespace footfall

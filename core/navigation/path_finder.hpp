@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/navigation/separation.hpp"
 #include "core/navigation/surface_place.hpp"
 
 namespace footfall {
@@ -31,6 +32,10 @@ struct PathResult {
   /// Where the path ends: the target; or, when it cannot be reached, the place nearest to it (in space) among those
   /// that can be reached from the start.
   std::optional<SurfacePlace> end;
+  /// The walkable place at the target, where there is one: reached or not.
+  std::optional<SurfacePlace> target;
+  /// What keeps both parts apart, by addSeparation(); empty where they are not apart, and until it was called.
+  std::optional<Separation> separation;
 
   /// The path on the surface, from start to end: each piece lies in one triangle, `triangles[i]` holds the piece from
   /// points[i] to points[i + 1]. One point where start and end are the same place; none without a path.
@@ -87,5 +92,11 @@ class PathFinder {
   SurfaceTopology topology_;
   PlaceIndex places_;
 };
+
+/// Where no way leads from start to target: looks for the least that would have to be overcome. `separations` must be
+/// of the finder's mesh and topology.
+void addSeparation(
+    PathResult& result, const SurfaceTopology& topology, const SeparationFinder& separations,
+    const std::function<void()>& poll = [] {});
 
 }  // namespace footfall

@@ -8,6 +8,7 @@
 #include "core/environment/number_text.hpp"
 #include "core/environment/obj_text.hpp"
 #include "core/environment/up_axis.hpp"
+#include "core/navigation/separation_text.hpp"
 
 namespace footfall {
 namespace {
@@ -27,6 +28,35 @@ std::string place(const SurfacePlace& p, UpAxis up) {
 nlohmann::ordered_json pointJson(const Vec3& p, UpAxis up) {
   const Vec3 q = inFileFrame(p, up);
   return {q.x + 0.0, q.y + 0.0, q.z + 0.0};
+}
+
+std::string barrierSentence(const Separation& separation, UpAxis up) {
+  const BorderLink& link = separation.barrier();
+  const Vec3 p = inFileFrame(link.from, up);
+  std::string text = "the parts are nearest at " + shown(p.x) + ' ' + shown(p.y) + ' ' + shown(p.z) + ": " +
+                     barrierText(link, shown).str();
+  if (separation.links.size() > 1)
+    text += " (the largest of " + std::to_string(separation.links.size()) + " obstacles on the way)";
+  return text;
+}
+
+nlohmann::ordered_json separationJson(const std::optional<Separation>& separation, UpAxis up) {
+  if (!separation) return nullptr;
+  nlohmann::ordered_json json;
+  json["largest"] = separation->largest;
+  json["links"] = nlohmann::ordered_json::array();
+  for (const BorderLink& link : separation->links) {
+    nlohmann::ordered_json entry;
+    entry["kind"] = linkWord(link.kind);
+    entry["from"] = pointJson(link.from, up);
+    entry["to"] = pointJson(link.to, up);
+    entry["gap"] = link.gap;
+    entry["rise"] = link.rise;
+    entry["obstacle"] = link.kind == LinkKind::Obstacle ? nlohmann::ordered_json(link.obstacle) : nullptr;
+    entry["headroom"] = link.kind == LinkKind::LowCeiling ? nlohmann::ordered_json(link.headroom) : nullptr;
+    json["links"].push_back(std::move(entry));
+  }
+  return json;
 }
 
 nlohmann::ordered_json placeJson(const NavigationMesh& mesh, const std::optional<SurfacePlace>& p, UpAxis up) {
@@ -67,6 +97,11 @@ std::string formatPlace(const Vec3& p, UpAxis up) {
   return text;
 }
 
+std::string formatFailure(const PathResult& path, UpAxis up) {
+  const std::string text = describeFailure(path);
+  return path.separation ? text + "; " + barrierSentence(*path.separation, up) : text;
+}
+
 std::string formatPath(const Environment& environment, const PathResult& path) {
   std::string text;
   if (path.start)
@@ -93,7 +128,7 @@ std::string formatPathJson(const NavigationMesh& mesh, const Environment& enviro
   const UpAxis up = environment.up;
   nlohmann::ordered_json json;
   json["status"] = statusName(path.status);
-  json["message"] = describeFailure(path);
+  json["message"] = formatFailure(path, up);
   json["from"] = pointJson(path.from, up);
   json["to"] = pointJson(path.to, up);
   json["start"] = placeJson(mesh, path.start, up);
@@ -108,6 +143,7 @@ std::string formatPathJson(const NavigationMesh& mesh, const Environment& enviro
   for (const std::size_t i : path.bends) json["bends"].push_back(pointJson(path.points[i], up));
   json["points"] = nlohmann::ordered_json::array();
   for (const Vec3& p : path.points) json["points"].push_back(pointJson(p, up));
+  json["separation"] = separationJson(path.separation, up);
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/navigation/border_links.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace footfall {
+namespace {
+
+constexpr double kClearlyLess = 1 - 1e-9;  // what is nearer by less than that is no reason to leave the middle
+constexpr double kTiny = 1e-12;            // times the largest coordinate: far above what rounding adds to lengths
+
+double along(double a, double b, double s) { return s <= 0 ? a : s >= 1 ? b : a + s * (b - a); }
+Vec3 pointAt(const BorderEdge& e, double s) {
+  return {along(e.from.x, e.to.x, s), along(e.from.y, e.to.y, s), along(e.from.z, e.to.z, s)};
+}
+
+/// Where the border is nearest to a place in the plan.
+double nearestIn(const BorderEdge& e, const Vec3& p) {
+  const double ux = e.to.x - e.from.x, uy = e.to.y - e.from.y, square = ux * ux + uy * uy;
+  const double s = ((p.x - e.from.x) * ux + (p.y - e.from.y) * uy) / square;
+  return square > 0 ? std::clamp(s, 0.0, 1.0) : 0;
+}
+
+/// Of two borders: the best place so far.
+class Choice {
+ public:
+  Choice(const BorderEdge& a, const BorderEdge& b) : a_(a), b_(b) {
+    for (const Vec3& p : {a.from, a.to, b.from, b.to})
+      tiny_ = std::max({tiny_, kTiny * std::fabs(p.x), kTiny * std::fabs(p.y), kTiny * std::fabs(p.z)});
+  }
+
+  void tryAt(double s, bool isInterval) {
+    take(pointAt(a_, s), pointAt(b_, nearestIn(b_, pointAt(a_, s))), isInterval);
+  }
+  void tryEnd(const Vec3& end) { take(pointAt(a_, nearestIn(a_, end)), end, false); }
+  void take(const Vec3& p, const Vec3& q, bool isInterval) {
+    BorderLink link;
+    link.from = p;
+    link.to = q;
+    link.gap = std::hypot(q.x - p.x, q.y - p.y);
+    link.rise = q.z - p.z;
+    link.isInterval = isInterval;
+    if (!best_ || (best_->size() > tiny_ && link.size() < kClearlyLess * best_->size())) best_ = link;
+  }
+  [[nodiscard]] const std::optional<BorderLink>& best() const { return best_; }
+  /// Lengths up to this are none.
+  [[nodiscard]] double tiny() const { return tiny_; }
+
+ private:
+  const BorderEdge &a_, &b_;
+  double tiny_ = 0;
+  std::optional<BorderLink> best_;
+};
+
+/// The stretch of `a` beside `b`: between the feet of b's ends.
+std::array<double, 2> stretchBeside(const BorderEdge& a, const BorderEdge& b) {
+  const double s = nearestIn(a, b.from), t = nearestIn(a, b.to);
+  return {std::min(s, t), std::max(s, t)};
+}
+
+double heightOver(const BorderEdge& a, const BorderEdge& b, double s) {
+  const Vec3 p = pointAt(a, s);
+  return pointAt(b, nearestIn(b, p)).z - p.z;
+}
+
+}  // namespace
+
+std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology) {
+  std::vector<BorderEdge> borders;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (topology.components[t] == SurfaceTopology::kNone) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (topology.neighbours[t][k] != SurfaceTopology::kNone) continue;
+      const Triangle& f = mesh.triangles[t];
+      borders.push_back({mesh.vertices[f[k]], mesh.vertices[f[(k + 1) % 3]], t, topology.components[t]});
+    }
+  }
+  return borders;
+}
+
+double BorderLink::size() const { return std::max({gap, std::fabs(rise), kind == LinkKind::Obstacle ? obstacle : 0}); }
+
+Vec3 nearestPoint(const BorderEdge& border, const Vec3& place) { return pointAt(border, nearestIn(border, place)); }
+
+std::optional<Vec3> besideOn(const BorderEdge& border, const Vec3& place, double step) {
+  const double length = std::hypot(border.to.x - border.from.x, border.to.y - border.from.y);
+  const double s = nearestIn(border, place), t = std::clamp(s + step / length, 0.0, 1.0);
+  if (s == t) return std::nullopt;
+  return pointAt(border, t);
+}
+
+BorderLink reversed(const BorderLink& link) {
+  BorderLink other = link;
+  std::swap(other.from, other.to);
+  std::swap(other.fromComponent, other.toComponent);
+  other.rise = -link.rise;
+  return other;
+}
+
+std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b) {
+  const double ax = a.to.x - a.from.x, ay = a.to.y - a.from.y, bx = b.to.x - b.from.x, by = b.to.y - b.from.y;
+  Choice choice(a, b);
+  if (a.from == b.to && a.to == b.from) {  // both sides of one edge: without rounding
+    const Vec3 middle = pointAt(a, 0.5);
+    choice.take(middle, middle, true);
+  } else {
+    const auto [s0, s1] = stretchBeside(a, b);
+    const bool isFacing = s1 > s0 && ax * bx + ay * by < 0;
+    if (isFacing) {
+      choice.tryAt((s0 + s1) / 2, true);
+      const double h0 = heightOver(a, b, s0), h1 = heightOver(a, b, s1);
+      if (h0 * h1 < 0) choice.tryAt(s0 + (s1 - s0) * (h0 / (h0 - h1)), true);
+    }
+    choice.tryAt(0, false);
+    choice.tryAt(1, false);
+    choice.tryEnd(b.from);
+    choice.tryEnd(b.to);
+    const double area = ax * by - ay * bx;
+    const double cx = b.from.x - a.from.x, cy = b.from.y - a.from.y;
+    const double s = (cx * by - cy * bx) / area, t = (cx * ay - cy * ax) / area;
+    if (area != 0 && s > 0 && s < 1 && t > 0 && t < 1) choice.take(pointAt(a, s), pointAt(b, t), false);
+    // A bridge's border right over another one's: both walkable sides are on the same side, and no step leads there.
+    const Vec3 middle = pointAt(a, (s0 + s1) / 2), over = pointAt(b, nearestIn(b, middle));
+    const bool isSameSide = s1 > s0 && ax * bx + ay * by > 0;
+    if (isSameSide && std::hypot(over.x - middle.x, over.y - middle.y) <= choice.tiny()) return std::nullopt;
+  }
+  BorderLink link = *choice.best();
+  if (!link.isInterval && link.size() <= choice.tiny()) link.kind = LinkKind::Touch;
+  link.fromComponent = a.component;
+  link.toComponent = b.component;
+  return link;
+}
+
+}  // namespace footfall

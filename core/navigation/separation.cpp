@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/navigation/separation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "core/environment/parallel_ranges.hpp"
+#include "core/filters/disjoint_sets.hpp"
+
+namespace footfall {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Box boxOf(const BorderEdge& e, double around) {
+  const auto low = [&](double a, double b) { return std::nextafter(std::min(a, b) - around, -kInfinity); };
+  const auto high = [&](double a, double b) { return std::nextafter(std::max(a, b) + around, kInfinity); };
+  return {{low(e.from.x, e.to.x), low(e.from.y, e.to.y), low(e.from.z, e.to.z)},
+          {high(e.from.x, e.to.x), high(e.from.y, e.to.y), high(e.from.z, e.to.z)}};
+}
+
+/// Two borders that may be linked, by their numbers; the first is the smaller one.
+struct Pair {
+  double size = kInfinity;
+  std::uint32_t a = 0, b = 0;
+  bool isPoint = false;  ///< as large as others, but no stretch of both borders
+  bool operator<(const Pair& other) const {
+    return std::tie(size, isPoint, a, b) < std::tie(other.size, other.isPoint, other.a, other.b);
+  }
+  bool operator>(const Pair& other) const { return other < *this; }
+};
+
+}  // namespace
+
+SeparationFinder::SeparationFinder(const NavigationMesh& mesh, const SurfaceTopology& topology,
+                                   std::shared_ptr<const Environment> environment, double height,
+                                   const std::function<void()>& poll)
+    : componentCount_(topology.componentCount),
+      borders_(findBorders(mesh, topology)),
+      obstacles_(std::move(environment), height, poll) {
+  std::vector<Box> boxes;
+  std::vector<std::int32_t> ids;
+  boxes.reserve(borders_.size());
+  for (const BorderEdge& border : borders_) {
+    boxes.push_back(boxOf(border, 0));
+    ids.push_back(static_cast<std::int32_t>(ids.size()));
+  }
+  if (!boxes.empty()) tree_.build(boxes, ids, poll);
+}
+
+/// One question. Parts that are linked are one set.
+class SeparationSearch {
+ public:
+  SeparationSearch(const SeparationFinder& finder, std::uint32_t from, std::uint32_t to,
+                   const std::function<void()>& poll)
+      : finder_(finder), from_(from), to_(to), poll_(poll), sets_(finder.componentCount_) {}
+
+  std::optional<Separation> run() {
+    if (!linkWithinReach() && !linkBeyond()) return std::nullopt;
+    return chain();
+  }
+
+ private:
+  static constexpr double kFirstBand = 1.0 / 64;  // of the agent's height
+  static constexpr double kGrowth = 4;
+  static constexpr std::size_t kMostPairs = std::size_t{1} << 22;  // that are held at once
+  static constexpr std::size_t kPolled = 256;
+  static constexpr int kMostJoined = 8;  // parts between two that are far from each other
+
+  [[nodiscard]] bool isLinked() { return sets_.find(index(from_)) == sets_.find(index(to_)); }
+  static Index index(std::uint32_t component) { return static_cast<Index>(component); }
+
+  /// For each component its set.
+  [[nodiscard]] std::vector<Index> numberSets() {
+    std::vector<Index> of(finder_.componentCount_);
+    for (std::size_t i = 0; i < of.size(); ++i) of[i] = sets_.find(static_cast<Index>(i));
+    return of;
+  }
+
+  void accept(const BorderLink& link) {
+    sets_.unite(index(link.fromComponent), index(link.toComponent));
+    links_.push_back(link);
+  }
+
+  // --- Kruskal, as far as an agent is high
+
+  bool linkWithinReach() {
+    const double height = finder_.obstacles_.height();
+    double done = -1;
+    for (double band = height * kFirstBand; done < height;) {
+      std::vector<Pair> pairs;
+      // Where very many lie equally near to each other, bands grow more slowly.
+      for (int attempt = 0; !collect(done, band, attempt < 16 ? kMostPairs : SIZE_MAX, pairs); ++attempt)
+        band = std::max(done, 0.0) + (band - std::max(done, 0.0)) / 4;
+      std::sort(pairs.begin(), pairs.end());
+      if (linkInOrder(pairs, band)) return true;
+      done = band;
+      band = std::min(kGrowth * band, height);
+    }
+    return false;
+  }
+
+  /// All pairs of different sets that are farther than `done` and not farther than `band`. False when there are more
+  /// than `most`.
+  bool collect(double done, double band, std::size_t most, std::vector<Pair>& pairs) {
+    const std::vector<Index> sets = numberSets();
+    const std::vector<BorderEdge>& borders = finder_.borders_;
+    pairs.clear();
+    std::mutex access;
+    std::atomic<std::size_t> count{0};
+    forRanges(borders.size(), kPolled, [&](std::size_t first, std::size_t last) {
+      poll_();
+      if (count > most) return;
+      std::vector<std::int32_t> stack;
+      std::vector<Pair> found;
+      for (std::size_t i = first; i < last; ++i) {
+        finder_.tree_.visitOverlapping(boxOf(borders[i], band), stack, [&](std::int32_t id) {
+          const auto j = static_cast<std::size_t>(id);
+          if (j <= i || sets[borders[i].component] == sets[borders[j].component]) return true;
+          const auto link = linkBetween(borders[i], borders[j]);
+          if (link && !link->isBlocked() && link->size() > done && link->size() <= band)
+            found.push_back(
+                {link->size(), static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), !link->isInterval});
+          return true;
+        });
+      }
+      if ((count += found.size()) > most) return;
+      const std::scoped_lock lock(access);
+      pairs.insert(pairs.end(), found.begin(), found.end());
+    });
+    return count <= most;
+  }
+
+  /// Links over something are as large as that is high, and wait until it is their turn.
+  bool linkInOrder(const std::vector<Pair>& pairs, double band) {
+    std::size_t next = 0, polls = 0;
+    while (next < pairs.size() || (!waiting_.empty() && waiting_.top().size <= band)) {
+      if (++polls % kPolled == 0) poll_();
+      const bool isWaiting = !waiting_.empty() && (next == pairs.size() || waiting_.top() < pairs[next]);
+      const Pair pair = isWaiting ? waiting_.top() : pairs[next];
+      if (isWaiting)
+        waiting_.pop();
+      else
+        ++next;
+      const BorderEdge &a = finder_.borders_[pair.a], &b = finder_.borders_[pair.b];
+      if (sets_.find(index(a.component)) == sets_.find(index(b.component))) continue;
+      BorderLink link = *linkBetween(a, b);
+      if (!finder_.obstacles_.lookAt(link, a, b, stack_) || link.isBlocked()) continue;
+      if (link.size() > pair.size) {
+        waiting_.push({link.size(), pair.a, pair.b, pair.isPoint});
+        continue;
+      }
+      accept(link);
+      if (isLinked()) return true;
+    }
+    return false;
+  }
+
+  // --- Prim, from the set with fewer borders
+
+  bool linkBeyond() {
+    for (int joined = 0;; ++joined) {
+      const std::vector<Index> sets = numberSets();
+      std::array<std::size_t, 2> sizes{};
+      for (const BorderEdge& border : finder_.borders_)
+        for (std::size_t k = 0; k < 2; ++k)
+          if (sets[border.component] == sets[k == 0 ? from_ : to_]) ++sizes[k];
+      if (joined == 0) fromSmaller_ = sizes[0] <= sizes[1];
+      const Index own = sets[fromSmaller_ ? from_ : to_], other = sets[fromSmaller_ ? to_ : from_];
+      const auto isTarget = [&](Index set) { return joined < kMostJoined ? set != own : set == other; };
+      const std::optional<Pair> nearest = nearestPair(sets, own, isTarget);
+      if (!nearest) return false;
+      const BorderEdge &a = finder_.borders_[nearest->a], &b = finder_.borders_[nearest->b];
+      BorderLink link = *linkBetween(a, b);
+      finder_.obstacles_.lookAt(link, a, b, stack_);
+      accept(link);
+      if (isLinked()) return true;
+    }
+  }
+
+  template <class IsTarget>
+  std::optional<Pair> nearestPair(const std::vector<Index>& sets, Index own, const IsTarget& isTarget) {
+    const std::vector<BorderEdge>& borders = finder_.borders_;
+    std::vector<std::uint32_t> asking;
+    Box whole{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+    bool anyTarget = false;
+    for (std::uint32_t i = 0; i < borders.size(); ++i) {
+      const Box box = boxOf(borders[i], 0);
+      for (std::size_t k = 0; k < 3; ++k) {
+        whole.lower[k] = std::min(whole.lower[k], box.lower[k]);
+        whole.upper[k] = std::max(whole.upper[k], box.upper[k]);
+      }
+      if (sets[borders[i].component] == own) asking.push_back(i);
+      anyTarget = anyTarget || isTarget(sets[borders[i].component]);
+    }
+    if (asking.empty() || !anyTarget) return std::nullopt;
+    double extent = 0;
+    for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, whole.upper[k] - whole.lower[k]);
+    std::optional<Pair> best;
+    for (double reach = finder_.obstacles_.height() * kFirstBand; !best; reach *= kGrowth) {
+      for (std::size_t n = 0; n < asking.size(); ++n) {
+        if (n % 64 == 0) poll_();
+        visitNear(asking[n], best ? best->size : reach, [&](std::uint32_t j) {
+          if (!isTarget(sets[borders[j].component])) return;
+          const Pair pair = pairOf(asking[n], j);
+          if (pair.size <= reach && (!best || pair < *best)) best = pair;
+        });
+      }
+      if (reach > 4 * extent) break;
+    }
+    return best;
+  }
+
+  template <class Visit>
+  void visitNear(std::uint32_t i, double reach, const Visit& visit) {
+    finder_.tree_.visitOverlapping(boxOf(finder_.borders_[i], reach), stack_, [&](std::int32_t id) {
+      visit(static_cast<std::uint32_t>(id));
+      return true;
+    });
+  }
+
+  [[nodiscard]] Pair pairOf(std::uint32_t i, std::uint32_t j) const {
+    Pair pair{kInfinity, std::min(i, j), std::max(i, j)};
+    if (const auto link = linkBetween(finder_.borders_[pair.a], finder_.borders_[pair.b])) {
+      pair.size = link->size();
+      pair.isPoint = !link->isInterval;
+    }
+    return pair;
+  }
+
+  // --- The chain
+
+  [[nodiscard]] Separation chain() const {
+    // Links make a forest: the way back from the goal, found once over all links.
+    std::vector<std::vector<BorderLink>> at(finder_.componentCount_);
+    for (const BorderLink& link : links_) {
+      at[link.fromComponent].push_back(link);
+      at[link.toComponent].push_back(reversed(link));
+    }
+    std::vector<std::optional<BorderLink>> reachedBy(finder_.componentCount_);
+    std::queue<std::uint32_t> open({from_});
+    while (!open.empty() && !reachedBy[to_]) {
+      const std::uint32_t here = open.front();
+      open.pop();
+      for (const BorderLink& link : at[here]) {
+        if (link.toComponent == from_ || reachedBy[link.toComponent]) continue;
+        reachedBy[link.toComponent] = link;
+        open.push(link.toComponent);
+      }
+    }
+    Separation separation;
+    for (std::uint32_t here = to_; here != from_; here = separation.links.back().fromComponent)
+      separation.links.push_back(*reachedBy[here]);
+    std::reverse(separation.links.begin(), separation.links.end());
+    const auto rank = [](const BorderLink& link) { return std::pair(link.isBlocked(), link.size()); };
+    for (std::size_t i = 1; i < separation.links.size(); ++i)
+      if (rank(separation.links[separation.largest]) < rank(separation.links[i])) separation.largest = i;
+    return separation;
+  }
+
+  const SeparationFinder& finder_;
+  std::uint32_t from_, to_;
+  const std::function<void()>& poll_;
+  DisjointSets sets_;
+  std::vector<BorderLink> links_;
+  std::priority_queue<Pair, std::vector<Pair>, std::greater<>> waiting_;
+  std::vector<std::int32_t> stack_;
+  bool fromSmaller_ = true;
+};
+
+std::optional<Separation> SeparationFinder::find(std::uint32_t from, std::uint32_t to,
+                                                 const std::function<void()>& poll) const {
+  return SeparationSearch(*this, from, to, poll).run();
+}
+
+}  // namespace footfall

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/navigation/separation_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace footfall {
+namespace {
+
+constexpr double kNothing = 1e-9;  // of the larger of gap and step: the other one is rounding
+
+Text openText(const BorderLink& link, const std::function<std::string(double)>& length) {
+  const double step = std::fabs(link.rise), none = kNothing * std::max(link.gap, step);
+  const bool isUp = link.rise > 0;
+  if (step <= none && link.gap <= none)
+    return FOOTFALL_TEXT("an obstacle edge, on which nothing stands that could be seen");
+  if (step <= none) return Text(FOOTFALL_TEXT("a gap of %1"), length(link.gap));
+  if (link.gap <= none)
+    return isUp ? Text(FOOTFALL_TEXT("a step of %1 up"), length(step))
+                : Text(FOOTFALL_TEXT("a step of %1 down"), length(step));
+  return isUp ? Text(FOOTFALL_TEXT("a gap of %1 and a step of %2 up"), length(link.gap), length(step))
+              : Text(FOOTFALL_TEXT("a gap of %1 and a step of %2 down"), length(link.gap), length(step));
+}
+
+}  // namespace
+
+Text barrierText(const BorderLink& link, const std::function<std::string(double)>& length) {
+  const bool isApart = link.size() > 0 && link.gap > kNothing * link.size();
+  switch (link.kind) {
+    case LinkKind::Open:
+      return openText(link, length);
+    case LinkKind::Obstacle:
+      return Text(FOOTFALL_TEXT("something %1 high to climb over"), length(link.obstacle));
+    case LinkKind::LowCeiling:
+      return Text(FOOTFALL_TEXT("a place with only %1 of free height"), length(link.headroom));
+    case LinkKind::Wall:
+      return isApart ? Text(FOOTFALL_TEXT("a wall; the parts are %1 apart"), length(link.gap))
+                     : Text(FOOTFALL_TEXT("an obstacle edge: a wall without thickness"));
+    case LinkKind::Touch:
+      return FOOTFALL_TEXT("the parts only touch in a point, through which nobody fits");
+  }
+  return {};
+}
+
+std::string_view linkWord(LinkKind kind) {
+  switch (kind) {
+    case LinkKind::Open:
+      return "open";
+    case LinkKind::Obstacle:
+      return "obstacle";
+    case LinkKind::LowCeiling:
+      return "low_ceiling";
+    case LinkKind::Wall:
+      return "wall";
+    case LinkKind::Touch:
+      return "touch";
+  }
+  return {};
+}
+
+}  // namespace footfall

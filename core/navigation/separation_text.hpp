@@ -1,0 +1,21 @@
+// What keeps two parts of a walkable area apart, in words.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/navigation/separation.hpp"
+#include "core/text.hpp"
+
+namespace footfall {
+
+/// What stands between the two borders, "a step of 0.43 up" or "a gap of 0.12"; `length` writes lengths, given in the
+/// mesh's units.
+Text barrierText(const BorderLink& link, const std::function<std::string(double)>& length);
+
+/// The word for a kind in JSON, e.g. "low_ceiling".
+std::string_view linkWord(LinkKind kind);
+
+}  // namespace footfall
