@@ -9,11 +9,14 @@
 
 #include "core/navigation/place_reach.hpp"
 #include "ui/editor_window.hpp"
+#include "ui/path_text.hpp"
 
 namespace footfall {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr double kShownAround = 1.5;  // metres around what keeps two parts apart
 
 Json toJson(const std::optional<Vec3>& place) { return place ? Json{place->x, place->y, place->z} : Json(nullptr); }
 
@@ -28,7 +31,12 @@ std::optional<Vec3> toPlace(const Json& json) {
 }  // namespace
 
 PathFeature::PathFeature(EditorWindow& window)
-    : QObject(&window), window_(window), tool_(model_, window.view(), nullptr), panel_(new PathPanel(model_)) {
+    : QObject(&window),
+      window_(window),
+      tool_(model_, window.view(), nullptr),
+      panel_(new PathPanel(model_)),
+      separation_(new SeparationView(model_, window.view(), panel_)) {
+  panel_->addBelowFailure(separation_);
   dock_ = window.addPanel({QStringLiteral("panel.path"),
                            tr("Try it"),
                            tr("Enter two places and see the shortest path between them"),
@@ -71,19 +79,25 @@ PathFeature::PathFeature(EditorWindow& window)
 void PathFeature::follow() {
   const bool shown = window_.view().tool() == &tool_ || !dock_->isHidden();
   tool_.setShown(shown);
+  separation_->setShown(shown);
   model_.setActive(shown);
 }
 
 void PathFeature::takeResult() {
   const auto run = window_.controller().finishedRun();
   if (run) {
-    model_.setMesh(run->result.mesh, placeReach(run->pipeline));
+    model_.setGround({run->result.mesh, placeReach(run->pipeline), run->environment,
+                      agentHeight(run->pipeline, run->environment->metresPerUnit)});
   } else {
-    model_.setMesh(nullptr, 0);
+    model_.setGround({});
   }
   const double metres = window_.environment() ? window_.environment()->metresPerUnit : 1;
   panel_->setMetresPerUnit(metres);
   tool_.setMetresPerUnit(metres);
+  separation_->setWriter(
+      {[metres](double length) { return metres == 1 ? tr("%1 m").arg(measureText(length)) : measureText(length); },
+       placeText});
+  separation_->setMargin(kShownAround / metres);
   panel_->setNotice(!window_.environment() ? tr("Open an environment first.")
                     : run                  ? QString()
                                            : tr("There is no result to walk on yet."));

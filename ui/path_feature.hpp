@@ -8,6 +8,7 @@
 #include "ui/path_model.hpp"
 #include "ui/path_panel.hpp"
 #include "ui/path_tool.hpp"
+#include "ui/separation_view.hpp"
 
 class QDockWidget;
 
@@ -33,6 +34,7 @@ class PathFeature : public QObject {
   PathModel model_;
   PathTool tool_;
   PathPanel* panel_;
+  SeparationView* separation_;
   QDockWidget* dock_;
   std::string environment_;   ///< that the places lie in
   bool fromSession_ = false;  ///< they came with the file that is being opened

@@ -22,8 +22,15 @@ class PathModel : public QObject {
   explicit PathModel(QObject* parent = nullptr);
   ~PathModel() override;
 
-  /// The result to walk on (null: none) and how far below a place it may lie (placeReach()).
-  void setMesh(std::shared_ptr<const NavigationMesh> mesh, double reach);
+  /// What a path needs of a finished run.
+  struct Ground {
+    std::shared_ptr<const NavigationMesh> mesh;      ///< to walk on; null: none
+    double reach = 0;                                ///< how far below a place it may lie (placeReach())
+    std::shared_ptr<const Environment> environment;  ///< what stands between its parts
+    double agentHeight = 0;
+    bool operator==(const Ground&) const = default;
+  };
+  void setGround(Ground ground);
   void setActive(bool active);
   void setStart(const std::optional<Vec3>& place) { setPlaces(place, target_); }
   void setTarget(const std::optional<Vec3>& place) { setPlaces(start_, place); }
@@ -32,9 +39,10 @@ class PathModel : public QObject {
 
   [[nodiscard]] const std::optional<Vec3>& start() const { return start_; }
   [[nodiscard]] const std::optional<Vec3>& target() const { return target_; }
-  /// Of the last two places for which it was found; nothing without both of them, or without a mesh.
+  /// Of the last two places for which it was found; nothing without both of them, or without a mesh. What keeps two
+  /// parts apart is added a little later, with one more resultChanged().
   [[nodiscard]] const std::optional<PathResult>& result() const { return result_; }
-  /// A path is being looked for.
+  /// A path, or what keeps two parts apart, is being looked for.
   [[nodiscard]] bool busy() const { return context_ != nullptr; }
 
  signals:
@@ -44,14 +52,15 @@ class PathModel : public QObject {
 
  private:
   struct Finder;
-  void refresh(bool meshChanged);
-  void startJob();
-  void finishJob(const std::shared_ptr<const NavigationMesh>& mesh, const std::optional<PathResult>& result,
-                 const QString& error);
+  void refresh(bool groundChanged);
+  [[nodiscard]] bool isWanted() const { return active_ && ground_.mesh && start_ && target_; }
+  /// Looks for the path, or for what keeps the parts apart where `failed` failed.
+  void startJob(std::optional<PathResult> failed = {});
+  void finishJob(const Ground& ground, const std::optional<PathResult>& result, const QString& error);
 
-  std::shared_ptr<const NavigationMesh> mesh_;
-  double reach_ = 0;
+  Ground ground_;
   bool active_ = false;
+  bool isSeparating_ = false;  ///< the job under way is about what keeps parts apart
   std::optional<Vec3> start_, target_;
   std::optional<PathResult> result_;
   bool isStale_ = false;

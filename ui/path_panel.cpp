@@ -109,6 +109,11 @@ void PathPanel::setMetresPerUnit(double metres) {
   showResult();
 }
 
+void PathPanel::addBelowFailure(QWidget* widget) {
+  auto* rows = static_cast<QVBoxLayout*>(layout());
+  rows->insertWidget(rows->indexOf(failure_) + 1, widget);
+}
+
 void PathPanel::setNotice(const QString& notice) {
   notice_ = notice;
   showResult();

@@ -23,6 +23,8 @@ class PathPanel : public QWidget {
   void setNotice(const QString& notice);
   [[nodiscard]] double speed() const { return speed_->value(); }
   void setSpeed(double metresPerSecond);
+  /// Puts a widget below the reason of a failure; takes it over.
+  void addBelowFailure(QWidget* widget);
   [[nodiscard]] QString text() const { return text_->text(); }
 
  signals:

@@ -66,7 +66,23 @@ class TestPathTool : public QObject {
     QVERIFY(waitForResult(PathStatus::NotConnected));
     QVERIFY(std::fabs(model().result()->points.back().x - 4) < 1e-9);
     QVERIFY2(text("rowError", "pathPanel").contains("separate parts"), qPrintable(text("rowError", "pathPanel")));
+    // Beside it, a little later: what keeps them apart.
+    QTRY_VERIFY(model().result()->separation);
+    QCOMPARE(model().result()->separation->barrier().gap, 2.0);
+    QVERIFY2(text("pathSeparation").contains("nearest at 4, 0, 0: a gap of 2 m."), qPrintable(text("pathSeparation")));
     shoot("path-fails");
+    const CameraPose pose = window_->view().cameraPose();
+    press("pathShowSeparation");
+    QTRY_VERIFY(!(window_->view().cameraPose().position == pose.position));
+    QVERIFY(window_->view().project({5, 0, 0}));
+    shoot("path-separation");
+    // Dragging to another place of the same part needs no new search; a way that leads there has none.
+    model().setTarget(Vec3{7.5, 1, 0});
+    QTRY_VERIFY(model().result()->to == (Vec3{7.5, 1, 0}));
+    QVERIFY(model().result()->separation);
+    model().setTarget(Vec3{-2, -2, 0});
+    QVERIFY(waitForResult(PathStatus::Found));
+    QVERIFY(text("pathSeparation").isEmpty());
   }
 
   void anEndIsDragged() {
