@@ -9,6 +9,7 @@
 #include "ui/measure_panel.hpp"
 #include "ui/obstacle_features.hpp"
 #include "ui/path_feature.hpp"
+#include "ui/skipped_feature.hpp"
 
 namespace footfall {
 
@@ -21,6 +22,7 @@ void EditorWindow::createFeatures() {
   new MeasureFeature(*this);
   new InspectionFeature(*this);
   new ObstacleFeatures(*this);
+  new SkippedFeature(*this);
 }
 
 }  // namespace footfall

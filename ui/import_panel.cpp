@@ -104,6 +104,11 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   setEnvironment(nullptr, {});
 }
 
+void ImportPanel::addBelowFigures(QWidget* widget) {
+  auto* rows = static_cast<QVBoxLayout*>(layout());
+  rows->insertWidget(rows->indexOf(figures_) + 1, widget);
+}
+
 void ImportPanel::setOptions(const ImportOptions& options) {
   options_ = options;
   up_->setCurrentIndex(!options.up ? 0 : *options.up == UpAxis::Y ? 1 : 2);

@@ -29,6 +29,9 @@ class ImportPanel : public QWidget {
   /// Whether the file is read again when another program saves it. Remembered by the caller.
   [[nodiscard]] QCheckBox* watchBox() const { return watch_; }
 
+  /// Puts a widget below the figures; takes it over.
+  void addBelowFigures(QWidget* widget);
+
  signals:
   void optionsEdited(const footfall::ImportOptions& options);
 

@@ -39,7 +39,8 @@ bool isIn(CoverPart part, const Jump& windings) {
 
 class Arrangement {
  public:
-  Arrangement(const std::vector<CoverPoint>& points, const std::function<void()>& poll) : poll_(poll) {
+  Arrangement(const std::vector<CoverPoint>& points, const std::function<void()>& poll, bool withBorders)
+      : poll_(poll), given_(points), withBorders_(withBorders) {
     // Moved to the corner of what is there, so that all numbers are as small as they can be.
     points_.reserve(points.size());
     mpz_class lowX = points.empty() ? mpz_class(0) : points[0].x, lowY = points.empty() ? mpz_class(0) : points[0].y;
@@ -56,10 +57,10 @@ class Arrangement {
     for (const CoverPoint& p : points_) rounded_.push_back({fraction(p.x), fraction(p.y)});
   }
 
-  CoverResult areas(const std::vector<CoverEdge>& edges) {
+  CoverResult areas(const std::vector<CoverEdge>& edges, std::vector<CoverPiece>* borders) {
     joinLines(cancelled(edges));
     cut();
-    return measure();
+    return measure(borders);
   }
 
  private:
@@ -292,7 +293,18 @@ class Arrangement {
     std::array<bool, 3> hasArea{};
     std::array<mpz_class, 3> whole;       ///< of uncut segments
     std::array<mpf_class, 3> fractional;  ///< of pieces
+    std::vector<CoverPiece> borders;
   };
+
+  /// The end of a piece; `place` is null where it is the end of the segment itself.
+  [[nodiscard]] CoverCorner cornerAt(std::uint32_t point, const Segment& s, const Place* place) const {
+    if (place == nullptr) return {given_[point].x.get_d(), given_[point].y.get_d(), point};
+    const CoverPoint &p = given_[s.from], &q = given_[s.to];
+    const auto between = [&](const mpz_class& a, const mpz_class& b) {
+      return mpq_class(a * place->denominator + (b - a) * place->numerator, place->denominator).get_d();
+    };
+    return {between(p.x, q.x), between(p.y, q.y), CoverCorner::kNoPoint};
+  }
 
   /// Enough digits for the smallest face of the arrangement: it contains a triangle of three of its corners, each a
   /// crossing with a denominator below 2^(2 w + 4), so that its area is above 2^-(6 w + 14).
@@ -311,6 +323,8 @@ class Arrangement {
       const int side = static_cast<int>(isIn(k, left)) - static_cast<int>(isIn(k, right));
       if (side == 0) continue;
       sums.hasArea[k] = true;
+      if (withBorders_ && k != kBoth)
+        sums.borders.push_back({k, side > 0, cornerAt(s.from, s, start), cornerAt(s.to, s, end)});
       if (!whole) {
         const CoverPoint &p = points_[s.from], &q = points_[s.to];
         whole = p.x * q.y - p.y * q.x;
@@ -329,7 +343,7 @@ class Arrangement {
     }
   }
 
-  [[nodiscard]] CoverResult measure() const {
+  [[nodiscard]] CoverResult measure(std::vector<CoverPiece>* borders) const {
     const std::size_t ranges = (segments_.size() + kRange - 1) / kRange;
     std::vector<Sums> sums(ranges);
     forRanges(ranges, 1, [&](std::size_t firstRange, std::size_t lastRange) {
@@ -353,11 +367,15 @@ class Arrangement {
       }
       result.twiceArea[k] = total;
     }
+    if (borders != nullptr)
+      for (const Sums& sum : sums) borders->insert(borders->end(), sum.borders.begin(), sum.borders.end());
     return result;
   }
 
   const std::function<void()>& poll_;
-  std::vector<CoverPoint> points_;
+  const std::vector<CoverPoint>& given_;
+  bool withBorders_;
+  std::vector<CoverPoint> points_;  ///< the given ones, moved
   std::vector<std::array<double, 2>> rounded_;
   int width_ = 0;
   std::vector<Segment> segments_;
@@ -369,8 +387,8 @@ class Arrangement {
 }  // namespace
 
 CoverResult coverAreas(const std::vector<CoverPoint>& points, const std::vector<CoverEdge>& edges,
-                       const std::function<void()>& poll) {
-  return Arrangement(points, poll).areas(edges);
+                       const std::function<void()>& poll, std::vector<CoverPiece>* borders) {
+  return Arrangement(points, poll, borders != nullptr).areas(edges, borders);
 }
 
 }  // namespace footfall::comparison

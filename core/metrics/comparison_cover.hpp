@@ -30,6 +30,22 @@ struct CoverEdge {
 /// The parts of the plane that only set 0, only set 1 and both cover.
 enum CoverPart : std::uint8_t { kOnlyFirst, kOnlySecond, kBoth };
 
+/// An end of a piece; `point` is its index when it is one of the given points, else kNoPoint. Coordinates are rounded,
+/// in units of the grid.
+struct CoverCorner {
+  static constexpr std::uint32_t kNoPoint = 0xFFFFFFFF;
+  double x = 0, y = 0;
+  std::uint32_t point = kNoPoint;
+};
+
+/// A piece of the border of a part, which lies above it (or, where it is vertical, to the left of it) or below; from
+/// its lower end by x, then y. Pieces do not cross each other.
+struct CoverPiece {
+  CoverPart part;
+  bool isBelowPart;
+  CoverCorner from, to;
+};
+
 struct CoverResult {
   std::array<bool, 3> hasArea{};  ///< by CoverPart, exact
   /// Twice the areas in squared units of the grid. Computed with so many digits that the relative error is below
@@ -38,8 +54,9 @@ struct CoverResult {
 };
 
 /// Each polygon's edges must close around it counter-clockwise; polygons may overlap and touch as they like. Points
-/// may be equal; where equal ones have one index it is faster. `poll` may throw.
+/// may be equal; where equal ones have one index it is faster. `poll` may throw. `borders` (may be null) receives the
+/// borders of the parts that are only in one set, complete and exactly chosen.
 CoverResult coverAreas(const std::vector<CoverPoint>& points, const std::vector<CoverEdge>& edges,
-                       const std::function<void()>& poll);
+                       const std::function<void()>& poll, std::vector<CoverPiece>* borders = nullptr);
 
 }  // namespace footfall::comparison

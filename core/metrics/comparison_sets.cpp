@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/environment/parallel_ranges.hpp"
 
@@ -49,8 +51,8 @@ Plane planeOf(const std::array<mpz_class, 3>& normal, const std::array<mpz_class
 
 class SetSubtraction {
  public:
-  SetSubtraction(const ComparedSurfaces& surfaces, RunContext& context)
-      : surfaces_(surfaces), positions_(surfaces.positions), context_(context) {}
+  SetSubtraction(const ComparedSurfaces& surfaces, RunContext& context, DifferenceBorders* borders)
+      : surfaces_(surfaces), positions_(surfaces.positions), context_(context), borders_(borders) {}
 
   SetDifference run() {
     findPlanes();
@@ -69,6 +71,7 @@ class SetSubtraction {
       }
     });
     addUp(results);
+    if (borders_ != nullptr) takeBorders(groups, results);
     return std::move(result_);
   }
 
@@ -80,6 +83,7 @@ class SetSubtraction {
   struct Covered {
     std::array<bool, 3> hasArea{};
     std::array<Areas, 3> areas;
+    std::optional<DifferentPlane> different;
   };
 
   [[nodiscard]] const Triangle& triangleOf(const Plane& plane) const {
@@ -160,8 +164,16 @@ class SetSubtraction {
       if ((b.x - a.x) * (c.y - a.y) < (b.y - a.y) * (c.x - a.x)) std::swap(corners[1], corners[2]);
       for (std::size_t k = 0; k < 3; ++k) edges.push_back({corners[k], corners[(k + 1) % 3], plane.set});
     }
-    const CoverResult result = coverAreas(points, edges, [this] { context_.checkCancelled(); });
-    return inSpace(result, normal, axis);
+    DifferentPlane different;
+    const CoverResult result = coverAreas(
+        points, edges, [this] { context_.checkCancelled(); }, borders_ != nullptr ? &different.borders : nullptr);
+    Covered covered = inSpace(result, normal, axis);
+    if (different.borders.empty()) return covered;
+    for (std::size_t k = 0; k < 4; ++k) different.numbers[k] = normal[k].get_d();
+    different.axis = axis;
+    different.positions = std::move(used);
+    covered.different = std::move(different);
+    return covered;
   }
 
   [[nodiscard]] Covered inSpace(const CoverResult& result, const std::array<mpz_class, 4>& normal,
@@ -211,9 +223,20 @@ class SetSubtraction {
     }
   }
 
+  void takeBorders(const std::vector<Group>& groups, std::vector<Covered>& results) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (results[i].different) borders_->planes.push_back(std::move(*results[i].different));
+      if (groups[i].size() > 1) continue;
+      const Plane& plane = planes_[groups[i].first];
+      borders_->triangles[plane.set].push_back(plane.triangle);
+    }
+    for (std::vector<std::uint32_t>& triangles : borders_->triangles) std::sort(triangles.begin(), triangles.end());
+  }
+
   const ComparedSurfaces& surfaces_;
   const Positions& positions_;
   RunContext& context_;
+  DifferenceBorders* borders_;
   SetDifference result_;
   std::vector<Plane> planes_;
   std::vector<Group> groups_;
@@ -221,8 +244,8 @@ class SetSubtraction {
 
 }  // namespace
 
-SetDifference subtractSets(const ComparedSurfaces& surfaces, RunContext& context) {
-  return SetSubtraction(surfaces, context).run();
+SetDifference subtractSets(const ComparedSurfaces& surfaces, RunContext& context, DifferenceBorders* borders) {
+  return SetSubtraction(surfaces, context, borders).run();
 }
 
 }  // namespace footfall::comparison
