@@ -1,6 +1,7 @@
 // The editor's tools, each in files of its own: one line a tool. All are children of the window.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/camera_tools.hpp"
+#include "ui/compare_feature.hpp"
 #include "ui/editor_window.hpp"
 #include "ui/environment_tools.hpp"
 #include "ui/filter_tools.hpp"
@@ -23,6 +24,7 @@ void EditorWindow::createFeatures() {
   new InspectionFeature(*this);
   new ObstacleFeatures(*this);
   new SkippedFeature(*this);
+  new CompareFeature(*this);
 }
 
 }  // namespace footfall

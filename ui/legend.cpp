@@ -114,6 +114,12 @@ Legend::Legend(QWidget* parent) : QFrame(parent) {
   layout->addWidget(reasons_);
   environment_ = addEntry(tr("Walls, ceilings and the rest"), &SceneParts::environment, tr("The loaded triangles"));
 
+  notes_ = new QLabel(this);
+  notes_->setObjectName(QStringLiteral("legendNotes"));
+  notes_->setTextFormat(Qt::RichText);
+  notes_->hide();
+  layout->addWidget(notes_);
+
   const qreal ratio = devicePixelRatioF();
   setSwatch(obstacleEdges_, lineSwatch(obstacleEdgeColour(), 3, kSwatch, ratio));
   setSwatch(connections_, lineSwatch(connectionColour(), 3, kSwatch, ratio));
@@ -217,6 +223,17 @@ void Legend::describeReasons(const std::vector<const RemovalStyle*>& reasons) {
     reason->show();
   }
   grid->activate();
+}
+
+void Legend::setNotes(const std::vector<Note>& notes) {
+  QStringList lines;
+  for (const Note& note : notes) {
+    const QString swatch = QStringLiteral("<span style='color:%1'>■■</span> ").arg(note.colour.name());
+    lines << (note.colour.isValid() ? swatch : QString()) + note.text.toHtmlEscaped();
+  }
+  notes_->setText(lines.join(QStringLiteral("<br>")));
+  notes_->setVisible(!notes.empty());
+  fit();
 }
 
 void Legend::fit() {

@@ -29,6 +29,12 @@ class Legend : public QFrame {
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
   /// What the colours of the mode mean. `ready`: what it shows is there.
   void showMode(ViewMode mode, const FieldScale& scale, bool ready);
+  /// A line below all others, with a swatch of the colour where it is valid.
+  struct Note {
+    QColor colour;
+    QString text;
+  };
+  void setNotes(const std::vector<Note>& notes);
 
  signals:
   void partsChanged(const footfall::SceneParts& parts);
@@ -41,7 +47,7 @@ class Legend : public QFrame {
   SceneParts parts_;
   QCheckBox *walkable_, *obstacleEdges_, *connections_, *removed_, *environment_;
   QWidget* reasons_;
-  QLabel *mode_, *scale_;
+  QLabel *mode_, *scale_, *notes_;
   std::vector<const RemovalStyle*> shownReasons_;
   bool shownVivid_ = false;
   ViewMode shownMode_ = ViewMode::Result;
