@@ -5,7 +5,7 @@
 #include <QFileInfo>
 #include <array>
 
-#include "core/metrics/inspection_report.hpp"
+#include "core/environment/up_axis.hpp"
 #include "ui/path_text.hpp"
 #include "ui/why_text.hpp"
 

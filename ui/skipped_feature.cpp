@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/environment/skipped_polygons.hpp"
-#include "core/metrics/inspection_report.hpp"
+#include "core/environment/up_axis.hpp"
 #include "ui/appearance.hpp"
 #include "ui/core_text.hpp"
 #include "ui/path_text.hpp"

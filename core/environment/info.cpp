@@ -130,7 +130,7 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
              counted(environment.skipped.points, "point", "points") + ", " +
                  counted(environment.skipped.lines, "line", "lines") + ", " +
                  counted(environment.skipped.polygons, "polygon", "polygons"));
-  text += formatSkipped(environment.skipped, kSkippedShown);
+  text += formatSkipped(environment.skipped, environment.up, kSkippedShown);
   if (environment.parts.empty()) return text;
   appendLine(text, "parts (MESH/MATERIAL)", number(environment.parts.size()));
   for (std::size_t p = 0; p < environment.parts.size(); ++p)

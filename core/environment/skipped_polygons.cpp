@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/environment/number_text.hpp"
+#include "core/environment/up_axis.hpp"
+
 namespace footfall {
 
 SkippedPolygon skippedPolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices) {
@@ -56,11 +59,22 @@ Text skippedReason(const SkippedPolygon& polygon) {
   return {};
 }
 
-std::string formatSkipped(const SkippedElements& skipped, std::size_t most) {
+std::string formatSkipped(const SkippedElements& skipped, UpAxis up, std::size_t most) {
   std::string text;
   const std::size_t shown = std::min(most, skipped.listed.size());
-  for (std::size_t i = 0; i < shown; ++i)
-    text += "  " + skippedSource(skipped.listed[i]).str() + ": " + skippedReason(skipped.listed[i]).str() + '\n';
+  for (std::size_t i = 0; i < shown; ++i) {
+    const SkippedPolygon& polygon = skipped.listed[i];
+    text += "  " + skippedSource(polygon).str() + ": " + skippedReason(polygon).str();
+    if (!polygon.corners.empty()) {
+      const Vec3 p = inFileFrame(polygon.corners.front(), up);
+      text += "; at";
+      for (const double x : {p.x, p.y, p.z}) {
+        text += ' ';
+        appendNumber(text, x);
+      }
+    }
+    text += '\n';
+  }
   if (skipped.polygons > shown) text += "  and " + std::to_string(skipped.polygons - shown) + " more\n";
   return text;
 }

@@ -26,8 +26,8 @@ Text skippedSource(const SkippedPolygon& polygon);
 /// Why it was left out, "2 of its 4 corners are different; a polygon needs three".
 Text skippedReason(const SkippedPolygon& polygon);
 
-/// A line "  line 12: its 3 corners ..." for each of the first polygons, `most` of them, and one for the rest; empty
-/// when none was left out. In English.
-std::string formatSkipped(const SkippedElements& skipped, std::size_t most);
+/// A line "  line 12: its 3 corners ..., at 1 2 3" for each of the first polygons, `most` of them, and one for the
+/// rest; empty when none was left out. In English; places in the frame of the file, of which `up` is the up axis.
+std::string formatSkipped(const SkippedElements& skipped, UpAxis up, std::size_t most);
 
 }  // namespace footfall

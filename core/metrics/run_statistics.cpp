@@ -128,8 +128,8 @@ std::string skippedLines(const Environment& environment) {
   constexpr std::size_t kShown = 3;
   const std::uint64_t polygons = environment.skipped.polygons;
   if (polygons == 0) return {};
-  return "skipped " + std::to_string(polygons) + (polygons == 1 ? " polygon" : " polygons") + " of the file:\n" +
-         formatSkipped(environment.skipped, kShown);
+  return "skipped " + counted(polygons, "polygon", "polygons") + " of the file:\n" +
+         formatSkipped(environment.skipped, environment.up, kShown);
 }
 
 Json skippedJson(const SkippedElements& skipped) {

@@ -149,10 +149,10 @@ class TestImport : public QObject {
         {SkipReason::TooFewCorners, 1, 9, 0, {}, {c}},      {SkipReason::RepeatedCorners, 4, 10, 0, {}, {b}}};
     QCOMPARE(environment->skipped.polygons, 6U);
     QVERIFY(listed == expected);
-    QCOMPARE(QString::fromStdString(formatSkipped(environment->skipped, 3)),
-             QString("  line 1: its 3 corners are only two different vertices; a polygon needs three\n"
-                     "  line 6: has two corners; a polygon needs three\n"
-                     "  line 7: its 4 corners are only two different vertices; a polygon needs three\n"
+    QCOMPARE(QString::fromStdString(formatSkipped(environment->skipped, environment->up, 3)),
+             QString("  line 1: its 3 corners are only two different vertices; a polygon needs three; at 0 0 0\n"
+                     "  line 6: has two corners; a polygon needs three; at 0 0 0\n"
+                     "  line 7: its 4 corners are only two different vertices; a polygon needs three; at 0 0 0\n"
                      "  and 3 more\n"));
   }
 
