@@ -149,4 +149,4 @@ class TestCompare : public QObject {
 };
 
 FOOTFALL_EDITOR_SUITE(TestCompare)
-#include "test_compare.moc"
+#include "test_result_comparison.moc"
