@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/counted_text.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/layer_pieces.hpp"
 #include "core/filters/mesh_assembly.hpp"
@@ -239,7 +240,9 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);
   outcome.fallbacks += subdivision.fallbacks();
 
-  outcome.note = Text(FOOTFALL_TEXT("%1 layers, %2 connections"), mesh->layerCount, countConnections(*mesh, *topology));
+  outcome.note = Text(
+      Pattern{"%1, %2"}, countedText(mesh->layerCount, FOOTFALL_TEXT("1 layer"), FOOTFALL_TEXT("%1 layers")),
+      countedText(countConnections(*mesh, *topology), FOOTFALL_TEXT("1 connection"), FOOTFALL_TEXT("%1 connections")));
   auto result = std::make_shared<WalkableState>(*state);
   result->topology = topology;
   result->topologyOwner = mesh;

@@ -39,7 +39,7 @@ class TestGerman : public QObject {
                     "AutoStrategy\nVerticalClearanceFilter 2\nCollapse\nAreaFilter 5\nLayerSubdivisionFilter\n"));
     QVERIFY2(note(0).startsWith("1 Zelle; GridStrategy 1 1: Eine Zelle, weil "), qPrintable(note(0)));
     QCOMPARE(note(3), QString("1 von 3 Gebieten entfernt"));
-    QCOMPARE(note(4), QString("Ebenen: 1, Verbindungen: 0"));
+    QCOMPARE(note(4), QString("1 Ebene, 0 Verbindungen"));
   }
 
   void messagesAboutFiles() {
