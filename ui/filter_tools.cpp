@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filter_tools.hpp"
 
+#include <QCoreApplication>
 #include <QUndoView>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +14,8 @@ namespace {
 
 constexpr int kAgentKeys = 9;
 
-QString tr(const char* text) { return EditorWindow::tr(text); }
+// In the context that lupdate finds for functions that belong to no class.
+QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
 
 void addListCommands(EditorWindow& window) {
   FilterList& list = window.filterList();
