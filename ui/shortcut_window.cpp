@@ -65,6 +65,7 @@ ShortcutWindow::ShortcutWindow(const CommandRegistry& commands, QWidget* parent)
   fill(commands);
   for (int column = 0; column < 2; ++column) table_->resizeColumnToContents(column);
   table_->header()->setStretchLastSection(true);
+  table_->setTextElideMode(Qt::ElideRight);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(search_);
@@ -73,6 +74,9 @@ ShortcutWindow::ShortcutWindow(const CommandRegistry& commands, QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this, &ShortcutWindow::filter);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   resize(std::min(860, parent->width() - 60), std::min(640, parent->height() - 60));
+  // What commands do is longer than all else, and is read most.
+  for (const auto& [column, share] : {std::pair{0, 0.36}, std::pair{1, 0.24}})
+    table_->setColumnWidth(column, std::min(table_->columnWidth(column), static_cast<int>(share * width())));
   search_->setFocus();
 }
 
@@ -91,12 +95,15 @@ void ShortcutWindow::fill(const CommandRegistry& commands) {
         if (!group) group = addGroup(table_, withKeys ? title : tr("%1, without keys").arg(title));
         auto* row = new QTreeWidgetItem(
             group, {plainText(entry.action->text()), keys.join(QStringLiteral(", ")), entry.command.help});
-        row->setToolTip(2, entry.command.help);
+        for (int column = 0; column < 3; ++column) row->setToolTip(column, row->text(column));
       }
     }
     if (!withKeys) break;
     QTreeWidgetItem* mouse = addGroup(table_, tr("Mouse, view and fields"));
-    for (const auto& [keys, what] : mouseRows()) new QTreeWidgetItem(mouse, {what, keys, QString()});
+    for (const auto& [keys, what] : mouseRows()) {
+      auto* row = new QTreeWidgetItem(mouse, {what, keys, QString()});
+      for (int column = 0; column < 2; ++column) row->setToolTip(column, row->text(column));
+    }
   }
 }
 

@@ -43,6 +43,27 @@ constexpr std::array<KnownSample, 6> kSamples = {{
      QT_TRANSLATE_NOOP("footfall::WelcomePage", "440 triangles: 26 storeys, one above the other")},
 }};
 
+/// As high as its description needs in its width.
+class SampleButton : public QToolButton {
+ public:
+  using QToolButton::QToolButton;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QToolButton::resizeEvent(event);
+    const auto* grid = static_cast<QGridLayout*>(layout());
+    int height = 0;
+    for (int row = 0; row < grid->rowCount(); ++row) {
+      QWidget* text = grid->itemAtPosition(row, 1)->widget();
+      const int width = grid->cellRect(row, 1).width();
+      height += text->hasHeightForWidth() ? text->heightForWidth(width) : text->sizeHint().height();
+    }
+    const QMargins margins = grid->contentsMargins();
+    const int least = std::max(height + grid->verticalSpacing(), kThumbnail.height() / 2);
+    setMinimumHeight(least + margins.top() + margins.bottom());
+  }
+};
+
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setObjectName(QStringLiteral("welcomeHeading"));
@@ -192,7 +213,7 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
   samples_->setVisible(!samples.empty());
   auto* layout = static_cast<QVBoxLayout*>(samples_->layout());
   for (const Sample& sample : samples) {
-    auto* button = new QToolButton(samples_);
+    auto* button = new SampleButton(samples_);
     button->setObjectName(QStringLiteral("sampleButton"));
     button->setAccessibleName(tr("Sample %1").arg(sample.title));
     button->setAccessibleDescription(sample.description);
@@ -221,8 +242,6 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
     grid->addWidget(picture, 0, 0, 2, 1);
     grid->addWidget(title, 0, 1, Qt::AlignBottom);
     grid->addWidget(text, 1, 1, Qt::AlignTop);
-    button->setMinimumHeight(
-        std::max(kThumbnail.height() / 2, title->sizeHint().height() + 3 * text->fontMetrics().lineSpacing()) + 12);
     connect(button, &QToolButton::clicked, this, [this, sample] { emit sampleChosen(sample.path, sample.pipeline); });
     layout->insertWidget(layout->count() - 1, button);
     sampleButtons_.push_back(button);
