@@ -11,6 +11,7 @@
 
 #include "ui/agent_edits.hpp"
 #include "ui/edit_text.hpp"
+#include "ui/flow_layout.hpp"
 #include "ui/icon.hpp"
 #include "ui/number_field.hpp"
 
@@ -54,8 +55,7 @@ AgentsPanel::AgentsPanel(Document& document, RunController& controller, QWidget*
   model_ = new AgentModel(document, controller, *results_, this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(4);
+  auto* buttons = new FlowLayout(4);
   createButtons(buttons);
   layout->addLayout(buttons);
 
@@ -109,8 +109,9 @@ QToolButton* AgentsPanel::button(const char* name, const QString& text, const QS
   return button;
 }
 
-void AgentsPanel::createButtons(QBoxLayout* layout) {
+void AgentsPanel::createButtons(QLayout* layout) {
   addMenu_ = new QMenu(this);
+  addMenu_->setObjectName(QStringLiteral("addAgentMenu"));
   addMenu_->setToolTipsVisible(true);
   add_ = button("addAgent", tr("Add"), tr("Add an agent; it becomes the active one"), QStringLiteral("add"));
   add_->setPopupMode(QToolButton::InstantPopup);
@@ -137,7 +138,6 @@ void AgentsPanel::createButtons(QBoxLayout* layout) {
   ahead_->hide();
   for (QToolButton* each : {add_, duplicate_, remove_, letGo_, compute_, copy_}) layout->addWidget(each);
   layout->addWidget(ahead_);
-  layout->addStretch(1);
   connect(duplicate_, &QToolButton::clicked, this, [this] { duplicateAgent(document_, document_.state().agent); });
   connect(remove_, &QToolButton::clicked, this, [this] { removeAgent(document_, document_.state().agent); });
   connect(letGo_, &QToolButton::clicked, this, &AgentsPanel::letGo);

@@ -38,7 +38,7 @@ class AgentsPanel : public QWidget {
 
  private:
   QToolButton* button(const char* name, const QString& text, const QString& help, const QString& icon);
-  void createButtons(class QBoxLayout* layout);
+  void createButtons(class QLayout* layout);
   void fillAddMenu();
   void follow();
   void showAhead(int done, int all);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/balance_plot.hpp"
 
-#include <tbb/info.h>
-
 #include <QToolTip>
 #include <algorithm>
 #include <numeric>
@@ -37,8 +35,6 @@ LoadFigures figuresOf(const CellBlock& block) {
   if (block.report.parallelMs > 0) figures.speedUp = figures.workMs / block.report.parallelMs;
   return figures;
 }
-
-int expectedThreads() { return std::max(1, tbb::info::default_concurrency()); }
 
 std::array<PhaseTime, 6> phasesOf(const RunTimes& times) {
   return {{{BusyPlot::tr("pre-processing"), times.preprocessing, {150, 160, 173}},

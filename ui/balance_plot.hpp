@@ -19,9 +19,6 @@ struct LoadFigures {
 };
 LoadFigures figuresOf(const CellBlock& block);
 
-/// That the next run will use.
-int expectedThreads();
-
 /// t_preprocessing to t_overhead (thesis 5.4), in the order in which they are shown.
 struct PhaseTime {
   QString name;

@@ -84,6 +84,10 @@ bool CellModel::contains(const std::optional<CellId>& cell) const {
   return !cell || (cell->block < blocks().size() && cell->cell < blocks()[cell->block].report.cells.size());
 }
 
+void CellModel::setThreads(int threads) {
+  if (std::exchange(threads_, threads) != threads) emit figuresChanged();
+}
+
 void CellModel::setColouring(CellColouring colouring) {
   if (std::exchange(colouring_, colouring) != colouring) emit figuresChanged();
 }

@@ -12,6 +12,7 @@
 #include "core/partitioning/partition.hpp"
 #include "ui/cell_block.hpp"
 #include "ui/cell_colours.hpp"
+#include "ui/run_threads.hpp"
 
 namespace footfall {
 
@@ -51,6 +52,10 @@ class CellModel : public QObject {
   /// `frame`: the view is to bring it into sight.
   void select(std::optional<CellId> cell, bool frame);
 
+  /// That a run would have; all there are at first.
+  [[nodiscard]] int threads() const { return threads_; }
+  void setThreads(int threads);
+
   /// Everything that is known of a cell, as rich text.
   [[nodiscard]] QString describe(CellId cell) const;
 
@@ -73,6 +78,7 @@ class CellModel : public QObject {
   Shapes shapes_;
   CellColouring colouring_ = CellColouring::Thread;
   std::optional<CellId> hovered_, selected_;
+  int threads_ = processorCount();
 };
 
 }  // namespace footfall

@@ -28,9 +28,8 @@ Pipeline blockOf(const Pipeline& pipeline, std::size_t step) {
 
 CellPreview::CellPreview(QObject* parent, Make make) : QObject(parent), make_(std::move(make)) {
   if (make_) return;
-  make_ = [](const std::shared_ptr<const Environment>& environment, const Pipeline& block, RunContext& context) {
-    return previewPartition(environment, block, 0, context);
-  };
+  make_ = [](const std::shared_ptr<const Environment>& environment, const Pipeline& block, RunContext& context,
+             int threads) { return previewPartition(environment, block, 0, context, threads); };
 }
 
 CellPreview::~CellPreview() { cancel(); }
@@ -40,31 +39,33 @@ void CellPreview::cancel() {
   context_.reset();
 }
 
-void CellPreview::request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step) {
+void CellPreview::request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step,
+                          int threads) {
   cancel();
   context_ = std::make_shared<RunContext>();
-  queue_.post([this, context = context_, environment = std::move(environment), block = blockOf(pipeline, step)] {
-    auto partition = std::make_shared<Partition>();
-    QString error;
-    try {
-      context->checkCancelled();
-      *partition = make_(environment, block, *context);
-    } catch (const Cancelled&) {
-      return;
-    } catch (const std::exception& problem) {
-      error = coreText(problem);
-    }
-    const auto tell = [this, context, partition, error] {
-      if (context != context_) return;  // overtaken
-      context_.reset();
-      if (error.isEmpty()) {
-        emit ready(*partition);
-      } else {
-        emit failed(error);
-      }
-    };
-    QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-  });
+  queue_.post(
+      [this, context = context_, environment = std::move(environment), block = blockOf(pipeline, step), threads] {
+        auto partition = std::make_shared<Partition>();
+        QString error;
+        try {
+          context->checkCancelled();
+          *partition = make_(environment, block, *context, threads);
+        } catch (const Cancelled&) {
+          return;
+        } catch (const std::exception& problem) {
+          error = coreText(problem);
+        }
+        const auto tell = [this, context, partition, error] {
+          if (context != context_) return;  // overtaken
+          context_.reset();
+          if (error.isEmpty()) {
+            emit ready(*partition);
+          } else {
+            emit failed(error);
+          }
+        };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+      });
 }
 
 }  // namespace footfall

@@ -19,15 +19,17 @@ class CellPreview : public QObject {
   Q_OBJECT
 
  public:
-  /// Takes a pipeline that is one parallel block.
-  using Make = std::function<Partition(const std::shared_ptr<const Environment>&, const Pipeline& block, RunContext&)>;
+  /// Takes a pipeline that is one parallel block, and how many threads are to run it.
+  using Make =
+      std::function<Partition(const std::shared_ptr<const Environment>&, const Pipeline& block, RunContext&, int)>;
 
   /// `make` runs in the background; by default it is the core's previewPartition.
   explicit CellPreview(QObject* parent = nullptr, Make make = {});
   ~CellPreview() override;
 
-  /// Cells of the strategy at `step` of the pipeline, which may be switched off, and whose block may lack its end.
-  void request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step);
+  /// Cells of the strategy at `step` of the pipeline, which may be switched off, and whose block may lack its end;
+  /// as a run on so many threads would have them (0: on all).
+  void request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step, int threads);
   /// Drops the request under way: nothing is told of it any more.
   void cancel();
   [[nodiscard]] bool busy() const { return context_ != nullptr; }

@@ -85,7 +85,8 @@ void CellWatch::preview(int id) {
   const auto& filters = document_.filters();
   const auto found = std::ranges::find(filters, id, &FilterEntry::id);
   if (!environment_ || found == filters.end() || !isStrategy(*found)) return;
-  preview_.request(environment_, document_.pipeline(), static_cast<std::size_t>(found - filters.begin()));
+  preview_.request(environment_, document_.pipeline(), static_cast<std::size_t>(found - filters.begin()),
+                   model_.threads());
 }
 
 // An edit of a strategy, or a new one, shows its cells when the run has none soon.

@@ -103,8 +103,9 @@ std::vector<PaletteEntry> commandEntries(const CommandRegistry& commands) {
     if (action->menu()) continue;  // its own commands stand for it
     PaletteEntry palette;
     palette.title = plainText(action->text());
-    const QMenu* menu = commands.menu(entry.command.menu);
-    palette.detail = menu ? plainText(menu->title()) : QString();
+    QStringList menus = commands.path(entry);
+    for (QString& title : menus) title = plainText(title);
+    palette.detail = menus.join(QStringLiteral(" > "));
     palette.shortcut = action->shortcut().toString(QKeySequence::NativeText);
     palette.icon = action->icon();
     palette.enabled = action->isEnabled();

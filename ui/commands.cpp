@@ -18,6 +18,15 @@ void CommandRegistry::setMenu(CommandMenu menuPlace, QMenu* menu) {
   }
 }
 
+void CommandRegistry::addSubmenu(CommandMenu menuPlace, const QString& title, const QStringList& groups) {
+  auto* made = new QMenu(title, menus_.at(menuPlace));
+  made->setToolTipsVisible(true);
+  const QList<QAction*> there = menus_.at(menuPlace)->actions();
+  if (!there.isEmpty() && !there.last()->menu()) menus_.at(menuPlace)->addSeparator();
+  menus_.at(menuPlace)->addMenu(made);
+  for (const QString& group : groups) groupMenus_[{menuPlace, group}] = made;
+}
+
 QAction* CommandRegistry::add(const Command& command, std::function<void(bool)> run) {
   auto* action = new QAction(command.text, parent());
   action->setCheckable(command.checkable);
@@ -46,7 +55,9 @@ QAction* CommandRegistry::adopt(QAction* action, const Command& command) {
 void CommandRegistry::place(const Entry& entry) {
   const auto found = menus_.find(entry.command.menu);
   if (found == menus_.end()) return;
-  QMenu* menu = entry.command.submenu.isEmpty() ? found->second : submenu(found->second, entry);
+  const auto own = groupMenus_.find({entry.command.menu, entry.command.group});
+  QMenu* outer = own == groupMenus_.end() ? found->second : own->second;
+  QMenu* menu = entry.command.submenu.isEmpty() ? outer : submenu(outer, entry);
   bool grouped = false;
   QAction* before = nextOfGroup(menu, entry, &grouped);
   if (!grouped && !menu->isEmpty()) menu->addSeparator();
@@ -91,6 +102,15 @@ QMenu* CommandRegistry::submenu(QMenu* menu, const Entry& entry) {
 QMenu* CommandRegistry::menu(CommandMenu menuPlace) const {
   const auto found = menus_.find(menuPlace);
   return found == menus_.end() ? nullptr : found->second;
+}
+
+QStringList CommandRegistry::path(const Entry& entry) const {
+  QStringList titles;
+  if (const QMenu* outer = menu(entry.command.menu)) titles << outer->title();
+  const auto inner = groupMenus_.find({entry.command.menu, entry.command.group});
+  if (inner != groupMenus_.end()) titles << inner->second->title();
+  if (!entry.command.submenu.isEmpty()) titles << entry.command.submenu;
+  return titles;
 }
 
 QAction* CommandRegistry::find(const QString& id) const {

@@ -8,8 +8,10 @@
 #include <QMenu>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace footfall {
@@ -37,6 +39,9 @@ class CommandRegistry : public QObject {
 
   /// `menus` are filled as commands come; those that came before are put in at once.
   void setMenu(CommandMenu place, QMenu* menu);
+  /// Commands of these groups stand in a submenu of that menu, which exists; to be told before they come. Submenus
+  /// stand in the order in which they are made.
+  void addSubmenu(CommandMenu place, const QString& title, const QStringList& groups);
   /// `run` gets whether a checkable command is now on; it is called when somebody else checks it, too.
   QAction* add(const Command& command, std::function<void(bool)> run);
   /// An action that exists already (undo, a dock's): takes the keys, the help and the place of `command`, and keeps its
@@ -51,6 +56,8 @@ class CommandRegistry : public QObject {
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   /// Null before setMenu().
   [[nodiscard]] QMenu* menu(CommandMenu place) const;
+  /// The titles of the menus that lead to a command, the outermost first.
+  [[nodiscard]] QStringList path(const Entry& entry) const;
   /// Null when there is none.
   [[nodiscard]] QAction* find(const QString& id) const;
 
@@ -64,6 +71,7 @@ class CommandRegistry : public QObject {
 
   std::vector<Entry> entries_;
   std::map<CommandMenu, QMenu*> menus_;
+  std::map<std::pair<CommandMenu, QString>, QMenu*> groupMenus_;  ///< of groups that have a submenu
 };
 
 /// "Open (Ctrl+O)": what a tool tip says of an action.

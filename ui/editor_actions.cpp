@@ -12,6 +12,8 @@
 #include "core/environment/import.hpp"
 #include "ui/command_bar.hpp"
 #include "ui/editor_window.hpp"
+#include "ui/fitted_labels.hpp"
+#include "ui/panel_dock.hpp"
 #include "ui/shortcut_window.hpp"
 #include "ui/welcome_page.hpp"
 
@@ -40,7 +42,7 @@ QDockWidget* addDock(QMainWindow* window, const QString& title, const QString& n
                      Qt::DockWidgetArea area = Qt::LeftDockWidgetArea) {
   auto* dock = new QDockWidget(title, window);
   dock->setObjectName(name);
-  dock->setWidget(widget);
+  dock->setWidget(new PanelArea(widget, dock));
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
   window->addDockWidget(area, dock);
   return dock;
@@ -67,15 +69,12 @@ void EditorWindow::createWidgets() {
   setCentralWidget(central);
 
   import_ = new ImportPanel(this);
-  import_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   filters_ = new FilterList(document_, controller_, this);
   QDockWidget* environment = addDock(this, tr("Environment"), QStringLiteral("environmentDock"), import_);
-  QDockWidget* list = addDock(this, tr("Filters"), QStringLiteral("filterDock"), filters_);
-  resizeDocks({environment, list}, {120, 600}, Qt::Vertical);
-  resizeDocks({environment}, {380}, Qt::Horizontal);
-  import_->setMinimumWidth(340);
+  static_cast<PanelArea*>(environment->widget())->setFitsContent();
+  addDock(this, tr("Filters"), QStringLiteral("filterDock"), filters_);
 
-  summary_ = new QLabel(this);
+  summary_ = new ElidedLabel(this);
   summary_->setTextFormat(Qt::PlainText);
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   progress_ = new ProgressDisplay(this);
@@ -102,12 +101,24 @@ void EditorWindow::createActions() {
         std::pair{CommandMenu::Pipeline, tr("&Pipeline")}, std::pair{CommandMenu::Tools, tr("&Tools")},
         std::pair{CommandMenu::View, tr("&View")}, std::pair{CommandMenu::Help, tr("&Help")}})
     commands_.setMenu(place, menuBar()->addMenu(title));
+  createSubmenus();
   createFileActions();
   createEditActions();
   createPipelineActions();
   createViewActions();
+  createDockActions();
   createCellActions();
   createHelpActions();
+}
+
+// Long menus in parts, by the groups of commands; that of the pipeline has its parts behind its first commands.
+void EditorWindow::createSubmenus() {
+  const auto in = [](auto... groups) { return QStringList{QString::fromLatin1(groups)...}; };
+  commands_.addSubmenu(CommandMenu::Tools, tr("&Agents"), in("agents"));
+  commands_.addSubmenu(CommandMenu::View, tr("&Camera"), in("camera", "camera moves", "bookmarks"));
+  commands_.addSubmenu(CommandMenu::View, tr("Display &mode"), in("modes"));
+  commands_.addSubmenu(CommandMenu::View, tr("&Floors and cuts"), in("floors"));
+  commands_.addSubmenu(CommandMenu::View, tr("&Panels"), in("panels", "layout"));
 }
 
 QAction* EditorWindow::onBar(QAction* action, const QString& text) {
@@ -241,6 +252,8 @@ void EditorWindow::createPipelineActions() {
   commands_.add(
       {QStringLiteral("pipeline.cancel"), CommandMenu::Pipeline, runs, tr("&Cancel"), {}, {}, QStringLiteral("cancel")},
       [this](bool) { cancelWork(); });
+  commands_.addSubmenu(CommandMenu::Pipeline, tr("Selected &filters"), {QStringLiteral("steps")});
+  commands_.addSubmenu(CommandMenu::Pipeline, tr("T&hreads"), {QStringLiteral("threads")});
 }
 
 void EditorWindow::createViewActions() {
@@ -278,6 +291,17 @@ void EditorWindow::createViewActions() {
                 [this](bool) { view_->zoomBy(0.8); });
 }
 
+void EditorWindow::createDockActions() {
+  const auto add = [this](const char* dockName, const char* id, const QString& text, const QString& help) {
+    auto* dock = findChild<QDockWidget*>(QLatin1String(dockName));
+    dock->setFeatures(dock->features() | QDockWidget::DockWidgetClosable);
+    commands_.adopt(makePanelAction(*dock, *view_, this),
+                    {QLatin1String(id), CommandMenu::View, QStringLiteral("panels"), text, help, {}, {}, true});
+  };
+  add("environmentDock", "panel.environment", tr("&Environment"), tr("What was opened: its extent, axes and scale"));
+  add("filterDock", "panel.filters", tr("&Filters"), tr("The steps that make the walkable area"));
+}
+
 void EditorWindow::createHelpActions() {
   const QString help = QStringLiteral("help");
   commands_.add({QStringLiteral("help.keys"),
@@ -308,22 +332,29 @@ QDockWidget* EditorWindow::addPanel(const Panel& panel, QWidget* widget) {
   dock->setFeatures(dock->features() | QDockWidget::DockWidgetClosable);
   dock->setVisible(panel.shown);
   placePanel(dock, panel.area);
-  commands_.adopt(dock->toggleViewAction(), {panel.id, CommandMenu::View, QStringLiteral("panels"), panel.title,
-                                             panel.help, panel.keys, panel.icon, true});
+  commands_.adopt(makePanelAction(*dock, *view_, this), {panel.id, CommandMenu::View, QStringLiteral("panels"),
+                                                         panel.title, panel.help, panel.keys, panel.icon, true});
   return dock;
 }
 
-QAction* EditorWindow::addTool(Command command, ViewTool* tool) {
+QAction* EditorWindow::addTool(Command command, ViewTool* tool, QDockWidget* panel) {
   command.menu = CommandMenu::Tools;
   command.checkable = true;
-  QAction* action = commands_.add(command, [this, tool](bool on) {
-    if (on) {
+  auto* action = new QAction(command.text, this);
+  action->setCheckable(true);
+  connect(action, &QAction::triggered, this, [this, action, tool, panel](bool on) {
+    // What cannot be seen is asked for, not sent away.
+    const bool raises = !on && panel && !isInFront(*panel);
+    if (on || raises) {
       view_->setTool(tool);
+      if (panel) bringToFront(*panel);
       view_->setFocus();
-    } else if (view_->tool() == tool) {
+      action->setChecked(true);
+    } else {
       view_->setTool(nullptr);
     }
   });
+  commands_.adopt(action, command);
   connect(view_, &LevelView::toolChanged, action, [this, action, tool] {
     action->setChecked(view_->tool() == tool);
     if (view_->tool() == tool && !tool->hint().isEmpty()) say(tool->hint());

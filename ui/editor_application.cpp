@@ -20,6 +20,7 @@
 #include "ui/outline_style.hpp"
 #include "ui/theme.hpp"
 #include "ui/translations.hpp"
+#include "ui/window_placement.hpp"
 
 namespace footfall {
 namespace {
@@ -168,7 +169,12 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   EditorWindow window;
   const bool shooting = !options.screenshot.empty();
   window.setRemembering(!shooting);
-  window.resize(options.size.isEmpty() ? QSize(1440, 900) : options.size);
+  const QSize size = options.size.isEmpty() ? QSize(1440, 900) : options.size;
+  if (shooting || !options.size.isEmpty()) {
+    window.resize(size);
+  } else {
+    placeAtFirst(window, size);
+  }
   if (!shooting) window.restoreLayout(options.size.isEmpty());
   if (options.cells) window.setCellsShown(*options.cells);
   window.setInteractive(!shooting);

@@ -4,6 +4,7 @@
 #include <QToolBar>
 
 #include "ui/editor_window.hpp"
+#include "ui/panel_dock.hpp"
 
 namespace footfall {
 namespace {
@@ -15,10 +16,10 @@ constexpr int kLoadHeight = 250;
 void EditorWindow::createCellWidgets() {
   cellLegend_ = new CellLegend(cells_, view_);
   cellLegend_->hide();
-  load_ = new LoadPanel(cells_, this);
+  load_ = new LoadPanel(cells_, runThreads_, this);
   loadDock_ = new QDockWidget(tr("Load"), this);
   loadDock_->setObjectName(QStringLiteral("loadDock"));
-  loadDock_->setWidget(load_);
+  loadDock_->setWidget(new PanelArea(load_, loadDock_));
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   addDockWidget(Qt::BottomDockWidgetArea, loadDock_);
   resizeDocks({loadDock_}, {kLoadHeight}, Qt::Vertical);
@@ -27,6 +28,7 @@ void EditorWindow::createCellWidgets() {
 }
 
 void EditorWindow::createCellActions() {
+  addThreadCommands(commands_, runThreads_);
   const QString blocks = QStringLiteral("blocks");
   QAction* parallel =
       commands_.add({QStringLiteral("pipeline.parallel"), CommandMenu::Pipeline, blocks, tr("Run in &parallel"),
@@ -64,15 +66,16 @@ void EditorWindow::createCellActions() {
                                  chooseLegend();
                                  keepTimer_.start();
                                });
-  QAction* load = commands_.adopt(loadDock_->toggleViewAction(), {QStringLiteral("view.load"),
+  QAction* load =
+      commands_.adopt(makePanelAction(*loadDock_, *view_, this), {QStringLiteral("view.load"),
                                                                   CommandMenu::View,
-                                                                  QStringLiteral("cells"),
+                                                                  QStringLiteral("panels"),
                                                                   tr("&Load"),
                                                                   tr("Show how the work was spread over threads"),
                                                                   {Qt::Key_L},
                                                                   QStringLiteral("load"),
                                                                   true});
-  connect(load, &QAction::toggled, this, [this](bool on) {
+  connect(loadDock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
     cellWatch_->showLoad(on);
     keepTimer_.start();
   });
@@ -94,6 +97,8 @@ void EditorWindow::chooseLegend() {
 }
 
 void EditorWindow::connectCells() {
+  controller_.setThreads(runThreads_.chosen());
+  connect(&runThreads_, &RunThreads::changed, this, [this] { controller_.setThreads(runThreads_.chosen()); });
   connect(cellLegend_, &CellLegend::resized, this, &EditorWindow::placeOverlays);
   connect(&cells_, &CellModel::figuresChanged, this, [this] { keepTimer_.start(); });
   connect(&cells_, &CellModel::shapesChanged, this, &EditorWindow::chooseLegend);

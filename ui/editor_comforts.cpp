@@ -13,6 +13,7 @@
 #include "ui/focus_ring.hpp"
 #include "ui/guarded_application.hpp"
 #include "ui/help_panel.hpp"
+#include "ui/hover_reset.hpp"
 #include "ui/icon.hpp"
 #include "ui/installed_files.hpp"
 #include "ui/log_panel.hpp"
@@ -24,8 +25,9 @@ namespace footfall {
 namespace {
 
 constexpr int kLayoutVersion = 2;  // another one forgets what was remembered of docks and tool bars
-constexpr int kLeftWidth = 380;
-constexpr int kRightWidth = 300;
+// Of docks at first, in heights of a line.
+constexpr int kLeftWidth = 26;
+constexpr int kRightWidth = 21;
 const auto kGeometryKey = QStringLiteral("windowGeometry");
 const auto kStateKey = QStringLiteral("windowState");
 
@@ -35,6 +37,7 @@ void EditorWindow::createComforts() {
   addThemeCommands(commands_);
   addLanguageCommands(commands_);
   new FocusRing(this);
+  new HoverReset(this);
   createLog();
   createPalette();
   createWelcome();
@@ -233,9 +236,6 @@ void EditorWindow::placePanel(QDockWidget* dock, Qt::DockWidgetArea area) {
     tabifyDockWidget(other, dock);
     break;
   }
-  connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
-    if (on) dock->raise();
-  });
 }
 
 void EditorWindow::finishLayout() {
@@ -243,10 +243,17 @@ void EditorWindow::finishLayout() {
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-    if (dockWidgetArea(dock) == Qt::RightDockWidgetArea) resizeDocks({dock}, {kRightWidth}, Qt::Horizontal);
-  }
+  giveDocksTheirWidth();
   defaultState_ = saveState(kLayoutVersion);
+}
+
+void EditorWindow::giveDocksTheirWidth() {
+  const int line = fontMetrics().height();
+  for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    const Qt::DockWidgetArea area = dockWidgetArea(dock);
+    if (area == Qt::LeftDockWidgetArea) resizeDocks({dock}, {kLeftWidth * line}, Qt::Horizontal);
+    if (area == Qt::RightDockWidgetArea) resizeDocks({dock}, {kRightWidth * line}, Qt::Horizontal);
+  }
 }
 
 void EditorWindow::saveLayout() {
@@ -264,12 +271,7 @@ void EditorWindow::restoreLayout(bool withSize) {
 
 void EditorWindow::resetLayout() {
   restoreState(defaultState_, kLayoutVersion);
-  auto* environment = findChild<QDockWidget*>(QStringLiteral("environmentDock"));
-  auto* list = findChild<QDockWidget*>(QStringLiteral("filterDock"));
-  if (environment && list) {
-    resizeDocks({environment, list}, {120, 600}, Qt::Vertical);
-    resizeDocks({environment}, {kLeftWidth}, Qt::Horizontal);
-  }
+  giveDocksTheirWidth();
   shareBarWidth();
 }
 

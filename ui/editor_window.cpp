@@ -90,7 +90,7 @@ void EditorWindow::connectParts() {
   connect(&loader_, &EnvironmentLoader::cancelled, this, [this] {
     opening_.reset();
     hideProgress();
-    summary_->setText(tr("Loading cancelled"));
+    say(tr("Loading cancelled"));
   });
   connect(&loader_, &EnvironmentLoader::failed, this, [this](const QString& message) {
     const bool reread = opening_ && opening_->reread;
@@ -121,12 +121,12 @@ void EditorWindow::connectParts() {
   connect(&controller_, &RunController::finished, this, &EditorWindow::showResult);
   connect(&controller_, &RunController::cancelled, this, [this] {
     hideProgress();
-    summary_->setText(tr("Cancelled; the view shows the result before. Press F5 to run again."));
+    say(tr("Cancelled; the view shows the result before. Press F5 to run again."));
     pendingExport_.reset();
   });
   connect(&controller_, &RunController::failed, this, [this](const QString& message) {
     hideProgress();
-    summary_->setText(tr("The run failed; the view shows the result before"));
+    say(tr("The run failed; the view shows the result before"));
     messages_->showError(message);
     runErrorShown_ = true;
     pendingExport_.reset();
@@ -351,10 +351,13 @@ void EditorWindow::showResult() {
   if (const auto pending = std::exchange(pendingExport_, std::nullopt)) exportResult(pending->first, pending->second);
 }
 
-void EditorWindow::say(const QString& text) { summary_->setText(text); }
+void EditorWindow::say(const QString& text) {
+  summary_->setText(text);
+  summary_->setToolTip({});
+}
 
 void EditorWindow::showProgress(const QString& text, double fraction, std::optional<double> secondsLeft) {
-  summary_->setText(text);
+  say(text);
   progress_->showProgress(fraction, secondsLeft);
   cancel_->show();
 }

@@ -31,6 +31,7 @@
 #include "ui/progress_display.hpp"
 #include "ui/recent_files.hpp"
 #include "ui/run_controller.hpp"
+#include "ui/run_threads.hpp"
 #include "ui/session.hpp"
 #include "ui/session_keeper.hpp"
 #include "ui/view_layout.hpp"
@@ -107,8 +108,9 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] QToolBar* toolBar() const;
   QDockWidget* addPanel(const Panel& panel, QWidget* widget);
   void addSessionSection(SessionSection section);
-  /// A command that switches the mouse to `tool`, checked while it has it. The tool must outlive the view.
-  QAction* addTool(Command command, ViewTool* tool);
+  /// A command that switches the mouse to `tool`, and back, checked while it has it. The tool must outlive the view.
+  /// With a panel: the command shows it; while it is hidden or behind another tab, it does nothing but that.
+  QAction* addTool(Command command, ViewTool* tool, QDockWidget* panel = nullptr);
   /// In the status bar, until something else is said.
   void say(const QString& text);
   /// Writes in the background and tells errors; written() follows. `then` gets whether it was written, before.
@@ -129,6 +131,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] CellWatch& cellWatch() { return *cellWatch_; }
   [[nodiscard]] CellLegend& cellLegend() { return *cellLegend_; }
   [[nodiscard]] LoadPanel& loadPanel() { return *load_; }
+  [[nodiscard]] RunThreads& runThreads() { return runThreads_; }
   /// Cells in the view, and the dock with the timeline.
   void setCellsShown(const CellsShown& shown);
   [[nodiscard]] CellsShown cellsShown() const;
@@ -192,10 +195,12 @@ class EditorWindow : public QMainWindow {
 
   void createWidgets();
   void createActions();
+  void createSubmenus();
   void createFileActions();
   void createEditActions();
   void createPipelineActions();
   void createViewActions();
+  void createDockActions();
   void createHelpActions();
   QAction* onBar(QAction* action, const QString& text);
   void fillToolsBar(const CommandRegistry::Entry& entry);
@@ -210,6 +215,7 @@ class EditorWindow : public QMainWindow {
   void createWelcome();
   void updateWelcome();
   void finishLayout();
+  void giveDocksTheirWidth();
   void saveLayout();
   void logRun();
   void openFile(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import,
@@ -252,6 +258,7 @@ class EditorWindow : public QMainWindow {
   CommandRegistry commands_{this};
   std::vector<SessionSection> sections_;
   CellModel cells_;
+  RunThreads runThreads_;
   LoadedEnvironment loaded_;
   std::optional<Opening> opening_;
   bool remembering_ = true;

@@ -91,11 +91,6 @@ void EnvironmentTools::createPanel() {
     window_.tabifyDockWidget(filters, dock_);
     filters->raise();
   }
-  connect(dock_->toggleViewAction(), &QAction::triggered, dock_, [this](bool on) {
-    if (!on) return;
-    dock_->raise();
-    panel_->tree()->setFocus();
-  });
   connect(panel_, &PartPanel::selectionChanged, this, &EnvironmentTools::highlight);
   connect(panel_, &PartPanel::activated, this, &EnvironmentTools::frame);
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filter_list.hpp"
 
-#include <QHBoxLayout>
 #include <QScrollBar>
 #include <algorithm>
 #include <utility>
+
+#include "ui/flow_layout.hpp"
 
 namespace footfall {
 
@@ -31,7 +32,6 @@ FilterList::FilterList(Document& document, RunController& controller, QWidget* p
   scroll_->setWidget(content_);
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);
   layout->addWidget(scroll_, 1);
 
@@ -73,10 +73,9 @@ void FilterList::createHead(QVBoxLayout* layout) {
   connect(automatic_, &QCheckBox::toggled, &controller_, &RunController::setAutomatic);
   connect(&controller_, &RunController::automaticChanged, automatic_, &QCheckBox::setChecked);
   times_ = new TimeStrip(this);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(add_, 1);
-  buttons->addWidget(presets, 1);
-  buttons->addWidget(automatic_);
+  auto* buttons = new FlowLayout(6);
+  for (QWidget* each : {static_cast<QWidget*>(add_), static_cast<QWidget*>(presets), static_cast<QWidget*>(automatic_)})
+    buttons->addWidget(each);
   layout->addLayout(buttons);
   layout->addWidget(times_);
 }
@@ -171,11 +170,9 @@ void FilterList::showSelection() {
 void FilterList::giveRowsTheirHeight() {
   for (FilterRow* row : rows_) row->layout()->activate();
   layout_->invalidate();
-  const int width = scroll_->viewport()->width();
+  const int width = std::max(scroll_->viewport()->width(), layout_->minimumSize().width());
   content_->setMinimumHeight(layout_->hasHeightForWidth() ? layout_->heightForWidth(width)
                                                           : layout_->sizeHint().height());
-  // Rows of blocks are wide, and there is no bar to move them by.
-  scroll_->setMinimumWidth(layout_->minimumSize().width() + scroll_->verticalScrollBar()->sizeHint().width());
 }
 
 void FilterList::resizeEvent(QResizeEvent* event) {

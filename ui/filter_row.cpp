@@ -11,11 +11,13 @@
 #include "ui/cell_colours.hpp"
 #include "ui/core_text.hpp"
 #include "ui/filter_text.hpp"
+#include "ui/fitted_labels.hpp"
 
 namespace footfall {
 namespace {
 
-constexpr int kMark = 16;  // pixels of the sign of a state
+constexpr int kMark = 16;          // pixels of the sign of a state
+constexpr int kFieldLetters = 15;  // of the width of a field
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
@@ -72,7 +74,7 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   handle_->setObjectName(QStringLiteral("dragHandle"));
   handle_->setToolTip(tr("Drag to change the order (or Alt+Up, Alt+Down)"));
   handle_->setCursor(Qt::OpenHandCursor);
-  enabled_ = new QCheckBox(filterText(filter_.label), this);
+  enabled_ = new ElidedCheckBox(filterText(filter_.label), this);
   enabled_->setObjectName(QStringLiteral("filterName"));
   enabled_->setToolTip(helpOf(filter_));
   stateIcon_ = new QLabel(this);
@@ -103,13 +105,11 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   layout->setSpacing(3);
   layout->addLayout(head);
   addParameters(layout);
-  figures_ = new QLabel(this);
+  figures_ = new WrappedLabel(this);
   figures_->setObjectName(QStringLiteral("figures"));
-  figures_->setWordWrap(true);
   figures_->setContentsMargins(22, 0, 0, 0);
-  error_ = new QLabel(this);
+  error_ = new WrappedLabel(this);
   error_->setObjectName(QStringLiteral("rowError"));
-  error_->setWordWrap(true);
   error_->setContentsMargins(22, 0, 0, 0);
   layout->addWidget(figures_);
   layout->addWidget(error_);
@@ -133,7 +133,8 @@ void FilterRow::addParameters(QVBoxLayout* layout) {
   for (std::size_t i = 0; i < filter_.parameters.size(); ++i) {
     const ParameterDescriptor& parameter = filter_.parameters[i];
     const int row = static_cast<int>(i);
-    auto* label = new QLabel(filterText(parameter.label), parameters_);
+    auto* label = new WrappedLabel(parameters_);
+    label->setText(filterText(parameter.label));
     label->setToolTip(helpOf(parameter));
     grid->addWidget(label, row, 0);
     if (parameter.type == ParameterType::Boolean) {
@@ -157,7 +158,7 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   field->setObjectName(text(parameter.name));
   field->setToolTip(helpOf(parameter));
   field->setAccessibleName(filterText(parameter.label));
-  field->setFixedWidth(104);
+  field->setFixedWidth(kFieldLetters * fontMetrics().averageCharWidth());
   field->takeDragsOf(label);
   label->setBuddy(field);
   connect(field, &NumberField::valueEdited, this, [this, index, field](double value) {
@@ -168,7 +169,6 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   connect(field, &NumberField::draggingChanged, this, &FilterRow::draggingChanged);
   grid->addWidget(field, row, 1);
   auto* unit = new QLabel(parameters_);
-  unit->setMinimumWidth(52);
   grid->addWidget(unit, row, 2);
   fields_.push_back(field);
   units_.push_back(unit);

@@ -17,7 +17,6 @@ HelpPanel::HelpPanel(const Document& document, const FilterList& filters, QWidge
   setAccessibleName(tr("Help about the filter that has the focus"));
   setOpenLinks(false);
   setFrameShape(QFrame::NoFrame);
-  setMinimumSize(200, 120);
   setHtml(
       tr("<p>Click on a filter, or go to it with Tab: this tells what it does, what its values mean and what it "
          "needs.</p><p>F1 lists all keys. Ctrl+K finds every command by a few letters.</p>"));

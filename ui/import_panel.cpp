@@ -8,6 +8,9 @@
 #include <QVBoxLayout>
 #include <limits>
 
+#include "ui/fitted_labels.hpp"
+#include "ui/flow_layout.hpp"
+
 namespace footfall {
 namespace {
 
@@ -32,11 +35,11 @@ QString shortNumber(double value) { return QString::number(value, 'g', 4); }
 }  // namespace
 
 ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
-  name_ = new QLabel(tr("Nothing loaded"), this);
+  name_ = new ElidedLabel(tr("Nothing loaded"), this);
   name_->setObjectName(QStringLiteral("environmentName"));
   name_->setTextFormat(Qt::PlainText);
-  figures_ = new QLabel(tr("Open a file (Ctrl+O), or drop one here."), this);
-  figures_->setWordWrap(true);
+  figures_ = new WrappedLabel(this);
+  figures_->setText(tr("Open a file (Ctrl+O), or drop one here."));
 
   up_ = new QComboBox(this);
   up_->setObjectName(QStringLiteral("upAxis"));
@@ -49,9 +52,8 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
       tr("How many metres one unit of the file is. Coordinates are never scaled: this sets the default values of the "
          "filters. Filters that still have their defaults follow."));
   scaleNote_ = new QLabel(this);
-  scaleError_ = new QLabel(this);
+  scaleError_ = new WrappedLabel(this);
   scaleError_->setObjectName(QStringLiteral("rowError"));
-  scaleError_->setWordWrap(true);
   scaleError_->hide();
   bothSides_ = new QCheckBox(tr("Both sides count as up"), this);
   bothSides_->setObjectName(QStringLiteral("bothSides"));
@@ -78,10 +80,9 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   layout->addWidget(figures_);
   layout->addLayout(form);
   layout->addWidget(scaleError_);
-  auto* boxes = new QHBoxLayout;
+  auto* boxes = new FlowLayout(6);
   boxes->addWidget(bothSides_);
   boxes->addWidget(watch_);
-  boxes->addStretch(1);
   layout->addLayout(boxes);
 
   connect(up_, &QComboBox::activated, this, [this](int index) {

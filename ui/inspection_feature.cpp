@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/editor_window.hpp"
+#include "ui/panel_dock.hpp"
 
 namespace footfall {
 namespace {
@@ -66,12 +67,7 @@ void InspectionFeature::createWhy() {
                                      tr("Click a place to learn why it is walkable, or what stands in the way"),
                                      {Qt::Key_Y},
                                      QStringLiteral("why")},
-                                    &tool_);
-  connect(action, &QAction::toggled, this, [this](bool on) {
-    if (!on) return;
-    whyDock_->show();
-    whyDock_->raise();
-  });
+                                    &tool_, whyDock_);
   connect(watch_, &InspectionWatch::explained, this, &InspectionFeature::showAnswer);
   connect(&window_.controller(), &RunController::started, why_, [this] { why_->setWaiting(true); });
   for (const auto signal : {&RunController::cancelled, &RunController::finished})
@@ -133,7 +129,7 @@ void InspectionFeature::ask(const QPoint& place) {
     if (isNear(asked.point, asked.corners)) asked.triangle = picked->triangle;
   }
   source_ = QString::fromStdString(level->source);
-  whyDock_->show();
+  bringToFront(*whyDock_);
   why_->setWaiting(true);
   watch_->ask(asked);
   if (!watch_->busy()) window_.say(tr("There is no result yet; the answer follows when a run has finished."));
@@ -183,8 +179,10 @@ void InspectionFeature::showFilter() {
   }
   for (FilterRow* row : window_.filterList().rows()) {
     if (row->entryId() != entry->id) continue;
-    for (QWidget* parent = row->parentWidget(); parent != nullptr; parent = parent->parentWidget())
+    for (QWidget* parent = row->parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
+      if (auto* dock = qobject_cast<QDockWidget*>(parent)) bringToFront(*dock);
       if (auto* scroll = qobject_cast<QScrollArea*>(parent)) scroll->ensureWidgetVisible(row);
+    }
     QWidget* target = entry->step.values.empty() ? row->enabledBox() : row->field(0);
     target->setFocus(Qt::ShortcutFocusReason);
     return;

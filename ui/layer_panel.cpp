@@ -80,7 +80,7 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent) {
   list_->setAccessibleName(tr("Layers"));
   list_->setToolTip(tr(
       "The eye (or Space) hides and shows a layer. A click on a row (or Enter) shows it alone, another one shows all "
-      "again; a double click brings it into sight. Walls stay: see View > Walkable only, or the heights."));
+      "again; a double click brings it into sight. Walls stay: see the view mode Walkable only, or the heights."));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setAllColumnsShowFocus(true);

@@ -22,8 +22,9 @@ QString escaped(const std::string& text) { return QString::fromStdString(text).t
 
 }  // namespace
 
-LoadPanel::LoadPanel(CellModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+LoadPanel::LoadPanel(CellModel& model, RunThreads& threads, QWidget* parent) : QWidget(parent), model_(model) {
   setObjectName(QStringLiteral("loadPanel"));
+  makeThreadBox(threads);
   stack_ = new QStackedWidget(this);
   stack_->addWidget(makeEmptyPage());
   stack_->addWidget(makeContentPage());
@@ -33,6 +34,26 @@ LoadPanel::LoadPanel(CellModel& model, QWidget* parent) : QWidget(parent), model
   connect(&model_, &CellModel::figuresChanged, this, &LoadPanel::refresh);
   setPipeline(false, false);
   refresh();
+}
+
+void LoadPanel::makeThreadBox(RunThreads& threads) {
+  threadBox_ = new QComboBox(this);
+  threadBox_->setObjectName(QStringLiteral("threads"));
+  threadBox_->setAccessibleName(tr("Threads of a run"));
+  threadBox_->setToolTip(tr("So many threads at most compute a run; the result is the same"));
+  std::vector<int> choices = threadChoices(processorCount());
+  choices.back() = 0;
+  for (const int n : choices) threadBox_->addItem(threadsText(n), n);
+  const auto show = [this, &threads] {
+    if (threadBox_->findData(threads.chosen()) < 0)
+      threadBox_->addItem(threadsText(threads.chosen()), threads.chosen());
+    threadBox_->setCurrentIndex(threadBox_->findData(threads.chosen()));
+    model_.setThreads(threads.count());
+  };
+  show();
+  connect(&threads, &RunThreads::changed, this, show);
+  connect(threadBox_, &QComboBox::activated, &threads,
+          [this, &threads](int index) { threads.choose(threadBox_->itemData(index).toInt()); });
 }
 
 QWidget* LoadPanel::makeEmptyPage() {
@@ -69,6 +90,7 @@ QWidget* LoadPanel::makeContentPage() {
   head->addWidget(strategy_, 1);
   head->addWidget(back_);
   head->addWidget(block_);
+  head->addWidget(threadBox_);
 
   timeline_ = new TimelinePlot(model_, page);
   filters_ = new QLabel(page);
@@ -163,9 +185,9 @@ void LoadPanel::showFigures(const CellBlock& block) {
   if (!block.begun()) {
     std::vector<double> costs;
     for (const CellReport& cell : block.report.cells) costs.push_back(cell.cost);
-    const LoadBalance balance = assignLongestFirst(costs, static_cast<std::size_t>(expectedThreads()));
+    const LoadBalance balance = assignLongestFirst(costs, static_cast<std::size_t>(model_.threads()));
     figures_->setText(
-        tr("Expected: imbalance <b>%1</b> on %2 threads").arg(balance.imbalance(), 0, 'f', 2).arg(expectedThreads()));
+        tr("Expected: imbalance <b>%1</b> on %2 threads").arg(balance.imbalance(), 0, 'f', 2).arg(model_.threads()));
     busy_->showPlan(balance.loads);
     return;
   }

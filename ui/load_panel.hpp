@@ -18,7 +18,7 @@ class LoadPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LoadPanel(CellModel& model, QWidget* parent = nullptr);
+  LoadPanel(CellModel& model, RunThreads& threads, QWidget* parent = nullptr);
 
   /// What to say, and whether to offer a block, while there are no cells.
   void setPipeline(bool hasEnvironment, bool hasBlock);
@@ -39,6 +39,7 @@ class LoadPanel : public QWidget {
   void runRequested();
 
  private:
+  void makeThreadBox(RunThreads& threads);
   QWidget* makeEmptyPage();
   QWidget* makeContentPage();
   QWidget* makeFigures();
@@ -53,6 +54,7 @@ class LoadPanel : public QWidget {
   QPushButton* parallel_;
   QLabel* strategy_;
   QPushButton* back_;
+  QComboBox* threadBox_;
   QComboBox* block_;
   TimelinePlot* timeline_;
   QLabel* filters_;

@@ -3,12 +3,12 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/flow_layout.hpp"
 #include "ui/icon.hpp"
 
 namespace footfall {
@@ -77,9 +77,9 @@ LogPanel::LogPanel(MessageLog& log, QWidget* parent) : QWidget(parent), log_(log
   list_->setResizeMode(QListView::Adjust);
   list_->installEventFilter(this);
 
-  auto* head = new QHBoxLayout;
+  auto* head = new FlowLayout(6);
   head->addWidget(levels_);
-  head->addWidget(search_, 1);
+  head->addWidget(search_);
   for (QToolButton* button : {copy_, save_, clear_}) head->addWidget(button);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);

@@ -4,13 +4,13 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <array>
 #include <cmath>
 
 #include "ui/editor_window.hpp"
+#include "ui/flow_layout.hpp"
 #include "ui/path_text.hpp"
 
 namespace footfall {
@@ -35,7 +35,7 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   sum_->setWordWrap(true);
   sum_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new FlowLayout(6);
   const auto add = [&](const QString& id, const QString& text, const QString& help) {
     auto* button = new QPushButton(text, this);
     button->setObjectName(id);
@@ -46,7 +46,6 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   copy_ = add(QStringLiteral("measureCopy"), tr("Copy"), tr("Copy places and measures as a table"));
   back_ = add(QStringLiteral("measureBack"), tr("Remove last"), tr("Take the last place back"));
   clear_ = add(QStringLiteral("measureClear"), tr("Clear"), tr("Take all places away"));
-  buttons->addStretch(1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);
   layout->setSpacing(6);
@@ -107,12 +106,9 @@ MeasureFeature::MeasureFeature(EditorWindow& window)
                   tr("Distance, height and slope between places that you click"),
                   {Qt::Key_M},
                   QStringLiteral("measure")},
-                 &tool_);
+                 &tool_, dock);
   const auto follow = [this, &window, dock] { tool_.setShown(window.view().tool() == &tool_ || !dock->isHidden()); };
-  connect(&window.view(), &LevelView::toolChanged, this, [this, &window, dock, follow] {
-    if (window.view().tool() == &tool_) dock->show();
-    follow();
-  });
+  connect(&window.view(), &LevelView::toolChanged, this, follow);
   connect(dock, &QDockWidget::visibilityChanged, this, follow);
   connect(&window, &EditorWindow::environmentLoaded, this, [this] { tool_.setPlaces({}); });
 }

@@ -2,11 +2,12 @@
 #include "ui/obstacle_panel.hpp"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <limits>
+
+#include "ui/flow_layout.hpp"
 
 namespace footfall {
 namespace {
@@ -63,9 +64,8 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
   add_->setMenu(shapes);
   duplicate_ = button("duplicateObstacle", tr("Duplicate"), tr("A copy beside the selected obstacle (Ctrl+D)"));
   delete_ = button("deleteObstacle", tr("Delete"), tr("Take the selected obstacle out of the level (Del)"));
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new FlowLayout(6);
   for (QToolButton* b : {add_, duplicate_, delete_}) buttons->addWidget(b);
-  buttons->addStretch(1);
 
   form_ = new QWidget(this);
   auto* grid = new QGridLayout(form_);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/part_panel.hpp"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLocale>
@@ -15,6 +14,8 @@
 
 #include "core/environment/part_names.hpp"
 #include "ui/core_text.hpp"
+#include "ui/fitted_labels.hpp"
+#include "ui/flow_layout.hpp"
 
 namespace footfall {
 namespace {
@@ -103,16 +104,14 @@ void PartPanel::createWidgets() {
   tree_->header()->resizeSection(PartModel::Triangles, kCountWidth);
   tree_->header()->resizeSection(PartModel::Role, kRoleWidth);
   tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  figures_ = new QLabel(this);
+  figures_ = new WrappedLabel(this);
   figures_->setObjectName(QStringLiteral("partFigures"));
-  figures_->setWordWrap(true);
   empty_ = new QLabel(tr("Open an environment to see its meshes and materials."), this);
   empty_->setWordWrap(true);
 }
 
 void PartPanel::createActions() {
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(4);
+  auto* buttons = new FlowLayout(4);
   const auto add = [&](const char* name, const QString& text, const QString& help, PartRole role, Qt::Key key) {
     auto* action = new QAction(text, this);
     action->setObjectName(QLatin1String(name));
@@ -135,7 +134,6 @@ void PartPanel::createActions() {
       PartRole::ObstacleOnly, Qt::Key_2);
   add("roleIgnored", tr("Ignore"), tr("Selected parts are left out, as if the file had none of them"),
       PartRole::Ignored, Qt::Key_3);
-  buttons->addStretch(1);
   auto* separator = new QAction(this);
   separator->setSeparator(true);
   tree_->addAction(separator);

@@ -52,11 +52,8 @@ PathFeature::PathFeature(EditorWindow& window)
                   tr("Click two places and see the shortest path between them"),
                   {Qt::Key_P},
                   QStringLiteral("path")},
-                 &tool_);
-  connect(&window.view(), &LevelView::toolChanged, this, [this] {
-    if (window_.view().tool() == &tool_) dock_->show();
-    follow();
-  });
+                 &tool_, dock_);
+  connect(&window.view(), &LevelView::toolChanged, this, &PathFeature::follow);
   connect(dock_, &QDockWidget::visibilityChanged, this, &PathFeature::follow);
   connect(&tool_, &PathTool::hintChanged, this, [this](const QString& hint) {
     if (window_.view().tool() == &tool_) window_.say(hint);

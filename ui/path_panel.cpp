@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <limits>
 
+#include "ui/flow_layout.hpp"
 #include "ui/path_text.hpp"
 
 namespace footfall {
@@ -26,7 +27,7 @@ ParameterDescriptor speedDescriptor() {
   return speed;
 }
 
-QPushButton* addButton(QHBoxLayout* row, const QString& id, const QString& text, const QString& help) {
+QPushButton* addButton(QLayout* row, const QString& id, const QString& text, const QString& help) {
   auto* button = new QPushButton(text);
   button->setObjectName(id);
   button->setToolTip(help);
@@ -65,12 +66,11 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new FlowLayout(6);
   swap_ =
       addButton(buttons, QStringLiteral("pathSwap"), tr("Swap"), tr("Start where it ends, and the other way round"));
   copy_ = addButton(buttons, QStringLiteral("pathCopy"), tr("Copy"), tr("Copy places and figures as text"));
   clear_ = addButton(buttons, QStringLiteral("pathClear"), tr("Clear"), tr("Take both places away"));
-  buttons->addStretch(1);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);

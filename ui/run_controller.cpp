@@ -78,6 +78,12 @@ void RunController::editEnvironment(std::shared_ptr<const Environment> environme
   }
 }
 
+void RunController::setThreads(int threads) {
+  if (std::exchange(threads_, threads) == threads || !environment_) return;
+  cache_ = std::make_shared<ResultCache>();
+  editEnvironment(environment_);
+}
+
 std::string RunController::runKey() const {
   std::string key;
   for (const FilterEntry& entry : filters_) {
@@ -213,6 +219,7 @@ std::shared_ptr<RunController::Job> RunController::makeJob(const Pipeline& pipel
   auto job = std::make_shared<Job>();
   job->environment = environment_;
   job->centre = centre_;
+  job->threads = threads_;
   job->previews = previews_;
   job->pipeline = pipeline;
   job->prefixes.emplace_back();
@@ -337,7 +344,7 @@ RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
     auto finished = std::make_shared<FinishedRun>();
     finished->environment = job.environment;
     finished->pipeline = job.pipeline;
-    finished->result = runPipeline(job.environment, job.pipeline, *job.context, &cache);
+    finished->result = runPipeline(job.environment, job.pipeline, *job.context, &cache, job.threads);
     outcome.content = makeContent(job, finished->result);
     outcome.finished = std::move(finished);
   } catch (const Cancelled&) {

@@ -48,6 +48,9 @@ class RunController : public QObject {
   /// Starts at once, even when nothing has changed (results of steps are still taken from the cache).
   void runNow();
   void cancel();
+  /// So many threads at most compute a run from now on (0: as many as the machine has). A result that was computed with
+  /// another number is computed again, as what is told of threads and cells is not the same.
+  void setThreads(int threads);
   /// Off: edits wait for runNow(); opening an environment runs once all the same. On: what is out of date runs.
   void setAutomatic(bool on);
   [[nodiscard]] bool automatic() const { return automatic_; }
@@ -152,6 +155,7 @@ class RunController : public QObject {
   std::shared_ptr<const FinishedRun> finished_;
   FinishedRuns runs_;
   bool automatic_ = true;
+  int threads_ = 0;
   bool dragging_ = false;
   bool followUp_ = false;  ///< the list has changed while the run under way was let to finish
   QTimer settleTimer_;

@@ -75,6 +75,7 @@ struct RunController::Job {
   std::shared_ptr<const Environment> environment;
   Vec3 centre;
   Pipeline pipeline;
+  int threads = 0;  // at most; 0: as many as there are
   std::string key;
   std::vector<int> ids;                    // of the enabled steps
   std::vector<const PipelineStep*> steps;  // the enabled ones, inside `pipeline`

@@ -54,7 +54,7 @@ void TimelinePlot::rebuild() {
   timeline_ = {};
   if (const CellBlock* block = model_.shownBlock()) {
     timeline_ = block->begun() ? makeTimeline(model_.blocks(), model_.shownIndex())
-                               : planTimeline(*block, model_.shownIndex(), expectedThreads());
+                               : planTimeline(*block, model_.shownIndex(), model_.threads());
   }
   xAxis->setLabel(timeline_.planned ? tr("estimated work (units), the largest cells first")
                                     : tr("time since the run began (ms)"));

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "core/pipeline/pipeline.hpp"
+#include "ui/flow_layout.hpp"
 #include "ui/why_text.hpp"
 
 namespace footfall {
@@ -98,7 +99,7 @@ QWidget* WhyPanel::makeAnswerPage() {
   connect(showFilter_, &QPushButton::clicked, this, &WhyPanel::showFilterRequested);
   connect(frameObstacle_, &QPushButton::clicked, this, &WhyPanel::frameObstacleRequested);
   connect(framePlace_, &QPushButton::clicked, this, &WhyPanel::framePlaceRequested);
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new FlowLayout(6);
   buttons->addWidget(framePlace_);
   buttons->addWidget(frameObstacle_);
 

@@ -329,18 +329,18 @@ class TestCellsInView : public QObject {
   void previewsDoNotBlockAndTheLastOneWins() {
     std::atomic<int> begun = 0;
     std::atomic<int> cancelled = 0;
-    CellPreview preview(nullptr,
-                        [&](const std::shared_ptr<const Environment>&, const Pipeline& block, RunContext& context) {
-                          ++begun;
-                          Partition partition;
-                          partition.cells.resize(static_cast<std::size_t>(block.steps[0].values[0]));
-                          while (block.steps[0].values[0] < 3) {  // until somebody cancels
-                            QThread::msleep(1);
-                            if (context.cancelled()) ++cancelled;
-                            context.checkCancelled();
-                          }
-                          return partition;
-                        });
+    CellPreview preview(
+        nullptr, [&](const std::shared_ptr<const Environment>&, const Pipeline& block, RunContext& context, int) {
+          ++begun;
+          Partition partition;
+          partition.cells.resize(static_cast<std::size_t>(block.steps[0].values[0]));
+          while (block.steps[0].values[0] < 3) {  // until somebody cancels
+            QThread::msleep(1);
+            if (context.cancelled()) ++cancelled;
+            context.checkCancelled();
+          }
+          return partition;
+        });
     std::vector<std::size_t> told;
     connect(&preview, &CellPreview::ready, this,
             [&](const Partition& partition) { told.push_back(partition.cells.size()); });
@@ -348,7 +348,7 @@ class TestCellsInView : public QObject {
     const auto request = [&](int columns) {
       preview.request(environment,
                       parsePipeline("AreaFilter 0\nGridStrategy " + std::to_string(columns) + " 1\nCollapse\n", "test"),
-                      1);
+                      1, 0);
     };
     QElapsedTimer clock;
     clock.start();
