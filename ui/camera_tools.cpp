@@ -112,7 +112,7 @@ void CameraTools::addMoves() {
 // --- Bookmarks
 
 void CameraTools::addBookmarks() {
-  menu_ = new QMenu(tr("&Bookmarks"), &window_);
+  menu_ = new QMenu(tr("Book&marks"), &window_);
   menu_->setToolTipsVisible(true);
   window_.commands().adopt(menu_->menuAction(),
                            {QStringLiteral("view.bookmarks"), CommandMenu::View, QStringLiteral("bookmarks"), {}, {}});

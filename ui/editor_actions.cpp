@@ -115,7 +115,7 @@ void EditorWindow::createActions() {
 void EditorWindow::createSubmenus() {
   const auto in = [](auto... groups) { return QStringList{QString::fromLatin1(groups)...}; };
   commands_.addSubmenu(CommandMenu::Tools, tr("&Agents"), in("agents"));
-  commands_.addSubmenu(CommandMenu::View, tr("&Camera"), in("camera", "camera moves", "bookmarks"));
+  commands_.addSubmenu(CommandMenu::View, tr("C&amera"), in("camera", "camera moves", "bookmarks"));
   commands_.addSubmenu(CommandMenu::View, tr("Display &mode"), in("modes"));
   commands_.addSubmenu(CommandMenu::View, tr("&Floors and cuts"), in("floors"));
   commands_.addSubmenu(CommandMenu::View, tr("&Panels"), in("panels", "layout"));

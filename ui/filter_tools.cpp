@@ -24,7 +24,7 @@ void addListCommands(EditorWindow& window) {
     commands.adopt(entry.action, {entry.id, CommandMenu::Pipeline, QStringLiteral("steps"), {}, entry.help});
   commands.adopt(
       list.presets()->menuAction(),
-      {QStringLiteral("pipeline.presets"), CommandMenu::Pipeline, QStringLiteral("files"), tr("P&resets"), {}});
+      {QStringLiteral("pipeline.presets"), CommandMenu::Pipeline, QStringLiteral("files"), tr("Pr&esets"), {}});
   QObject::connect(&list, &FilterList::failed, &window.messageBar(), &MessageBar::showError);
   QObject::connect(list.presets(), &PresetsMenu::done, &window.messageBar(),
                    [&window](const QString& text, const QString& label, const std::function<void()>& undo) {
