@@ -26,7 +26,7 @@ FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context) {
   Text note = walkable > 0
                   ? Text(FOOTFALL_TEXT("triangles without area left out: %1, walkable among them: %2"), count, walkable)
                   : countedText(count, FOOTFALL_TEXT("1 triangle without area left out; it was not walkable"),
-                              FOOTFALL_TEXT("%1 triangles without area left out; none was walkable"));
+                                FOOTFALL_TEXT("%1 triangles without area left out; none was walkable"));
   return {result, std::move(note), {}};
 }
 
