@@ -11,7 +11,7 @@ namespace footfall {
 namespace {
 
 // Docks may be dragged so small, in heights of a line: less shows nothing that anybody could use.
-constexpr int kLeastWidth = 12;
+constexpr int kLeastWidth = 11;
 constexpr int kLeastHeight = 6;
 // A content that takes more of the window's height scrolls, though its dock is to be as high as it.
 constexpr double kMostFitted = 0.3;
