@@ -164,8 +164,8 @@ class TestUntranslated : public QObject {
     }
     if (!waiting.isEmpty())
       qWarning("waiting for a translation (%d):\n%s", int(waiting.size()), qPrintable(waiting.join("\n")));
-    QVERIFY2(wrong.isEmpty(),
-             qPrintable(QString("English in the German editor (%1):\n").arg(wrong.size()) + wrong.join("\n")));
+    if (!wrong.isEmpty()) qWarning("English in the German editor:\n%s", qPrintable(wrong.join("\n")));
+    QCOMPARE(wrong.size(), 0);
   }
 
  private:
