@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/environment/up_axis.hpp"
+#include "ui/panel_dock.hpp"
 #include "ui/path_text.hpp"
 #include "ui/why_text.hpp"
 
@@ -120,7 +121,7 @@ void CompareFeature::openSaved(const QString& path) {
 }
 
 void CompareFeature::showPanel() {
-  dock_->show();
+  bringToFront(*dock_);
   dock_->raise();
 }
 

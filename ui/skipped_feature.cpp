@@ -7,6 +7,7 @@
 #include "core/environment/up_axis.hpp"
 #include "ui/appearance.hpp"
 #include "ui/core_text.hpp"
+#include "ui/panel_dock.hpp"
 #include "ui/path_text.hpp"
 
 namespace footfall {
@@ -33,7 +34,7 @@ SkippedFeature::SkippedFeature(EditorWindow& window)
   show_->hide();
   window_.importPanel().addBelowFigures(show_);
   connect(show_, &QPushButton::clicked, this, [this] {
-    dock_->show();
+    bringToFront(*dock_);
     dock_->raise();
   });
   connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
