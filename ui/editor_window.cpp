@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QMimeData>
 #include <chrono>
+#include <limits>
 
 #include "ui/agent_rules.hpp"
 #include "ui/core_text.hpp"
@@ -106,7 +107,9 @@ void EditorWindow::connectParts() {
 
   connect(&controller_, &RunController::progressed, this, [this](double fraction, const QString& text) {
     std::optional<double> left;
-    if (const auto remaining = controller_.remaining()) left = std::chrono::duration<double>(*remaining).count();
+    if (const auto remaining = controller_.remaining())
+      left = *remaining == std::chrono::milliseconds::max() ? std::numeric_limits<double>::infinity()
+                                                            : std::chrono::duration<double>(*remaining).count();
     showProgress(text, fraction, left);
   });
   connect(&controller_, &RunController::contentReady, this, [this](const ViewContent& content) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTellAfterSeconds = 1.5;  // before, a guess would be wild
 constexpr double kTellFromFraction = 0.03;
+constexpr int kTickMs = 500;
 constexpr double kSmoothing = 0.3;  // weight of the newest estimate
 
 }  // namespace
@@ -54,6 +55,20 @@ QString timeLeftText(double seconds) {
   return ProgressDisplay::tr("about %1 h left").arg(seconds / 3600, 0, 'f', 1);
 }
 
+QString timeLeftText(const EndEstimate::Told& told) {
+  switch (told.kind) {
+    case EndEstimate::Kind::Left:
+      return timeLeftText(told.seconds);
+    case EndEstimate::Kind::Late:
+      return ProgressDisplay::tr("longer than estimated");
+    case EndEstimate::Kind::Unknown:
+      return ProgressDisplay::tr("time left unknown");
+    case EndEstimate::Kind::Nothing:
+      break;
+  }
+  return {};
+}
+
 ProgressDisplay::ProgressDisplay(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("progressDisplay"));
   time_ = new QLabel(this);
@@ -68,6 +83,8 @@ ProgressDisplay::ProgressDisplay(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(time_);
   layout->addWidget(bar_);
+  tick_.setInterval(kTickMs);
+  connect(&tick_, &QTimer::timeout, this, &ProgressDisplay::showTime);
   hide();
 }
 
@@ -76,21 +93,33 @@ void ProgressDisplay::showProgress(double fraction, std::optional<double> second
   if (isHidden() || fraction < 0 || fraction < lastFraction_) {
     elapsed_.start();
     left_.begin();
+    end_.begin(0);
   }
   lastFraction_ = fraction;
   bar_->setRange(0, fraction < 0 ? 0 : 1000);
   if (fraction >= 0) bar_->setValue(static_cast<int>(fraction * 1000));
-  if (!secondsLeft && fraction >= 0)
-    secondsLeft = left_.estimate(static_cast<double>(elapsed_.elapsed()) / 1000, fraction);
-  time_->setText(secondsLeft ? timeLeftText(*secondsLeft) : QString());
-  time_->setVisible(secondsLeft.has_value());
-  bar_->setAccessibleDescription(time_->text());
+  const double now = static_cast<double>(elapsed_.elapsed()) / 1000;
+  if (!secondsLeft && fraction >= 0) secondsLeft = left_.estimate(now, fraction);
+  end_.tell(now, fraction, secondsLeft);
+  showTime();
+  tick_.start();
   show();
   showTaskbarProgress(std::max(0.0, fraction));
 }
 
+void ProgressDisplay::showTime() {
+  // Of work without any measure, such as reading a file, the bar says enough.
+  const double now = static_cast<double>(elapsed_.elapsed()) / 1000;
+  const QString text = lastFraction_ < 0 ? QString() : timeLeftText(end_.at(now));
+  if (text == time_->text() && time_->isHidden() == text.isEmpty()) return;
+  time_->setText(text);
+  time_->setVisible(!text.isEmpty());
+  bar_->setAccessibleDescription(text);
+}
+
 void ProgressDisplay::finish() {
   if (isHidden()) return;
+  tick_.stop();
   hide();
   lastFraction_ = -1;
   showTaskbarProgress(-1);

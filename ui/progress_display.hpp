@@ -5,8 +5,11 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QProgressBar>
+#include <QTimer>
 #include <QWidget>
 #include <optional>
+
+#include "ui/time_estimate.hpp"
 
 namespace footfall {
 
@@ -28,6 +31,8 @@ class TimeLeft {
 
 /// "about 12 s left": rounded, as it is an estimate.
 QString timeLeftText(double seconds);
+/// The same, or that it takes longer than estimated, or that nobody knows; empty while it is too early.
+QString timeLeftText(const EndEstimate::Told& told);
 
 class ProgressDisplay : public QWidget {
   Q_OBJECT
@@ -35,7 +40,8 @@ class ProgressDisplay : public QWidget {
  public:
   explicit ProgressDisplay(QWidget* parent = nullptr);
 
-  /// `fraction` below 0: unknown. The time left is estimated unless `secondsLeft` says it.
+  /// `fraction` below 0: unknown. The time left is estimated unless `secondsLeft` says it (infinite: nobody knows).
+  /// What is said of it goes on with the clock, also while nothing is told.
   void showProgress(double fraction, std::optional<double> secondsLeft = {});
   void finish();
 
@@ -43,10 +49,14 @@ class ProgressDisplay : public QWidget {
   [[nodiscard]] QString timeText() const { return time_->text(); }
 
  private:
+  void showTime();
+
   QProgressBar* bar_;
   QLabel* time_;
   QElapsedTimer elapsed_;
+  QTimer tick_;
   TimeLeft left_;
+  EndEstimate end_;
   double lastFraction_ = -1;
 };
 

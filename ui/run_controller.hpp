@@ -57,7 +57,7 @@ class RunController : public QObject {
   /// The mouse holds a value, or has let it go.
   void setDragging(bool dragging);
   /// Estimated time until the run under way has finished, from earlier times of the same steps and from their progress;
-  /// nothing without a run, or with nothing to go by.
+  /// nothing without a run, or with nothing to go by; milliseconds::max() when a step takes far longer than expected.
   [[nodiscard]] std::optional<std::chrono::milliseconds> remaining() const;
   /// Computes these one after the other, while no run of the list is under way: finishedRunOf() has them then, and a
   /// change to one of them shows it at once. Replaces what was asked for before; none: stops.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RunController's sense of time: when an edit runs, and how long a run may still take.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/run_job.hpp"
@@ -98,6 +99,7 @@ std::optional<std::chrono::milliseconds> RunController::remaining() const {
   if (!job_ || job_->settling) return std::nullopt;
   const auto left = remainingMs(job_->times);
   if (!left) return std::nullopt;
+  if (!std::isfinite(*left)) return std::chrono::milliseconds::max();
   const std::chrono::duration<double, std::milli> since = RunEventBuffer::Clock::now() - drained_;
   return std::chrono::milliseconds(static_cast<long long>(std::max(0.0, *left - since.count())));
 }
