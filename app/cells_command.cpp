@@ -23,9 +23,7 @@ namespace {
 
 void checkTarget(const CellsArguments& arguments) {
   checkEnding(arguments.output, "-o", ".obj");
-  for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
-    if (sameFile(arguments.output, input))
-      throw InputError(arguments.output + ": would be overwritten; give another file to write to");
+  targetsBeside(arguments.environment, arguments.pipelineFile).add(arguments.output, FOOTFALL_TEXT("the cells"));
 }
 
 std::optional<PipelineStep> givenStrategy(const CellsArguments& arguments) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_files.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <utility>
 
 #include "core/environment/import.hpp"
@@ -48,19 +45,11 @@ RunResult runNamingFile(const std::string& pipelineFile, std::shared_ptr<const E
   }
 }
 
-bool sameFile(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  std::error_code failed;
-  return a == b || std::filesystem::equivalent(a, b, failed);
-}
-
-void checkEnding(const std::string& target, const std::string& option, const std::string& allowed) {
-  std::string ending = std::filesystem::path(target).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending.empty() || ending == allowed) return;
-  const std::vector<std::string> formats = importableExtensions();
-  if (ending == ".bin" || std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end())
-    throw InputError(target + ": " + option + " writes " + allowed + " files; give a name that ends so");
+WriteTargets targetsBeside(const EnvironmentChoice& environment, const std::string& pipelineFile) {
+  WriteTargets targets;
+  targets.protectEnvironment(environment.path);
+  targets.protect(pipelineFile, FOOTFALL_TEXT("the pipeline"));
+  return targets;
 }
 
 }  // namespace footfall

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/environment/environment.hpp"
+#include "core/environment/write_targets.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "core/pipeline/run_context.hpp"
 #include "core/pipeline/runner.hpp"
@@ -34,11 +35,7 @@ std::optional<Pipeline> givenPipeline(const std::string& file, const std::vector
 RunResult runNamingFile(const std::string& pipelineFile, std::shared_ptr<const Environment> environment,
                         const Pipeline& pipeline, RunContext& context, int threads);
 
-/// Whether both names are given and lead to one file.
-bool sameFile(const std::string& a, const std::string& b);
-
-/// Refuses names of files that hold or belong to an environment of another format, so that a slip of the hand cannot
-/// replace one. `allowed` is the ending with its dot; no ending is fine as well.
-void checkEnding(const std::string& target, const std::string& option, const std::string& allowed);
+/// What a command reads, which it must not write over.
+WriteTargets targetsBeside(const EnvironmentChoice& environment, const std::string& pipelineFile);
 
 }  // namespace footfall

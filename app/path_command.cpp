@@ -23,9 +23,7 @@ namespace {
 
 void checkArguments(const PathArguments& arguments) {
   checkEnding(arguments.output, "-o", ".obj");
-  for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
-    if (sameFile(arguments.output, input))
-      throw InputError(arguments.output + ": would be overwritten; give another file to write to");
+  targetsBeside(arguments.environment, arguments.pipelineFile).add(arguments.output, FOOTFALL_TEXT("the path"));
   for (const auto& [option, p] : {std::pair{"--from", arguments.from}, std::pair{"--to", arguments.to}})
     for (const double x : p)
       if (!std::isfinite(x)) throw InputError(std::string(option) + ": takes three finite numbers; give X Y Z");

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "app/command_files.hpp"
@@ -30,18 +29,11 @@ void checkTargets(const RunArguments& arguments) {
   checkEnding(arguments.statistics, "--stats", ".json");
   checkEnding(arguments.trace, "--trace", ".json");
   checkEnding(arguments.report, "--report", ".html");
-  const std::array targets{arguments.output, arguments.statistics, arguments.trace, arguments.report};
-  for (const std::string& target : targets)
-    for (const std::string& input : {arguments.environment.path, arguments.pipelineFile})
-      if (sameFile(target, input)) throw InputError(target + ": would be overwritten; give another file to write to");
-  if (sameFile(arguments.output, arguments.statistics))
-    throw InputError(arguments.output + ": cannot hold both the export and the statistics; give two files");
-  for (const std::string& other : {arguments.output, arguments.statistics})
-    if (sameFile(arguments.trace, other))
-      throw InputError(arguments.trace + ": cannot hold both the timeline and another file; give two files");
-  for (const std::string& other : {arguments.output, arguments.statistics, arguments.trace})
-    if (sameFile(arguments.report, other))
-      throw InputError(arguments.report + ": cannot hold both the report and another file; give two files");
+  WriteTargets targets = targetsBeside(arguments.environment, arguments.pipelineFile);
+  targets.add(arguments.output, FOOTFALL_TEXT("the export"));
+  targets.add(arguments.statistics, FOOTFALL_TEXT("the statistics"));
+  targets.add(arguments.trace, FOOTFALL_TEXT("the timeline"));
+  targets.add(arguments.report, FOOTFALL_TEXT("the report"));
   checkScale(arguments.exportOptions, {});
 }
 

@@ -50,6 +50,10 @@ std::string formatObj(const NavigationMesh& mesh, const Environment& environment
 void writeObj(const std::string& path, const NavigationMesh& mesh, const Environment& environment,
               const ExportHeader& header, const ExportOptions& options = {}, std::span<const ExportExtra> extras = {});
 
+/// Throws RunError where writeFileSafely() would, as far as that is known without writing: a folder, a missing folder,
+/// no permission, a name that is too long.
+void checkWritable(const std::string& path);
+
 /// The same safe writing for any text (statistics, sessions, pipelines).
 void writeFileSafely(const std::string& path, const std::string& text);
 

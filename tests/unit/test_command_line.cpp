@@ -1,6 +1,7 @@
 // The built program as a user meets it: output, files, exit codes and signals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <signal.h>
+#include <unistd.h>
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -13,6 +14,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "tests/unit/program_run.hpp"
 
@@ -81,6 +83,8 @@ class TestCommandLine : public QObject {
   void parallelListingRuns();
   void wrongUsageOrInput_data();
   void wrongUsageOrInput();
+  void nothingThatIsReadIsWrittenOver();
+  void whereNothingCanBeWrittenIsToldFirst();
   void failedRunKeepsAnEarlierFile();
   void signalsCancel_data();
   void signalsCancel();
@@ -314,6 +318,60 @@ void TestCommandLine::wrongUsageOrInput() {
   QVERIFY2(outcome.err.startsWith("footfall: ") && outcome.err.count('\n') == 1, outcome.err.constData());
   QVERIFY(outcome.out.isEmpty());
   QCOMPARE(names(), QStringList{"board.obj"});
+}
+
+void TestCommandLine::nothingThatIsReadIsWrittenOver() {
+  const QByteArray level = QByteArray("mtllib board.mtl\n") + kFloorWithBoard, library = "newmtl a\n",
+                   pipeline = "SlopeFilter 45\n";
+  write(path("board.obj"), level);
+  write(path("board.mtl"), library);
+  write(path("steps"), pipeline);
+  // Names without an ending, and with whatever ending an option wants.
+  for (const char* ending : {"", ".obj", ".json", ".html"}) {
+    QVERIFY(QFile::link(path("board.obj"), path(QString("link") + ending)));
+    QCOMPARE(::link(qPrintable(path("board.mtl")), qPrintable(path(QString("hard") + ending))), 0);
+    QVERIFY(QFile::link("steps", path(QString("steps-link") + ending)));
+  }
+  const QStringList run{"run", path("board.obj"), "-p", path("steps")};
+  const QStringList cells{"cells", path("board.obj"), "-p", path("steps")};
+  const QStringList way{"path", path("board.obj"), "-p", path("steps"), "--from", "1", "1", "0", "--to", "2", "2", "0"};
+  for (const auto& [command, option, ending] : {std::tuple{run, "-o", ".obj"},
+                                                {run, "--stats", ".json"},
+                                                {run, "--trace", ".json"},
+                                                {run, "--report", ".html"},
+                                                {cells, "-o", ".obj"},
+                                                {way, "-o", ".obj"}}) {
+    for (const QString& end : {QString(), QString(ending)}) {
+      for (const char* name : {"link", "hard", "steps-link"}) {
+        const Outcome outcome = runProgram(command + QStringList{option, path(name + end)});
+        QVERIFY2(outcome.err.contains("would be overwritten"), outcome.err + name + option);
+        QCOMPARE(outcome.exitCode, 2);
+      }
+    }
+  }
+  // Two targets of one command that are one file, which is yet to be.
+  const Outcome twice = runProgram(run + QStringList{"--stats", path("x.json"), "--trace", path("./x.json")});
+  QCOMPARE(twice.exitCode, 2);
+  QVERIFY2(twice.err.contains("cannot hold both the statistics and the timeline"), twice.err.constData());
+  QCOMPARE(contentOf(path("board.obj")), level);
+  QCOMPARE(contentOf(path("board.mtl")), library);
+  QCOMPARE(contentOf(path("steps")), pipeline);
+  QVERIFY(!QFile::exists(path("x.json")));
+}
+
+// Before the work, not after hours of it.
+void TestCommandLine::whereNothingCanBeWrittenIsToldFirst() {
+  write(path("broken.obj"), "v 0 0 0\nf 1 2 3\n");  // would be told next
+  for (const auto& [target, says] : {std::pair{path("none/out.obj"), "its folder does not exist"},
+                                     {path("."), "is a folder"},
+                                     {path("board.obj/out.obj"), "board.obj is a file, not a folder"},
+                                     {path(QString(300, 'x')), "its name or path is too long"},
+                                     {QString("/proc/out.obj"), "in its folder"}}) {
+    const Outcome outcome = runProgram({"run", path("broken.obj"), "-o", target});
+    QCOMPARE(outcome.exitCode, 1);
+    QVERIFY2(outcome.err.contains(says), outcome.err.constData());
+    QVERIFY(outcome.err.contains(target.toUtf8()));
+  }
 }
 
 void TestCommandLine::failedRunKeepsAnEarlierFile() {

@@ -163,6 +163,13 @@ class TestExport : public QObject {
     QVERIFY(message(folder.path("none/")).contains("is a folder"));
     QVERIFY(message("").contains("no file name"));
     QVERIFY(message("/proc/footfall.obj").startsWith("/proc/footfall.obj: "));
+    QVERIFY(message("/proc/footfall.obj").contains("in its folder"));
+    const std::string file = folder.write("file", "x");
+    QVERIFY(message(file + "/out.obj").contains(QString::fromStdString(file) + " is a file, not a folder; choose"));
+    QCOMPARE(::symlink("loop", folder.path("loop").c_str()), 0);
+    QVERIFY(message(folder.path("loop")).contains("round in a circle"));
+    QFile::remove(QString::fromStdString(folder.path("loop")));
+    QFile::remove(QString::fromStdString(file));
     const QString longName = message(folder.path(std::string(300, 'x').c_str()));
     QVERIFY2(longName.contains("too long"), qPrintable(longName));
     QCOMPARE(folder.files(), QStringList{});
@@ -184,6 +191,18 @@ class TestExport : public QObject {
     QCOMPARE(::chmod(path.c_str(), 0400), 0);
     QVERIFY(messageOf<RunError>([&] { writeFileSafely(path, "text"); }).contains("no permission"));
     QCOMPARE(readAll(path), QByteArray("kept"));
+  }
+
+  void diskThatCanOnlyBeRead() {
+    const TemporaryFolder folder;
+    const std::string disk = folder.path("disk");
+    QCOMPARE(::mkdir(disk.c_str(), 0700), 0);
+    if (::mount("tmpfs", disk.c_str(), "tmpfs", MS_RDONLY, "size=64k") != 0) QSKIP("a disk cannot be mounted here");
+    const QString message = messageOf<RunError>([&] { writeFileSafely(disk + "/out.obj", "text"); });
+    const QString before = messageOf<RunError>([&] { checkWritable(disk + "/out.obj"); });
+    QCOMPARE(::umount(disk.c_str()), 0);
+    QVERIFY2(message.contains("its disk can only be read; choose another disk"), qPrintable(message));
+    QCOMPARE(before, message);
   }
 
   void fullDiskKeepsTheOldFile() {
