@@ -10,7 +10,10 @@ namespace {
 
 std::string translated(const Text& text) {
   if (!text.isPattern()) return text.pattern();
-  const std::string pattern = QCoreApplication::translate("Core", text.pattern().c_str()).toStdString();
+  const char* const english = text.pattern().c_str();
+  QString own = QCoreApplication::translate("Core", english);
+  if (own == QLatin1String(english)) own = QCoreApplication::translate("Filter", english);  // labels of filters
+  const std::string pattern = own.toStdString();
   return fillPlaces(pattern, text.arguments().size(), [&](std::size_t i) { return translated(text.arguments()[i]); });
 }
 

@@ -4,8 +4,10 @@
 namespace footfall {
 
 Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
-  const int line = pipeline.steps[step].line;
-  return line > 0 ? Text(FOOTFALL_TEXT("line %1"), line) : Text(FOOTFALL_TEXT("step %1"), step + 1);
+  const auto& [filter, values, enabled, line] = pipeline.steps[step];
+  if (line > 0) return {FOOTFALL_TEXT("line %1"), line};
+  // Labels are literals, which end as patterns have to.
+  return {FOOTFALL_TEXT("step %1 (%2)"), step + 1, Text(Pattern{filter->label.data()})};
 }
 
 std::optional<StructureError> findStructureError(const Pipeline& pipeline) {

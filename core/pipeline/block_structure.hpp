@@ -18,7 +18,8 @@ struct StructureError {
 /// Collapse, a strategy inside a block, or a global filter inside a block. Disabled steps do not count.
 std::optional<StructureError> findStructureError(const Pipeline& pipeline);
 
-/// "line 3" when the step comes from a file, else "step 3" (1-based); for messages.
+/// "line 3" when the step comes from a file, else "step 3 (Slope)", as a list of steps shows it (1-based); for
+/// messages.
 Text placeOfStep(const Pipeline& pipeline, std::size_t step);
 
 }  // namespace footfall

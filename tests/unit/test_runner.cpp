@@ -353,10 +353,10 @@ void TestRunner::invalidStepsAreRefused_data() {
   QTest::addColumn<QString>("filter");
   QTest::addColumn<QList<double>>("values");
   QTest::addColumn<QString>("says");
-  QTest::newRow("out of range") << "SlopeFilter" << QList<double>{95} << "step 1, SlopeFilter: max_slope 95 is out";
-  QTest::newRow("too few") << "SlopeFilter" << QList<double>{} << "step 1, SlopeFilter: has 0 values; give 1";
-  QTest::newRow("too many") << "DegeneracyFilter" << QList<double>{1} << "step 1, DegeneracyFilter: has 1 values";
-  QTest::newRow("structure") << "Collapse" << QList<double>{} << "step 1: Collapse ends no parallel block";
+  QTest::newRow("out of range") << "SlopeFilter" << QList<double>{95} << "step 1 (Slope), SlopeFilter: max_slope 95 is out";
+  QTest::newRow("too few") << "SlopeFilter" << QList<double>{} << "step 1 (Slope), SlopeFilter: has 0 values; give 1";
+  QTest::newRow("too many") << "DegeneracyFilter" << QList<double>{1} << "step 1 (Degeneracy), DegeneracyFilter: has 1 values";
+  QTest::newRow("structure") << "Collapse" << QList<double>{} << "step 1 (Collapse): Collapse ends no parallel block";
 }
 
 void TestRunner::invalidStepsAreRefused() {
