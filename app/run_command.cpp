@@ -77,7 +77,7 @@ std::string runAndExport(const RunArguments& arguments) {
   }
   if (!arguments.report.empty()) {
     context.checkCancelled();
-    writeFileSafely(arguments.report, formatHtmlReport(*environment, *pipeline, result, times));
+    writeFileSafely(arguments.report, formatHtmlReport(*environment, *pipeline, result, times, {reportDate(), {}, {}}));
   }
   if (!arguments.trace.empty()) {
     context.checkCancelled();

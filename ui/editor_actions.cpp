@@ -30,6 +30,7 @@ QFileDialog* showDialog(QWidget* parent, const QString& title, const QString& na
     dialog->setFileMode(QFileDialog::ExistingFile);
   } else {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);  // EditorWindow::writeAsking() asks
     dialog->setDefaultSuffix(suffix);
     dialog->selectFile(QFileInfo(suggested).fileName());
   }
@@ -74,8 +75,7 @@ void EditorWindow::createWidgets() {
   static_cast<PanelArea*>(environment->widget())->setFitsContent();
   addDock(this, tr("Filters"), QStringLiteral("filterDock"), filters_);
 
-  summary_ = new ElidedLabel(this);
-  summary_->setTextFormat(Qt::PlainText);
+  summary_ = new StatusLine(this);
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   progress_ = new ProgressDisplay(this);
   cancel_ = new QPushButton(tr("Cancel"), this);
@@ -355,10 +355,7 @@ QAction* EditorWindow::addTool(Command command, ViewTool* tool, QDockWidget* pan
     }
   });
   commands_.adopt(action, command);
-  connect(view_, &LevelView::toolChanged, action, [this, action, tool] {
-    action->setChecked(view_->tool() == tool);
-    if (view_->tool() == tool && !tool->hint().isEmpty()) say(tool->hint());
-  });
+  connect(view_, &LevelView::toolChanged, action, [this, action, tool] { action->setChecked(view_->tool() == tool); });
   return action;
 }
 
@@ -386,14 +383,20 @@ void EditorWindow::openPipelineDialog() {
 
 void EditorWindow::savePipelineDialog() {
   showDialog(this, tr("Save the pipeline"), tr("Pipelines (*.pipeline)"), suggestedPath(QStringLiteral(".pipeline")),
-             QStringLiteral("pipeline"), [this](const QString& path) { savePipeline(path); });
+             QStringLiteral("pipeline"), [this](const QString& path) {
+               writeAsking(path, WrittenKind::Pipeline, [this, path] { savePipeline(path); });
+             });
 }
 
 void EditorWindow::saveSessionDialog() {
   const QString extension = QLatin1String(kSessionExtension);
   const QString suggested = sessionPath_.isEmpty() ? suggestedPath(QLatin1Char('.') + extension) : sessionPath_;
   QFileDialog* dialog = showDialog(this, tr("Save the session"), tr("Sessions (*.%1)").arg(extension), suggested,
-                                   extension, [this](const QString& path) { saveSession(path); });
+                                   extension, [this](const QString& path) {
+                                     writeAsking(
+                                         path, WrittenKind::Session, [this, path] { saveSession(path); },
+                                         [this] { afterSaving_ = nullptr; });
+                                   });
   connect(dialog, &QFileDialog::rejected, this, [this] { afterSaving_ = nullptr; });
 }
 

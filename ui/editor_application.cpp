@@ -113,6 +113,11 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
     // A session has a view of its own.
     if (options.top) window.view().viewFromTop();
     if (!options.top && !window.openedSession()) window.view().viewOblique();
+    const QString why = window.refusal(target, WrittenKind::Export);
+    if (!why.isEmpty()) {
+      finish(fail(2, why));
+      return;
+    }
     window.view().grabFramebuffer();  // what follows finds all of it drawn
     QSaveFile file(target);
     const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();

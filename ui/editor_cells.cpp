@@ -103,12 +103,14 @@ void EditorWindow::connectCells() {
   connect(&cells_, &CellModel::figuresChanged, this, [this] { keepTimer_.start(); });
   connect(&cells_, &CellModel::shapesChanged, this, &EditorWindow::chooseLegend);
   connect(load_, &LoadPanel::parallelBlockRequested, this, [this] {
-    if (loaded_.environment && !document_.addParallelBlock())
-      messages_->showHint(tr("No local filter can run in parallel; add a clearance filter first."));
+    if (!loaded_.environment || document_.addParallelBlock()) return;
+    messages_->showHint(tr("No local filter can run in parallel; add a clearance filter first."));
+    messages_->setSubject(MessageSubject::Filters);
   });
   connect(load_, &LoadPanel::runRequested, &cells_, &CellModel::endPreview);
   connect(filters_, &FilterList::previewRequested, this, &EditorWindow::previewCells);
-  connect(cellWatch_, &CellWatch::previewFailed, messages_, &MessageBar::showError);
+  connect(cellWatch_, &CellWatch::previewFailed, this,
+          [this](const QString& message) { messages_->showErrorOf(MessageSubject::Filters, message); });
   const auto describeEmptyState = [this] {
     load_->setPipeline(loaded_.environment != nullptr, cellWatch_->firstStrategy() >= 0);
   };

@@ -65,7 +65,9 @@ void EditorWindow::createLog() {
   });
   connect(&controller_, &RunController::cancelled, this,
           [this] { log_.add(MessageLevel::Note, tr("The run was cancelled")); });
-  connect(&keeper_, &SessionKeeper::failed, messages_, &MessageBar::showError);
+  connect(&keeper_, &SessionKeeper::failed, this,
+          [this](const QString& message) { messages_->showErrorOf(MessageSubject::Keeping, message); });
+  connect(&keeper_, &SessionKeeper::recovered, this, [this] { messages_->finish(MessageSubject::Keeping); });
   if (auto* application = qobject_cast<GuardedApplication*>(qApp))
     connect(application, &GuardedApplication::problemTold, messages_, &MessageBar::showError);
   logPanel_ = new LogPanel(log_);
@@ -81,12 +83,15 @@ void EditorWindow::createLog() {
                                    tr("Text files (*.txt);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);  // writeAsking() asks
     dialog->setDefaultSuffix(QStringLiteral("txt"));
     dialog->selectFile(QStringLiteral("footfall-log.txt"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-      writeInBackground([text = logPanel_->text().toStdString(),
-                         target = QFile::encodeName(path).toStdString()] { writeFileSafely(target, text); },
-                        path);
+      writeAsking(path, WrittenKind::Export, [this, path] {
+        writeInBackground([text = logPanel_->text().toStdString(),
+                           target = QFile::encodeName(path).toStdString()] { writeFileSafely(target, text); },
+                          path);
+      });
     });
     dialog->open();
   });
@@ -94,7 +99,7 @@ void EditorWindow::createLog() {
 
 // One message a run: the result, and the steps that were computed with their times.
 void EditorWindow::logRun() {
-  QStringList lines{tr("Run finished: %1").arg(summary_->text().simplified())};
+  QStringList lines{tr("Run finished: %1").arg(summary_->state().simplified())};
   for (const FilterEntry& entry : document_.filters()) {
     const StepStatus status = controller_.status(entry.id);
     if (status.state != StepState::Done || !status.wallMs) continue;
@@ -221,7 +226,7 @@ void EditorWindow::openSample(const QString& path, const QString& pipeline) {
       if (!pipeline.isEmpty()) filters = readPipelineFile(QFile::encodeName(pipeline).toStdString());
       openWith(path, filters, {});
     } catch (const std::exception& error) {
-      messages_->showError(errorText(error));
+      messages_->showErrorOf(MessageSubject::Opening, errorText(error));
     }
   });
 }

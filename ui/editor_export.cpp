@@ -12,11 +12,13 @@
 #include "core/pipeline/export_header.hpp"
 #include "ui/editor_window.hpp"
 #include "ui/export_dialog.hpp"
+#include "ui/level_look.hpp"
+#include "ui/report_legend.hpp"
 
 namespace footfall {
 namespace {
 
-constexpr QSize kReportPicture{1600, 1000};
+constexpr QSize kReportPicture{1600, 1000};  // at most
 constexpr double kReportRatio = 1.25;
 
 std::string toPath(const QString& path) { return QFile::encodeName(path).toStdString(); }
@@ -27,6 +29,13 @@ std::string pngOf(const QImage& image) {
   buffer.open(QIODevice::WriteOnly);
   if (!image.save(&buffer, "PNG")) throw RunError(FOOTFALL_TEXT("the picture cannot be made; choose a smaller size"));
   return bytes.toStdString();
+}
+
+std::vector<ReportPicture> pngsOf(const std::vector<CaptionedImage>& images) {
+  std::vector<ReportPicture> pictures;
+  for (const auto& [caption, image] : images)
+    if (!image.isNull()) pictures.push_back({caption, pngOf(image)});
+  return pictures;
 }
 
 }  // namespace
@@ -40,6 +49,7 @@ void EditorWindow::exportDialog() {
   source.placed = placedExtras();
   source.view = view_->size();
   source.devicePixelRatio = view_->devicePixelRatioF();
+  source.refusal = [this](const QString& path) { return refusal(path, WrittenKind::Export); };
   const ExportSettings settings = rememberedExport();
   const QString suffix =
       settings.kind == ExportKind::Png || settings.kind == ExportKind::Html ? QString() : QStringLiteral("-walkable");
@@ -61,12 +71,21 @@ void EditorWindow::exportResult(const QString& path) {
 
 void EditorWindow::exportResult(const QString& path, const ExportSettings& settings) {
   if (!loaded_.environment) {
-    messages_->showError(tr("nothing to export; open an environment first"));
+    messages_->showErrorOf(MessageSubject::Writing, tr("nothing to export; open an environment first"));
     return;
   }
-  if (!controller_.upToDate()) {
-    pendingExport_.emplace(path, settings);
-    if (!controller_.busy()) controller_.runNow();
+  const QString why = refusal(path, WrittenKind::Export);
+  if (!why.isEmpty()) {
+    messages_->showErrorOf(MessageSubject::Writing, why);
+    return;
+  }
+  const bool drawn = settings.kind == ExportKind::Png || (settings.kind == ExportKind::Html && settings.pictures);
+  const bool computed = controller_.upToDate();
+  if (!computed || (drawn && !findChild<LevelLook*>()->modes().upToDate())) {
+    std::erase_if(pendingExports_, [&](const auto& pending) { return pending.first == path; });
+    pendingExports_.emplace_back(path, settings);
+    log_.add(MessageLevel::Note, tr("%1 is written once the run has finished").arg(path));
+    if (!computed && !controller_.busy()) controller_.runNow();
     return;
   }
   if (settings.kind == ExportKind::Png) {
@@ -76,6 +95,23 @@ void EditorWindow::exportResult(const QString& path, const ExportSettings& setti
   } else {
     writeResult(path, settings);
   }
+}
+
+void EditorWindow::writePendingExports() {
+  if (pendingExports_.empty()) return;
+  if (!controller_.upToDate()) {
+    if (!controller_.busy()) controller_.runNow();
+    return;
+  }
+  if (!findChild<LevelLook*>()->modes().upToDate()) return;
+  for (const auto& [path, settings] : std::exchange(pendingExports_, {})) exportResult(path, settings);
+}
+
+QString EditorWindow::dropPendingExports() {
+  QStringList names;
+  for (const auto& [path, settings] : std::exchange(pendingExports_, {})) names << path;
+  if (!names.isEmpty()) closeIfWritten(false);
+  return names.join(QStringLiteral(", "));
 }
 
 // The loaded environment: its scale may have changed since the run, its coordinates have not.
@@ -101,35 +137,37 @@ void EditorWindow::writePicture(const QString& path, const ExportSettings& setti
   const PictureSize& size = sizes[std::clamp(settings.pictureSize, 0, static_cast<int>(sizes.size()) - 1)];
   const QImage image = view_->picture(size.pixels, size.ratio);
   if (image.isNull()) {
-    messages_->showError(tr("%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size")
-                             .arg(path)
-                             .arg(size.pixels.width())
-                             .arg(size.pixels.height()));
+    messages_->showErrorOf(MessageSubject::Writing,
+                           tr("%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size")
+                               .arg(path)
+                               .arg(size.pixels.width())
+                               .arg(size.pixels.height()));
     return;
   }
   writeInBackground([image, target = toPath(path)] { writeFileSafely(target, pngOf(image)); }, path);
 }
 
 void EditorWindow::writeReport(const QString& path, bool pictures) {
-  std::vector<std::pair<std::string, QImage>> images;
+  std::vector<CaptionedImage> images, colours;
   if (pictures) {
-    const CameraPose pose = view_->cameraPose();
-    const auto take = [&](const char* caption) {
-      images.emplace_back(caption, view_->picture(kReportPicture, kReportRatio));
+    colours = reportLegend(view_->content(), view_->parts());
+    if (isHeatMap(view_->mode()))
+      colours.emplace_back(view_->mode() == ViewMode::Slope ? "Slope of floors; hatched: steeper than the limit"
+                                                            : "Free height above floors; hatched: less than the limit",
+                           legend_->scaleImage());
+    const auto take = [&](const char* caption, const QSize& size, PictureCamera from) {
+      images.emplace_back(caption, view_->picture(size, kReportRatio, from));
     };
-    take("As seen in the editor");
-    view_->viewFromTop();
-    take("From the top");
-    view_->viewOblique();
-    take("From above at an angle");
-    view_->setCameraPose(pose);
+    // The first has the view's shape, so that it shows neither more nor less.
+    take("As seen in the editor", view_->size().scaled(kReportPicture, Qt::KeepAspectRatio), PictureCamera::AsSeen);
+    take("From the top", kReportPicture, PictureCamera::Top);
+    take("From above at an angle", kReportPicture, PictureCamera::Oblique);
   }
   writeInBackground(
-      [run = controller_.finishedRun(), environment = loaded_.environment, images, target = toPath(path)] {
-        std::vector<ReportPicture> embedded;
-        for (const auto& [caption, image] : images)
-          if (!image.isNull()) embedded.push_back({caption, pngOf(image)});
-        writeFileSafely(target, formatHtmlReport(*environment, run->pipeline, run->result, {}, embedded));
+      [run = controller_.finishedRun(), environment = loaded_.environment, images, colours, target = toPath(path)] {
+        const std::vector<ReportPicture> pictures = pngsOf(images), legend = pngsOf(colours);
+        const ReportDetails details{reportDate(), pictures, legend};
+        writeFileSafely(target, formatHtmlReport(*environment, run->pipeline, run->result, {}, details));
       },
       path);
 }

@@ -18,6 +18,8 @@ void EditorWindow::createFeatures() {
   addFilterTools(*this);
   new EnvironmentTools(*this);
   installLevelLook(*this);
+  connect(&findChild<LevelLook*>()->modes(), &ViewModes::ready, this, &EditorWindow::writePendingExports,
+          Qt::QueuedConnection);
   installCameraTools(*this);
   new PathFeature(*this);
   new MeasureFeature(*this);

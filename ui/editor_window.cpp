@@ -68,6 +68,7 @@ EditorWindow::~EditorWindow() {
 
 void EditorWindow::connectParts() {
   connect(&document_, &Document::filtersChanged, this, [this] {
+    messages_->finish(MessageSubject::Filters);
     controller_.setFilters(document_.filters());
     keepTimer_.start();
   });
@@ -75,15 +76,28 @@ void EditorWindow::connectParts() {
   for (const auto signal : {&Document::agentsChanged, &Document::levelChanged})
     connect(&document_, signal, this, &EditorWindow::keepSoon);
   connect(&composer_, &LevelComposer::edited, &controller_, &RunController::editEnvironment);
-  connect(&composer_.parts(), &PartLevel::failed, messages_, &MessageBar::showError);
+  connect(&composer_.parts(), &PartLevel::failed, this,
+          [this](const QString& message) { messages_->showErrorOf(MessageSubject::Level, message); });
+  connect(&composer_.parts(), &PartLevel::changed, this, [this] { messages_->finish(MessageSubject::Level); });
+  connect(&composer_, &LevelComposer::failed, this, [this](const QString& message) {
+    messages_->showErrorOf(MessageSubject::Level, message);
+    levelFailed_ = true;
+  });
+  connect(&composer_, &LevelComposer::edited, this, [this] {
+    if (!std::exchange(levelFailed_, false)) messages_->finish(MessageSubject::Level);
+  });
   connect(&controller_, &RunController::finished, &composer_.parts(), &PartLevel::setComputed);
   connect(document_.undoStack(), &QUndoStack::cleanChanged, this, &EditorWindow::updateTitle);
+  // Who works on has not closed.
+  connect(document_.undoStack(), &QUndoStack::indexChanged, this, [this] { closing_ = closeWhenWritten_ = false; });
   connect(import_, &ImportPanel::optionsEdited, this, &EditorWindow::editImport);
   connect(&recent_, &RecentFiles::chosen, this, &EditorWindow::openAsking);
   connect(cancel_, &QPushButton::clicked, this, &EditorWindow::cancelWork);
   connect(legend_, &Legend::partsChanged, view_, &LevelView::setParts);
   connect(view_, &LevelView::cameraMoved, this, [this] { keepTimer_.start(); });
   connect(view_, &LevelView::failed, messages_, &MessageBar::showError);
+  connect(view_, &LevelView::toolChanged, this,
+          [this] { say(view_->tool() ? view_->tool()->hint() : QString(), StatusSubject::Tool); });
 
   connect(&loader_, &EnvironmentLoader::started, this,
           [this](const QString& path) { showProgress(tr("Loading %1").arg(QFileInfo(path).fileName()), -1); });
@@ -101,7 +115,7 @@ void EditorWindow::connectParts() {
       emit rereadFailed(message);
       return;
     }
-    messages_->showError(message);
+    messages_->showErrorOf(MessageSubject::Opening, message);
     emit loadFailed(message);
   });
 
@@ -124,15 +138,19 @@ void EditorWindow::connectParts() {
   connect(&controller_, &RunController::finished, this, &EditorWindow::showResult);
   connect(&controller_, &RunController::cancelled, this, [this] {
     hideProgress();
-    say(tr("Cancelled; the view shows the result before. Press F5 to run again."));
-    pendingExport_.reset();
+    messages_->finish(MessageSubject::Run);
+    summary_->setState(tr("Cancelled; the view shows the result before. Press F5 to run again."));
+    const QString dropped = dropPendingExports();
+    if (!dropped.isEmpty())
+      messages_->showErrorOf(MessageSubject::Writing,
+                             tr("%1: not written, as the run was cancelled; export again").arg(dropped));
   });
   connect(&controller_, &RunController::failed, this, [this](const QString& message) {
     hideProgress();
-    say(tr("The run failed; the view shows the result before"));
-    messages_->showError(message);
-    runErrorShown_ = true;
-    pendingExport_.reset();
+    summary_->setState(tr("The run failed; the view shows the result before"));
+    const QString dropped = dropPendingExports();
+    messages_->showErrorOf(MessageSubject::Run,
+                           dropped.isEmpty() ? message : tr("%1. Not written: %2").arg(message, dropped));
   });
 }
 
@@ -163,6 +181,7 @@ void EditorWindow::openFile(const QString& path, const std::optional<Pipeline>& 
           throw InputError(FOOTFALL_TEXT("%1: names no environment; open one first, this session brings only filters"),
                            toPath(path));
         }
+        messages_->finish(MessageSubject::Opening);
         document_.replacePipeline(session.pipeline, tr("Open %1").arg(QFileInfo(path).fileName()));
         return;
       }
@@ -187,7 +206,7 @@ void EditorWindow::openFile(const QString& path, const std::optional<Pipeline>& 
     }
   } catch (const std::exception& error) {
     const QString message = coreText(error);
-    messages_->showError(message);
+    messages_->showErrorOf(MessageSubject::Opening, message);
     emit loadFailed(message);
     return;
   }
@@ -195,6 +214,7 @@ void EditorWindow::openFile(const QString& path, const std::optional<Pipeline>& 
 }
 
 void EditorWindow::startLoading(Opening opening) {
+  messages_->finish(MessageSubject::Opening);
   opening_ = std::move(opening);
   loader_.load(opening_->path, opening_->import);
 }
@@ -228,8 +248,12 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
   const Opening opening = std::exchange(opening_, std::nullopt).value_or(Opening{});
   const std::shared_ptr<const Environment> before = loaded_.environment;
   const Environment& environment = *loaded.environment;
+  const QString dropped = opening.reload ? QString() : dropPendingExports();
   hideProgress();
-  messages_->clear();
+  if (!opening.reload) {
+    messages_->clear();
+    summary_->setState({});
+  }
   loaded_ = loaded;
   guessedScale_ = environment.scaleGuessed ? std::optional(environment.metresPerUnit)
                   : opening.reload         ? guessedScale_
@@ -257,6 +281,7 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
     if (!opening.pipeline && own) {
       messages_->showHint(tr("Your filters were kept for this environment."), tr("Use default filters"),
                           [this] { useDefaultFilters(); });
+      messages_->setSubject(MessageSubject::Filters);
     }
     if (remembering_) recent_.add(opening.session.isEmpty() ? opening.path : opening.session);
     if (opening.kept) {
@@ -272,14 +297,20 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
   placeOverlays();
   updateTitle();
   keepTimer_.start();
+  if (!dropped.isEmpty())
+    messages_->showErrorOf(
+        MessageSubject::Writing,
+        tr("%1: not written, as another environment was opened; open the one before and export again").arg(dropped));
   emit environmentLoaded();
 }
 
 void EditorWindow::openPipeline(const QString& path) {
   try {
     document_.replacePipeline(readPipelineFile(toPath(path)), tr("Open %1").arg(QFileInfo(path).fileName()));
+    pipelinePath_ = path;
+    messages_->finish(MessageSubject::Opening);
   } catch (const std::exception& error) {
-    messages_->showError(coreText(error));
+    messages_->showErrorOf(MessageSubject::Opening, coreText(error));
   }
 }
 
@@ -335,7 +366,7 @@ void EditorWindow::applyImport() {
 
 void EditorWindow::showResult() {
   hideProgress();
-  if (std::exchange(runErrorShown_, false)) messages_->clear();
+  messages_->finish(MessageSubject::Run);
   const auto run = controller_.finishedRun();
   const StateSummary& summary = run->result.summary;
   const NavigationMesh& mesh = *run->result.mesh;
@@ -348,24 +379,22 @@ void EditorWindow::showResult() {
   }
   parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"))
         << tr("%1 ms").arg(run->result.totalMs, 0, 'f', 0);
-  summary_->setText(parts.join(QStringLiteral("   ·   ")));
-  summary_->setToolTip(parts.join(QLatin1Char('\n')));
+  summary_->setState(parts.join(QStringLiteral("   ·   ")), parts.join(QLatin1Char('\n')));
   exportAction_->setEnabled(true);
-  if (const auto pending = std::exchange(pendingExport_, std::nullopt)) exportResult(pending->first, pending->second);
+  // Later, when all have heard of the result: pictures are of what they make of it.
+  QMetaObject::invokeMethod(this, &EditorWindow::writePendingExports, Qt::QueuedConnection);
 }
 
-void EditorWindow::say(const QString& text) {
-  summary_->setText(text);
-  summary_->setToolTip({});
-}
+void EditorWindow::say(const QString& text, StatusSubject subject) { summary_->say(subject, text); }
 
 void EditorWindow::showProgress(const QString& text, double fraction, std::optional<double> secondsLeft) {
-  say(text);
+  summary_->say(StatusSubject::Work, text);
   progress_->showProgress(fraction, secondsLeft);
   cancel_->show();
 }
 
 void EditorWindow::hideProgress() {
+  summary_->end(StatusSubject::Work);
   progress_->finish();
   cancel_->hide();
 }

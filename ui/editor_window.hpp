@@ -34,6 +34,7 @@
 #include "ui/run_threads.hpp"
 #include "ui/session.hpp"
 #include "ui/session_keeper.hpp"
+#include "ui/status_line.hpp"
 #include "ui/view_layout.hpp"
 
 namespace footfall {
@@ -53,6 +54,10 @@ struct Panel {
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
   bool shown = false;  ///< at the first start
 };
+
+/// What a file that is written is for. Of the files that the window works with, only those of the same kind may be
+/// replaced: a session by a session.
+enum class WrittenKind { Export, Session, Pipeline };
 
 /// What a tool keeps in sessions, as a JSON text.
 struct SessionSection {
@@ -81,6 +86,8 @@ class EditorWindow : public QMainWindow {
   void reread();
   /// Reads a pipeline file into the list, one edit.
   void openPipeline(const QString& path);
+  /// These, and exportResult(), refuse what refusal() tells, and replace other files without a question: see
+  /// writeAsking().
   void savePipeline(const QString& path);
   void saveSession(const QString& path);
   /// Writes the last finished result, in the background; when the filters have changed since, after the next run. The
@@ -111,10 +118,15 @@ class EditorWindow : public QMainWindow {
   /// A command that switches the mouse to `tool`, and back, checked while it has it. The tool must outlive the view.
   /// With a panel: the command shows it; while it is hidden or behind another tab, it does nothing but that.
   QAction* addTool(Command command, ViewTool* tool, QDockWidget* panel = nullptr);
-  /// In the status bar, until something else is said.
-  void say(const QString& text);
+  /// In the status bar: what a tool says until it ends, notes for a while.
+  void say(const QString& text, StatusSubject subject = StatusSubject::Note);
   /// Writes in the background and tells errors; written() follows. `then` gets whether it was written, before.
   void writeInBackground(std::function<void()> write, const QString& path, std::function<void(bool)> then = {});
+  /// Why a file must not be written to, in one line; empty where it may be. The rule is WriteTargets'.
+  [[nodiscard]] QString refusal(const QString& path, WrittenKind kind) const;
+  /// Writes to a name that somebody chose: not where refusal() says so, and asks before another file is replaced. Else
+  /// `keep` follows.
+  void writeAsking(const QString& path, WrittenKind kind, std::function<void()> write, std::function<void()> keep = {});
   /// The level that runs compute on: with roles of parts and obstacles. Null when nothing is loaded.
   [[nodiscard]] std::shared_ptr<const Environment> level() const { return composer_.level(); }
   [[nodiscard]] LevelComposer& composer() { return composer_; }
@@ -137,6 +149,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] CellsShown cellsShown() const;
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
   [[nodiscard]] HeightSlider& heightSlider() { return *heights_; }
+  [[nodiscard]] StatusLine& statusLine() { return *summary_; }
   [[nodiscard]] MessageLog& log() { return log_; }
   [[nodiscard]] WelcomePage& welcomePage() { return *welcome_; }
   [[nodiscard]] CommandPalette& commandPalette() { return *palette_; }
@@ -155,9 +168,9 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
   /// As its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return loaded_.environment; }
-  /// Neither loading, running nor exporting.
+  /// Neither loading, running nor exporting, nor about to.
   [[nodiscard]] bool idle() const {
-    return !loader_.busy() && !controller_.busy() && !composer_.busy() && exports_ == 0;
+    return !loader_.busy() && !controller_.busy() && !composer_.busy() && exports_ == 0 && pendingExports_.empty();
   }
 
  signals:
@@ -223,7 +236,6 @@ class EditorWindow : public QMainWindow {
   void openKept(const KeptSession& kept);
   void openSample(const QString& path, const QString& pipeline);
   void askUnsaved(std::function<void()> next);
-  [[nodiscard]] QString nameOfWork() const;
   void loadSections(const std::map<std::string, std::string>& sections);
   void connectParts();
   void connectCells();
@@ -238,6 +250,11 @@ class EditorWindow : public QMainWindow {
   void writePicture(const QString& path, const ExportSettings& settings);
   void writeReport(const QString& path, bool pictures);
   [[nodiscard]] std::vector<ExportExtra> placedExtras() const;
+  void writePendingExports();
+  /// Returns the files that are not written now; empty when there were none.
+  QString dropPendingExports();
+  [[nodiscard]] bool closesLater();
+  void closeIfWritten(bool written);
   void startLoading(Opening opening);
   void takeLoaded(const LoadedEnvironment& loaded);
   void takeReread(const LoadedEnvironment& loaded);
@@ -263,11 +280,13 @@ class EditorWindow : public QMainWindow {
   std::optional<Opening> opening_;
   bool remembering_ = true;
   int exports_ = 0;  ///< being written
-  /// To be written when the run under way is finished.
-  std::optional<std::pair<QString, ExportSettings>> pendingExport_;
-  bool runErrorShown_ = false;
+  /// To be written when the run under way is finished, and for pictures what the view shows of it.
+  std::vector<std::pair<QString, ExportSettings>> pendingExports_;
+  bool closeWhenWritten_ = false;
+  bool levelFailed_ = false;            ///< told of the level that is being composed
   std::optional<double> guessedScale_;  ///< of the loaded file
   QString sessionPath_;
+  QString pipelinePath_;  ///< opened or saved last; empty: none
   RecentFiles recent_;
   MessageLog log_;
   SessionKeeper keeper_{writing_, nullptr};
@@ -288,7 +307,7 @@ class EditorWindow : public QMainWindow {
   FilterList* filters_ = nullptr;
   ImportPanel* import_ = nullptr;
   MessageBar* messages_ = nullptr;
-  QLabel* summary_ = nullptr;
+  StatusLine* summary_ = nullptr;
   WelcomePage* welcome_ = nullptr;
   LogPanel* logPanel_ = nullptr;
   HelpPanel* help_ = nullptr;

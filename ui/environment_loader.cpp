@@ -6,6 +6,7 @@
 
 #include "core/environment/import.hpp"
 #include "core/environment/worker_arena.hpp"
+#include "core/environment/write_targets.hpp"
 #include "ui/core_text.hpp"
 
 namespace footfall {
@@ -27,6 +28,8 @@ void EnvironmentLoader::load(const QString& path, const ImportOptions& options, 
     try {
       context->checkCancelled();
       result.environment = onThreads(0, [&](int) { return importEnvironment(name, options, context.get()); });
+      context->checkCancelled();
+      result.companions = companionFiles(name);
       context->checkCancelled();
       result.geometry = makeEnvironmentGeometry(*result.environment, centre);
     } catch (const Cancelled&) {

@@ -6,6 +6,8 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/environment/environment.hpp"
 #include "core/pipeline/run_context.hpp"
@@ -17,7 +19,8 @@ namespace footfall {
 struct LoadedEnvironment {
   std::shared_ptr<const Environment> environment;
   std::shared_ptr<const EnvironmentGeometry> geometry;
-  ImportOptions options;  ///< as asked for
+  ImportOptions options;                ///< as asked for
+  std::vector<std::string> companions;  ///< companionFiles() of its file
 };
 
 /// One load at a time: another one cancels it. Signals come on the thread that the loader lives on.

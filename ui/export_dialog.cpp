@@ -2,6 +2,7 @@
 #include "ui/export_dialog.hpp"
 
 #include <QDialogButtonBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -15,6 +16,8 @@
 #include "core/environment/gltf_export.hpp"
 #include "core/pipeline/export_header.hpp"
 #include "ui/core_text.hpp"
+#include "ui/guarded_application.hpp"
+#include "ui/replace_question.hpp"
 
 namespace footfall {
 namespace {
@@ -165,8 +168,10 @@ void ExportDialog::createWidgets() {
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     if (!problem().isEmpty()) return refresh();
-    emit exportRequested(path(), settings());
-    accept();
+    askReplacing(this, path(), [this] {
+      emit exportRequested(path(), settings());
+      accept();
+    });
   });
 }
 
@@ -241,13 +246,15 @@ QString ExportDialog::problem() const {
   const QString file = path();
   if (file.isEmpty()) return tr("Give a name for the file.");
   const QFileInfo info(file);
-  if (QFileInfo(path_->text().trimmed()).isDir() || info.isDir())
-    return tr("%1 is a folder; give the name of a file in it.").arg(file);
+  for (const QString& name : {path_->text().trimmed(), file})
+    if (QFileInfo(name).isDir()) return tr("%1 is a folder; give the name of a file in it.").arg(name);
   if (info.suffix().toLower() != exportEnding(kind()))
     return tr("\".%1\" is no format that can be written; the name must end in .obj, .gltf, .glb, .png or .html.")
         .arg(info.suffix());
-  if (!info.absoluteDir().exists())
-    return tr("The folder %1 does not exist; create it or choose another one.").arg(info.absolutePath());
+  const QString refused = source_.refusal ? source_.refusal(file) : QString();
+  if (!refused.isEmpty()) return refused;
+  const QString unwritable = errorOf([&] { checkWritable(QFile::encodeName(file).toStdString()); });
+  if (!unwritable.isEmpty()) return unwritable;
   if (!meshOptions_->isHidden() && !scale_->problem().isEmpty()) return tr("Scale: %1").arg(scale_->problem());
   return {};
 }

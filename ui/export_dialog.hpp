@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct ExportSource {
   std::vector<ExportExtra> placed;
   QSize view;  ///< logical pixels
   double devicePixelRatio = 1;
+  /// Why a file must not be written to; empty where it may be.
+  std::function<QString(const QString& path)> refusal;
 };
 
 /// Shown with open(). The size of files is computed in the background, by making them.

@@ -25,7 +25,8 @@ void addListCommands(EditorWindow& window) {
   commands.adopt(
       list.presets()->menuAction(),
       {QStringLiteral("pipeline.presets"), CommandMenu::Pipeline, QStringLiteral("files"), tr("Pr&esets"), {}});
-  QObject::connect(&list, &FilterList::failed, &window.messageBar(), &MessageBar::showError);
+  QObject::connect(&list, &FilterList::failed, &window.messageBar(),
+                   [&window](const QString& text) { window.messageBar().showErrorOf(MessageSubject::Filters, text); });
   QObject::connect(list.presets(), &PresetsMenu::done, &window.messageBar(),
                    [&window](const QString& text, const QString& label, const std::function<void()>& undo) {
                      window.messageBar().showHint(text, label, undo);

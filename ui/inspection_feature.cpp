@@ -118,7 +118,7 @@ void InspectionFeature::ask(const QPoint& place) {
   const auto level = window_.level();
   const std::optional<SurfacePoint> picked = window_.view().pick(place);
   if (!level || !picked) {
-    window_.say(tr("Nothing is there; click the level itself."));
+    window_.say(tr("Nothing is there; click the level itself."), StatusSubject::Tool);
     return;
   }
   AskedPlace asked;
@@ -132,7 +132,8 @@ void InspectionFeature::ask(const QPoint& place) {
   bringToFront(*whyDock_);
   why_->setWaiting(true);
   watch_->ask(asked);
-  if (!watch_->busy()) window_.say(tr("There is no result yet; the answer follows when a run has finished."));
+  if (!watch_->busy())
+    window_.say(tr("There is no result yet; the answer follows when a run has finished."), StatusSubject::Tool);
 }
 
 void InspectionFeature::showAnswer() {

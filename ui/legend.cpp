@@ -186,6 +186,15 @@ void Legend::showMode(ViewMode mode, const FieldScale& scale, bool ready) {
   fit();
 }
 
+QImage Legend::scaleImage() const {
+  const QPixmap scale = scale_->pixmap();
+  QImage image(scale.size(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(scale.devicePixelRatio());
+  image.fill(palette().color(QPalette::Window));
+  QPainter(&image).drawPixmap(0, 0, scale);
+  return image;
+}
+
 // The reasons' colours, and all entries that go with the mode.
 void Legend::describeReasons(const std::vector<const RemovalStyle*>& reasons) {
   const qreal ratio = devicePixelRatioF();

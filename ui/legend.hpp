@@ -36,6 +36,9 @@ class Legend : public QFrame {
   };
   void setNotes(const std::vector<Note>& notes);
 
+  /// The scale of a heat map on the legend's background, for reports.
+  [[nodiscard]] QImage scaleImage() const;
+
  signals:
   void partsChanged(const footfall::SceneParts& parts);
 

@@ -411,6 +411,7 @@ void LevelView::drawOn() {
 }
 
 QImage LevelView::grabFramebuffer() {
+  endGlide();
   rest_.stop();  // nothing is left out
   unhurried_ = true;
   QImage image = QGLViewer::grabFramebuffer();
@@ -420,7 +421,7 @@ QImage LevelView::grabFramebuffer() {
 
 qreal LevelView::pixelRatio() const { return pictureRatio_ > 0 ? pictureRatio_ : devicePixelRatioF(); }
 
-QImage LevelView::picture(const QSize& pixels, double ratio) {
+QImage LevelView::picture(const QSize& pixels, double ratio, PictureCamera from) {
   if (!ready_ || pixels.isEmpty()) return {};
   makeCurrent();
   GLint most = 0;
@@ -431,10 +432,21 @@ QImage LevelView::picture(const QSize& pixels, double ratio) {
   const QRect place = geometry();
   pictureRatio_ = ratio;
   const QSize logical = (QSizeF(pixels) / devicePixelRatioF()).toSize();
+  endGlide();
+  const CameraPose pose = poseNow();
   resize(logical);
+  const bool animated = std::exchange(animated_, false);
+  if (from == PictureCamera::Top) viewFromTop();
+  if (from == PictureCamera::Oblique) viewOblique();
   QImage image = grabFramebuffer();
+  animated_ = animated;
   pictureRatio_ = 0;
   setGeometry(place);
+  if (from != PictureCamera::AsSeen) {
+    this->place(pose);
+    moved();  // whoever follows the camera has heard of the others
+    rest_.stop();
+  }
   image.setDevicePixelRatio(1);
   return image.convertToFormat(QImage::Format_RGB32);  // opaque, as on the screen
 }

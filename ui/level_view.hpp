@@ -40,6 +40,9 @@ struct SceneBox {
 /// Where one looks from: along an axis of the environment, X to the right and Y to the back.
 enum class ViewSide { Top, Bottom, Front, Back, Left, Right };
 
+/// Where a picture looks from: as the view does, or as viewFromTop() and viewOblique() do, fitted to the picture.
+enum class PictureCamera { AsSeen, Top, Oblique };
+
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
 /// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
 /// shown, a click tells which one it hit, and a double click is no more than two of them. A tool (setTool()) comes
@@ -141,15 +144,16 @@ class LevelView : public QGLViewer {
   void frameSelection();
 
   /// What the view shows, `pixels` large, with lines and words `ratio` times as large as at one device pixel for one
-  /// logical; before the view has been on the screen, or for sizes that OpenGL cannot draw, a null image.
-  [[nodiscard]] QImage picture(const QSize& pixels, double ratio);
+  /// logical; before the view has been on the screen, or for sizes that OpenGL cannot draw, a null image. A camera on
+  /// its way is where it is going; afterwards the view looks from where it did.
+  [[nodiscard]] QImage picture(const QSize& pixels, double ratio, PictureCamera from = PictureCamera::AsSeen);
 
   /// Where the camera is, or where it is going.
   [[nodiscard]] CameraPose cameraPose() const;
   void setCameraPose(const CameraPose& pose);
 
-  /// What the view shows, as it is once all of it has been drawn, however long that takes. (QWidget::grab() takes what
-  /// there is.)
+  /// What the view shows, as it is once the camera has arrived and all of it has been drawn, however long that takes.
+  /// (QWidget::grab() takes what there is.)
   QImage grabFramebuffer();
   /// The last frame showed everything. Large scenes take several events to draw: until they are complete, the view
   /// shows what it showed before, and while the camera moves, it leaves out outlines, creases and small things.

@@ -49,6 +49,15 @@ void MessageBar::showError(const QString& text) {
   showText(MessageLevel::Error, text);
 }
 
+void MessageBar::showErrorOf(MessageSubject subject, const QString& text) {
+  showError(text);
+  subject_ = subject;
+}
+
+void MessageBar::finish(MessageSubject subject) {
+  if (subject_ == subject) clear();
+}
+
 void MessageBar::showHint(const QString& text, const QString& label, std::function<void()> action,
                           const QString& secondLabel, std::function<void()> secondAction) {
   offer(choices_[0], label, std::move(action));
@@ -63,6 +72,7 @@ void MessageBar::offer(Choice& choice, const QString& label, std::function<void(
 }
 
 void MessageBar::showText(MessageLevel level, const QString& text) {
+  subject_ = MessageSubject::Other;
   const bool error = level == MessageLevel::Error;
   setProperty("kind", error ? QStringLiteral("error") : QStringLiteral("hint"));
   style()->unpolish(this);
@@ -78,6 +88,7 @@ void MessageBar::showText(MessageLevel level, const QString& text) {
 
 void MessageBar::clear() {
   for (Choice& choice : choices_) choice.action = nullptr;
+  subject_ = MessageSubject::Other;
   text_->clear();
   hide();
 }

@@ -12,6 +12,19 @@
 
 namespace footfall {
 
+/// What a message is about: it goes when that is over.
+enum class MessageSubject {
+  Other,
+  Opening,  ///< environments, sessions and pipelines that are read
+  Writing,
+  Run,
+  Keeping,  ///< the session for after a crash
+  Filters,  ///< the list, until it changes
+  Level,    ///< roles of parts and obstacles
+  View,
+  Path
+};
+
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -22,6 +35,12 @@ class MessageBar : public QFrame {
   /// Actions are offered as buttons when they have labels.
   void showHint(const QString& text, const QString& label = {}, std::function<void()> action = {},
                 const QString& secondLabel = {}, std::function<void()> secondAction = {});
+  /// showError() about something that can be over.
+  void showErrorOf(MessageSubject subject, const QString& text);
+  /// What the message that is shown is about.
+  void setSubject(MessageSubject subject) { subject_ = subject; }
+  /// Takes the message away if it is about this.
+  void finish(MessageSubject subject);
   void clear();
   /// Empty while nothing is shown.
   [[nodiscard]] QString text() const;
@@ -37,6 +56,7 @@ class MessageBar : public QFrame {
   void showText(MessageLevel level, const QString& text);
   void offer(Choice& choice, const QString& label, std::function<void()> action);
 
+  MessageSubject subject_ = MessageSubject::Other;
   QLabel* icon_;
   QLabel* text_;
   std::array<Choice, 2> choices_;

@@ -45,12 +45,11 @@ void ObstacleFeatures::followLevel() {
           [this] { window_.cellWatch().editEnvironment(window_.level()); });
   connect(&window_.controller(), &RunController::finished, this,
           [this] { window_.composer().setComputed(window_.controller().finishedRun()->environment); });
-  connect(&window_.composer(), &LevelComposer::failed, &window_.messageBar(), &MessageBar::showError);
 }
 
 void ObstacleFeatures::createTools() {
   const ObstacleContext context{window_.view(), window_.composer(), *editor_,
-                                [this](const QString& text) { window_.say(text); }};
+                                [this](const QString& text) { window_.say(text, StatusSubject::Tool); }};
   const QString group = QStringLiteral("obstacles");
   select_ = new SelectObstacleTool(context, this);
   window_.addTool({QStringLiteral("obstacle.select"),

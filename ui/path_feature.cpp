@@ -56,7 +56,7 @@ PathFeature::PathFeature(EditorWindow& window)
   connect(&window.view(), &LevelView::toolChanged, this, &PathFeature::follow);
   connect(dock_, &QDockWidget::visibilityChanged, this, &PathFeature::follow);
   connect(&tool_, &PathTool::hintChanged, this, [this](const QString& hint) {
-    if (window_.view().tool() == &tool_) window_.say(hint);
+    if (window_.view().tool() == &tool_) window_.say(hint, StatusSubject::Tool);
   });
   connect(&window.controller(), &RunController::finished, this, &PathFeature::takeResult);
   connect(&window, &EditorWindow::environmentLoaded, this, [this] {
@@ -67,7 +67,9 @@ PathFeature::PathFeature(EditorWindow& window)
   });
   connect(&model_, &PathModel::placesChanged, &window, &EditorWindow::keepSoon);
   connect(panel_, &PathPanel::speedEdited, &window, &EditorWindow::keepSoon);
-  connect(&model_, &PathModel::failed, this, [this](const QString& text) { window_.messageBar().showError(text); });
+  connect(&model_, &PathModel::failed, this,
+          [this](const QString& text) { window_.messageBar().showErrorOf(MessageSubject::Path, text); });
+  connect(&model_, &PathModel::resultChanged, this, [this] { window_.messageBar().finish(MessageSubject::Path); });
   window.addSessionSection(
       {QStringLiteral("path"), [this] { return save(); }, [this](const std::string& text) { load(text); }});
   takeResult();

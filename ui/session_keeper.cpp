@@ -86,7 +86,9 @@ void SessionKeeper::keep(Session session, const QString& sessionPath, bool unsav
     QMetaObject::invokeMethod(
         this,
         [this, error] {
-          if (std::exchange(failing_, !error.isEmpty()) || error.isEmpty()) return;
+          const bool wasFailing = std::exchange(failing_, !error.isEmpty());
+          if (wasFailing && error.isEmpty()) emit recovered();
+          if (wasFailing || error.isEmpty()) return;
           emit failed(tr("The session cannot be kept for after a crash: %1").arg(error));
         },
         Qt::QueuedConnection);

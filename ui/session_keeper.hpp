@@ -52,6 +52,8 @@ class SessionKeeper : public QObject {
  signals:
   /// The autosave cannot be written; told once until it can be written again.
   void failed(const QString& message);
+  /// It can be written again.
+  void recovered();
 
  private:
   bool takeOwnPath();

@@ -203,7 +203,8 @@ void ViewModes::compute() {
           context_.reset();
           made_ = made;
           LevelView& view = window_.view();
-          if (!error.isEmpty()) window_.messageBar().showError(error);
+          window_.messageBar().finish(MessageSubject::View);
+          if (!error.isEmpty()) window_.messageBar().showErrorOf(MessageSubject::View, error);
           if (field) view.setField(field, scale());
           if (sources) view.setSources(sources);
           view.setMode(mode_);

@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <numeric>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "core/counted_text.hpp"
 #include "core/environment/base64.hpp"
+#include "core/environment/skipped_polygons.hpp"
 #include "core/environment/up_axis.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/metrics/process_usage.hpp"
@@ -50,6 +56,8 @@ pre { padding: .75rem; border: 1px solid var(--line); overflow-x: auto; }
 figure { margin: 1rem 0; }
 figure img { max-width: 100%; height: auto; border: 1px solid var(--line); }
 figcaption { color: var(--quiet); }
+.legend { display: flex; flex-wrap: wrap; gap: .25rem 1.5rem; list-style: none; margin: .5rem 0; padding: 0; }
+.legend img { vertical-align: -.15em; }
 @media print { body { max-width: none; margin: 0; } figure, tr { break-inside: avoid; } }
 )";
 
@@ -126,6 +134,21 @@ std::vector<Group> sumGroups(const NavigationMesh& mesh, const std::vector<std::
   return groups;
 }
 
+/// What import left out: how much, and the first polygons with their places.
+std::string skippedSection(const SkippedElements& skipped, UpAxis up) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* one, const char* many) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + counted(count, one, many);
+  };
+  add(skipped.polygons, "polygon", "polygons");
+  add(skipped.lines, "line", "lines");
+  add(skipped.points, "point", "points");
+  if (text.empty()) return "<p>Nothing was left out on import.</p>\n";
+  const std::string listed = formatSkipped(skipped, up, kMostRows);
+  return "<p>Left out on import: " + text + ".</p>\n" +
+         (listed.empty() ? "" : "<pre>" + escapeHtml(listed) + "</pre>\n");
+}
+
 std::string environmentSection(const Environment& environment, const Pipeline& pipeline, const ProgramTimes& times) {
   const ExportHeader header = makeExportHeader(pipeline);
   std::string html =
@@ -136,6 +159,7 @@ std::string environmentSection(const Environment& environment, const Pipeline& p
                  " metres per unit" + (environment.scaleGuessed ? " (guessed)" : "") +
                  (environment.bothSides ? ", both sides count as up" : "")) +
       "</p>\n";
+  html += skippedSection(environment.skipped, environment.up);
   if (times.loadMs > 0) html += "<p class=\"quiet\">Loaded in " + milliseconds(times.loadMs) + "</p>\n";
   html += "</section>\n<section>\n<h2>Agent and pipeline</h2>\n<p>" + escapeHtml(header.agent) + "</p>\n<pre>" +
           escapeHtml(header.pipeline) + "</pre>\n</section>\n";
@@ -246,34 +270,61 @@ std::string blockSection(const BlockReport& block, int threads) {
   return html + "</section>\n";
 }
 
-std::string picturesSection(std::span<const ReportPicture> pictures) {
-  if (pictures.empty()) return {};
+std::string embedded(const ReportPicture& picture, const std::string& alt) {
+  return "<img alt=\"" + alt + "\" src=\"data:image/png;base64," + toBase64(picture.png) + "\"/>";
+}
+
+std::string picturesSection(const ReportDetails& details) {
+  if (details.pictures.empty()) return {};
   std::string html = "<section>\n<h2>Pictures</h2>\n";
-  for (const ReportPicture& picture : pictures) {
+  if (!details.legend.empty()) {
+    html += "<ul class=\"legend\">\n";
+    // The words stand beside the colour: its picture needs none of its own.
+    for (const ReportPicture& colour : details.legend)
+      html += "<li>" + embedded(colour, "") + ' ' + escapeHtml(colour.caption) + "</li>\n";
+    html += "</ul>\n";
+  }
+  for (const ReportPicture& picture : details.pictures) {
     const std::string caption = escapeHtml(picture.caption);
-    html += "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + toBase64(picture.png) +
-            "\"/><figcaption>" + caption + "</figcaption></figure>\n";
+    html += "<figure>" + embedded(picture, caption) + "<figcaption>" + caption + "</figcaption></figure>\n";
   }
   return html + "</section>\n";
 }
 
 }  // namespace
 
+std::string reportDate() {
+  std::time_t now = std::time(nullptr);
+  if (const char* given = std::getenv("SOURCE_DATE_EPOCH")) {
+    const std::string_view text(given);
+    std::int64_t seconds = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    if (error == std::errc() && end == text.data() + text.size()) now = static_cast<std::time_t>(seconds);
+  }
+  std::tm time{};
+  std::array<char, 40> buffer{};
+  if (::gmtime_r(&now, &time) == nullptr ||
+      std::strftime(buffer.data(), buffer.size(), "%Y-%m-%d %H:%M UTC", &time) == 0)
+    return {};
+  return buffer.data();
+}
+
 std::string formatHtmlReport(const Environment& environment, const Pipeline& pipeline, const RunResult& result,
-                             const ProgramTimes& times, std::span<const ReportPicture> pictures) {
+                             const ProgramTimes& times, const ReportDetails& details) {
   const std::string name = escapeHtml(std::filesystem::path(environment.source).filename().string());
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<meta name=\"generator\" content=\"Footfall " FOOTFALL_VERSION "\"/>\n<title>" +
       name + ": walkable area</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + name +
-      "</h1>\n<p class=\"quiet\">Walkable area, computed by Footfall " FOOTFALL_VERSION
+      "</h1>\n<p class=\"quiet\">Walkable area, computed by Footfall " FOOTFALL_VERSION +
+      (details.date.empty() ? std::string() : " on " + escapeHtml(details.date)) +
       ". Lengths and areas are in the units of the environment.</p>\n";
   html += environmentSection(environment, pipeline, times);
   html += resultSection(result);
   html += stepsSection(result);
   for (const BlockReport& block : result.blocks) html += blockSection(block, result.threads);
-  html += picturesSection(pictures);
+  html += picturesSection(details);
   return html + "</main>\n</body>\n</html>\n";
 }
 

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "core/environment/base64.hpp"
+#include "core/environment/skipped_polygons.hpp"
 #include "core/metrics/html_report.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "tests/support/soup.hpp"
@@ -79,11 +80,43 @@ class TestHtmlReport : public QObject {
 
   void picturesAreInside() {
     const Ran ran = run("SlopeFilter 45\n");
-    const std::string html = formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {},
-                                              std::array{ReportPicture{"From the \"top\" <b>", "\x89PNG\r\n"}});
+    const std::array pictures{ReportPicture{"From the \"top\" <b>", "\x89PNG\r\n"}};
+    const std::array legend{ReportPicture{"Walkable & dry", "\x89PNG\r\n"}};
+    const std::string html =
+        formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {}, {"2026-11-22 <10:15>", pictures, legend});
     QCOMPARE(findError(html), QString());
     QVERIFY(html.find("<img alt=\"From the &quot;top&quot; &lt;b&gt;\" src=\"data:image/png;base64,iVBORw0K\"/>") !=
             std::string::npos);
+    QVERIFY(html.find("\"/> Walkable &amp; dry</li>") != std::string::npos);
+    QVERIFY(html.find(" on 2026-11-22 &lt;10:15&gt;. Lengths") != std::string::npos);
+    // Nothing but the input decides the bytes: the date is a part of it.
+    const std::string undated =
+        formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {}, {"", pictures, legend});
+    QVERIFY(undated.find(" on 20") == std::string::npos && undated.size() < html.size());
+  }
+
+  void tellsWhatWasSkipped() {
+    Ran ran = run("SlopeFilter 45\n");
+    const auto html = [&] { return formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {}); };
+    QVERIFY(html().find("<p>Nothing was left out on import.</p>") != std::string::npos);
+    ran.environment->skipped.points = 2;
+    SkippedPolygon polygon;
+    polygon.line = 12;
+    polygon.cornerCount = 2;
+    addSkipped(ran.environment->skipped, polygon);
+    QVERIFY(html().find("<p>Left out on import: 1 polygon, 2 points.</p>\n<pre>  line 12: ") != std::string::npos);
+    QCOMPARE(findError(html()), QString());
+  }
+
+  void theDateCanBeGiven() {
+    QVERIFY(QRegularExpression("^20\\d\\d-\\d\\d-\\d\\d \\d\\d:\\d\\d UTC$").match(reportDate().c_str()).hasMatch());
+    qputenv("SOURCE_DATE_EPOCH", "86400");
+    const std::string given = reportDate();
+    qputenv("SOURCE_DATE_EPOCH", "yesterday");
+    const std::string bad = reportDate();
+    qunsetenv("SOURCE_DATE_EPOCH");
+    QCOMPARE(given, std::string("1970-01-02 00:00 UTC"));
+    QVERIFY(bad.starts_with("20"));
   }
 
   void nothingWalkable() {
