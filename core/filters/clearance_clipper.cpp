@@ -9,6 +9,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "core/filters/covered_obstacles.hpp"
 #include "core/filters/insertion_order.hpp"
 
 namespace footfall {
@@ -52,7 +53,7 @@ FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> side
     (keep > 0 ? box.lower : box.upper)[border.a] = coordinate;
   }
   FaceShare share;
-  share.removed = !clipAll(candidates_.findWithin(face, box));
+  share.removed = !clipAll(candidates_.findWithin(face, box), {});
   if (!share.removed) {
     cancelSegments();
     collect(share);
@@ -141,11 +142,12 @@ void ClearanceClipper::startGeometry() {
   for (const CellSide& side : sides_) sideLines_.push_back(geometry_.line(side.border));
 }
 
-bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates) {
-  for (const ClearanceCandidate& candidate : candidates) {
+bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates, const std::vector<char>& leftOut) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
     if ((++polls_ & 255) == 0) poll_();
+    const ClearanceCandidate& candidate = candidates[i];
     const bool isWall = mesh_.facing[candidate.obstacle] == 0;
-    if (isWall && isWallOfEdge(candidate)) continue;
+    if ((isWall && isWallOfEdge(candidate)) || (!leftOut.empty() && leftOut[i] != 0)) continue;
     startGeometry();
     obstacle_ = candidate.obstacle;
     if (isWall)
@@ -158,7 +160,11 @@ bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates) {
 
 FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
   FaceCuts cuts;
-  cuts.removed = !clipAll(candidates);
+  Crowding crowding(mesh_, face_);
+  for (const ClearanceCandidate& candidate : candidates) crowding.add(candidate.obstacle);
+  std::vector<char> leftOut;
+  if (crowding.isCrowd()) leftOut = findCovered(geometry_.kernel(), face_, candidates, poll_);
+  cuts.removed = !clipAll(candidates, leftOut);
   if (!cuts.removed) {
     cancelSegments();
     collect(cuts);

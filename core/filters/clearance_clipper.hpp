@@ -57,8 +57,8 @@ class ClearanceClipper {
 
   void begin(Index face);
   void startGeometry();
-  /// False when one obstacle covers the whole face.
-  bool clipAll(std::span<const ClearanceCandidate> candidates);
+  /// False when one obstacle covers the whole face. `leftOut` marks those that change nothing; empty: none.
+  bool clipAll(std::span<const ClearanceCandidate> candidates, const std::vector<char>& leftOut);
   FaceCuts cut(std::span<const ClearanceCandidate> candidates);
   bool addArea(const ClearanceCandidate& candidate);
   bool isWallOfEdge(const ClearanceCandidate& candidate);

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/environment/number_text.hpp"
+#include "core/errors.hpp"
+#include "core/filters/covered_obstacles.hpp"
 #include "core/filters/dropped_parts.hpp"
 #include "core/filters/mesh_assembly.hpp"
 
@@ -15,6 +19,12 @@ std::shared_ptr<const PlanKernel> kernelWithHeight(const std::shared_ptr<const P
   std::vector<double> heights = kernel->heights();
   heights.push_back(height);
   return std::make_shared<PlanKernel>(kernel->sharedMesh(), std::move(heights));
+}
+
+double largestCoordinate(const SourceMesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.vertices) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  return largest;
 }
 
 // A height above the whole extent in z lets no obstacle escape, and neither does any other: the smallest power of two
@@ -29,6 +39,25 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
   int exponent = 0;
   std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
   return std::min(height, std::ldexp(1.0, exponent));
+}
+
+// Beside large coordinates a tiny height makes every number as wide as what lies between them. On slanted floors there
+// is no height that makes no difference; but one beyond the digits that decisions are quick with is a slip of the hand
+// or a wrong scale.
+void checkHeight(const SourceMesh& mesh, double height) {
+  Grid grid = mesh.grid;
+  grid.include(height);
+  if (mesh.grid.empty() || grid.width() <= std::max(kWidestFixedGrid, mesh.grid.width())) return;
+  const auto shown = [](double x) {
+    std::string text;
+    appendNumber(text, x);
+    return text;
+  };
+  constexpr int kDigits = std::numeric_limits<double>::digits;
+  throw InputError(FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or "
+                                 "check the scale and the largest coordinates"),
+                   shown(height), shown(largestCoordinate(mesh)),
+                   shown(std::ldexp(1.0, mesh.grid.top - kWidestFixedGrid + kDigits)));
 }
 
 }  // namespace
@@ -49,6 +78,7 @@ ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<Fa
       tests_(std::move(tests)),
       result_(std::make_shared<WalkableState>(*state)) {
   const double height = sufficientHeight(state->kernel->mesh(), given);
+  checkHeight(state->kernel->mesh(), height);
   result_->kernel = kernelWithHeight(state->kernel, height);
   const PlanKernel& kernel = *result_->kernel;
   level_ = *kernel.levelOf(height);
@@ -71,6 +101,8 @@ ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<Fa
   meshes_ = std::make_shared<FaceMeshes>(count);
   large_.hold(meshes_);
   isChanged_.assign(count, 0);
+  crowded_ = std::vector<std::atomic<std::int8_t>>(count);
+  for (std::atomic<std::int8_t>& crowded : crowded_) crowded = -1;
 }
 
 ClearancePass::Worker& ClearancePass::worker() {
@@ -79,7 +111,26 @@ ClearancePass::Worker& ClearancePass::worker() {
   return *worker;
 }
 
-bool ClearancePass::canShare(Index face) const { return !state_->cuts && known_->before(face) < 0; }
+bool ClearancePass::canShare(Index face) const {
+  return !state_->cuts && known_->before(face) < 0 && !mayBeCrowded(face);
+}
+
+// Of everything in the box, which is never less than what stands in the clearance: so a face that is shared is none of
+// which the clipper would leave out anything.
+bool ClearancePass::mayBeCrowded(Index face) const {
+  std::atomic<std::int8_t>& crowded = crowded_[static_cast<std::size_t>(face)];
+  if (crowded >= 0) return crowded > 0;
+  const SourceMesh& mesh = result_->kernel->mesh();
+  Crowding crowding(mesh, face);
+  std::vector<std::int32_t> stack;
+  mesh.tree.visitOverlapping(clearanceBox(mesh, face, result_->kernel->heights()[level_ - 1]), stack,
+                             [&](Index obstacle) {
+                               if (obstacle != face) crowding.add(obstacle);
+                               return !crowding.isCrowd();
+                             });
+  crowded = crowding.isCrowd() ? 1 : 0;
+  return crowded > 0;
+}
 
 void ClearancePass::clip(Index face, Worker& own) {
   const Index then = known_->before(face);

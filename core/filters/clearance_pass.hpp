@@ -5,6 +5,8 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -43,7 +45,8 @@ class ClearancePass {
 
   /// The calling thread's own, for as long as the pass.
   Worker& worker();
-  /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance, or known ones.
+  /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance, or known ones, and not when
+  /// there is such a crowd above it that only a look at all of it tells what counts.
   [[nodiscard]] bool canShare(Index face) const;
 
   /// Finds the cuts of a floor.
@@ -66,6 +69,7 @@ class ClearancePass {
   FilterOutcome finish(std::vector<char> walkable, std::vector<char> removed, bool isMeshed);
 
  private:
+  [[nodiscard]] bool mayBeCrowded(Index face) const;
   void keepCandidates(Index face, std::vector<Index> found);
 
   StatePtr state_;
@@ -81,6 +85,7 @@ class ClearancePass {
   std::shared_ptr<CutTable> cuts_;
   std::shared_ptr<FaceMeshes> meshes_;  ///< made by mesh()
   std::vector<char> isChanged_;
+  mutable std::vector<std::atomic<std::int8_t>> crowded_;  ///< -1: not known yet
   tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
 };
 

@@ -146,7 +146,8 @@ FilterDescriptor verticalClearance() {
       .parameters = {{
           .name = "height",
           .label = "Clearance",
-          .help = "The free height that an agent needs. An obstacle at exactly this height is no obstacle.",
+          .help = "The free height that an agent needs. An obstacle at exactly this height is no obstacle. Less than "
+                  "about 1e-29 of the largest coordinate is refused.",
           .type = ParameterType::Real,
           .unit = Unit::Length,
           .defaultValue = 2,

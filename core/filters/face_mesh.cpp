@@ -17,9 +17,14 @@ void FaceMesher::insertCuts(const FaceCuts& cuts) {
   for (const PlanLine& l : cuts.lines) lines.push_back(geometry_.line(l));
 
   for (const Index p : points) triangulation_.insertPoint(p);
-  for (const CutSegment& s : cuts.segments)
+  constexpr std::size_t kTold = 64;
+  std::size_t inserted = 0;
+  for (const CutSegment& s : cuts.segments) {
     triangulation_.insertSegment(triangulation_.insertPoint(points[s.from]), triangulation_.insertPoint(points[s.to]),
                                  lines[s.line], s.direction, s.winding, s.wall);
+    if (++inserted % kTold == 0 && advance_) advance_(kTold);
+  }
+  if (advance_) advance_(inserted % kTold);
   triangulation_.improve();
 }
 

@@ -41,8 +41,9 @@ using FaceMeshes = std::vector<std::shared_ptr<const FaceMesh>>;
 /// Triangulates a face by its cuts. `covered` chooses the covered parts instead of the walkable ones.
 class FaceMesher {
  public:
-  FaceMesher(const PlanKernel& kernel, std::function<void()> poll)
-      : geometry_(kernel), triangulation_(geometry_, std::move(poll)) {}
+  /// `advance(n)` (may be empty) is called when n more segments are in.
+  FaceMesher(const PlanKernel& kernel, std::function<void()> poll, std::function<void(std::size_t)> advance = {})
+      : geometry_(kernel), triangulation_(geometry_, std::move(poll)), advance_(std::move(advance)) {}
 
   FaceMesh mesh(Index face, const FaceCuts* cuts, bool covered = false);
 
@@ -53,6 +54,7 @@ class FaceMesher {
 
   FaceGeometry geometry_;
   FaceTriangulation triangulation_;
+  std::function<void(std::size_t)> advance_;
 };
 
 }  // namespace footfall

@@ -2,15 +2,20 @@
 // the plan, with few connections (design section 2, thesis 3.2). SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
-// into as few layers as a greedy pass finds.
+// into as few layers as a greedy pass finds. For that, all overlapping pairs of triangles are listed, unless there are
+// far more of them than triangles, as in a tower of thousands of floors: then pairs are listed within regions only, and
+// layers are asked whether they have room for a piece (layer_cover.hpp). The result is the same.
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <string>
 
 #include "core/counted_text.hpp"
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/layer_cover.hpp"
 #include "core/filters/layer_pieces.hpp"
 #include "core/filters/mesh_assembly.hpp"
 #include "core/filters/mesh_topology.hpp"
@@ -58,11 +63,17 @@ class LayerSubdivision {
                            findLowest();
                          });
     context_.checkCancelled();
+    if (!knowsAllOverlaps_)
+      overlaps_ = findPlanOverlapsWithin(region_, regionCount_, kernel_, mesh_, topology_, context_, fallbacks_);
     subdivideRegions();
-    return colourPieces();
+    context_.progress(kShareOfPieces);
+    return knowsAllOverlaps_ ? colourPieces() : placePieces();
   }
 
-  std::vector<Pair> takeOverlaps() { return std::move(overlaps_); }
+  /// All pairs for the next run, or null where there are too many.
+  std::shared_ptr<const std::vector<Pair>> takeOverlaps() {
+    return knowsAllOverlaps_ ? std::make_shared<const std::vector<Pair>>(std::move(overlaps_)) : nullptr;
+  }
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
@@ -77,7 +88,10 @@ class LayerSubdivision {
         return;
       }
     }
-    overlaps_ = findPlanOverlaps(kernel_, mesh_, topology_, context_, fallbacks_);
+    const std::size_t most = kMostPairs + kMostPairsOfTriangle * static_cast<std::size_t>(count_);
+    auto found = findPlanOverlaps(kernel_, mesh_, topology_, most, context_, fallbacks_);
+    knowsAllOverlaps_ = found.has_value();
+    if (found) overlaps_ = std::move(*found);
   }
 
   void findLowest() {
@@ -210,12 +224,62 @@ class LayerSubdivision {
     return layers;
   }
 
+  // The same without the pairs: the layers tell whether a piece overlaps them.
+  std::vector<std::uint32_t> placePieces() {
+    std::vector<Index> first(pieceCount_ + 1, 0), triangles(count_);
+    for (const Index p : piece_) ++first[p + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Index> next(first.begin(), first.end() - 1);
+    for (Index t = 0; t < count_; ++t) triangles[next[piece_[t]]++] = t;
+    std::vector<Pair> beside;
+    for (Index t = 0; t < count_; ++t)
+      for (const Index n : input_.neighbors[t])
+        if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
+    const IndexLists shared = listsOf(beside, pieceCount_);
+
+    LayerCover cover(kernel_, mesh_, context_);
+    constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
+    std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced), layers(count_);
+    for (Index p = 0; p < pieceCount_; ++p) {
+      const std::span<const Index> own(triangles.data() + first[p], static_cast<std::size_t>(first[p + 1] - first[p]));
+      if (own.empty()) continue;
+      if (p % 64 == 0) {
+        context_.checkCancelled();
+        context_.progress(kShareOfPieces + (1 - kShareOfPieces) * p / pieceCount_);
+      }
+      const LayerCover::Piece piece = cover.pieceOf(own);
+      std::uint32_t best = cover.firstFree(piece);
+      if (best < cover.layerCount()) {
+        std::map<std::uint32_t, int> edges;
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) ++edges[layerOf[other]];
+        const auto edgesWith = [&](std::uint32_t l) { return edges.contains(l) ? edges.at(l) : 0; };
+        int most = edgesWith(best);
+        for (const auto& [l, count] : edges) {
+          if (count < most || (count == most && l >= best) || !cover.isFree(piece, l)) continue;
+          best = l;
+          most = count;
+        }
+      }
+      cover.add(piece, best);
+      layerOf[p] = best;
+      for (const Index t : own) layers[t] = best;
+    }
+    fallbacks_ += cover.fallbacks();
+    return layers;
+  }
+
+  static constexpr double kShareOfPieces = 0.5;  // of the time, at a guess
+  static constexpr std::size_t kMostPairs = std::size_t{1} << 20;
+  static constexpr std::size_t kMostPairsOfTriangle = 64;
+
   const PlanKernel& kernel_;
   const WalkableMesh& mesh_;
   const MeshTopology& topology_;
   RunContext& context_;
   Index count_;
   std::vector<Pair> overlaps_;
+  bool knowsAllOverlaps_ = true;  ///< else overlaps_ are those within regions
   std::vector<Index> region_;
   Index regionCount_ = 0;
   LayerInput input_;
@@ -247,7 +311,7 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   result->topology = topology;
   result->topologyOwner = mesh;
   result->mesh = std::move(mesh);
-  result->overlaps = recall.keep ? std::make_shared<const std::vector<Pair>>(subdivision.takeOverlaps()) : nullptr;
+  result->overlaps = recall.keep ? subdivision.takeOverlaps() : nullptr;
   outcome.state = std::move(result);
   return outcome;
 }

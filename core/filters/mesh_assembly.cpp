@@ -128,7 +128,16 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
   });
 
   tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
+  // Faces differ as much as their segments do: a giant alone can be nearly all of the work.
+  std::size_t total = 1;
+  for (const Index t : faces) total += (*state.cuts)[t].segments.size();
   std::atomic<std::size_t> done{0};
+  const auto advance = [&](std::size_t segments) {
+    constexpr std::size_t kParts = 256;
+    const std::size_t before = done.fetch_add(segments, std::memory_order_relaxed), now = before + segments;
+    if (before * kParts / total != now * kParts / total)
+      context.progress(0.5 + 0.4 * static_cast<double>(now) / static_cast<double>(total));
+  };
   // Threads take the next face that is left, so a giant at the front keeps one thread while the others go on.
   const std::size_t tasks =
       std::max((faces.size() + kFacesPerTask - 1) / kFacesPerTask, std::min(faces.size(), kLeastTasks));
@@ -136,15 +145,15 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
   std::atomic<std::size_t> nextFace{0};
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t) {
     auto& mesher = meshers.local();
-    if (!mesher) mesher = std::make_unique<FaceMesher>(kernel, [&context] { context.checkCancelled(); });
+    if (!mesher)
+      mesher = std::make_unique<FaceMesher>(
+          kernel, [&context] { context.checkCancelled(); }, advance);
     std::vector<Index> mine;
     for (std::size_t k = 0; k < facesPerTask; ++k) {
       const std::size_t i = nextFace.fetch_add(1, std::memory_order_relaxed);
       if (i >= faces.size()) break;
       context.checkCancelled();
       meshes[faces[i]] = std::make_shared<const FaceMesh>(mesher->mesh(faces[i], &(*state.cuts)[faces[i]]));
-      const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (finished % 256 == 0) context.progress(0.5 + 0.4 * static_cast<double>(finished) / faces.size());
       mine.push_back(faces[i]);
     }
     if (context.wantsParts()) context.part(previewOfFaces(kernel, *state.cuts, meshes, mine, context));

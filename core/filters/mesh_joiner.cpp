@@ -260,6 +260,7 @@ void MeshJoiner::findIncidences(RunContext& context) {
       tree.visitOverlapping(boxOf(v), local.stack, [&](std::int32_t first) {
         const Outline& o = outlines_[first];
         if (o.from == v || o.to == v) return true;
+        context.checkCancelled();  // on a wide grid one comparison can take a tenth of a millisecond
         const auto isToDo = [&](Index i) { return !known || knownOutlines_[i] == 0; };
         bool any = false;
         for (Index i = first; i >= 0 && !any; i = twins.next[i]) any = isToDo(i);

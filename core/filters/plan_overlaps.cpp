@@ -20,7 +20,10 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "core/filters/box_tree.hpp"
 #include "core/filters/mesh_geometry.hpp"
@@ -37,30 +40,31 @@ class OverlapFinder {
           return Local{MeshGeometry(kernel, mesh.vertices), {}};
         }) {}
 
-  void findAll(const MeshTopology& topology) {
+  /// False when there are more pairs than `most`.
+  bool findAll(const MeshTopology& topology, std::size_t most) {
+    most_ = most;
+    findInnerSides(topology);
+    findPlanTriangles();
+    std::vector<Index> all(mesh_.triangles.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    round_.assign(all.size(), kNever);
+    findAmong(all);
+    return !tooMany();
+  }
+
+  // A region is a mesh of its own: what lies beyond its sides in other regions does not count.
+  void findWithin(const MeshTopology& topology, const std::vector<Index>& region, Index regionCount) {
     findInnerSides(topology);
     findPlanTriangles();
     const auto count = static_cast<Index>(mesh_.triangles.size());
-    std::vector<Index> border, inner;
-    for (Index t = 0; t < count; ++t) (isAtBorder(t) ? border : inner).push_back(t);
-    const Tree borders = treeOf(border);
-    inner_ = treeOf(inner);
-    lookUpBorders(borders);
+    for (Index side = 0; side < 3 * count; ++side)
+      if (across_[side] >= 0 && region[across_[side]] != region[side / 3]) across_[side] = -1;
+    std::vector<std::vector<Index>> members(regionCount);
+    for (Index t = 0; t < count; ++t) members[region[t]].push_back(t);
     round_.assign(count, kNever);
-    std::vector<Index> queries;
-    std::size_t known = 0;
-    for (Index round = 0; !inner.empty(); ++round) {
-      for (; known < pairs_.size(); ++known) {
-        if (known % 4096 == 0) context_.checkCancelled();
-        for (const Index t : pairs_[known]) {
-          addQuery(t, round, queries);
-          for (int k = 0; k < 3; ++k)
-            if (across_[3 * t + k] >= 0) addQuery(across_[3 * t + k], round, queries);
-        }
-      }
-      if (queries.empty()) break;
-      lookUpInner(queries, round);
-      queries.clear();
+    for (const std::vector<Index>& triangles : members) {
+      context_.checkCancelled();
+      if (triangles.size() > 1) findAmong(triangles);
     }
   }
 
@@ -90,6 +94,30 @@ class OverlapFinder {
   }
 
  private:
+  // All pairs among these triangles (ascending), of which every inner side leads to another one of them.
+  void findAmong(const std::vector<Index>& triangles) {
+    std::vector<Index> border, inner;
+    for (const Index t : triangles) (isAtBorder(t) ? border : inner).push_back(t);
+    const Tree borders = treeOf(border);
+    inner_ = treeOf(inner);
+    std::size_t known = pairs_.size();
+    lookUpBorders(borders);
+    std::vector<Index> queries;
+    for (Index round = 0; !inner.empty() && !tooMany(); ++round) {
+      for (; known < pairs_.size(); ++known) {
+        if (known % 4096 == 0) context_.checkCancelled();
+        for (const Index t : pairs_[known]) {
+          addQuery(t, round, queries);
+          for (int k = 0; k < 3; ++k)
+            if (across_[3 * t + k] >= 0) addQuery(across_[3 * t + k], round, queries);
+        }
+      }
+      if (queries.empty()) break;
+      lookUpInner(queries, round);
+      queries.clear();
+    }
+  }
+
   struct Local {
     MeshGeometry geometry;
     std::vector<Pair> found;
@@ -145,9 +173,11 @@ class OverlapFinder {
   void lookUp(std::size_t count, Look look) {
     tbb::parallel_for(std::size_t{0}, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
       Local& local = locals_.local();
-      for (std::size_t i = task * kPerTask; i < std::min((task + 1) * kPerTask, count); ++i) {
+      for (std::size_t i = task * kPerTask; i < std::min((task + 1) * kPerTask, count) && !tooMany(); ++i) {
         context_.checkCancelled();
+        const std::size_t before = local.found.size();
         look(local, i);
+        foundCount_.fetch_add(local.found.size() - before, std::memory_order_relaxed);
       }
     });
     for (Local& local : locals_) {
@@ -156,8 +186,11 @@ class OverlapFinder {
     }
   }
 
+  [[nodiscard]] bool tooMany() const { return foundCount_.load(std::memory_order_relaxed) > most_; }
+
   void test(Local& local, Index t, Index o) const {
     if (shareEdge(t, o)) return;
+    context_.checkCancelled();
     if (local.geometry.overlap(plan_[t], plan_[o])) local.found.push_back({t, o});
   }
 
@@ -198,14 +231,26 @@ class OverlapFinder {
   Tree inner_;
   std::vector<Index> round_;  ///< in which each inner triangle was looked up
   std::vector<Pair> pairs_;
+  std::size_t most_ = std::numeric_limits<std::size_t>::max();
+  std::atomic<std::size_t> foundCount_{0};
 };
 
 }  // namespace
 
-std::vector<Pair> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology,
-                                   RunContext& context, ExactFallbacks& fallbacks) {
+std::optional<std::vector<Pair>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
+                                                  const MeshTopology& topology, std::size_t most, RunContext& context,
+                                                  ExactFallbacks& fallbacks) {
   OverlapFinder finder(kernel, mesh, context);
-  finder.findAll(topology);
+  const bool isComplete = finder.findAll(topology, most);
+  if (!isComplete) return std::nullopt;  // where it stopped is a matter of threads: not even fall-backs are told
+  return finder.take(fallbacks);
+}
+
+std::vector<Pair> findPlanOverlapsWithin(const std::vector<Index>& region, Index regionCount, const PlanKernel& kernel,
+                                         const WalkableMesh& mesh, const MeshTopology& topology, RunContext& context,
+                                         ExactFallbacks& fallbacks) {
+  OverlapFinder finder(kernel, mesh, context);
+  finder.findWithin(topology, region, regionCount);
   return finder.take(fallbacks);
 }
 

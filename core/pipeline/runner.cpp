@@ -25,7 +25,7 @@ void checkRunnable(const Pipeline& pipeline) {
     if (!step.enabled) continue;
     const Text place(Pattern{"%1, %2"}, placeOfStep(pipeline, i), step.filter->name);
     if (step.values.size() != step.filter->parameters.size()) {
-      throw InputError(FOOTFALL_TEXT("%1: has %2 values; give %3"), place, step.values.size(),
+      throw InputError(FOOTFALL_TEXT("%1: values given: %2; give %3"), place, step.values.size(),
                        step.filter->parameters.size());
     }
     for (std::size_t v = 0; v < step.values.size(); ++v) {
@@ -202,10 +202,12 @@ class Run {
     statistics.parameters = step.values;
     statistics.startMs = clock_.wallMs();
     statistics.in = current_.summary;
-    guarded(Text(Pattern{"%1, %2"}, placeOf(index), statistics.name), [&] {
+    const Text place(Pattern{"%1, %2"}, placeOf(index), statistics.name);
+    guarded(place, [&] {
       context_.beginStep(index, statistics.name);
       const Stopwatch watch;
-      FilterOutcome outcome = applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1));
+      FilterOutcome outcome = withPlace(
+          place, [&] { return applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1)); });
       statistics.wallMs = watch.wallMs();
       statistics.cpuMs = watch.cpuMs();
       statistics.note = std::move(outcome.note);

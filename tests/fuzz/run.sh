@@ -56,4 +56,9 @@ if [ "${seconds}" -eq 0 ]; then
 else
   build/fuzz/tests/fuzz/footfall-fuzz-pipeline --seconds "${seconds}" --seed "${seed}" --folder "${found}"
 fi
+if [ "${seconds}" -gt 0 ]; then
+  say "footfall-fuzz-slowest"
+  # With sanitizers everything takes ten times as long.
+  build/fuzz/tests/fuzz/footfall-fuzz-slowest --seconds "${seconds}" --seed "${seed}" --limit 200000 --folder "${found}"
+fi
 say "nothing found"

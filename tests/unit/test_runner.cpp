@@ -353,9 +353,16 @@ void TestRunner::invalidStepsAreRefused_data() {
   QTest::addColumn<QString>("filter");
   QTest::addColumn<QList<double>>("values");
   QTest::addColumn<QString>("says");
-  QTest::newRow("out of range") << "SlopeFilter" << QList<double>{95} << "step 1 (Slope), SlopeFilter: max_slope 95 is out";
-  QTest::newRow("too few") << "SlopeFilter" << QList<double>{} << "step 1 (Slope), SlopeFilter: has 0 values; give 1";
-  QTest::newRow("too many") << "DegeneracyFilter" << QList<double>{1} << "step 1 (Degeneracy), DegeneracyFilter: has 1 values";
+  QTest::newRow("out of range") << "SlopeFilter" << QList<double>{95}
+                                << "step 1 (Slope), SlopeFilter: max_slope 95 is out";
+  QTest::newRow("too few") << "SlopeFilter" << QList<double>{}
+                           << "step 1 (Slope), SlopeFilter: values given: 0; give 1";
+  QTest::newRow("too many") << "DegeneracyFilter" << QList<double>{1}
+                            << "step 1 (Degeneracy), DegeneracyFilter: values given: 1; give 0";
+  QTest::newRow("tiny clearance")
+      << "VerticalClearanceFilter" << QList<double>{1e-300}
+      << "step 1 (Vertical clearance), VerticalClearanceFilter: a clearance of 1e-300 is too small beside "
+         "coordinates of up to ";
   QTest::newRow("structure") << "Collapse" << QList<double>{} << "step 1 (Collapse): Collapse ends no parallel block";
 }
 
