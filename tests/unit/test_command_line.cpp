@@ -289,7 +289,7 @@ void TestCommandLine::wrongUsageOrInput_data() {
   row("missing environment", {"run", "nowhere.obj"}, "nowhere.obj");
   row("missing environment for info", {"info", "nowhere.obj"}, "nowhere.obj");
   row("directory", {"run", "."}, ".");
-  row("up", {"run", "ENV", "--up", "x"}, "--up");
+  row("up", {"run", "ENV", "--up", "w"}, "--up");
   row("scale zero", {"run", "ENV", "--scale", "0"}, "--scale");
   row("scale infinite", {"run", "ENV", "--scale", "inf"}, "--scale");
   row("scale no number", {"run", "ENV", "--scale", "big"}, "--scale");

@@ -284,7 +284,7 @@ void TestCompareFiles::wrongUsage_data() {
   QTest::newRow("height inf") << QStringList{"FILE", "FILE", "--height", "inf"} << QByteArray("--height");
   QTest::newRow("error") << QStringList{"FILE", "FILE", "--error", "0"} << QByteArray("--error");
   QTest::newRow("area") << QStringList{"FILE", "FILE", "--fail-above", "nan"} << QByteArray("--fail-above");
-  QTest::newRow("up") << QStringList{"FILE", "FILE", "--up", "x"} << QByteArray("--up");
+  QTest::newRow("up") << QStringList{"FILE", "FILE", "--up", "w"} << QByteArray("--up");
 }
 
 void TestCompareFiles::wrongUsage() {
