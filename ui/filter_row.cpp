@@ -52,9 +52,12 @@ QString statusFigures(const StepStatus& status) {
   QStringList parts;
   if (status.wallMs) parts << durationText(*status.wallMs);
   if (status.trianglesIn && status.trianglesOut) {
-    parts << FilterRow::tr("%1 → %2 triangles").arg(countText(*status.trianglesIn), countText(*status.trianglesOut));
+    parts << (*status.trianglesOut == 1 ? FilterRow::tr("%1 → 1 triangle").arg(countText(*status.trianglesIn))
+                                        : FilterRow::tr("%1 → %2 triangles")
+                                              .arg(countText(*status.trianglesIn), countText(*status.trianglesOut)));
   } else if (status.trianglesOut) {
-    parts << FilterRow::tr("%1 triangles").arg(countText(*status.trianglesOut));
+    parts << (*status.trianglesOut == 1 ? FilterRow::tr("1 triangle")
+                                        : FilterRow::tr("%1 triangles").arg(countText(*status.trianglesOut)));
   }
   QString line = parts.join(QStringLiteral("  ·  "));
   if (!status.note.isEmpty()) line += (line.isEmpty() ? QString() : QStringLiteral("\n")) + status.note;

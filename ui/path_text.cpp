@@ -75,10 +75,11 @@ QString pathText(const PathResult& result, double metresPerUnit, double speed) {
     QStringList layers;
     for (const std::uint32_t layer : result.layers) layers << QString::number(layer);
     if (layers.size() > 12) layers = layers.mid(0, 11) << QStringLiteral("…") << layers.last();
-    lines << (result.layers.size() == 1 ? PathText::tr("On layer %1").arg(layers.first())
-                                        : PathText::tr("Layers %1 (%2 connections)")
-                                              .arg(layers.join(QStringLiteral(" → ")))
-                                              .arg(result.connections));
+    const QString walked = layers.join(QStringLiteral(" → "));
+    lines << (result.layers.size() == 1 ? PathText::tr("On layer %1").arg(walked)
+              : result.connections == 1
+                  ? PathText::tr("Layers %1 (1 connection)").arg(walked)
+                  : PathText::tr("Layers %1 (%2 connections)").arg(walked).arg(result.connections));
   }
   lines << PathText::tr("Slope up to %1, climbs or falls up to %2")
                .arg(degrees(result.maxSlopeDegrees), degrees(result.maxInclineDegrees));

@@ -70,8 +70,9 @@ BlockPlace placeInBlock(std::size_t step, const std::vector<RunEventBuffer::Step
     if (made.lastStep - 1 < steps.size()) place.fraction = std::max(place.fraction, steps[made.lastStep - 1].fraction);
     if (step == made.firstStep) place.fraction = 1;
     if (step == made.lastStep) place.fraction = 0;
-    place.text = finished < all ? RunController::tr("%1 of %2 cells finished").arg(finished).arg(all)
-                                : RunController::tr("Putting the cells together");
+    place.text = finished == all ? RunController::tr("Putting the cells together")
+                 : all == 1      ? RunController::tr("%1 of 1 cell finished").arg(finished)
+                                 : RunController::tr("%1 of %2 cells finished").arg(finished).arg(all);
     return place;
   }
   return {};

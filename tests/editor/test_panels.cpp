@@ -231,6 +231,31 @@ class TestPanels : public QObject {
     QVERIFY(!button->underMouse());
   }
 
+  void oneThingIsNotCountedAsMany() {
+    FilterRow row(FilterEntry{1, defaultStep(*findFilter("SlopeFilter"), 1)});
+    StepStatus status;
+    status.state = StepState::Done;
+    status.trianglesIn = 3;
+    status.trianglesOut = 1;
+    row.setStatus(status);
+    QCOMPARE(row.figuresText(), QString("3 → 1 triangle"));
+    status.trianglesIn.reset();
+    row.setStatus(status);
+    QCOMPARE(row.figuresText(), QString("1 triangle"));
+    status.trianglesOut = 2;
+    row.setStatus(status);
+    QCOMPARE(row.figuresText(), QString("2 triangles"));
+  }
+
+  // Nobody reads "removed" beside numbers of walkable triangles that are the same before and after.
+  void whatIsLeftOutSaysWhetherItWasWalkable() {
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "flat.obj", tableObj() + "f 1 2 2\nf 2 3 3\n"),
+                    "DegeneracyFilter\nSlopeFilter 45\n"));
+    const StepStatus status = window_->controller().status(window_->document().filters()[0].id);
+    QCOMPARE(status.trianglesIn, status.trianglesOut);
+    QCOMPARE(status.note, QString("2 triangles without area left out; none was walkable"));
+  }
+
   void thePaletteFindsWhatIsInSubmenus() {
     const auto entries = commandEntries(window_->commands());
     for (const CommandRegistry::Entry& entry : window_->commands().entries()) {
