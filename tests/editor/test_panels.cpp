@@ -249,7 +249,7 @@ class TestPanels : public QObject {
 
   // Nobody reads "removed" beside numbers of walkable triangles that are the same before and after.
   void whatIsLeftOutSaysWhetherItWasWalkable() {
-    QVERIFY(openZUp(*window_, writeFile(*folder_, "flat.obj", tableObj() + "f 1 2 2\nf 2 3 3\n"),
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "flat.obj", tableObj() + "v 0 -4 0\nv 4 0 0\nf 1 2 13\nf 2 3 14\n"),
                     "DegeneracyFilter\nSlopeFilter 45\n"));
     const StepStatus status = window_->controller().status(window_->document().filters()[0].id);
     QCOMPARE(status.trianglesIn, status.trianglesOut);

@@ -207,7 +207,7 @@ class TestUntranslated : public QObject {
     window.resize(1500, 1000);
     if (!showWindow(window)) return {};
     Texts texts = textsOf(window);
-    const QByteArray level = tableObj() + "f 1 1 2\n";
+    const QByteArray level = tableObj() + "v 0 -4 0\nf 1 2 13\n";
     if (!openZUp(window, writeFile(folder, "table.obj", level),
                  "DuplicationFilter 0\nDegeneracyFilter\nAutoStrategy\nSlopeFilter 45\nVerticalClearanceFilter 2\n"
                  "Collapse\nAreaFilter 5\nSimplificationFilter\nLayerSubdivisionFilter\nRoundingFilter\n"))
