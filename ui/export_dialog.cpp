@@ -10,10 +10,12 @@
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "core/environment/gltf_export.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/pipeline/export_header.hpp"
 #include "ui/core_text.hpp"
 #include "ui/guarded_application.hpp"
@@ -99,7 +101,8 @@ void ExportDialog::createWidgets() {
   frame->setContentsMargins(0, 0, 0, 0);
   up_ = new QComboBox(frameOptions_);
   up_->setObjectName(QStringLiteral("exportUp"));
-  up_->addItems({tr("As in the file"), tr("Y up"), tr("Z up")});
+  up_->addItem(tr("As in the file"));
+  for (const UpAxis up : kUpAxes) up_->addItem(tr("%1 up").arg(QString::fromStdString(shownName(up))));
   up_->setToolTip(tr("Which axis points up in the export; glTF is always Y up"));
   scale_ = new NumberField(scaleDescriptor(), frameOptions_);
   scale_->setObjectName(QStringLiteral("exportScale"));
@@ -181,7 +184,8 @@ void ExportDialog::takeSettings(const ExportSettings& settings) {
   connections_->setChecked(settings.options.connections);
   obstacleEdges_->setChecked(settings.options.obstacleEdges);
   placed_->setChecked(settings.placed && !source_.placed.empty());
-  up_->setCurrentIndex(!settings.options.up ? 0 : *settings.options.up == UpAxis::Y ? 1 : 2);
+  const auto& up = settings.options.up;
+  up_->setCurrentIndex(up ? static_cast<int>(std::ranges::find(kUpAxes, *up) - kUpAxes.begin()) + 1 : 0);
   scale_->setValue(settings.options.scale);
   pictureSize_->setCurrentIndex(settings.pictureSize);
   pictures_->setChecked(settings.pictures);
@@ -196,7 +200,7 @@ ExportSettings ExportDialog::settings() const {
   settings.options.connections = connections_->isChecked();
   settings.options.obstacleEdges = obstacleEdges_->isChecked();
   if (kind() == ExportKind::Obj && up_->currentIndex() > 0)
-    settings.options.up = up_->currentIndex() == 1 ? UpAxis::Y : UpAxis::Z;
+    settings.options.up = kUpAxes[static_cast<std::size_t>(up_->currentIndex()) - 1];
   settings.options.scale = scale_->value();
   settings.placed = placed_->isChecked();
   settings.pictureSize = pictureSize_->currentIndex();

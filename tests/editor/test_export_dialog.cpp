@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include "core/environment/gltf_export.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/pipeline/export_header.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/export_dialog.hpp"
@@ -65,6 +66,17 @@ class TestExportDialog : public QObject {
     const QByteArray text = accept("result.obj");
     QVERIFY(text.contains("# frame: Y up, 0.01 metres per unit\n"));
     QVERIFY(text.contains("g walkable\n") && !text.contains("layer_") && !text.contains("\nl "));
+  }
+
+  void everyUpAxis() {
+    for (int i = 0; i < 6; ++i) {
+      openDialog();
+      box("exportUp")->setFocus();
+      for (int k = 0; k <= i; ++k) QTest::keyClick(box("exportUp"), Qt::Key_Down);
+      const std::string name = shownName(kUpAxes[static_cast<std::size_t>(i)]);
+      QCOMPARE(box("exportUp")->currentText(), QString::fromStdString(name) + " up");
+      QVERIFY(accept(("up" + std::to_string(i) + ".obj").c_str()).contains(("# frame: " + name + " up, ").c_str()));
+    }
   }
 
   void gltfFollowsTheName() {
