@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kMark = 16;          // pixels of the sign of a state
 constexpr int kFieldLetters = 15;  // of the width of a field
+constexpr int kUnitLetters = 9;    // and of the unit behind it, so that fields stand in a column
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
@@ -172,6 +173,7 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   connect(field, &NumberField::draggingChanged, this, &FilterRow::draggingChanged);
   grid->addWidget(field, row, 1);
   auto* unit = new QLabel(parameters_);
+  unit->setMinimumWidth(kUnitLetters * fontMetrics().averageCharWidth());
   grid->addWidget(unit, row, 2);
   fields_.push_back(field);
   units_.push_back(unit);

@@ -88,7 +88,10 @@ void WrappedLabel::paintEvent(QPaintEvent* event) {
   drawFrame(&painter);
   painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, foregroundRole()));
   const QRect box = contentsRect();
-  layOut(text(), font(), box.width(), [&](const QTextLayout& layout) { layout.draw(&painter, box.topLeft()); });
+  QPointF top = box.topLeft();
+  if ((alignment() & Qt::AlignVCenter) != 0)
+    top.ry() += std::max(0.0, (box.height() - layOut(text(), font(), box.width(), [](const QTextLayout&) {})) / 2);
+  layOut(text(), font(), box.width(), [&](const QTextLayout& layout) { layout.draw(&painter, top); });
 }
 
 ElidedCheckBox::ElidedCheckBox(const QString& text, QWidget* parent) : QCheckBox(text, parent) {
