@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <array>
+#include <utility>
 
 #include "core/environment/up_axis.hpp"
 #include "ui/panel_dock.hpp"
@@ -14,7 +15,7 @@ namespace footfall {
 namespace {
 
 const QString kOverlay = QStringLiteral("difference");
-constexpr int kAlpha = 190;
+constexpr int kAlpha = 215;
 constexpr std::size_t kMostDrawn = 40'000;  // triangles: overlays are sent to the graphics card with every frame
 
 /// The twelve edges of a box.
@@ -53,6 +54,7 @@ CompareFeature::CompareFeature(EditorWindow& window)
   connect(watch_, &CompareWatch::failed, &window_.messageBar(), &MessageBar::showError);
   connect(&window_.controller(), &RunController::finished, this, &CompareFeature::takeResult);
   connect(&window_.controller(), &RunController::started, this, [this] {
+    isComputed_ = true;
     watch_->stop();
     panel_->setWaiting(watch_->with() != CompareWith::Nothing);
   });
@@ -126,8 +128,16 @@ void CompareFeature::showPanel() {
 }
 
 void CompareFeature::takeResult() {
-  const auto run = window_.controller().finishedRun();
-  if (run) watch_->takeResult(run->result.mesh, window_.document().undoStack()->index());
+  const auto take = [this] {
+    const auto run = window_.controller().finishedRun();
+    if (run) watch_->takeResult(run->result.mesh, window_.document().undoStack()->index());
+  };
+  // A result that was known already comes while the undo stack still moves: it then tells where it was.
+  if (std::exchange(isComputed_, false)) {
+    take();
+  } else {
+    QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
+  }
 }
 
 CompareWriter CompareFeature::writer() const {

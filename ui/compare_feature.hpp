@@ -40,6 +40,7 @@ class CompareFeature : public QObject {
   QDockWidget* dock_;
   QAction* lastEdit_ = nullptr;
   int chosenRegion_ = -1;
+  bool isComputed_ = false;  ///< a run has started since the last result
 };
 
 }  // namespace footfall

@@ -31,9 +31,9 @@ QIcon swatchOf(const QColor& colour) {
 
 }  // namespace
 
-// Okabe and Ito's bluish green and reddish purple: clearly apart for everybody, and no floor has them.
-QColor appearedColour() { return {0, 158, 115}; }
-QColor wentColour() { return {204, 60, 140}; }
+// Lighter and darker than any floor: apart from the colours of layers for everybody.
+QColor appearedColour() { return {205, 255, 40}; }
+QColor wentColour() { return {120, 0, 70}; }
 
 QString appearedText(const SurfaceDifference& difference, const CompareWriter& write) {
   return ComparePanel::tr("Appeared: %1").arg(partText(difference.hasArea[1], difference.areas[1].surface, write));
@@ -72,8 +72,8 @@ ComparePanel::ComparePanel(QWidget* parent)
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setHighlightSections(false);
   const int unit = table_->fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  table_->setColumnWidth(What, 14 * unit);
-  table_->setColumnWidth(Area, 14 * unit);
+  table_->setColumnWidth(What, 12 * unit);
+  table_->setColumnWidth(Area, 11 * unit);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);
   layout->addWidget(summary_);
