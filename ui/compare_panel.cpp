@@ -98,7 +98,7 @@ void ComparePanel::showNote(const QString& note) {
 
 void ComparePanel::showDifference(const SurfaceDifference& difference, const CompareWriter& write) {
   QStringList lines{appearedText(difference, write), wentText(difference, write)};
-  if (difference.empty()) lines = {tr("Both results are exactly the same area.")};
+  if (difference.empty()) lines = {tr("Both results cover the same area.")};
   const auto count = static_cast<int>(difference.regions.size());
   if (count > kMostRows) lines << tr("The largest %1 of %n regions are listed.", "", count).arg(kMostRows);
   summary_->setText(lines.join(QLatin1Char('\n')));

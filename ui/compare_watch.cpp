@@ -96,7 +96,8 @@ void CompareWatch::refresh() {
         if (!answer.saved)
           answer.saved = std::make_shared<NavigationMesh>(
               readNavigationMesh(QFile::encodeName(path).toStdString(), std::nullopt, up, context.get()).mesh);
-        answer.difference = std::make_shared<SurfaceDifference>(subtractSurfaces(*answer.saved, *result, *context));
+        answer.difference = std::make_shared<SurfaceDifference>(
+            subtractSurfaces(*answer.saved, *result, *context, roundingHeight(*answer.saved, *result)));
         return true;
       });
     } catch (const Cancelled&) {

@@ -40,8 +40,9 @@ class CoveredPart {
     tree_.build(boxes, ids, [this] { context_.checkCancelled(); });
   }
 
-  /// The part of the triangle's area in the plan that is not covered.
-  double uncoveredShare(const Triangle& triangle, std::vector<std::int32_t>& stack) const {
+  /// The part of the triangle's area in the plan that is not covered. `parts` (may be null) receives it.
+  double uncoveredShare(const Triangle& triangle, std::vector<std::int32_t>& stack,
+                        std::vector<CoverTriangle>* parts = nullptr) const {
     const auto normal = exactNormal(positions_, triangle);
     if (normal[2] == 0) return 1;
     Outlines outlines;
@@ -51,8 +52,11 @@ class CoveredPart {
       any = addNear(triangle, normal, static_cast<std::size_t>(i), outlines) || any;
       return true;
     });
-    if (!any) return 1;
-    const CoverResult result = coverAreas(outlines.points, outlines.edges, [this] { context_.checkCancelled(); });
+    if (!any && parts == nullptr) return 1;
+    std::vector<CoverPiece> borders;
+    const auto poll = [this] { context_.checkCancelled(); };
+    const CoverResult result = coverAreas(outlines.points, outlines.edges, poll, parts != nullptr ? &borders : nullptr);
+    if (parts != nullptr) *parts = partsOf(outlines, borders);
     if (!result.hasArea[kOnlyFirst]) return 0;
     const mpf_class share = result.twiceArea[kOnlyFirst] / (result.twiceArea[kOnlyFirst] + result.twiceArea[kBoth]);
     return share.get_d();
@@ -64,6 +68,23 @@ class CoveredPart {
     std::vector<CoverEdge> edges;
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;  ///< of positions among the points
   };
+
+  /// In units of the meshes, with numbers of positions.
+  [[nodiscard]] std::vector<CoverTriangle> partsOf(const Outlines& outlines, std::vector<CoverPiece> borders) const {
+    std::erase_if(borders, [](const CoverPiece& piece) { return piece.part != kOnlyFirst; });
+    std::vector<std::uint32_t> positions(outlines.points.size(), CoverCorner::kNoPoint);
+    for (const auto& [position, point] : outlines.numbers) positions[point] = position;
+    std::vector<CoverTriangle> parts = triangulatePart(borders, [this] { context_.checkCancelled(); });
+    const int unit = positions_.unit - static_cast<int>(finer_);
+    for (CoverTriangle& part : parts) {
+      for (CoverCorner& corner : part.corners) {
+        corner.x = std::ldexp(corner.x, unit);
+        corner.y = std::ldexp(corner.y, unit);
+        if (corner.point != CoverCorner::kNoPoint) corner.point = positions[corner.point];
+      }
+    }
+    return parts;
+  }
 
   [[nodiscard]] Box boxOf(const Triangle& triangle, double above) const {
     Box box;
@@ -201,6 +222,32 @@ std::array<std::vector<Areas>, 2> findUncovered(const ComparedSurfaces& surfaces
         uncovered[set][asked[i]] = {share * all.surface, share * all.plan};
       }
     });
+  }
+  return uncovered;
+}
+
+std::array<std::vector<UncoveredPart>, 2> findUncoveredParts(const ComparedSurfaces& surfaces,
+                                                             const SetDifference& difference, double height,
+                                                             RunContext& context) {
+  std::array<std::vector<UncoveredPart>, 2> uncovered;
+  CoveredPart part(surfaces, height, context);
+  for (std::size_t set = 0; set < 2; ++set) {
+    const Surface& surface = surfaces.surfaces[set];
+    std::vector<UncoveredPart>& parts = uncovered[set];
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+      if (difference.covered[set][i] == 0) parts.push_back({static_cast<std::uint32_t>(i), {}, {}});
+    if (parts.empty()) continue;
+    part.prepare(surfaces.surfaces[1 - set]);
+    forRanges(parts.size(), 16, [&](std::size_t first, std::size_t last) {
+      std::vector<std::int32_t> stack;
+      for (std::size_t i = first; i < last; ++i) {
+        context.checkCancelled();
+        const Areas& all = difference.triangleAreas[set][parts[i].triangle];
+        const double share = part.uncoveredShare(surface.triangles[parts[i].triangle], stack, &parts[i].triangles);
+        parts[i].areas = {share * all.surface, share * all.plan};
+      }
+    });
+    std::erase_if(parts, [](const UncoveredPart& p) { return p.triangles.empty(); });
   }
   return uncovered;
 }

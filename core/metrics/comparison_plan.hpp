@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/metrics/comparison_sets.hpp"
+#include "core/metrics/cover_triangles.hpp"
 
 namespace footfall::comparison {
 
@@ -17,5 +18,18 @@ namespace footfall::comparison {
 /// Corners that arise where the height is reached are rounded to 2^-192 of the extent; everything else is exact.
 std::array<std::vector<Areas>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
                                                 double height, RunContext& context);
+
+/// Of one triangle, the part that findUncovered() measures.
+struct UncoveredPart {
+  std::uint32_t triangle = 0;  ///< of the surface
+  Areas areas;
+  /// Corners in units of the meshes; `point` is the number of a position, else kNoPoint.
+  std::vector<CoverTriangle> triangles;
+};
+
+/// The same as parts to draw: for A and for B, only triangles of which something is not covered, rising.
+std::array<std::vector<UncoveredPart>, 2> findUncoveredParts(const ComparedSurfaces& surfaces,
+                                                             const SetDifference& difference, double height,
+                                                             RunContext& context);
 
 }  // namespace footfall::comparison

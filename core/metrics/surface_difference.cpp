@@ -13,6 +13,7 @@
 #include "core/environment/parallel_ranges.hpp"
 #include "core/environment/triangle_tree.hpp"
 #include "core/filters/disjoint_sets.hpp"
+#include "core/metrics/comparison_plan.hpp"
 #include "core/metrics/cover_triangles.hpp"
 
 namespace footfall {
@@ -49,7 +50,8 @@ class Reduction {
   Reduction(const NavigationMesh& first, const NavigationMesh& second, RunContext& context)
       : meshes_{&first, &second}, context_(context) {}
 
-  std::array<NavigationMesh, 2> run() {
+  /// `height`: how far above or below it is beside.
+  std::array<NavigationMesh, 2> run(double height) {
     findCommon();
     std::vector<Box> boxes;
     std::vector<std::int32_t> ids;
@@ -57,6 +59,8 @@ class Reduction {
       for (std::uint32_t t = 0; t < kept_[m].size(); ++t) {
         if (kept_[m][t] == 0) continue;
         boxes.push_back(boxOf(*meshes_[m], t));
+        boxes.back().lower[2] -= 2 * height;
+        boxes.back().upper[2] += 2 * height;
         ids.push_back(static_cast<std::int32_t>(ids.size()));
       }
     }
@@ -169,6 +173,42 @@ struct PartTriangles {
   }
 };
 
+/// The place of a corner in the plane of a triangle that is not vertical.
+Vec3 liftedTo(const std::array<Vec3, 3>& f, const CoverCorner& corner) {
+  const double ux = f[1].x - f[0].x, uy = f[1].y - f[0].y, vx = f[2].x - f[0].x, vy = f[2].y - f[0].y;
+  const double area = ux * vy - uy * vx, px = corner.x - f[0].x, py = corner.y - f[0].y;
+  const double a = (px * vy - py * vx) / area, b = (ux * py - uy * px) / area;
+  return {corner.x, corner.y, f[0].z + a * (f[1].z - f[0].z) + b * (f[2].z - f[0].z)};
+}
+
+void addUncovered(const comparison::ComparedSurfaces& surfaces, const comparison::SetDifference& sets, double height,
+                  std::array<PartTriangles, 2>& parts, SurfaceDifference& difference, RunContext& context) {
+  const auto uncovered = findUncoveredParts(surfaces, sets, height, context);
+  const std::vector<Vec3>& places = surfaces.positions.places;
+  for (std::size_t m = 0; m < 2; ++m) {
+    for (const comparison::UncoveredPart& part : uncovered[m]) {
+      const Triangle& t = surfaces.surfaces[m].triangles[part.triangle];
+      const std::array<Vec3, 3> f{places[t[0]], places[t[1]], places[t[2]]};
+      std::vector<std::array<Vec3, 3>> triangles;
+      std::vector<std::uint32_t> groups;
+      for (const CoverTriangle& piece : part.triangles) {
+        std::array<Vec3, 3>& corners = triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+          const CoverCorner& corner = piece.corners[k];
+          corners[k] = corner.point == CoverCorner::kNoPoint ? liftedTo(f, corner) : places[corner.point];
+          if (corner.point != t[0] && corner.point != t[1] && corner.point != t[2])
+            corners[k].z = liftedTo(f, corner).z;
+        }
+        groups.push_back(piece.region);
+      }
+      parts[m].add(triangles, groups);
+      difference.hasArea[m] = true;
+      difference.areas[m].surface += part.areas.surface;
+      difference.areas[m].plan += part.areas.plan;
+    }
+  }
+}
+
 void addPlanes(const comparison::DifferenceBorders& borders, const comparison::Positions& positions,
                std::array<PartTriangles, 2>& parts, RunContext& context) {
   struct Lifted {
@@ -247,15 +287,27 @@ void sortRegions(SurfaceDifference& difference) {
 
 }  // namespace
 
-SurfaceDifference subtractSurfaces(const NavigationMesh& first, const NavigationMesh& second, RunContext& context) {
+double roundingHeight(const NavigationMesh& first, const NavigationMesh& second) {
+  double largest = 0;
+  for (const NavigationMesh* mesh : {&first, &second})
+    for (const Vec3& p : mesh->vertices) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return largest > 0 ? std::ldexp(1.0, exponent - 1 - 30) : 0;
+}
+
+SurfaceDifference subtractSurfaces(const NavigationMesh& first, const NavigationMesh& second, RunContext& context,
+                                   double height) {
   SurfaceDifference difference;
-  const std::array<NavigationMesh, 2> meshes = Reduction(first, second, context).run();
+  const std::array<NavigationMesh, 2> meshes = Reduction(first, second, context).run(height);
   if (meshes[0].triangles.empty() && meshes[1].triangles.empty()) return difference;
-  const comparison::ComparedSurfaces surfaces = comparison::makeSurfaces(meshes[0], meshes[1], 0, context);
+  const comparison::ComparedSurfaces surfaces = comparison::makeSurfaces(meshes[0], meshes[1], height, context);
   comparison::DifferenceBorders borders;
-  const comparison::SetDifference sets = subtractSets(surfaces, context, &borders);
+  const bool isExact = height == 0;
+  const comparison::SetDifference sets = subtractSets(surfaces, context, isExact ? &borders : nullptr);
   std::array<PartTriangles, 2> parts;
-  for (std::uint32_t m = 0; m < 2; ++m) {
+  if (!isExact) addUncovered(surfaces, sets, height, parts, difference, context);
+  for (std::uint32_t m = 0; isExact && m < 2; ++m) {
     difference.hasArea[m] = sets.hasArea[m];
     difference.areas[m] = sets.areas[m];
     for (const std::uint32_t t : borders.triangles[m]) {

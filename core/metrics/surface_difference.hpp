@@ -37,6 +37,14 @@ struct SurfaceDifference {
 /// Triangles that both meshes have, corner by corner, are left out first, unless they are near to one that they have
 /// not: so two results of one level of 60,000 triangles take about 0.1 s where little has changed. On all threads; the
 /// same input gives the same result. Throws Cancelled.
-SurfaceDifference subtractSurfaces(const NavigationMesh& first, const NavigationMesh& second, RunContext& context);
+///
+/// `height`: what the other mesh has straight above or below within it is no difference, as sloped floors that are
+/// triangulated anew lie in other planes by a rounding; 0: exactly the difference of the sets.
+SurfaceDifference subtractSurfaces(const NavigationMesh& first, const NavigationMesh& second, RunContext& context,
+                                   double height = 0);
+
+/// A height that is far more than rounding vertices to doubles moves them, and far less than a step: 2^-30 of the
+/// largest coordinate, as ComparisonOptions::height.
+double roundingHeight(const NavigationMesh& first, const NavigationMesh& second);
 
 }  // namespace footfall

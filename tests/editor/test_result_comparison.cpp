@@ -83,7 +83,7 @@ class TestCompare : public QObject {
     QCOMPARE(difference().areas[1].surface, 4.0);
     window_->document().setValue(id, 0, 0.4, 8);
     QTRY_VERIFY(waitUntilIdle(*window_) && !feature_->watch().busy() && difference().empty());
-    QTRY_VERIFY(feature_->panel().summary().contains("exactly the same"));
+    QTRY_VERIFY(feature_->panel().summary().contains("cover the same area"));
   }
 
   void aSavedResult() {
@@ -94,7 +94,7 @@ class TestCompare : public QObject {
     feature_->openSaved(saved);
     QVERIFY(waitForDifference());
     QVERIFY(difference().empty());
-    QTRY_VERIFY(feature_->panel().summary().contains("exactly the same"));
+    QTRY_VERIFY(feature_->panel().summary().contains("cover the same area"));
     setClearance(0.5);
     QVERIFY(waitForDifference());
     QTRY_COMPARE(difference().areas[1].surface, 4.0);

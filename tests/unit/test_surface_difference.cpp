@@ -183,6 +183,22 @@ class TestSurfaceDifference : public QObject {
     }
   }
 
+  // A slope that is triangulated anew, with a corner that was rounded: exactly another plane, and nothing to be shown.
+  void roundingIsNoDifference() {
+    RunContext context;
+    const Vec3 a{0, 0, 0}, b{3, 0, 0.1}, c{3, 3, 0.7}, d{0, 3, 0.6}, m{1, 1, 0.1 / 3 + 0.2 + 1e-16};
+    const std::vector<Corners> before{{a, b, c}, {a, c, d}}, after{{a, b, m}, {b, c, m}, {c, d, m}};
+    const NavigationMesh first = meshOf(before), second = meshOf(after);
+    const SurfaceDifference exact = subtractSurfaces(first, second, context);
+    QVERIFY(exact.areas[0].surface > 1 && exact.areas[1].surface > 1);
+    const SurfaceDifference shown = subtractSurfaces(first, second, context, roundingHeight(first, second));
+    QCOMPARE(differenceError(shown), QString());
+    QVERIFY(!shown.hasArea[1]);
+    // The triangle a, d, m is missing: 1.5 in the plan.
+    QVERIFY2(std::fabs(shown.areas[0].plan - 1.5) < 1e-6, qPrintable(QString::number(shown.areas[0].plan, 'g', 17)));
+    QCOMPARE(shown.regions.size(), std::size_t{1});
+  }
+
   void aSmallEditOfALargeLevelIsFast() {
     RunContext context;
     std::vector<Corners> ground;
