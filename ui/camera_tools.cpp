@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFlyMetres = 5;  // a second: a run
+constexpr double kFlySeconds = 15;  // from one end of the level to the other
 
 Json toJson(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -35,8 +35,12 @@ CameraTools::CameraTools(EditorWindow& window) : QObject(&window), window_(windo
   addMoves();
   addBookmarks();
   connect(&window_, &EditorWindow::environmentLoaded, this, [this] {
-    const double metres = window_.environment()->metresPerUnit;
-    fly_.setSpeed(kFlyMetres / (metres > 0 ? metres : 1));
+    const auto geometry = window_.view().environmentGeometry();
+    const Vec3 size = geometry ? Vec3{geometry->upper.x - geometry->lower.x, geometry->upper.y - geometry->lower.y,
+                                      geometry->upper.z - geometry->lower.z}
+                               : Vec3{};
+    const double across = std::hypot(size.x, size.y, size.z);
+    fly_.setSpeed(across > 0 ? across / kFlySeconds : 1);
   });
   connect(&fly_, &FlyTool::speedChanged, this,
           [this](double speed) { window_.say(tr("Fly: %1 units a second").arg(speed, 0, 'g', 3)); });

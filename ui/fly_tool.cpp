@@ -31,9 +31,9 @@ FlyTool::FlyTool(LevelView& view, QObject* parent) : QObject(parent), view_(view
 }
 
 QString FlyTool::hint() const {
-  return tr(
-      "Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed, Esc "
-      "ends");
+  return tr("Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed (%1 "
+            "units a second), Esc ends")
+      .arg(speed_, 0, 'g', 3);
 }
 
 void FlyTool::begin() {

@@ -78,6 +78,8 @@ double HeightSlider::value(Handle handle) const {
 
 QString HeightSlider::textOf(double height) const {
   const double span = upper_ - lower_;
+  constexpr double kLong = 1e7;  // of as many digits and more, nobody reads the last
+  if (std::max(std::abs(lower_), std::abs(upper_)) >= kLong) return QLocale(QLocale::English).toString(height, 'g', 5);
   const int digits = span >= 1000 ? 0 : span >= 100 ? 1 : 2;
   return QLocale(QLocale::English).toString(height, 'f', digits);
 }

@@ -61,6 +61,7 @@ QIcon eyeIcon(bool open, const QPalette& palette, qreal ratio) {
 }
 
 QString areaText(double area) {
+  if (area >= 1e9) return QLocale(QLocale::English).toString(area, 'g', 4);
   return QLocale(QLocale::English).toString(area, 'f', area < 100 ? 2 : area < 10000 ? 1 : 0);
 }
 
