@@ -12,6 +12,7 @@ out float gl_ClipDistance[3];
 uniform mat4 modelViewProjection;
 uniform vec4 clipPlanes[3];  // what is behind one of them is left out
 uniform bool layered;        // some layers are hidden
+uniform bool leaveCovers;
 uniform sampler2D shownLayers;
 
 out float number;
@@ -27,7 +28,8 @@ bool isHidden(uint of) {
 void main() {
   gl_Position = modelViewProjection * vec4(position, 1.0);
   for (int i = 0; i < 3; ++i) gl_ClipDistance[i] = dot(clipPlanes[i], vec4(position, 1.0));
-  if (layered && isHidden(layer)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  bool covers = (int(normal.w * 127.0 + 0.5) & 64) != 0;
+  if ((layered && isHidden(layer)) || (leaveCovers && covers)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
   // Little of it: the colours are to be read.
   light = 0.86 + 0.14 * max(dot(normal.xyz, normalize(vec3(-0.45, -0.3, 0.84))), 0.0);
   number = value;

@@ -1,6 +1,7 @@
 #version 330
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+flat in float strength;
 noperspective in float distance;
 
 uniform vec4 colour;
@@ -11,5 +12,5 @@ out vec4 fragment;
 void main() {
   // Smooth by coverage: multisampling would cost software OpenGL more than everything else.
   float coverage = clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
-  fragment = vec4(colour.rgb, colour.a * coverage);
+  fragment = vec4(colour.rgb, colour.a * coverage * strength);
 }

@@ -16,6 +16,9 @@ uniform vec2 viewport;  // device pixels
 uniform float width;    // device pixels
 uniform float lift;     // towards the eye, in normalized depth
 
+uniform bool fadeShort;  // lines that are many and short would make one black surface
+
+flat out float strength;
 noperspective out float distance;  // device pixels from the middle of the line
 
 // Moves the end `a` along the segment to just in front of the near plane.
@@ -36,12 +39,15 @@ void main() {
   vec4 b = modelViewProjection * vec4(to, 1.0);
   bool hidden = layered && isHidden(layers.x) && isHidden(layers.y);
   if (hidden || (a.z + a.w <= 0.0 && b.z + b.w <= 0.0)) {
+    strength = 0.0;
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // clipped, as what is behind the eye
     return;
   }
   vec4 start = clipNear(a, b), end = clipNear(b, a);
   vec2 along = (end.xy / end.w - start.xy / start.w) * viewport;
   float size = length(along);
+  // From a few pixels long down to one, where nobody tells one from the next. The plane is two units wide.
+  strength = fadeShort ? clamp((0.5 * size - 1.5) / 6.0, 0.0, 1.0) : 1.0;
   along = size > 0.0 ? along / size : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
 

@@ -6,11 +6,18 @@ flat in vec3 shade;
 flat in int pattern;  // ui/appearance.hpp: 0 plain, 1 rising stripes, 2 falling stripes, 3 dots
 
 uniform float patternScale;  // device pixels a logical pixel
+uniform bool asBackground;   // what is there is not to be seen, nor what lies under it
+uniform vec3 lower, upper;   // colours of the background
+uniform float viewHeight;    // device pixels
 uniform bool hatchBacks;     // so that a cut reads: what is seen from behind is hatched
 
 out vec4 fragment;
 
 void main() {
+  if (asBackground) {
+    fragment = vec4(mix(lower, upper, gl_FragCoord.y / viewHeight), 1.0);
+    return;
+  }
   vec2 p = gl_FragCoord.xy / patternScale;
   if (hatchBacks && !gl_FrontFacing) {
     float hatch = step(mod(p.x + p.y, 6.0), 1.5);

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 normal;  // w: pattern, 0 to 127 / 127
+layout(location = 1) in vec4 normal;  // w: pattern, and 64 for covers, / 127
 layout(location = 2) in vec4 colour;  // alpha 0: takes the uniform paint
 layout(location = 3) in uint layer;   // 0x7fffffff: none; the highest bit: plain floor in place of it when it is hidden
 
@@ -19,6 +19,9 @@ uniform bool orthographic;
 uniform float pale;        // from 0, the paint's own colour, to 1, hardly any: for what something is drawn over
 uniform vec4 floorPaint;   // rgb and pattern for triangles with alpha 0
 uniform vec4 plainFloor;   // of hidden layers
+uniform int unseenLayers;  // what stays of hidden layers is left out (0), plain floor (1), or all that is drawn (2)
+uniform bool floorsOnly;   // of an environment
+uniform bool leaveCovers;
 uniform vec4 onlyPaint;    // for everything, where `only` is set
 uniform bool only;
 uniform bool unlit;
@@ -38,7 +41,10 @@ void main() {
   for (int i = 0; i < 3; ++i) gl_ClipDistance[i] = dot(clipPlanes[i], vec4(position, 1.0));
   bool hidden = layered && isHidden(layer & 0x7fffffffu);
   bool stays = (layer & 0x80000000u) != 0u;
-  if (hidden && !stays) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  bool isOut = unseenLayers == 2 ? !(hidden && stays) : hidden && !(stays && unseenLayers == 1);
+  int kind = int(normal.w * 127.0 + 0.5);
+  bool covers = (kind & 64) != 0;
+  if (isOut || (floorsOnly && colour.a != 0.0) || (leaveCovers && covers)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
   vec3 n = normal.xyz;
   vec3 toEye = orthographic ? -viewDirection : normalize(eye - position);
   float facing = dot(n, toEye);
@@ -49,7 +55,7 @@ void main() {
   float light = 0.42 + 0.22 * sky + 0.24 * sun + 0.14 * head;
   if (facing < 0.0) light *= 0.8;
 
-  vec4 paint = colour.a == 0.0 ? floorPaint : vec4(colour.rgb, normal.w);
+  vec4 paint = colour.a == 0.0 ? floorPaint : vec4(colour.rgb, float(kind & 63) / 127.0);
   if (only) paint = onlyPaint;
   if (hidden) paint = plainFloor;
   pattern = int(paint.a * 127.0 + 0.5);

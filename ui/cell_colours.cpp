@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace footfall {
 namespace {
@@ -106,6 +107,23 @@ CellScale::CellScale(const CellBlock& block, CellColouring wanted) : shown_(want
       colours_[i] = scaleColour(maximum_ > 0 ? valueOf(cells[i], shown_) / maximum_ : 0);
     }
   }
+}
+
+std::vector<ThreadShare> threadShares(const CellBlock& block) {
+  const std::vector<double> busy = block.report.busyMs(block.threads());
+  std::map<int, ThreadShare> shares;
+  for (std::size_t i = 0; i < block.report.cells.size(); ++i) {
+    if (block.finished[i] == 0) continue;
+    const CellReport& cell = block.report.cells[i];
+    ThreadShare& share = shares[cell.thread];
+    share.thread = cell.thread;
+    share.ms = busy[static_cast<std::size_t>(cell.thread)];
+    ++share.cells;
+  }
+  std::vector<ThreadShare> sorted;
+  for (const auto& [thread, share] : shares) sorted.push_back(share);
+  std::ranges::stable_sort(sorted, [](const ThreadShare& a, const ThreadShare& b) { return a.ms > b.ms; });
+  return sorted;
 }
 
 QString durationText(double milliseconds) {

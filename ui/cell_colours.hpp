@@ -54,6 +54,15 @@ class CellScale {
   std::vector<std::optional<QColor>> colours_;
 };
 
+/// What a thread has done of a block.
+struct ThreadShare {
+  int thread = 0;
+  double ms = 0;
+  std::size_t cells = 0;
+};
+/// Of the threads that have finished a cell, who did most first.
+std::vector<ThreadShare> threadShares(const CellBlock& block);
+
 /// "12.3 ms", "1.24 s"; never "0 ms" for something.
 QString durationText(double milliseconds);
 QString countText(double count);

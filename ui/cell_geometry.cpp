@@ -107,7 +107,7 @@ class Clipper {
 class Draper {
  public:
   Draper(const Environment& environment, const Vec3& centre, const std::vector<CellBounds>& cells)
-      : environment_(environment), centre_(centre), cells_(cells), pieces_(cells.size()) {
+      : environment_(environment), centre_(centre), cells_(cells), pieces_(cells.size()), sources_(cells.size()) {
     for (const Vec3& p : environment.vertices) box_.add(p);
     if (environment.vertices.empty()) box_.add({});
   }
@@ -125,7 +125,7 @@ class Draper {
       Box box;
       for (const Vec3& p : corners) box.add(p);
       lookup.find(box, found_);
-      for (const std::size_t c : found_) addPiece(corners, box, c);
+      for (const std::size_t c : found_) addPiece(corners, box, c, static_cast<std::uint32_t>(t));
       if (heights) addHeightBorders(lookup, t, box.lower.z);
     }
   }
@@ -137,6 +137,8 @@ class Draper {
       geometry->surface.insert(geometry->surface.end(), piece.begin(), piece.end());
       piece = {};
     }
+    for (const auto& sources : sources_)
+      geometry->sources.insert(geometry->sources.end(), sources.begin(), sources.end());
     geometry->firstVertex.push_back(geometry->surface.size());
     geometry->borders = std::move(borders_);
     for (std::size_t c = 0; c < cells_.size(); ++c) addBox(*geometry, c);
@@ -154,7 +156,7 @@ class Draper {
             static_cast<float>(p.z - centre_.z)};
   }
 
-  void addPiece(const std::array<Vec3, 3>& corners, const Box& box, std::size_t c) {
+  void addPiece(const std::array<Vec3, 3>& corners, const Box& box, std::size_t c, std::uint32_t source) {
     const CellBounds& cell = cells_[c];
     clipper_.polygon.assign(corners.begin(), corners.end());
     for (int axis = 0; axis < 2; ++axis) {
@@ -164,6 +166,7 @@ class Draper {
     }
     const std::vector<Vec3>& polygon = clipper_.polygon;
     for (std::size_t i = 2; i < polygon.size(); ++i) {
+      sources_[c].push_back(source);
       for (const std::size_t k : {std::size_t{0}, i - 1, i})
         pieces_[c].push_back({place(polygon[k]), static_cast<std::uint32_t>(c)});
     }
@@ -221,6 +224,7 @@ class Draper {
   Clipper clipper_;
   std::vector<std::size_t> found_;
   std::vector<std::vector<CellVertex>> pieces_;
+  std::vector<std::vector<std::uint32_t>> sources_;
   std::vector<LineSegment> borders_;
   std::unordered_map<std::uint64_t, double> lowestAtEdge_;  // of the first triangle at each edge
 };
@@ -266,7 +270,7 @@ std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& e
     const std::array<Vec3, 3> triangle = {corner(v), corner(v + 1), corner(v + 2)};
     const std::optional<double> distance = meet(ray, triangle);
     if (!distance || *distance >= nearest.distance || !shown.contains(pointOn(ray, *distance))) continue;
-    if (shown.shows && !shown.shows(static_cast<std::uint32_t>(v / 3))) continue;
+    if (shown.shows && !shown.shows(static_cast<std::uint32_t>(v / 3), meetsFront(ray, triangle))) continue;
     nearest = {*distance, std::min({triangle[0].z, triangle[1].z, triangle[2].z})};
   }
   if (std::isinf(nearest.distance)) {

@@ -17,8 +17,10 @@ namespace footfall {
 /// 16 bytes; locations 0 and 1 of shaders/cell.vert.
 struct CellVertex {
   std::array<float, 3> position{};
-  std::uint32_t cell = 0;
+  std::uint32_t cell = 0;  ///< on its way to OpenGL with one of the below
 };
+/// Added to the cell of what lies on a cover (ui/level_covers.hpp), or on a floor of a hidden layer.
+inline constexpr std::uint32_t kCellOnCover = 0x80000000, kCellHidden = 0x40000000;
 
 /// Relative to the environment's centre, as all geometry of the view.
 struct CellBox {
@@ -27,6 +29,7 @@ struct CellBox {
 
 struct CellGeometry {
   std::vector<CellVertex> surface;       ///< three a triangle, in the order of the cells
+  std::vector<std::uint32_t> sources;    ///< the triangle of the environment, for each of them
   std::vector<std::size_t> firstVertex;  ///< one for each cell, and one more
   std::vector<LineSegment> borders;      ///< where borders cross floors, and the rectangle of each cell at its bottom
   std::vector<CellBox> boxes;            ///< outer sides are those of the environment

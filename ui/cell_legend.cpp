@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/appearance.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr int kWidth = 196;
 constexpr int kThreadsInRow = 8;
 constexpr int kSwatchHeight = 18;
+constexpr int kThreadsListed = 8;
 
 // Numbered squares, one a thread.
 QPixmap threadSwatches(int threads, const QFont& font, qreal ratio) {
@@ -54,9 +56,9 @@ QPixmap unfinishedSwatch(qreal ratio) {
 
 }  // namespace
 
-CellLegend::CellLegend(CellModel& model, QWidget* parent) : QFrame(parent), model_(model) {
+CellLegend::CellLegend(CellModel& model, QWidget* parent)
+    : OverlayFrame(tr("Cells"), QStringLiteral("cellLegend"), parent), model_(model) {
   setObjectName(QStringLiteral("legend"));
-  setAttribute(Qt::WA_StyledBackground);
   title_ = new QLabel(this);
   title_->setStyleSheet(QStringLiteral("font-weight: 600"));
   title_->setWordWrap(true);
@@ -78,14 +80,9 @@ CellLegend::CellLegend(CellModel& model, QWidget* parent) : QFrame(parent), mode
   unfinished_ = new QLabel(tr("not finished yet"), rest);
   restLayout->addWidget(swatch);
   restLayout->addWidget(unfinished_, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(10, 8, 10, 8);
-  layout->setSpacing(5);
-  layout->addWidget(title_);
-  layout->addWidget(colouring_);
-  layout->addWidget(colours_);
-  layout->addWidget(text_);
-  layout->addWidget(rest);
+  body().setSpacing(5);
+  for (QWidget* widget : std::initializer_list<QWidget*>{title_, colouring_, colours_, text_, rest})
+    body().addWidget(widget);
   connect(colouring_, &QComboBox::activated, this,
           [this](int index) { model_.setColouring(kCellColourings[static_cast<std::size_t>(index)]); });
   connect(&model_, &CellModel::figuresChanged, this, &CellLegend::describe);
@@ -113,14 +110,29 @@ void CellLegend::describe() {
     colours_->show();
     unfinished_->parentWidget()->setVisible(!scale.allKnown());
   }
+  body().activate();
   layout()->activate();
   adjustSize();
-  emit resized();
+  emit changed();
 }
 
 void CellLegend::describeThreads(const CellScale& scale) {
   colours_->setPixmap(threadSwatches(scale.threads(), font(), devicePixelRatioF()));
-  text_->setText(tr("Number of the thread that began the cell"));
+  const std::vector<ThreadShare> shares = threadShares(*model_.shownBlock());
+  double all = 0;
+  for (const ThreadShare& share : shares) all += share.ms;
+  QStringList lines{tr("Thread that began the cell; its share of the work:")};
+  for (const ThreadShare& share : shares) {
+    if (lines.size() > kThreadsListed) {
+      lines << tr("%n more", nullptr, static_cast<int>(shares.size()) - kThreadsListed);
+      break;
+    }
+    lines << tr("Thread %1: %2 %, %3, %n cell(s)", nullptr, static_cast<int>(share.cells))
+                 .arg(share.thread)
+                 .arg(all > 0 ? std::round(100 * share.ms / all) : 0)
+                 .arg(durationText(share.ms));
+  }
+  text_->setText(lines.join(QLatin1Char('\n')));
 }
 
 void CellLegend::describeScale(const CellScale& scale) {

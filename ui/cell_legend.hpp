@@ -3,15 +3,15 @@
 #pragma once
 
 #include <QComboBox>
-#include <QFrame>
 #include <QLabel>
 
 #include "ui/cell_model.hpp"
+#include "ui/overlay_frame.hpp"
 
 namespace footfall {
 
-/// Lies in a corner of the view. Its box chooses the colouring of the model.
-class CellLegend : public QFrame {
+/// Lies in a corner of the view at first. Its box chooses the colouring of the model.
+class CellLegend : public OverlayFrame {
   Q_OBJECT
 
  public:
@@ -20,9 +20,6 @@ class CellLegend : public QFrame {
   [[nodiscard]] QComboBox* colouringBox() const { return colouring_; }
   /// The text beside the colours.
   [[nodiscard]] QString text() const { return text_->text(); }
-
- signals:
-  void resized();
 
  private:
   void describe();

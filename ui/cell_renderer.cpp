@@ -34,6 +34,11 @@ void CellRenderer::setGeometry(std::shared_ptr<const CellGeometry> geometry) {
   geometryPending_ = true;
 }
 
+void CellRenderer::setKinds(KindOf kindOf) {
+  kindOf_ = std::move(kindOf);
+  geometryPending_ = true;
+}
+
 void CellRenderer::setColours(CellColours colours) {
   colours_ = std::move(colours);
   coloursPending_ = true;
@@ -68,7 +73,9 @@ void CellRenderer::upload() {
     const QOpenGLVertexArrayObject::Binder bound(&array_);
     buffer_.bind();
     if (geometry_) {
-      buffer_.allocate(geometry_->surface.data(), static_cast<int>(geometry_->surface.size() * sizeof(CellVertex)));
+      std::vector<CellVertex> surface = geometry_->surface;
+      for (std::size_t v = 0; kindOf_ && v < surface.size(); ++v) surface[v].cell |= kindOf_(geometry_->sources[v / 3]);
+      buffer_.allocate(surface.data(), static_cast<int>(surface.size() * sizeof(CellVertex)));
     } else {
       buffer_.allocate(0);
     }
@@ -91,6 +98,7 @@ void CellRenderer::drawRange(const Look& look, std::size_t first, std::size_t co
   look.clip.setTo(program_);
   program_.setUniformValue("patternScale", look.devicePixelRatio);
   program_.setUniformValue("opacity", opacity);
+  program_.setUniformValue("leaveCovers", look.leaveCovers);
   program_.setUniformValue("colours", 0);
   program_.setUniformValue("onlyColour", onlyColour);
   const QColor unfinished = unfinishedColour();

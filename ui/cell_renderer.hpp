@@ -8,6 +8,7 @@
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,7 @@ class CellRenderer : protected QOpenGLExtraFunctions {
     QMatrix4x4 modelViewProjection;
     ClipPlanes clip;
     float devicePixelRatio = 1;
+    bool leaveCovers = false;
   };
 
   void initialize();
@@ -39,6 +41,9 @@ class CellRenderer : protected QOpenGLExtraFunctions {
   void setGeometry(std::shared_ptr<const CellGeometry> geometry);
   void setColours(CellColours colours);
   [[nodiscard]] const std::shared_ptr<const CellGeometry>& geometry() const { return geometry_; }
+  /// Tells of each triangle of the environment whether it is a cover or hidden: kCellOnCover, kCellHidden, or both.
+  using KindOf = std::function<std::uint32_t(std::uint32_t source)>;
+  void setKinds(KindOf kindOf);
   /// Another number after every change of the colours.
   [[nodiscard]] int version() const { return version_; }
 
@@ -58,6 +63,7 @@ class CellRenderer : protected QOpenGLExtraFunctions {
   GLuint texture_ = 0;
   std::shared_ptr<const CellGeometry> geometry_;
   CellColours colours_;
+  KindOf kindOf_;
   bool geometryPending_ = false, coloursPending_ = false;
   int version_ = 0;
 };

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "ui/floor_shares.hpp"
+
 namespace footfall {
 namespace {
 
@@ -66,20 +68,10 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
 
 namespace {
 
-double areaOf(const NavigationMesh& mesh, std::size_t triangle) {
-  const auto corner = [&](std::size_t k) {
-    const Vec3& p = mesh.vertices[mesh.triangles[triangle][k]];
-    return std::array<double, 3>{p.x, p.y, p.z};
-  };
-  return areaOf(corner(0), corner(1), corner(2));
-}
-
 // How much of each triangle of the environment the mesh has.
-std::vector<double> areasBySource(const NavigationMesh& mesh, std::size_t triangles) {
+std::vector<double> areasOf(const std::vector<FloorShare>& shares, std::size_t triangles) {
   std::vector<double> areas(triangles);
-  for (std::size_t t = 0; t < mesh.triangles.size() && t < mesh.sourceTriangles.size(); ++t) {
-    if (mesh.sourceTriangles[t] < triangles) areas[mesh.sourceTriangles[t]] += areaOf(mesh, t);
-  }
+  for (const FloorShare& share : shares) areas[share.floor] += share.area;
   return areas;
 }
 
@@ -100,21 +92,22 @@ std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environmen
   auto states = std::make_shared<FloorStates>(triangles, kFloorAsItIs);
   // A later filter's mesh lies within the ones before.
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const std::vector<double> areas = areasBySource(*before[k], triangles);
+    const std::vector<double> areas = areasOf(floorsUnder(*before[k], environment), triangles);
     for (std::size_t t = 0; t < triangles; ++t) {
       if (areas[t] > 0 && areas[t] >= half[t]) (*states)[t] = kFirstRemoval - static_cast<std::int32_t>(k);
     }
   }
-  const std::vector<double> areas = areasBySource(result, triangles);
-  for (std::size_t t = 0; t < result.triangles.size() && t < result.sourceTriangles.size(); ++t) {
-    const std::uint32_t source = result.sourceTriangles[t];
-    if (source < triangles && areas[source] >= half[source])
-      (*states)[source] = result.layers.empty() ? 0 : static_cast<std::int32_t>(result.layers[t]);
+  const std::vector<FloorShare> shares = floorsUnder(result, environment);
+  const std::vector<double> areas = areasOf(shares, triangles);
+  for (const auto& [piece, floor, area] : shares) {
+    if (areas[floor] >= half[floor])
+      (*states)[floor] = result.layers.empty() ? 0 : static_cast<std::int32_t>(result.layers[piece]);
   }
   return states;
 }
 
-std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const ViewContent& content, bool vivid) {
+std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const ViewContent& content, CoarsePaints paints) {
+  const bool vivid = paints == CoarsePaints::Vivid;
   std::vector<SurfaceVertex> painted = coarse.surface;
   const FloorStates& states = *content.floorStates;
   const bool layered = content.environmentLayers != nullptr;
@@ -125,7 +118,7 @@ std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const View
     Paint paint;
     if (state <= kFirstRemoval) {
       const auto removal = static_cast<std::size_t>(kFirstRemoval - state);
-      if (removal >= content.removed.size()) continue;
+      if (removal >= content.removed.size() || paints == CoarsePaints::WalkableOnly) continue;
       paint = vivid ? content.removed[removal].style->vivid : content.removed[removal].style->paint;
     } else if (vivid) {
       paint = paleWalkablePaint();

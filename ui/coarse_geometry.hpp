@@ -26,8 +26,14 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
 std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environment, const NavigationMesh& result,
                                                    const std::vector<const NavigationMesh*>& before);
 
+enum class CoarsePaints {
+  Result,
+  Vivid,         ///< those of ViewMode::RejectedBy
+  WalkableOnly,  ///< none for what was removed
+};
+
 /// The coarse surface with its floors in the paints of a result: one surface for all, as surfaces that are made coarse
-/// each for itself lie in front of each other in places. `vivid`: in the paints of ViewMode::RejectedBy.
-std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const ViewContent& content, bool vivid);
+/// each for itself lie in front of each other in places.
+std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const ViewContent& content, CoarsePaints paints);
 
 }  // namespace footfall

@@ -177,6 +177,7 @@ void CompareFeature::draw() {
   std::vector<Legend::Note> notes;
   if (!difference) {
     window_.view().removeOverlay(kOverlay);
+    window_.view().setSelectionBounds(kOverlay, std::nullopt);
   } else {
     ViewOverlay overlay;
     overlay.throughWalls = true;
@@ -215,7 +216,7 @@ void CompareFeature::frame(int region) {
   chosenRegion_ = region;
   draw();
   const DifferentRegion& chosen = difference->regions[static_cast<std::size_t>(region)];
-  window_.view().setSelectionBounds(SceneBox{chosen.lower, chosen.upper});
+  window_.view().setSelectionBounds(kOverlay, SceneBox{chosen.lower, chosen.upper});
   window_.view().frame(chosen.lower, chosen.upper);
 }
 

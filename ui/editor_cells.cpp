@@ -99,7 +99,8 @@ void EditorWindow::chooseLegend() {
 void EditorWindow::connectCells() {
   controller_.setThreads(runThreads_.chosen());
   connect(&runThreads_, &RunThreads::changed, this, [this] { controller_.setThreads(runThreads_.chosen()); });
-  connect(cellLegend_, &CellLegend::resized, this, &EditorWindow::placeOverlays);
+  for (OverlayFrame* legend : std::initializer_list<OverlayFrame*>{legend_, cellLegend_})
+    connect(legend, &OverlayFrame::changed, this, &EditorWindow::placeOverlays);
   connect(&cells_, &CellModel::figuresChanged, this, [this] { keepTimer_.start(); });
   connect(&cells_, &CellModel::shapesChanged, this, &EditorWindow::chooseLegend);
   connect(load_, &LoadPanel::parallelBlockRequested, this, [this] {

@@ -423,6 +423,7 @@ void EditorWindow::placeOverlays() {
   overlays_.heights = heights_;
   overlays_.cells = cellLegend_;
   overlays_.place(view_->size());
+  view_->setCovered(overlays_.covered());
   welcome_->setGeometry(view_->rect());
   if (!welcome_->isHidden()) welcome_->raise();
 }

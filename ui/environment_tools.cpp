@@ -165,12 +165,12 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
   const auto environment = window_.environment();
   const auto bounds = environment && !parts.empty() ? boundsOf(*environment, parts) : std::nullopt;
   if (!bounds) {
-    if (std::exchange(highlighted_, false)) window_.view().setSelectionBounds(std::nullopt);
+    if (std::exchange(highlighted_, false)) window_.view().setSelectionBounds(QLatin1String(kOverlay), std::nullopt);
     window_.view().removeOverlay(QLatin1String(kOverlay));
     return;
   }
   highlighted_ = true;
-  window_.view().setSelectionBounds(SceneBox{bounds->lower, bounds->upper});
+  window_.view().setSelectionBounds(QLatin1String(kOverlay), SceneBox{bounds->lower, bounds->upper});
   ViewOverlay overlay;
   overlay.throughWalls = true;
   std::size_t triangles = 0;

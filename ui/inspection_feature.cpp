@@ -48,7 +48,7 @@ InspectionFeature::InspectionFeature(EditorWindow& window)
     watch_->forget();
     why_->clear();
     takeAnswerBack();
-    window_.view().removeOverlay(kComponentOverlay);
+    forgetComponent();
   });
 }
 
@@ -100,14 +100,18 @@ void InspectionFeature::createComponents() {
   connect(componentsDock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
     watch_->setComponentsWanted(on);
     components_->setInspector(on ? watch_->inspector() : nullptr);
-    if (!on) window_.view().removeOverlay(kComponentOverlay);
+    if (!on) forgetComponent();
   });
   watch_->setComponentsWanted(!componentsDock_->isHidden());
   connect(watch_, &InspectionWatch::inspectorChanged, this, [this] {
-    window_.view().removeOverlay(kComponentOverlay);  // the component may be another one now
+    forgetComponent();  // it may be another one now
     components_->setInspector(componentsDock_->isHidden() ? nullptr : watch_->inspector());
   });
-  connect(components_, &ComponentsPanel::chosen, watch_, &InspectionWatch::showComponent);
+  connect(components_, &ComponentsPanel::chosen, this, [this](std::uint32_t component) {
+    watch_->showComponent(component);
+    if (const Component* chosen = componentAt(component))
+      window_.view().setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
+  });
   connect(components_, &ComponentsPanel::frameRequested, this, &InspectionFeature::frameComponent);
   connect(watch_, &InspectionWatch::componentShown, this, [this](const ViewOverlay& overlay) {
     if (!componentsDock_->isHidden()) window_.view().setOverlay(kComponentOverlay, overlay);
@@ -146,9 +150,17 @@ void InspectionFeature::showAnswer() {
   why_->show(watch_->inspector(), *told);
   ViewOverlay overlay = whyOverlay(*watch_->inspector(), *told);
   window_.view().setOverlay(kWhyOverlay, std::move(overlay));
+  const auto corners = cornersOf(watch_->inspector()->environment(), told->place.triangle);
+  const auto [x0, x1] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+  const auto [y0, y1] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+  const auto [z0, z1] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+  window_.view().setSelectionBounds(kWhyOverlay, SceneBox{{x0, y0, z0}, {x1, y1, z1}});
 }
 
-void InspectionFeature::takeAnswerBack() { window_.view().removeOverlay(kWhyOverlay); }
+void InspectionFeature::takeAnswerBack() {
+  window_.view().removeOverlay(kWhyOverlay);
+  window_.view().setSelectionBounds(kWhyOverlay, std::nullopt);
+}
 
 void InspectionFeature::frame(const std::vector<std::uint32_t>& triangles) {
   const auto inspector = watch_->inspector();
@@ -190,13 +202,23 @@ void InspectionFeature::showFilter() {
   }
 }
 
-void InspectionFeature::frameComponent(std::uint32_t component) {
+const Component* InspectionFeature::componentAt(std::uint32_t component) const {
   const auto inspector = components_->model().inspector();
-  if (!inspector || component >= inspector->components().list.size()) return;
-  const Component& chosen = inspector->components().list[component];
+  return inspector && component < inspector->components().list.size() ? &inspector->components().list[component]
+                                                                      : nullptr;
+}
+
+void InspectionFeature::forgetComponent() {
+  window_.view().removeOverlay(kComponentOverlay);
+  window_.view().setSelectionBounds(kComponentOverlay, std::nullopt);
+}
+
+void InspectionFeature::frameComponent(std::uint32_t component) {
+  const Component* const chosen = componentAt(component);
+  if (!chosen) return;
   watch_->showComponent(component);
-  window_.view().setSelectionBounds(SceneBox{chosen.lower, chosen.upper});
-  window_.view().frame(chosen.lower, chosen.upper);
+  window_.view().setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
+  window_.view().frame(chosen->lower, chosen->upper);
 }
 
 }  // namespace footfall

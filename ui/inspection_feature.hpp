@@ -36,6 +36,8 @@ class InspectionFeature : public QObject {
   void takeAnswerBack();
   void frame(const std::vector<std::uint32_t>& triangles);
   void showFilter();
+  [[nodiscard]] const Component* componentAt(std::uint32_t component) const;
+  void forgetComponent();
   void frameComponent(std::uint32_t component);
 
   EditorWindow& window_;

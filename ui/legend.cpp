@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -88,12 +87,9 @@ void setSwatch(QCheckBox* box, const QPixmap& pixmap) {
 
 }  // namespace
 
-Legend::Legend(QWidget* parent) : QFrame(parent) {
+Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("legend"), parent) {
   setObjectName(QStringLiteral("legend"));
-  setAttribute(Qt::WA_StyledBackground);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(10, 8, 12, 9);
-  layout->setSpacing(4);
+  body().setSpacing(4);
 
   mode_ = new QLabel(this);
   mode_->setObjectName(QStringLiteral("modeTitle"));
@@ -102,8 +98,8 @@ Legend::Legend(QWidget* parent) : QFrame(parent) {
   scale_ = new QLabel(this);
   scale_->setObjectName(QStringLiteral("modeScale"));
   scale_->hide();
-  layout->addWidget(mode_);
-  layout->addWidget(scale_);
+  body().addWidget(mode_);
+  body().addWidget(scale_);
   walkable_ = addEntry(tr("Walkable"), &SceneParts::walkable, tr("Where an agent can stand and walk"));
   obstacleEdges_ = addEntry(tr("Obstacle edge: not to be crossed"), &SceneParts::obstacleEdges,
                             tr("Walkable on both sides, but an agent cannot cross: a wall stands on it"));
@@ -111,14 +107,14 @@ Legend::Legend(QWidget* parent) : QFrame(parent) {
                           tr("An edge on which two layers meet: agents can cross"));
   removed_ = addEntry(tr("Not walkable because:"), &SceneParts::removed, tr("Floors that a filter removed"));
   reasons_ = new QWidget(this);
-  layout->addWidget(reasons_);
+  body().addWidget(reasons_);
   environment_ = addEntry(tr("Walls, ceilings and the rest"), &SceneParts::environment, tr("The loaded triangles"));
 
   notes_ = new QLabel(this);
   notes_->setObjectName(QStringLiteral("legendNotes"));
   notes_->setTextFormat(Qt::RichText);
   notes_->hide();
-  layout->addWidget(notes_);
+  body().addWidget(notes_);
 
   const qreal ratio = devicePixelRatioF();
   setSwatch(obstacleEdges_, lineSwatch(obstacleEdgeColour(), 3, kSwatch, ratio));
@@ -136,7 +132,7 @@ QCheckBox* Legend::addEntry(const QString& label, bool SceneParts::*part, const 
     parts_.*part = on;
     emit partsChanged(parts_);
   });
-  layout()->addWidget(box);
+  body().addWidget(box);
   return box;
 }
 
@@ -246,6 +242,7 @@ void Legend::setNotes(const std::vector<Note>& notes) {
 }
 
 void Legend::fit() {
+  body().activate();
   layout()->activate();
   adjustSize();
 }

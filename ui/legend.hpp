@@ -3,20 +3,20 @@
 #pragma once
 
 #include <QCheckBox>
-#include <QFrame>
 #include <QLabel>
 #include <cstdint>
 #include <vector>
 
 #include "ui/field_geometry.hpp"
+#include "ui/overlay_frame.hpp"
 #include "ui/render_geometry.hpp"
 #include "ui/scene_renderer.hpp"
 #include "ui/view_mode.hpp"
 
 namespace footfall {
 
-/// Lies in a corner of the view.
-class Legend : public QFrame {
+/// Lies in a corner of the view at first.
+class Legend : public OverlayFrame {
   Q_OBJECT
 
  public:

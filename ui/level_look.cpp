@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/errors.hpp"
 
@@ -23,6 +24,7 @@ LevelLook::LevelLook(EditorWindow& window) : QObject(&window), window_(window), 
   setObjectName(QStringLiteral("levelLook"));
   addLayers();
   addCutPlane();
+  addInside();
   connect(&modes_, &ViewModes::modeChanged, &window_, &EditorWindow::keepSoon);
   connect(&window_, &EditorWindow::environmentLoaded, this, &LevelLook::takeEnvironment);
   connect(&window_.heightSlider(), &HeightSlider::rangeChanged, &window_, &EditorWindow::keepSoon);
@@ -105,6 +107,45 @@ void LevelLook::addCutPlane() {
   });
 }
 
+void LevelLook::addInside() {
+  inside_ = window_.commands().add(
+      {QStringLiteral("view.inside"),
+       CommandMenu::View,
+       QStringLiteral("floors"),
+       tr("Look &inside"),
+       tr("Leave out faces seen from behind, and roofs and outer walls while one looks down, to see the floors inside"),
+       {QKeySequence(Qt::SHIFT | Qt::Key_I)},
+       {},
+       true},
+      [this](bool on) {
+        window_.view().setInside(on);
+        window_.keepSoon();
+      });
+  inside_->setChecked(true);
+  // Where roofs have been taken away, one is to know, and how to see a single storey.
+  connect(&window_, &EditorWindow::environmentLoaded, this, [this] {
+    const auto geometry = window_.view().environmentGeometry();
+    if (!geometry || !geometry->covered || !window_.view().inside()) {
+      hint_->hide();
+    } else {
+      hint_->tell(tr("Roofs and outer walls are open: %1 closes them.\nThe handles of Height show a single storey.")
+                      .arg(inside_->shortcut().toString(QKeySequence::NativeText)));
+    }
+    window_.placeOverlays();
+  });
+  // The legend has grown by what the first result has shown.
+  connect(&window_, &EditorWindow::environmentLoaded, this, [this] { fresh_ = true; });
+  connect(&window_.controller(), &RunController::finished, this, [this] {
+    if (std::exchange(fresh_, false)) window_.view().refit();
+  });
+  hint_ = new ViewHint(QStringLiteral("hints/inside"), &window_.view());
+  window_.overlays().hint = hint_;
+  connect(inside_, &QAction::toggled, hint_, &QWidget::hide);
+  connect(&window_.heightSlider(), &HeightSlider::rangeChanged, hint_, [this](const HeightRange& range) {
+    if (range != HeightRange()) hint_->hide();
+  });
+}
+
 void LevelLook::stepFloor(int direction) {
   if (layers_->layers() > 1) {
     layers_->stepSolo(direction);
@@ -133,12 +174,14 @@ void LevelLook::takeEnvironment() {
   if (pending_) {
     modes_.setMode(pending_->mode);
     cutBar_->setPlane(pending_->cut);
+    inside_->setChecked(pending_->inside);
     layers_->setHidden(pending_->hidden);
     heights.setRange(pending_->heights);
     pending_.reset();
   } else if (other) {
     layers_->showAll();
     cutBar_->setPlane(std::nullopt);
+    inside_->setChecked(true);
   } else {
     heights.setRange(before);  // the same file, read again
   }
@@ -151,6 +194,7 @@ std::string LevelLook::save() const {
   if (heights.lower > kAll.lower) json["lower"] = heights.lower;
   if (heights.upper < kAll.upper) json["upper"] = heights.upper;
   json["mode"] = nameOf(modes_.mode());
+  json["inside"] = inside_->isChecked();
   if (const auto& cut = window_.view().cutPlane()) json["cut"] = {cut->nx, cut->ny, cut->at};
   return json.dump();
 }
@@ -167,6 +211,7 @@ void LevelLook::load(const std::string& text) {
     const auto mode = json.value("mode", std::string(nameOf(kept.mode)));
     if (!viewModeFrom(mode)) throw InputError(FOOTFALL_TEXT("there is no view mode '%1'"), mode);
     kept.mode = *viewModeFrom(mode);
+    kept.inside = json.value("inside", kept.inside);
     if (json.contains("cut")) {
       const auto cut = json.at("cut").get<std::array<double, 3>>();
       const double norm = std::hypot(cut[0], cut[1]);

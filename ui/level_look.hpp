@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAction>
 #include <QObject>
 #include <QString>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "ui/cut_bar.hpp"
 #include "ui/editor_window.hpp"
 #include "ui/layer_panel.hpp"
+#include "ui/view_hint.hpp"
 #include "ui/view_modes.hpp"
 
 namespace footfall {
@@ -29,6 +31,7 @@ class LevelLook : public QObject {
  private:
   void addLayers();
   void addCutPlane();
+  void addInside();
   void stepFloor(int direction);
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
@@ -38,13 +41,17 @@ class LevelLook : public QObject {
   ViewModes modes_;
   LayerPanel* layers_ = nullptr;
   CutBar* cutBar_ = nullptr;
-  QString source_;  ///< the file whose level is shown
+  QAction* inside_ = nullptr;
+  ViewHint* hint_ = nullptr;
+  bool fresh_ = false;  ///< there is no result yet of what has been opened
+  QString source_;      ///< the file whose level is shown
   /// Of a session whose environment is about to be shown.
   struct Kept {
     std::set<std::uint32_t> hidden;
     HeightRange heights;
     ViewMode mode = ViewMode::Result;
     std::optional<CutPlane> cut;
+    bool inside = true;
   };
   std::optional<Kept> pending_;
 };

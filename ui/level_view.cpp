@@ -13,6 +13,8 @@
 #include <limits>
 #include <utility>
 
+#include "ui/gl_state.hpp"
+
 namespace footfall {
 namespace {
 
@@ -93,6 +95,7 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
   if (fitCamera) {
     viewOblique();
     fitWhenSized_ = !isVisible();
+    opened_ = cameraPose();
   }
   update();
 }
@@ -114,8 +117,15 @@ void LevelView::setContent(ViewContent content) {
 
 void LevelView::setParts(const SceneParts& parts) {
   const ViewMode mode = parts_.mode;
+  const bool inside = parts_.inside;
   parts_ = parts;
   parts_.mode = mode;
+  parts_.inside = inside;
+  update();
+}
+
+void LevelView::setInside(bool on) {
+  parts_.inside = on;
   update();
 }
 
@@ -171,12 +181,16 @@ void LevelView::setCellColours(CellColours colours) {
 
 void LevelView::setMarkedCells(const MarkedCells& marked) {
   renderer_.setMarkedCells(marked);
+  setSelectionBounds(QStringLiteral("cell"), marked.selected ? boundsOfCell(*marked.selected) : std::nullopt);
   update();
 }
 
 std::optional<std::size_t> LevelView::cellAt(const QPoint& place) const {
   if (!parts_.cells || !cells_ || !environment_) return std::nullopt;
-  return pickCell(sceneRayAt(place), *environment_, *cells_, shown());
+  const PickedScene scene = pickedScene();
+  ShownSpace space = scene.space;
+  space.shows = shownTriangles(scene);
+  return pickCell(sceneRayAt(place), *environment_, *cells_, space);
 }
 
 ShownSpace LevelView::shown() const {
@@ -190,12 +204,20 @@ ShownSpace LevelView::shown() const {
   if (heights_.lower > kAll.lower) shown.heights.lower = heights_.lower - centre.z - more;
   shown.cut = cut_;
   if (cut_) shown.cut->at -= cut_->nx * centre.x + cut_->ny * centre.y;
-  if (!hidden_.empty() && content_.environmentLayers) {
-    shown.shows = [layers = content_.environmentLayers, this](std::uint32_t triangle) {
-      return triangle >= layers->size() || !hidden_.contains((*layers)[triangle]);
-    };
-  }
   return shown;
+}
+
+PickedScene LevelView::pickedScene() const {
+  return {*environment_,
+          content_,
+          hidden_,
+          sceneRule(parts_, content_, environment_.get(), sceneCamera().viewDirection),
+          parts_.cells && cells_,
+          shown()};
+}
+
+std::optional<SurfacePoint> LevelView::seenAlong(const Ray& sceneRay) const {
+  return environment_ ? pickSeen(sceneRay, pickedScene()) : std::nullopt;
 }
 
 ClipPlanes LevelView::clipPlanes() const {
@@ -254,8 +276,7 @@ Ray LevelView::rayAt(const QPoint& place) const {
 }
 
 std::optional<SurfacePoint> LevelView::pick(const QPoint& place) const {
-  if (!environment_) return std::nullopt;
-  std::optional<SurfacePoint> found = pickSurface(sceneRayAt(place), *environment_, shown());
+  std::optional<SurfacePoint> found = seenAlong(sceneRayAt(place));
   if (!found) return std::nullopt;
   const Vec3& centre = environment_->centre;
   found->point = {found->point.x + centre.x, found->point.y + centre.y, found->point.z + centre.z};
@@ -328,52 +349,6 @@ void LevelView::keyPressEvent(QKeyEvent* event) {
 
 ViewMouse LevelView::toolMouse(const QMouseEvent& event) {
   return {event.pos(), event.button(), event.buttons(), event.modifiers()};
-}
-
-void LevelView::resizeGL(int width, int height) {
-  QGLViewer::resizeGL(width, height);
-  if (fitWhenSized_ && environment_) {
-    standBefore(environment_->detailExtremes);
-    moved();
-    rest_.stop();
-  }
-  fitWhenSized_ = false;
-}
-
-QMatrix4x4 LevelView::modelViewProjection() const {
-  GLdouble modelView[16];
-  GLdouble projection[16];
-  camera()->getModelViewMatrix(modelView);
-  camera()->getProjectionMatrix(projection);
-  QMatrix4x4 product;
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      double sum = 0;
-      for (int k = 0; k < 4; ++k) sum += projection[k * 4 + row] * modelView[column * 4 + k];
-      product(row, column) = static_cast<float>(sum);
-    }
-  }
-  return product;
-}
-
-OverlayRenderer::Look LevelView::overlayLook() const {
-  return {modelViewProjection(), size() * devicePixelRatioF(), static_cast<float>(pixelRatio()),
-          environment_ ? environment_->centre : Vec3{}};
-}
-
-SceneCamera LevelView::sceneCamera() const {
-  SceneCamera scene;
-  scene.modelViewProjection = modelViewProjection();
-  const Vec eye = camera()->position();
-  const Vec direction = camera()->viewDirection();
-  scene.eye = QVector3D(static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
-  scene.viewDirection =
-      QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
-  scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
-  scene.devicePixelRatio = static_cast<float>(pixelRatio());
-  scene.clip = clipPlanes();
-  scene.viewport = size() * devicePixelRatioF();
-  return scene;
 }
 
 void LevelView::draw() {
@@ -451,7 +426,7 @@ QImage LevelView::picture(const QSize& pixels, double ratio, PictureCamera from)
   return image.convertToFormat(QImage::Format_RGB32);  // opaque, as on the screen
 }
 
-// Marks and labels: QPainter leaves OpenGL in a state of its own, so it comes last.
+// Marks and labels come last: QPainter draws over everything.
 void LevelView::paintGL() {
   QGLViewer::paintGL();
   const bool painted = ready_ && std::ranges::any_of(overlays_, [](const auto& entry) {
@@ -459,6 +434,7 @@ void LevelView::paintGL() {
                        });
   if (!painted) return;
   // Not on the widget: while the window is grabbed, its painters go elsewhere.
+  const GlStateKeeper keeper;
   QOpenGLPaintDevice device(size() * devicePixelRatioF());
   device.setDevicePixelRatio(pixelRatio());
   QPainter painter(&device);

@@ -6,8 +6,10 @@
 
 #include <QElapsedTimer>
 #include <QImage>
+#include <QMarginsF>
 #include <QNativeGestureEvent>
 #include <QPointF>
+#include <QRect>
 #include <QTimer>
 #include <QWheelEvent>
 #include <array>
@@ -16,6 +18,8 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "ui/overlay_renderer.hpp"
 #include "ui/scene_picker.hpp"
@@ -30,11 +34,13 @@ struct CameraPose {
   Vec3 position, pivot;
   std::array<double, 4> orientation{0, 0, 0, 1};  ///< quaternion x, y, z, w
   bool orthographic = false;
+  bool operator==(const CameraPose&) const = default;
 };
 
 /// A box along the axes, in the environment's coordinates.
 struct SceneBox {
   Vec3 lower, upper;
+  bool operator==(const SceneBox&) const = default;
 };
 
 /// Where one looks from: along an axis of the environment, X to the right and Y to the back.
@@ -87,6 +93,10 @@ class LevelView : public QGLViewer {
 
   void setMode(ViewMode mode);
   [[nodiscard]] ViewMode mode() const { return parts_.mode; }
+  /// Whether one looks into closed levels: faces seen from behind are left out, and while the camera looks down, roofs
+  /// and outer walls are, too.
+  void setInside(bool on);
+  [[nodiscard]] bool inside() const { return parts_.inside; }
   /// What heat maps show; null: nothing yet.
   void setField(std::shared_ptr<const FieldGeometry> field, const FieldScale& scale);
   void setFieldScale(const FieldScale& scale);
@@ -105,7 +115,7 @@ class LevelView : public QGLViewer {
   [[nodiscard]] std::optional<SurfacePoint> pick(const QPoint& place) const;
   /// Where a place of the environment is in the view; nothing when it is behind the eye.
   [[nodiscard]] std::optional<QPointF> project(const Vec3& place) const;
-  /// What heights, cut plane and hidden layers leave, in the scene's coordinates.
+  /// What heights and cut plane leave, in the scene's coordinates.
   [[nodiscard]] ShownSpace shown() const;
 
   /// Straight down, parallel projection, all detail in sight.
@@ -114,6 +124,9 @@ class LevelView : public QGLViewer {
   void viewOblique();
   /// Everything in sight from where one looks now.
   void fit();
+  /// The same as when the environment was opened, if the camera still is where it was put then: something else may lie
+  /// over the view by now.
+  void refit();
   /// Along an axis, parallel projection, all detail in sight.
   void viewFrom(ViewSide side);
   void setOrthographic(bool on);
@@ -138,8 +151,11 @@ class LevelView : public QGLViewer {
   void frame(const Vec3& lower, const Vec3& upper);
   /// Moves sideways until a place (environment coordinates) is in the middle; it becomes the pivot.
   void lookAt(const Vec3& place);
-  /// What frameSelection() shows: what a tool has selected. Nothing: none.
-  void setSelectionBounds(const std::optional<SceneBox>& bounds) { selection_ = bounds; }
+  /// What frameSelection() shows: what has been selected last, by whoever calls himself `owner`. Nothing: he has
+  /// nothing selected any more.
+  void setSelectionBounds(const QString& owner, const std::optional<SceneBox>& bounds);
+  /// What lies over the view; cameras that are to have something in sight have it beside that.
+  void setCovered(std::vector<QRect> rects) { covered_ = std::move(rects); }
   /// Brings the selection into sight, or what the mouse points at, or everything.
   void frameSelection();
 
@@ -192,6 +208,10 @@ class LevelView : public QGLViewer {
   void resizeGL(int width, int height) override;
 
  private:
+  struct Placed {
+    QRect inWindow;
+    QSize window;
+  };
   void bindMouse();
   bool moveByKey(const QKeyEvent& event);
   void pinch(const QNativeGestureEvent& event);
@@ -202,8 +222,13 @@ class LevelView : public QGLViewer {
   void glide();
   void endGlide();
   void standBefore(const std::vector<Vec3>& points);
+  void standBefore(const std::vector<Vec3>& points, const QMarginsF& free);
+  [[nodiscard]] bool anyCovered(const std::vector<Vec3>& points) const;
+  void keepPicture(const Placed& before, const Placed& now);
   static ViewMouse toolMouse(const QMouseEvent& event);
   [[nodiscard]] Ray sceneRayAt(const QPoint& place) const;
+  [[nodiscard]] std::optional<SurfacePoint> seenAlong(const Ray& sceneRay) const;
+  [[nodiscard]] PickedScene pickedScene() const;
   [[nodiscard]] QMatrix4x4 modelViewProjection() const;
   [[nodiscard]] SceneCamera sceneCamera() const;
   void drawOn();
@@ -211,6 +236,7 @@ class LevelView : public QGLViewer {
   [[nodiscard]] ClipPlanes clipPlanes() const;
   [[nodiscard]] qreal pixelRatio() const;
   void hover(std::optional<std::size_t> cell);
+  [[nodiscard]] std::optional<SceneBox> boundsOfCell(std::size_t cell) const;
   void fitTo(const std::vector<Vec3>& points);
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
 
@@ -227,8 +253,11 @@ class LevelView : public QGLViewer {
   std::set<std::uint32_t> hidden_;
   std::shared_ptr<const CellGeometry> cells_;
   std::optional<std::size_t> hovered_;
-  std::optional<QPoint> pressed_;  ///< where a click may have begun
-  std::optional<SceneBox> selection_;
+  std::optional<QPoint> pressed_;                         ///< where a click may have begun
+  std::vector<std::pair<QString, SceneBox>> selections_;  ///< by owner, the last one last
+  std::vector<QRect> covered_;
+  std::optional<Placed> placed_;      ///< where the view was on the screen
+  std::optional<CameraPose> opened_;  ///< the camera, as opening an environment has put it
   bool ready_ = false;
   bool fitWhenSized_ = false;
   QTimer rest_;              ///< runs while the camera moves

@@ -54,8 +54,7 @@ void LevelView::zoomAt(double factor, const QPointF& place) {
   // Towards what is seen there; where nothing is, towards the place at the pivot's distance.
   const Ray ray = sceneRayAt(place.toPoint());
   Vec target;
-  const std::optional<SurfacePoint> seen =
-      environment_ ? pickSurface(ray, *environment_, shown()) : std::optional<SurfacePoint>();
+  const std::optional<SurfacePoint> seen = seenAlong(ray);
   if (seen) {
     target = Vec(seen->point.x, seen->point.y, seen->point.z);
   } else {

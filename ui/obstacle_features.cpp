@@ -21,6 +21,12 @@ using Shape = PlacedObstacle::Shape;
 constexpr std::array kShapes{Shape::Box, Shape::Cylinder, Shape::Ramp};
 constexpr const char* kSelection = "obstacle.selection";
 
+// However it is turned.
+SceneBox boundsOf(const PlacedObstacle& o) {
+  const double reach = std::hypot(o.size.x, o.size.y) / 2;
+  return {{o.base.x - reach, o.base.y - reach, o.base.z}, {o.base.x + reach, o.base.y + reach, o.base.z + o.size.z}};
+}
+
 }  // namespace
 
 ObstacleFeatures::ObstacleFeatures(EditorWindow& window)
@@ -31,6 +37,7 @@ ObstacleFeatures::ObstacleFeatures(EditorWindow& window)
   createPanel();
   createCommands();
   connect(editor_, &ObstacleEditor::changed, this, &ObstacleFeatures::showSelection);
+  connect(editor_, &ObstacleEditor::changed, this, &ObstacleFeatures::boundSelection);
   connect(&window_, &EditorWindow::environmentLoaded, editor_, [this] { editor_->select(std::nullopt); });
   window_.view().installEventFilter(this);
 }
@@ -172,13 +179,17 @@ void ObstacleFeatures::showSelection() {
   window_.view().setOverlay(name, std::move(overlay));
 }
 
+void ObstacleFeatures::boundSelection() {
+  const PlacedObstacle* selected = editor_->selected();
+  window_.view().setSelectionBounds(QLatin1String(kSelection),
+                                    selected ? std::optional(boundsOf(*selected)) : std::nullopt);
+}
+
 void ObstacleFeatures::frame(std::uint32_t id) {
   const PlacedObstacle* o = editor_->find(id);
   if (!o) return;
-  // However it is turned.
-  const double reach = std::hypot(o->size.x, o->size.y) / 2;
-  window_.view().frame({o->base.x - reach, o->base.y - reach, o->base.z},
-                       {o->base.x + reach, o->base.y + reach, o->base.z + o->size.z});
+  const SceneBox bounds = boundsOf(*o);
+  window_.view().frame(bounds.lower, bounds.upper);
 }
 
 bool ObstacleFeatures::eventFilter(QObject* watched, QEvent* event) {

@@ -35,6 +35,7 @@ class ObstacleFeatures : public QObject {
   void createPanel();
   void createCommands();
   void showSelection();
+  void boundSelection();
   void frame(std::uint32_t id);
   void duplicate();
 

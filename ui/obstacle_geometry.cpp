@@ -18,7 +18,7 @@ std::shared_ptr<const EnvironmentGeometry> withObstacles(const std::shared_ptr<c
     for (const std::uint32_t v : level.triangles[t]) obstacles.vertices.push_back(level.vertices[v]);
     obstacles.triangles.push_back({corner, corner + 1, corner + 2});
   }
-  const auto added = makeEnvironmentGeometry(obstacles, base->centre);
+  const auto added = makeEnvironmentGeometry(obstacles, base->centre, false);
   auto geometry = std::make_shared<EnvironmentGeometry>();
   geometry->centre = base->centre;
   const Vec3 &a = base->lower, &b = added->lower, &c = base->upper, &d = added->upper;
@@ -42,6 +42,7 @@ std::shared_ptr<const EnvironmentGeometry> withObstacles(const std::shared_ptr<c
   }
   geometry->floors = base->floors;  // an obstacle is no storey
   geometry->bothSides = base->bothSides;
+  geometry->covered = base->covered;
   return geometry;
 }
 

@@ -3,9 +3,11 @@
 
 #include <QFontMetricsF>
 #include <QVector4D>
+#include <algorithm>
 #include <vector>
 
 #include "ui/clip_planes.hpp"
+#include "ui/gl_state.hpp"
 #include "ui/render_geometry.hpp"
 
 namespace footfall {
@@ -21,6 +23,15 @@ Point toScene(const Vec3& p, const Vec3& centre) {
 
 QVector4D toVector(const QColor& colour, float opacity) {
   return {colour.redF(), colour.greenF(), colour.blueF(), colour.alphaF() * opacity};
+}
+
+// A label at the view's edge goes to the other side of its place, and then as far as it must to be read.
+void moveInside(QRectF& box, const QSizeF& view, const QPointF& at) {
+  constexpr double kEdge = 3;
+  if (box.right() > view.width() - kEdge) box.moveRight(at.x() - 10);
+  if (box.top() < kEdge) box.moveTop(at.y() + 10);
+  box.moveLeft(std::max(kEdge, std::min(box.left(), view.width() - kEdge - box.width())));
+  box.moveTop(std::max(kEdge, std::min(box.top(), view.height() - kEdge - box.height())));
 }
 
 }  // namespace
@@ -80,6 +91,7 @@ void OverlayRenderer::drawLines(const ViewOverlay::Lines& lines, const Look& loo
   lineProgram_->setUniformValue("modelViewProjection", look.modelViewProjection);
   ClipPlanes().setTo(*lineProgram_);
   lineProgram_->setUniformValue("layered", false);
+  lineProgram_->setUniformValue("fadeShort", false);
   lineProgram_->setUniformValue(
       "viewport", QVector2D(static_cast<float>(look.viewport.width()), static_cast<float>(look.viewport.height())));
   const QOpenGLVertexArrayObject::Binder bound(&lineArray_);
@@ -105,6 +117,7 @@ void OverlayRenderer::drawLines(const ViewOverlay::Lines& lines, const Look& loo
 
 void OverlayRenderer::draw(const std::map<QString, ViewOverlay>& overlays, const Look& look) {
   if (overlays.empty()) return;
+  const GlStateKeeper keeper;
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
   glDepthMask(GL_FALSE);
@@ -150,6 +163,7 @@ void OverlayRenderer::paint(QPainter& painter, const std::map<QString, ViewOverl
       const QFontMetricsF metrics(painter.font());
       QRectF box = metrics.boundingRect(QRectF(0, 0, 400, 400), Qt::AlignLeft, label.text).adjusted(-6, -3, 6, 3);
       box.moveTopLeft(*at + QPointF(10, -box.height() - 4));
+      moveInside(box, QSizeF(look.viewport) / static_cast<qreal>(look.devicePixelRatio), *at);
       painter.setPen(QPen(outlineColour(), 1));
       painter.setBrush(QColor(255, 255, 255, 230));
       painter.drawRoundedRect(box, 3, 3);

@@ -2,6 +2,7 @@
 #include "ui/path_feature.hpp"
 
 #include <QDockWidget>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -66,6 +67,7 @@ PathFeature::PathFeature(EditorWindow& window)
     takeResult();
   });
   connect(&model_, &PathModel::placesChanged, &window, &EditorWindow::keepSoon);
+  connect(&model_, &PathModel::resultChanged, this, &PathFeature::boundSelection);
   connect(panel_, &PathPanel::speedEdited, &window, &EditorWindow::keepSoon);
   connect(&model_, &PathModel::failed, this,
           [this](const QString& text) { window_.messageBar().showErrorOf(MessageSubject::Path, text); });
@@ -80,6 +82,7 @@ void PathFeature::follow() {
   tool_.setShown(shown);
   separation_->setShown(shown);
   model_.setActive(shown);
+  boundSelection();
 }
 
 void PathFeature::takeResult() {
@@ -101,6 +104,21 @@ void PathFeature::takeResult() {
                     : run                  ? QString()
                                            : tr("There is no result to walk on yet."));
   follow();
+}
+
+// What "Frame selection" shows: the path, or how far it comes.
+void PathFeature::boundSelection() {
+  std::optional<SceneBox> bounds;
+  const bool shown = window_.view().tool() == &tool_ || !dock_->isHidden();
+  if (shown && model_.result() && model_.result()->hasPath()) {
+    for (const Vec3& p : model_.result()->points) {
+      if (!bounds) bounds = SceneBox{p, p};
+      Vec3 &lower = bounds->lower, &upper = bounds->upper;
+      lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+      upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+    }
+  }
+  window_.view().setSelectionBounds(QStringLiteral("path"), bounds);
 }
 
 std::string PathFeature::save() const {

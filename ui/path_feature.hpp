@@ -27,6 +27,7 @@ class PathFeature : public QObject {
  private:
   void takeResult();
   void follow();
+  void boundSelection();
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
 

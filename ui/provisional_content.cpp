@@ -65,11 +65,13 @@ ViewContent shownWithout(const ShownResult& shown, const FaceSet& faces) {
   auto kept = std::make_shared<MeshGeometry>(*shown.content.walkable.front());
   const std::vector<std::uint32_t>& layers = shown.content.walkable.front()->surfaceLayers;
   kept->surface.clear();
+  kept->sources.clear();
   kept->surfaceLayers.clear();
   for (std::size_t t = 0; t < shown.mesh->triangles.size(); ++t) {
     if (faces.contains(shown.mesh->sourceTriangles[t])) continue;
     kept->surface.insert(kept->surface.end(), surface.begin() + static_cast<std::ptrdiff_t>(3 * t),
                          surface.begin() + static_cast<std::ptrdiff_t>(3 * t + 3));
+    kept->sources.push_back(shown.mesh->sourceTriangles[t]);
     if (!layers.empty()) kept->surfaceLayers.push_back(layers[t]);
   }
   content.walkable.front() = std::move(kept);

@@ -8,7 +8,10 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/filters/disjoint_sets.hpp"
 #include "ui/coarse_geometry.hpp"
+#include "ui/floor_shares.hpp"
+#include "ui/level_covers.hpp"
 
 namespace footfall {
 namespace {
@@ -17,6 +20,7 @@ namespace {
 constexpr double kWallNormalZ = 0.02;
 // Edges whose triangles turn by more than about 25 degrees help to read a shape.
 constexpr double kCreaseCosine = 0.9;
+constexpr double kFlatCosine = 0.999;
 
 std::array<float, 3> toFloats(const Vec3& p, const Vec3& centre) {
   return {static_cast<float>(p.x - centre.x), static_cast<float>(p.y - centre.y), static_cast<float>(p.z - centre.z)};
@@ -35,6 +39,8 @@ double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
   return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
 }
+
+bool isFlat(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z > kFlatCosine; }
 
 bool isCrease(const Vec3& a, const Vec3& b) { return std::abs(a.x * b.x + a.y * b.y + a.z * b.z) < kCreaseCosine; }
 
@@ -245,6 +251,17 @@ class EdgeLayers {
   std::vector<Known> known_;
 };
 
+void markCovers(EnvironmentGeometry& geometry, DisjointSets& sets) {
+  std::vector<std::uint32_t> regions(geometry.surface.size() / 3);
+  for (std::uint32_t t = 0; t < regions.size(); ++t)
+    regions[t] = static_cast<std::uint32_t>(sets.find(static_cast<Index>(t)));
+  const std::vector<bool> covers = findCovers(geometry.surface, regions);
+  for (std::size_t t = 0; t < covers.size(); ++t) {
+    for (std::size_t k = 0; covers[t] && k < 3; ++k) geometry.surface[3 * t + k].normal[3] |= kCover;
+    geometry.covered = geometry.covered || covers[t];
+  }
+}
+
 // Bins of height with more level floor than their neighbours and than one twentieth of the fullest.
 std::vector<double> findFloors(const EnvironmentGeometry& geometry) {
   constexpr std::size_t kBins = 400;
@@ -284,7 +301,8 @@ std::vector<double> findFloors(const EnvironmentGeometry& geometry) {
 }  // namespace
 
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
-                                                                   const std::optional<Vec3>& givenCentre) {
+                                                                   const std::optional<Vec3>& givenCentre,
+                                                                   bool withCovers) {
   auto geometry = std::make_shared<EnvironmentGeometry>();
   const std::vector<Vec3>& vertices = environment.vertices;
   Vec3 lower =
@@ -318,8 +336,11 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   geometry->extremes = extremePoints(geometry->surface);
   geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
 
+  DisjointSets regions(environment.triangles.size());
   forEachEdge(environment.triangles, weldedIds(vertices), [&](auto first, auto last) {
     bool crease = last - first != 2;
+    if (!crease && isFlat(normals[first->triangle], normals[(first + 1)->triangle]))
+      regions.unite(static_cast<Index>(first->triangle), static_cast<Index>((first + 1)->triangle));
     if (!crease) crease = isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
     if (crease) {
       geometry->creases.push_back({toFloats(vertices[first->low], centre), toFloats(vertices[first->high], centre)});
@@ -327,6 +348,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
                                                            : std::array{first->triangle, (last - 1)->triangle});
     }
   });
+  if (withCovers && !environment.bothSides) markCovers(*geometry, regions);
   geometry->coarse.surface = coarsened(geometry->surface, geometry->coarse.triangles);
   geometry->bothSides = environment.bothSides;
   geometry->floors = findFloors(*geometry);
@@ -334,19 +356,20 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
 }
 
 void setPaint(SurfaceVertex& vertex, const Paint& paint) {
-  vertex.normal[3] = static_cast<std::int8_t>(paint.pattern);
+  vertex.normal[3] = static_cast<std::int8_t>((vertex.normal[3] & kCover) | static_cast<int>(paint.pattern));
   vertex.colour = {static_cast<std::uint8_t>(paint.colour.red()), static_cast<std::uint8_t>(paint.colour.green()),
                    static_cast<std::uint8_t>(paint.colour.blue()), 255};
 }
 
-std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh, std::size_t triangles) {
+std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh,
+                                                               const Environment& environment) {
   if (mesh.layers.empty()) return nullptr;
   constexpr std::uint32_t kNotSeen = kNoLayer - 1;
-  auto layers = std::make_shared<EnvironmentLayers>(triangles, kNotSeen);
-  for (std::size_t t = 0; t < mesh.triangles.size() && t < mesh.sourceTriangles.size(); ++t) {
-    if (mesh.sourceTriangles[t] >= triangles) continue;
-    std::uint32_t& layer = (*layers)[mesh.sourceTriangles[t]];
-    layer = layer == kNotSeen || layer == mesh.layers[t] ? mesh.layers[t] : kNoLayer;
+  auto layers = std::make_shared<EnvironmentLayers>(environment.triangles.size(), kNotSeen);
+  for (const FloorShare& share : floorsUnder(mesh, environment)) {
+    std::uint32_t& layer = (*layers)[share.floor];
+    const std::uint32_t piece = mesh.layers[share.piece];
+    layer = layer == kNotSeen || layer == piece ? piece : kNoLayer;
   }
   std::ranges::replace(*layers, kNotSeen, kNoLayer);
   return layers;
@@ -366,6 +389,7 @@ std::shared_ptr<const MeshGeometry> makeMeshGeometry(const NavigationMesh& mesh,
     normals.push_back(unitNormal(*corners[0], *corners[1], *corners[2]));
     addTriangle(geometry->surface, corners, centre, normals.back(), colour, false);
   }
+  geometry->sources = mesh.sourceTriangles;
   geometry->surfaceLayers = surfaceLayersOf(mesh, environmentLayers);
   if (paint) return geometry;  // what was removed shows no lines
   geometry->figures = figuresOf(mesh, centre);

@@ -19,9 +19,12 @@ namespace footfall {
 /// 20 bytes; locations 0, 1 and 2 of shaders/surface.vert.
 struct SurfaceVertex {
   std::array<float, 3> position{};
-  std::array<std::int8_t, 4> normal{};   ///< w: FillPattern
+  std::array<std::int8_t, 4> normal{};   ///< w: FillPattern, and kCover
   std::array<std::uint8_t, 4> colour{};  ///< alpha 0: takes the view's floor paint
 };
+
+/// Added to the pattern of what closes a level (ui/level_covers.hpp), and of what lies on that.
+inline constexpr std::int8_t kCover = 64;
 
 /// Locations 0 and 1 of shaders/line.vert.
 struct LineSegment {
@@ -68,6 +71,12 @@ struct EnvironmentGeometry {
   /// Heights (relative to the centre) at which there is much floor, from the lowest up: storeys, terraces, decks.
   std::vector<double> floors;
   bool bothSides = false;  ///< fronts and backs of triangles mean nothing
+  bool covered = false;    ///< some triangles are covers
+
+  [[nodiscard]] bool isCover(std::uint32_t triangle) const {
+    const std::size_t vertex = std::size_t{3} * triangle;
+    return vertex < surface.size() && (surface[vertex].normal[3] & kCover) != 0;
+  }
 };
 
 /// Of one layer, or of all that is walkable where there are no layers.
@@ -80,6 +89,7 @@ struct LayerFigures {
 
 struct MeshGeometry {
   std::vector<SurfaceVertex> surface;  ///< three a triangle
+  std::vector<std::uint32_t> sources;  ///< the triangle of the environment, for each of them; empty: not known
   std::vector<LineSegment> creases;    ///< sharp edges between two triangles
   std::vector<LineSegment> outline;    ///< edges with one triangle
   std::vector<LineSegment> obstacleEdges;
@@ -92,12 +102,14 @@ struct MeshGeometry {
   std::vector<LayerFigures> figures;
 };
 
-/// Around `centre`, or the middle of the bounds.
+/// Around `centre`, or the middle of the bounds. Without `withCovers`, nothing is a cover, and it takes less time.
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
-                                                                   const std::optional<Vec3>& centre = std::nullopt);
+                                                                   const std::optional<Vec3>& centre = std::nullopt,
+                                                                   bool withCovers = true);
 
-/// By the source triangles of a mesh with layers; null for one without.
-std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh, std::size_t triangles);
+/// By the triangles of the environment under a mesh with layers; null for one without.
+std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh,
+                                                               const Environment& environment);
 
 /// `paint` for everything, or layer colours where it is empty. With `environmentLayers`, its parts can be hidden with
 /// the layers; those of a mesh without layers follow their triangles of the environment.

@@ -87,7 +87,7 @@ void RunController::showLastResult() {
 
 ViewContent RunController::makeContent(const Job& job, const RunResult& result) {
   ViewContent content;
-  if (result.mesh) content.environmentLayers = makeEnvironmentLayers(*result.mesh, job.environment->triangles.size());
+  if (result.mesh) content.environmentLayers = makeEnvironmentLayers(*result.mesh, *job.environment);
   const EnvironmentLayers* layers = content.environmentLayers.get();
   std::vector<MeshPtr> before;
   for (std::size_t i = 0; i < job.steps.size(); ++i) {

@@ -57,6 +57,21 @@ SceneBatch::Bytes bytesOf(const SceneBatches::Joined<Element>& joined, std::size
   };
 }
 
+// Of triangles, some of which are covers.
+template <typename Element>
+SceneBatch::Bytes withCovers(SceneBatch::Bytes plain, const SceneBatches::CoversPtr& covers) {
+  if (!covers) return plain;
+  return [plain = std::move(plain), covers](std::size_t first, std::size_t count) {
+    QByteArray bytes = plain(first, count);
+    auto* const vertices = reinterpret_cast<Element*>(bytes.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(*covers)[first + i]) continue;
+      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) vertices[k].normal[3] |= kCover;
+    }
+    return bytes;
+  };
+}
+
 template <typename Element, typename ElementOf>
 SceneBatch::Bytes bytesOf(const ElementOf& elementOf, std::size_t perPrimitive) {
   return [elementOf, perPrimitive](std::size_t first, std::size_t count) {
@@ -120,20 +135,34 @@ SceneBatchPtr SceneBatches::queue(SceneBatch batch) {
   return made;
 }
 
-SceneBatchPtr SceneBatches::makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices) {
-  return queue({SceneBatch::Kind::Surface, static_cast<int>(vertices.size() / 3), bytesOf(owner, vertices, 3), {}, {}});
+SceneBatchPtr SceneBatches::makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices,
+                                        const CoversPtr& covers) {
+  return queue({SceneBatch::Kind::Surface,
+                static_cast<int>(vertices.size() / 3),
+                withCovers<SurfaceVertex>(bytesOf(owner, vertices, 3), covers),
+                {},
+                {}});
 }
 
-SceneBatchPtr SceneBatches::makeSurface(const Joined<SurfaceVertex>& vertices) {
-  return queue({SceneBatch::Kind::Surface, static_cast<int>(sizeOf(vertices) / 3), bytesOf(vertices, 3), {}, {}});
+SceneBatchPtr SceneBatches::makeSurface(const Joined<SurfaceVertex>& vertices, const CoversPtr& covers) {
+  return queue({SceneBatch::Kind::Surface,
+                static_cast<int>(sizeOf(vertices) / 3),
+                withCovers<SurfaceVertex>(bytesOf(vertices, 3), covers),
+                {},
+                {}});
 }
 
 SceneBatchPtr SceneBatches::makeLines(const Joined<LineSegment>& segments) {
   return queue({SceneBatch::Kind::Lines, static_cast<int>(sizeOf(segments)), bytesOf(segments, 1), {}, {}});
 }
 
-SceneBatchPtr SceneBatches::makeField(const Owner& owner, const std::vector<FieldVertex>& vertices) {
-  return queue({SceneBatch::Kind::Field, static_cast<int>(vertices.size() / 3), bytesOf(owner, vertices, 3), {}, {}});
+SceneBatchPtr SceneBatches::makeField(const Owner& owner, const std::vector<FieldVertex>& vertices,
+                                      const CoversPtr& covers) {
+  return queue({SceneBatch::Kind::Field,
+                static_cast<int>(vertices.size() / 3),
+                withCovers<FieldVertex>(bytesOf(owner, vertices, 3), covers),
+                {},
+                {}});
 }
 
 SceneBatchPtr SceneBatches::makeLines(const Owner& owner, const std::vector<LineSegment>& segments) {
@@ -270,7 +299,7 @@ void SceneBatches::useLayers(QOpenGLShaderProgram& program, const SceneBatch& ba
     const int rows = static_cast<int>(*hidden_.rbegin()) / kTextureWidth + 2;
     std::vector<std::uint8_t> shown(static_cast<std::size_t>(rows) * kTextureWidth, 255);
     for (const std::uint32_t layer : hidden_) shown[layer] = 0;
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    static_assert(kTextureWidth % 4 == 0);  // rows of bytes are aligned as OpenGL expects it
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, kTextureWidth, rows, 0, GL_RED, GL_UNSIGNED_BYTE, shown.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

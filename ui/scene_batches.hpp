@@ -78,15 +78,19 @@ class SceneBatches : protected QOpenGLExtraFunctions {
   using Joined = std::vector<std::pair<Owner, const std::vector<Element>*>>;
   using LayerOf = std::function<std::uint32_t(std::size_t triangle)>;
   using LayersOf = std::function<LineLayers(std::size_t line)>;
+  /// Which triangles of a surface are covers, beyond those of its vertices that say so; null: none.
+  using CoversPtr = std::shared_ptr<const std::vector<bool>>;
 
   void initialize();
   void release();
 
   /// Of no layer.
-  SceneBatchPtr makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices);
-  SceneBatchPtr makeSurface(const Joined<SurfaceVertex>& vertices);
+  SceneBatchPtr makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices,
+                            const CoversPtr& covers = nullptr);
+  SceneBatchPtr makeSurface(const Joined<SurfaceVertex>& vertices, const CoversPtr& covers = nullptr);
   SceneBatchPtr makeLines(const Joined<LineSegment>& segments);
-  SceneBatchPtr makeField(const Owner& owner, const std::vector<FieldVertex>& vertices);
+  SceneBatchPtr makeField(const Owner& owner, const std::vector<FieldVertex>& vertices,
+                          const CoversPtr& covers = nullptr);
   SceneBatchPtr makeLines(const Owner& owner, const std::vector<LineSegment>& segments);
   /// The same vertices with layers; with no function, of no layer.
   SceneBatchPtr withLayers(const SceneBatchPtr& batch, const LayerOf& layerOf);

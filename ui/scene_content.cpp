@@ -10,8 +10,25 @@ namespace {
 
 using Geometry = std::shared_ptr<const MeshGeometry>;
 
-MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withLines) {
-  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface), {}, {}, {}, {}};
+// Pieces that lie on covers, one geometry after the other; null where there are none.
+SceneBatches::CoversPtr coversOf(const std::vector<Geometry>& geometries, const EnvironmentGeometry* environment) {
+  if (!environment || !environment->covered) return nullptr;
+  auto covers = std::make_shared<std::vector<bool>>();
+  bool any = false;
+  for (const Geometry& geometry : geometries) {
+    const std::size_t triangles = geometry->surface.size() / 3;
+    for (std::size_t t = 0; t < triangles; ++t) {
+      covers->push_back(t < geometry->sources.size() && environment->isCover(geometry->sources[t]));
+      any = any || covers->back();
+    }
+  }
+  return any ? covers : nullptr;
+}
+
+MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withLines,
+                     const EnvironmentGeometry* environment) {
+  const SceneBatches::CoversPtr covers = coversOf({geometry}, environment);
+  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface, covers), {}, {}, {}, {}};
   const bool layered = !geometry->surfaceLayers.empty();
   if (layered) {
     made.surface = batches.withLayers(made.surface, [geometry](std::size_t i) { return geometry->surfaceLayers[i]; });
@@ -37,13 +54,16 @@ bool isPart(const MeshGeometry& geometry) {
   return geometry.surface.size() < kSmall && geometry.surfaceLayers.empty() && geometry.creaseLayers.empty();
 }
 
-MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geometries, bool withLines) {
+MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geometries, bool withLines,
+                      const EnvironmentGeometry* environment) {
   const auto joined = [&]<typename Element>(std::vector<Element> MeshGeometry::*member) {
     SceneBatches::Joined<Element> elements;
     for (const Geometry& geometry : geometries) elements.push_back({geometry, &((*geometry).*member)});
     return elements;
   };
-  MeshBatches made{geometries, batches.makeSurface(joined(&MeshGeometry::surface)), {}, {}, {}, {}};
+  MeshBatches made{geometries, batches.makeSurface(joined(&MeshGeometry::surface), coversOf(geometries, environment)),
+                   {},         {},
+                   {},         {}};
   if (!withLines) return made;
   made.creases = batches.makeLines(joined(&MeshGeometry::creases));
   made.outline = batches.makeLines(joined(&MeshGeometry::outline));
@@ -55,7 +75,8 @@ MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geomet
 // The same geometry comes again and again while a run goes on, in thousands of parts: what is there already stays, and
 // parts that follow each other are drawn together.
 std::vector<MeshBatches> makeMeshes(SceneBatches& batches, const std::vector<Geometry>& geometries, bool withLines,
-                                    const std::vector<MeshBatches>& before, const std::vector<MeshBatches>& known) {
+                                    const std::vector<MeshBatches>& before, const std::vector<MeshBatches>& known,
+                                    const EnvironmentGeometry* environment) {
   constexpr std::size_t kGroup = 64;
   std::unordered_map<const MeshGeometry*, const MeshBatches*> there;  // by the first of their geometries
   for (const auto* list : {&known, &before}) {
@@ -73,9 +94,9 @@ std::vector<MeshBatches> makeMeshes(SceneBatches& batches, const std::vector<Geo
     if (found != there.end() && found->second->geometries == group) {
       made.push_back(*found->second);
     } else if (group.size() > 1) {
-      made.push_back(makeGroup(batches, group, withLines));
+      made.push_back(makeGroup(batches, group, withLines, environment));
     } else {
-      made.push_back(makeMesh(batches, group.front(), withLines));
+      made.push_back(makeMesh(batches, group.front(), withLines, environment));
     }
     i = end;
   }
@@ -86,20 +107,21 @@ std::vector<MeshBatches> makeMeshes(SceneBatches& batches, const std::vector<Geo
 
 void SceneContent::makeBatches(SceneBatches& batches, const SceneContent& before) {
   // What an edit changes is to be seen first.
-  changes = makeMeshes(batches, content.changes, false, before.changes, changes);
+  const EnvironmentGeometry* const level = environment.get();
+  changes = makeMeshes(batches, content.changes, false, before.changes, changes, level);
   makeEnvironmentBatches(batches, before);
   makeCoarseBatches(batches, before);
   makeFieldBatch(batches, before);
   std::vector<Geometry> removals;
   for (const ViewContent::Removed& removal : content.removed) removals.push_back(removal.before);
-  removed = makeMeshes(batches, removals, false, before.removed, removed);
-  walkable = makeMeshes(batches, content.walkable, true, before.walkable, walkable);
+  removed = makeMeshes(batches, removals, false, before.removed, removed, level);
+  walkable = makeMeshes(batches, content.walkable, true, before.walkable, walkable, level);
   if (!sources) {
     sourceMesh = {};
   } else if (hasOnly(before.sourceMesh, sources)) {
     sourceMesh = before.sourceMesh;
   } else if (!hasOnly(sourceMesh, sources)) {
-    sourceMesh = makeMesh(batches, sources, true);
+    sourceMesh = makeMesh(batches, sources, true, level);
   }
   madeEnvironment_ = environment;
   madeLayers_ = content.environmentLayers;
@@ -155,12 +177,12 @@ void SceneContent::makeCoarseBatches(SceneBatches& batches, const SceneContent& 
         batch, [layers, geometry = environment](std::size_t i) { return (*layers)[geometry->coarse.triangles[i]]; });
   };
   coarse.plain = make(environment, environment->coarse.surface);
-  coarse.result = coarse.vivid = nullptr;
+  coarse.painted = {};
   if (!content.floorStates) return;
-  for (const bool vivid : {false, true}) {
+  for (const CoarsePaints paints : {CoarsePaints::Result, CoarsePaints::Vivid, CoarsePaints::WalkableOnly}) {
     const auto painted =
-        std::make_shared<const std::vector<SurfaceVertex>>(paintedCoarse(environment->coarse, content, vivid));
-    (vivid ? coarse.vivid : coarse.result) = make(painted, *painted);
+        std::make_shared<const std::vector<SurfaceVertex>>(paintedCoarse(environment->coarse, content, paints));
+    coarse.painted[static_cast<std::size_t>(paints)] = make(painted, *painted);
   }
 }
 
@@ -175,7 +197,13 @@ void SceneContent::makeFieldBatch(SceneBatches& batches, const SceneContent& bef
     fieldSurface = same->fieldSurface;
     if (same->madeLayers_ == layers) return;
   } else {
-    fieldSurface = batches.makeField(field, field->surface);
+    SceneBatches::CoversPtr covers;
+    if (environment && environment->covered) {
+      std::vector<bool> found;
+      for (const std::uint32_t source : field->sources) found.push_back(environment->isCover(source));
+      covers = std::make_shared<const std::vector<bool>>(std::move(found));
+    }
+    fieldSurface = batches.makeField(field, field->surface, covers);
   }
   if (!layers && !same) return;
   fieldSurface =

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct MeshBatches {
 
 /// Few triangles that stand for a large environment and what is on it, while the camera moves.
 struct CoarseBatches {
-  SceneBatchPtr plain;          ///< null for small environments
-  SceneBatchPtr result, vivid;  ///< in the paints of a result, and those of ViewMode::RejectedBy; null without one
+  SceneBatchPtr plain;                   ///< null for small environments
+  std::array<SceneBatchPtr, 3> painted;  ///< by CoarsePaints; null without a result
 };
 
 struct SceneContent {

@@ -61,13 +61,14 @@ void SceneRenderer::drawSurface(const BatchPtr& batch, float offset) {
   batches_.draw(*batch, first, count);
 }
 
-void SceneRenderer::drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift) {
+void SceneRenderer::drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift, bool fadeShort) {
   if (!batch || batch->count == 0) return;
   const auto [first, count] = slice_->take(batch->count);
   if (count == 0) return;
   lineProgram_.setUniformValue("colour", QVector4D(toVector(colour), 1));
   lineProgram_.setUniformValue("width", width);
   lineProgram_.setUniformValue("lift", lift);
+  lineProgram_.setUniformValue("fadeShort", fadeShort);
   batches_.useLayers(lineProgram_, *batch);
   batches_.draw(*batch, first, count);
 }
@@ -77,28 +78,44 @@ void SceneRenderer::useCamera(QOpenGLShaderProgram& program, const SceneCamera& 
   program.setUniformValue("modelViewProjection", camera.modelViewProjection);
   camera.clip.setTo(program);
   program.setUniformValue("layered", false);
+  program.setUniformValue("leaveCovers", leaveCovers_);
 }
 
 // The environment without anything on it; `surface` stands for all of it.
 void SceneRenderer::drawStill(const StillKey& key, const BatchPtr& surface) {
   drawBackground();
   beginClip(key.camera);
+  setSides(key.backs);
+  leaveCovers_ = !key.covers;
+  const bool surfaces = key.drawn != SceneRule::Environment::None;
   const bool wires = key.mode == ViewMode::Wireframe || key.mode == ViewMode::HiddenLine;
-  if (key.surface && key.mode != ViewMode::Wireframe) {
+  if (surfaces && key.mode != ViewMode::Wireframe) {
     beginSurfaces(key.camera, key.pale);
     if (wires) setOnlyPaint(Paint{hiddenLineFill()}, true);
     surfaceProgram_.setUniformValue("floorPaint", toVector(key.floorPaint));
+    surfaceProgram_.setUniformValue("floorsOnly", key.drawn == SceneRule::Environment::Floors);
     drawSurface(surface, key.offset);
+    surfaceProgram_.setUniformValue("floorsOnly", false);
     setOnlyPaint(std::nullopt);
     glDisable(GL_POLYGON_OFFSET_FILL);
   }
-  if (key.surface && wires) drawWires(surface, key.camera, wireColour(), false);
+  if (surfaces && wires) drawWires(surface, key.camera, wireColour(), false);
   if (key.creases) {
     beginLines(key.camera);
     drawLines(scene_.environmentCreases, creaseColour(), 1.0F * key.camera.devicePixelRatio, 3e-5F);
     endLines();
   }
+  setSides(true);
   endClip();
+}
+
+// Whether faces are drawn that are seen from behind.
+void SceneRenderer::setSides(bool backs) {
+  if (backs) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+  }
 }
 
 // The edges of all triangles of a surface.
@@ -137,12 +154,47 @@ void SceneRenderer::beginSurfaces(const SceneCamera& camera, float pale) {
   surfaceProgram_.setUniformValue("plainFloor", toVector(undecidedPaint()));
   surfaceProgram_.setUniformValue("hatchBacks",
                                   camera.clip.active() && scene_.environment && !scene_.environment->bothSides);
+  surfaceProgram_.setUniformValue("floorsOnly", false);
+  surfaceProgram_.setUniformValue("asBackground", false);
+  surfaceProgram_.setUniformValue("lower", toVector(backgroundLower()));
+  surfaceProgram_.setUniformValue("upper", toVector(backgroundUpper()));
+  surfaceProgram_.setUniformValue("viewHeight", static_cast<float>(camera.viewport.height()));
+  setUnseenLayers(SceneRule::Unseen::LeftOut);
   setOnlyPaint(std::nullopt);
 }
 
-void SceneRenderer::drawWalkable(const SceneCamera& camera, ViewMode mode) {
+// What becomes of pieces of hidden layers whose triangle of the environment stays.
+void SceneRenderer::setUnseenLayers(SceneRule::Unseen unseen, bool only) {
+  surfaceProgram_.setUniformValue("unseenLayers", only ? 2 : unseen == SceneRule::Unseen::Plain ? 1 : 0);
+}
+
+// What is not to be seen as walkable, and yet hides what lies under it.
+void SceneRenderer::drawUnseen(const SceneRule& rule) {
+  const bool all = rule.unseen != SceneRule::Unseen::LeftOut;
+  const bool gap = (all ? rule.unseen : rule.unseenLayer) == SceneRule::Unseen::Gap;
+  if (!all && (!gap || batches_.hiddenLayers().empty())) return;
+  surfaceProgram_.setUniformValue("asBackground", gap);
+  setOnlyPaint(undecidedPaint());
+  for (const MeshBatches& mesh : scene_.walkable) {
+    const bool layered = mesh.surface && mesh.surface->layers;
+    if (all) {
+      setUnseenLayers(SceneRule::Unseen::Plain);
+      drawSurface(mesh.surface, 0);
+    } else if (layered) {
+      setUnseenLayers(SceneRule::Unseen::Gap, true);
+      drawSurface(mesh.surface, 0);
+    }
+  }
+  setUnseenLayers(SceneRule::Unseen::LeftOut);
+  setOnlyPaint(std::nullopt);
+  surfaceProgram_.setUniformValue("asBackground", false);
+}
+
+void SceneRenderer::drawWalkable(const SceneCamera& camera, ViewMode mode, const SceneRule& rule) {
+  setUnseenLayers(rule.unseenLayer);
   if (mode == ViewMode::SourceTriangles && scene_.sourceMesh.surface) {
     drawSurface(scene_.sourceMesh.surface, 0);
+    setUnseenLayers(SceneRule::Unseen::LeftOut);
     return;
   }
   if (mode == ViewMode::RejectedBy) setOnlyPaint(paleWalkablePaint());
@@ -153,17 +205,18 @@ void SceneRenderer::drawWalkable(const SceneCamera& camera, ViewMode mode) {
       drawSurface(mesh.surface, 0);
     }
   }
+  setUnseenLayers(SceneRule::Unseen::LeftOut);
   setOnlyPaint(std::nullopt);
 }
 
-void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts) {
+void SceneRenderer::drawSurfaces(const SceneCamera& camera, const SceneParts& parts, const SceneRule& rule) {
   beginSurfaces(camera, showsCells(parts) ? kUnderCells : 0);
-  if (parts.walkable) drawWalkable(camera, parts.mode);
+  drawUnseen(rule);
+  if (rule.walkable) drawWalkable(camera, parts.mode, rule);
   const bool vivid = parts.mode == ViewMode::RejectedBy;
   // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each. The
   // nearest come first, so that what they hide is not painted.
-  const bool removed = parts.removed && parts.environment && (parts.mode == ViewMode::Result || vivid);
-  for (std::size_t i = scene_.removed.size(); removed && i-- > 0;) {
+  for (std::size_t i = scene_.removed.size(); rule.reasons && i-- > 0;) {
     if (vivid) setOnlyPaint(scene_.content.removed[i].style->vivid);
     drawSurface(scene_.removed[i].surface, static_cast<float>(scene_.removed.size() - i));
   }
@@ -209,13 +262,17 @@ void SceneRenderer::drawField(const SceneCamera& camera) {
 }
 
 void SceneRenderer::drawContent(const SceneCamera& camera, const SceneParts& parts) {
+  const SceneRule rule = this->rule(camera, parts);
   beginClip(camera);
-  if (isHeatMap(parts.mode)) {
+  setSides(rule.backs);
+  leaveCovers_ = !rule.covers;
+  if (rule.field) {
     drawField(camera);
   } else {
-    drawSurfaces(camera, parts);
+    drawSurfaces(camera, parts, rule);
   }
   if (showsCells(parts)) drawCells(camera, parts);
+  setSides(true);
   drawAllLines(camera, parts);
   endClip();
 }
@@ -225,16 +282,32 @@ void SceneRenderer::drawChanges(const SceneCamera& camera, const SceneParts& par
                                 const std::vector<MeshBatches>& changes) {
   if (changes.empty() || !parts.walkable || parts.mode > ViewMode::RejectedBy) return;
   beginClip(camera);
+  const SceneRule rule = this->rule(camera, parts);
+  setSides(rule.backs);
+  leaveCovers_ = !rule.covers;
   beginSurfaces(camera);
   float offset = 0;
   for (const MeshBatches& mesh : changes) drawSurface(mesh.surface, offset -= 1);
   glDisable(GL_POLYGON_OFFSET_FILL);
+  setSides(true);
   endClip();
+}
+
+void SceneRenderer::markCells() {
+  CellKinds kinds{scene_.environment, scene_.content.environmentLayers, batches_.hiddenLayers()};
+  if (kinds == cellKinds_) return;
+  cellKinds_ = std::move(kinds);
+  cells_.setKinds([kinds = cellKinds_](std::uint32_t source) {
+    const bool cover = kinds.environment && kinds.environment->isCover(source);
+    const bool hidden = kinds.layers && source < kinds.layers->size() && kinds.hidden.contains((*kinds.layers)[source]);
+    return (cover ? kCellOnCover : 0) | (hidden ? kCellHidden : 0);
+  });
 }
 
 // Over the surfaces and under their lines: what is walkable can still be told by its outline.
 void SceneRenderer::drawCells(const SceneCamera& camera, const SceneParts& parts) {
-  cells_.draw({camera.modelViewProjection, camera.clip, camera.devicePixelRatio}, *slice_);
+  markCells();
+  cells_.draw({camera.modelViewProjection, camera.clip, camera.devicePixelRatio, leaveCovers_}, *slice_);
   beginLines(camera);
   // Many cells have thin borders, or there would be nothing else to see.
   constexpr float kMany = 40;
@@ -271,7 +344,7 @@ void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& pa
   const float pixel = camera.devicePixelRatio;
   const bool wires = parts.mode == ViewMode::Wireframe || parts.mode == ViewMode::HiddenLine;
   if (parts.mode == ViewMode::SourceTriangles && parts.walkable && parts.outlines)
-    drawLines(scene_.sourceMesh.creases, outlineColour(), 1.0F * pixel, 5e-5F);
+    drawLines(scene_.sourceMesh.creases, outlineColour(), 1.0F * pixel, 5e-5F, true);
   for (const MeshBatches& mesh : scene_.walkable) {
     if (parts.walkable && parts.outlines && !wires) {
       drawLines(mesh.creases, creaseColour(), 1.0F * pixel, 3e-5F);
@@ -287,6 +360,7 @@ void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& pa
 }
 
 void SceneRenderer::beginLines(const SceneCamera& camera) {
+  setSides(true);  // their strips face either way
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
   glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later

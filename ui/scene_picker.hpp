@@ -6,10 +6,14 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <set>
+#include <span>
 
 #include "core/environment/environment.hpp"
 #include "ui/render_geometry.hpp"
+#include "ui/scene_rule.hpp"
 
 namespace footfall {
 
@@ -42,8 +46,8 @@ struct CutPlane {
 struct ShownSpace {
   HeightRange heights;
   std::optional<CutPlane> cut;
-  /// Of the triangles of the environment; empty: all are shown.
-  std::function<bool(std::uint32_t triangle)> shows = {};
+  /// Of the triangles of the environment, seen from their front or from behind; empty: all are shown.
+  std::function<bool(std::uint32_t triangle, bool front)> shows = {};
 
   [[nodiscard]] bool contains(const Vec3& place) const {
     return place.z <= heights.upper && place.z >= heights.lower &&
@@ -56,9 +60,39 @@ Vec3 pointOn(const Ray& ray, double distance);
 /// The ray's parameter where it meets the triangle, from either side; above 0. Nothing where it misses or lies in its
 /// plane.
 std::optional<double> meet(const Ray& ray, const std::array<Vec3, 3>& triangle);
+/// Whether the ray comes from the triangle's front, where its corners go round counter-clockwise.
+bool meetsFront(const Ray& ray, const std::array<Vec3, 3>& triangle);
 
 /// The first triangle that the ray meets within `shown`. Ray, limits and result are in the scene's coordinates, those
 /// of `geometry`. Looks at every triangle: 1 ms for about 100,000.
 std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometry& geometry, const ShownSpace& shown);
+
+/// Pieces that lie on the environment: parts of a result.
+struct PickedPieces {
+  std::span<const std::shared_ptr<const MeshGeometry>> meshes;
+  /// Of their layer numbers, with kFloorStays; null: all of them.
+  std::function<bool(std::uint32_t layer)> has = {};
+  /// What lies on its covers is left out; null: nothing is.
+  const EnvironmentGeometry* withoutCoversOf = nullptr;
+};
+
+/// How far the ray goes to the first of the pieces within `heights` of `shown`.
+std::optional<double> meetPieces(const Ray& ray, const PickedPieces& pieces, const ShownSpace& shown, bool backs);
+
+/// All that a view draws of a scene, for picking in it.
+struct PickedScene {
+  const EnvironmentGeometry& environment;
+  const ViewContent& content;
+  const std::set<std::uint32_t>& hiddenLayers;
+  SceneRule rule;
+  bool cells = false;  ///< all floors are covered with their colours
+  ShownSpace space;    ///< without `shows`
+};
+
+/// Of the triangles of the environment: which of them are drawn, or what lies on them in their place.
+std::function<bool(std::uint32_t triangle, bool front)> shownTriangles(const PickedScene& scene);
+
+/// What is seen along the ray: the place, and the triangle of the environment that it lies on.
+std::optional<SurfacePoint> pickSeen(const Ray& ray, const PickedScene& scene);
 
 }  // namespace footfall

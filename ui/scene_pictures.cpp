@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "ui/coarse_geometry.hpp"
+#include "ui/gl_state.hpp"
 #include "ui/scene_renderer.hpp"
 
 namespace footfall {
@@ -139,6 +141,7 @@ void SceneRenderer::prepareState() {
 }
 
 bool SceneRenderer::advance(double ms) {
+  const GlStateKeeper kept;
   const Clock::time_point begun = Clock::now();
   const bool uploaded = uploadComing(ms);
   return (!wanted_ && uploaded) || goOn(ms - msSince(begun));
@@ -183,24 +186,39 @@ void SceneRenderer::takeComing(const ContentKey& key) {
   coming_.reset();
 }
 
+SceneRule sceneRule(const SceneParts& parts, const ViewContent& content, const EnvironmentGeometry* environment,
+                    const QVector3D& viewDirection) {
+  SceneFacts facts;
+  facts.reasons = content.firstRemoval != nullptr;
+  facts.bothSides = environment && environment->bothSides;
+  facts.down = -static_cast<double>(viewDirection.z());
+  return {parts, facts};
+}
+
+SceneRule SceneRenderer::rule(const SceneCamera& camera, const SceneParts& parts) const {
+  return sceneRule(parts, scene_.content, scene_.environment.get(), camera.viewDirection);
+}
+
 SceneRenderer::StillKey SceneRenderer::stillKey(const SceneCamera& camera, const SceneParts& parts) const {
-  const bool reasons = scene_.content.firstRemoval && parts.removed;
-  const bool vivid = parts.mode == ViewMode::RejectedBy;
+  const SceneRule rule = this->rule(camera, parts);
   Paint floor = undecidedPaint();
-  if (reasons && (parts.mode == ViewMode::Result || vivid))
-    floor = vivid ? scene_.content.firstRemoval->vivid : scene_.content.firstRemoval->paint;
+  if (rule.reasons) {
+    floor =
+        parts.mode == ViewMode::RejectedBy ? scene_.content.firstRemoval->vivid : scene_.content.firstRemoval->paint;
+  }
   // Behind everything that may come on top: a step for each of it, but the same for a few more or less.
   constexpr std::size_t kSteps = 4;
   const auto offset = static_cast<float>((scene_.removed.size() / kSteps + 1) * kSteps);
-  const bool surface = parts.environment && parts.mode != ViewMode::WalkableOnly;
-  const bool wires = parts.mode == ViewMode::Wireframe || parts.mode == ViewMode::HiddenLine;
+  const bool creases = rule.environment == SceneRule::Environment::All && parts.outlines && !rule.wires;
   return {scene_.environment,
           scene_.content.environmentLayers,
           batches_.hiddenLayers(),
           camera,
           parts.mode,
-          surface,
-          surface && parts.outlines && !wires,
+          rule.environment,
+          rule.backs,
+          rule.covers,
+          creases,
           floor,
           offset,
           showsCells(parts) ? kUnderCells : 0};
@@ -209,11 +227,14 @@ SceneRenderer::StillKey SceneRenderer::stillKey(const SceneCamera& camera, const
 // Hurried, a large environment is drawn coarse, with what is on it as paint; all else without its lines.
 void SceneRenderer::drawDirectly(StillKey key, SceneParts parts, bool hurried) {
   const CoarseBatches& coarse = scene_.coarse;
-  if (hurried && coarse.plain && key.surface && parts.walkable) {
-    const bool vivid = parts.mode == ViewMode::RejectedBy && coarse.vivid;
-    const bool result = parts.mode == ViewMode::Result && coarse.result;
+  if (hurried && coarse.plain && key.drawn == SceneRule::Environment::All && parts.walkable) {
+    const bool vivid = parts.mode == ViewMode::RejectedBy;
+    const CoarsePaints paints = !parts.removed ? CoarsePaints::WalkableOnly
+                                : vivid        ? CoarsePaints::Vivid
+                                               : CoarsePaints::Result;
+    const BatchPtr& painted = coarse.painted[static_cast<std::size_t>(paints)];
     key.creases = false;
-    drawStill(key, vivid ? coarse.vivid : result ? coarse.result : coarse.plain);
+    drawStill(key, painted && (vivid || parts.mode == ViewMode::Result) ? painted : coarse.plain);
     return;
   }
   parts.outlines = parts.outlines && !hurried;
@@ -223,6 +244,7 @@ void SceneRenderer::drawDirectly(StillKey key, SceneParts parts, bool hurried) {
 }
 
 bool SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, const Haste& haste) {
+  const GlStateKeeper keeper;
   uploadBorders();
   prepareState();
   const bool kept = !haste.moving && keepsPictures_;

@@ -22,22 +22,9 @@
 #include "ui/field_geometry.hpp"
 #include "ui/render_geometry.hpp"
 #include "ui/scene_content.hpp"
-#include "ui/view_mode.hpp"
+#include "ui/scene_rule.hpp"
 
 namespace footfall {
-
-/// What to draw of the scene; the legend and the View menu switch these.
-struct SceneParts {
-  bool environment = true;
-  bool walkable = true;
-  bool removed = true;
-  bool obstacleEdges = true;
-  bool connections = true;
-  bool outlines = true;              ///< creases of the environment and outlines of the walkable area
-  bool cells = false;                ///< of a parallel block, over everything that faces up
-  ViewMode mode = ViewMode::Result;  ///< LevelView::setMode() knows better than who switches parts
-  bool operator==(const SceneParts&) const = default;
-};
 
 struct SceneCamera {
   QMatrix4x4 modelViewProjection;
@@ -48,6 +35,10 @@ struct SceneCamera {
   ClipPlanes clip;
   bool operator==(const SceneCamera&) const = default;
 };
+
+/// By which content on an environment, which may be null, is drawn.
+[[nodiscard]] SceneRule sceneRule(const SceneParts& parts, const ViewContent& content,
+                                  const EnvironmentGeometry* environment, const QVector3D& viewDirection);
 
 /// Cells that stand out.
 struct MarkedCells {
@@ -107,7 +98,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
     std::set<std::uint32_t> hidden;
     SceneCamera camera;
     ViewMode mode = ViewMode::Result;
-    bool surface = false, creases = false;
+    SceneRule::Environment drawn = SceneRule::Environment::None;
+    bool backs = true, covers = true, creases = false;
     Paint floorPaint;
     float offset = 0;
     float pale = 0;
@@ -131,6 +123,7 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   bool uploadComing(double ms);
   void takeComing(const ContentKey& key);
   void uploadBorders();
+  [[nodiscard]] SceneRule rule(const SceneCamera& camera, const SceneParts& parts) const;
   [[nodiscard]] StillKey stillKey(const SceneCamera& camera, const SceneParts& parts) const;
   [[nodiscard]] ContentKey contentKey(const StillKey& still, const SceneParts& parts) const;
 
@@ -142,6 +135,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void drawStill(const StillKey& key, const BatchPtr& surface);
   void drawWires(const BatchPtr& batch, const SceneCamera& camera, const QColor& colour, bool ownColours);
   void drawContent(const SceneCamera& camera, const SceneParts& parts);
+  void setSides(bool backs);
+  void markCells();
   void drawChanges(const SceneCamera& camera, const SceneParts& parts, const std::vector<MeshBatches>& changes);
   static bool inPicture(const std::vector<MeshBatches>& changes);
   [[nodiscard]] bool showsCells(const SceneParts& parts) const { return parts.cells && cells_.geometry(); }
@@ -158,15 +153,17 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   bool copyToFrame(const QOpenGLFramebufferObject& picture, GLuint frame);
   void beginSurfaces(const SceneCamera& camera, float pale = 0);
   void setOnlyPaint(const std::optional<Paint>& paint, bool unlit = false);
-  void drawSurfaces(const SceneCamera& camera, const SceneParts& parts);
-  void drawWalkable(const SceneCamera& camera, ViewMode mode);
+  void drawSurfaces(const SceneCamera& camera, const SceneParts& parts, const SceneRule& rule);
+  void drawWalkable(const SceneCamera& camera, ViewMode mode, const SceneRule& rule);
+  void drawUnseen(const SceneRule& rule);
+  void setUnseenLayers(SceneRule::Unseen unseen, bool only = false);
   void drawField(const SceneCamera& camera);
   void drawAllLines(const SceneCamera& camera, const SceneParts& parts);
   void drawBackground();
   void drawSurface(const BatchPtr& batch, float offset);
   void beginLines(const SceneCamera& camera);
   void endLines();
-  void drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift);
+  void drawLines(const BatchPtr& batch, const QColor& colour, float width, float lift, bool fadeShort = false);
 
   QOpenGLShaderProgram surfaceProgram_, lineProgram_, backgroundProgram_, fieldProgram_;
   SceneBatches batches_;
@@ -197,6 +194,15 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   std::vector<MeshBatches> shownChanges_;  ///< over picture_, while no others are there
   CellRenderer cells_;
   MarkedCells marked_;
+  bool leaveCovers_ = false;  ///< of what is drawn now
+  /// All that decides which floors of cells are hidden.
+  struct CellKinds {
+    std::shared_ptr<const EnvironmentGeometry> environment;
+    std::shared_ptr<const EnvironmentLayers> layers;
+    std::set<std::uint32_t> hidden;
+    bool operator==(const CellKinds&) const = default;
+  };
+  CellKinds cellKinds_;
   bool bordersPending_ = false;
   BatchPtr cellBorders_;
 };

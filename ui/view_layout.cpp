@@ -15,8 +15,8 @@ bool shown(const QWidget* widget) { return widget && !widget->isHidden(); }
 
 void ViewLayout::place(const QSize& view) const {
   int bottom = view.height() - kMargin;  // of what is left on the right
-  if (cells) {
-    cells->adjustSize();
+  const bool cellsInCorner = cells && !cells->fitInto(view);
+  if (cellsInCorner) {
     cells->move(view.width() - cells->width() - kMargin, view.height() - cells->height() - kMargin);
     if (shown(cells)) bottom = cells->y() - kGap;
   }
@@ -32,14 +32,17 @@ void ViewLayout::place(const QSize& view) const {
       top = kMargin;
       right = gizmo->x() - kGap;
       bottom = view.height() - kMargin;
-      if (shown(cells) && cells->x() < right) bottom = cells->y() - kGap;
+      if (cellsInCorner && shown(cells) && cells->x() < right) bottom = cells->y() - kGap;
     }
     heights->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, wanted.height()));
   }
-  if (legend) {
-    legend->adjustSize();
-    legend->move(kMargin, view.height() - legend->height() - kMargin);
+  if (hint) {
+    hint->adjustSize();
+    const int beside = shown(heights) ? heights->x() : right;
+    hint->move(std::max(kMargin, beside - kGap - hint->width()),
+               std::max(shown(heights) ? heights->y() : top, shown(cutBar) ? 2 * kMargin + cutBar->height() : 0));
   }
+  if (legend && !legend->fitInto(view)) legend->move(kMargin, view.height() - legend->height() - kMargin);
   if (cutBar) {
     // As wide as is handy, but not under what stands on the right.
     constexpr int kHandy = 420;
@@ -48,6 +51,14 @@ void ViewLayout::place(const QSize& view) const {
     cutBar->setGeometry(kMargin, kMargin, std::max(least.width(), std::min(kHandy, left - kGap - kMargin)),
                         least.height());
   }
+}
+
+std::vector<QRect> ViewLayout::covered() const {
+  std::vector<QRect> rects;
+  for (const QWidget* widget : std::initializer_list<const QWidget*>{legend, gizmo, heights, cells, cutBar}) {
+    if (shown(widget)) rects.push_back(widget->geometry());
+  }
+  return rects;
 }
 
 }  // namespace footfall

@@ -69,12 +69,12 @@ class TestCamera : public QObject {
 
   void framesTheSelectionOrWhatTheMousePointsAt() {
     LevelView& view = window_->view();
-    view.setSelectionBounds(SceneBox{{5, -2, 0}, {6, 2, 1.7}});
+    view.setSelectionBounds("tool", SceneBox{{5, -2, 0}, {6, 2, 1.7}});
     view.frameSelection();
     const auto middle = view.project({5.5, 0, 0.85});
     QVERIFY(middle);
     QVERIFY((*middle - QRectF(view.rect()).center()).manhattanLength() < 0.2 * view.width());
-    view.setSelectionBounds(std::nullopt);
+    view.setSelectionBounds("tool", std::nullopt);
     view.fit();
     const auto table = view.project({0.5, 0.5, 1});
     QVERIFY(table);

@@ -134,7 +134,7 @@ class TestCoarseGeometry : public QObject {
       coarse.triangles = {0, 1, kThird, kTriangles - 1, 0};
       coarse.surface.resize(3 * coarse.triangles.size());
       coarse.surface[12].colour = {1, 2, 3, 255};  // a wall
-      const std::vector<SurfaceVertex> painted = paintedCoarse(coarse, content, false);
+      const std::vector<SurfaceVertex> painted = paintedCoarse(coarse, content, CoarsePaints::Result);
       const auto colourOf = [&](std::size_t triangle) {
         const auto& colour = painted[3 * triangle].colour;
         return QColor(colour[0], colour[1], colour[2], colour[3]);
@@ -142,7 +142,7 @@ class TestCoarseGeometry : public QObject {
       if (height > 0.3) {
         QCOMPARE(colourOf(0), layerPaint(0).colour);
         QCOMPARE(colourOf(1), layerPaint(1).colour);
-        QCOMPARE(QColor(paintedCoarse(coarse, content, true)[0].colour[0], 0, 0).red(),
+        QCOMPARE(QColor(paintedCoarse(coarse, content, CoarsePaints::Vivid)[0].colour[0], 0, 0).red(),
                  paleWalkablePaint().colour.red());
       }
       QCOMPARE(colourOf(2), style->paint.colour);

@@ -111,6 +111,8 @@ class TestLevelView : public QObject {
     const QByteArray roof = "v -4 -4 5\nv -4 4 5\nv 4 4 5\nv 4 -4 5\nf 5 6 7 8\n";
     QVERIFY(openZUp(window, writeFile(folder, "roof.obj", floorObj() + roof), "SlopeFilter 45\n"));
     window.view().viewFromTop();
+    QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);  // the roof has no upper side
+    window.view().setInside(false);
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
     window.heightSlider().setRange({.upper = 2.5});
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);
