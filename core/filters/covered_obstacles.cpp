@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <memory>
 #include <numeric>
 
 #include "core/exact/face_geometry.hpp"
@@ -11,7 +13,8 @@
 namespace footfall {
 namespace {
 
-/// Quarters the box of the face until a cell is covered by one obstacle, or too few obstacles are left for more.
+/// Quarters the box of the face until a cell is covered by one obstacle, or too few obstacles are left for more, or it
+/// has taken so long that the obstacles themselves are no more work.
 class CoverSearch {
  public:
   CoverSearch(const PlanKernel& kernel, Index face, std::span<const ClearanceCandidate> candidates,
@@ -34,7 +37,12 @@ class CoverSearch {
   std::vector<char> run() {
     std::vector<Index> all(candidates_.size());
     std::iota(all.begin(), all.end(), Index{0});
-    visit({0, 0, 0}, all);
+    open_.push_back({{}, std::make_shared<const std::vector<Index>>(std::move(all))});
+    // Large cells first: they tell most. When that becomes too much, all that is left counts.
+    const std::size_t most = kMostTests * candidates_.size();
+    for (; !open_.empty() && tests_ <= most; open_.pop_front()) visit(open_.front().cell, *open_.front().above);
+    for (const Open& open : open_)
+      for (const Index i : *open.above) needed_[i] = 1;
     std::vector<char> covered(candidates_.size());
     for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = static_cast<char>(needed_[i] == 0);
     return covered;
@@ -43,10 +51,15 @@ class CoverSearch {
  private:
   static constexpr int kDeepest = 10;
   static constexpr std::size_t kFew = 6;
+  static constexpr std::size_t kMostTests = 64;  ///< of each candidate, on average
 
   struct Cell {
     int level = 0;
     std::uint32_t x = 0, y = 0;
+  };
+  struct Open {
+    Cell cell;
+    std::shared_ptr<const std::vector<Index>> above;  ///< obstacles that may reach into the cell around it
   };
   using Corners = std::array<ApproximatePoint, 4>;
 
@@ -104,24 +117,27 @@ class CoverSearch {
     if (compare(corners, face_) < 0) return;  // nobody needs what lies beside the face
     std::vector<Index> here;
     Index cover = -1;
+    bool mayBeCovered = false;
     for (const Index i : above) {
       const ClearanceCandidate& candidate = candidates_[static_cast<std::size_t>(i)];
       const int inside = compare(corners, candidate.obstacle);
       if (inside < 0) continue;
       here.push_back(i);
-      if (inside == 0 || !isWhole(candidate)) continue;
-      if (cover < 0 || (needed_[cover] == 0 && needed_[i] != 0)) cover = i;
+      if (!isWhole(candidate) || mesh_.facing[candidate.obstacle] == 0) continue;
+      mayBeCovered = true;
+      if (inside > 0 && (cover < 0 || (needed_[cover] == 0 && needed_[i] != 0))) cover = i;
     }
+    tests_ += above.size();
     if (cover >= 0) {
       needed_[cover] = 1;
-      return;
-    }
-    if (here.size() <= kFew || cell.level == kDeepest) {
+    } else if (!mayBeCovered || here.size() <= kFew || cell.level == kDeepest) {
       for (const Index i : here) needed_[i] = 1;
-      return;
+    } else {
+      const auto shared = std::make_shared<const std::vector<Index>>(std::move(here));
+      for (const std::uint32_t y : {0U, 1U})
+        for (const std::uint32_t x : {0U, 1U})
+          open_.push_back({{cell.level + 1, 2 * cell.x + x, 2 * cell.y + y}, shared});
     }
-    for (const std::uint32_t y : {0U, 1U})
-      for (const std::uint32_t x : {0U, 1U}) visit({cell.level + 1, 2 * cell.x + x, 2 * cell.y + y}, here);
   }
 
   const SourceMesh& mesh_;
@@ -131,6 +147,8 @@ class CoverSearch {
   const std::function<void()>& poll_;
   std::vector<double> lower_, upper_;  ///< of the face's box in the plan, scaled
   std::vector<char> needed_;
+  std::deque<Open> open_;
+  std::size_t tests_ = 0;
 };
 
 double planArea(const Box& a, const Box& b) {
