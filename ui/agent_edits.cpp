@@ -76,7 +76,8 @@ void resizeAgent(Document& document, int id, AgentSize size, double value) {
   const ParameterDescriptor& parameter = filterOf(size).parameters[0];
   const QString text =
       (size == AgentSize::Height ? tr("Change height of %1 %2 → %3") : tr("Change maximum slope of %1 %2 → %3"))
-          .arg(nameOf(*at), valueText(parameter, sizeOf(*at, size)), valueText(parameter, value));
+          .arg(nameOf(*at), valueText(parameter, sizeOf(*at, size), document.units()),
+               valueText(parameter, value, document.units()));
   setSizeOf(*at, size, value);
   applyAgent(next);
   document.edit(std::move(next), text);

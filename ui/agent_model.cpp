@@ -2,19 +2,16 @@
 #include "ui/agent_model.hpp"
 
 #include <QFont>
-#include <QLocale>
 #include <algorithm>
 
 #include "ui/agent_edits.hpp"
 #include "ui/core_text.hpp"
-#include "ui/number_field.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
 
-QString count(std::size_t value) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(value)); }
-
-QString areaText(double area) { return QLocale(QLocale::English).toString(area, 'f', area < 1000 ? 2 : 0); }
+Unit unitOf(AgentSize size) { return filterOf(size).parameters[0].unit; }
 
 }  // namespace
 
@@ -39,9 +36,10 @@ void AgentModel::follow() {
   }
 }
 
-void AgentModel::setMetresPerUnit(double metresPerUnit) {
-  metresPerUnit_ = metresPerUnit;
+void AgentModel::setUnits(const LevelUnits& units) {
+  units_ = units;
   follow();
+  emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
 }
 
 int AgentModel::agentAt(int row) const {
@@ -67,7 +65,7 @@ int AgentModel::columnCount(const QModelIndex& parent) const { return parent.isV
 
 QString AgentModel::textIn(const Agent& agent, int column) const {
   if (column == Name) return QString::fromStdString(agent.name);
-  if (const auto size = sizeIn(column)) return numberText(sizeOf(agent, *size));
+  if (const auto size = sizeIn(column)) return numberText(units_.shown(sizeOf(agent, *size), unitOf(*size)));
   if (column == State) {
     const bool active = agent.id == document_.state().agent;
     if (active && controller_.busy()) return tr("running");
@@ -78,14 +76,19 @@ QString AgentModel::textIn(const Agent& agent, int column) const {
   if (!figures) return QStringLiteral("–");
   switch (column) {
     case Area:
-      return areaText(figures->area);
+      return units_.areaNumber(figures->area);
     case Layers:
-      return figures->layers == 0 ? QStringLiteral("–") : count(figures->layers);
+      return figures->layers == 0 ? QStringLiteral("–") : countText(figures->layers);
     case ComponentCount:
-      return count(figures->components);
+      return countText(figures->components);
     default:
-      return count(figures->connections);
+      return countText(figures->connections);
   }
+}
+
+// In the file's units, where they are not shown.
+QString AgentModel::heightHelp(const Agent& agent) const {
+  return units_.factor() == 1 ? QString() : tr("%1 units of the file").arg(shortText(agent.height));
 }
 
 QVariant AgentModel::data(const QModelIndex& index, int role) const {
@@ -105,7 +108,7 @@ QVariant AgentModel::data(const QModelIndex& index, int role) const {
       return font;
     }
     case Qt::ToolTipRole:
-      if (index.column() == Height) return tr("%1 m").arg(agent->height * metresPerUnit_, 0, 'g', 4);
+      if (index.column() == Height) return heightHelp(*agent);
       if (index.column() == Name && index.row() < 9) return tr("Alt+%1").arg(index.row() + 1);
       return {};
     default:
@@ -120,11 +123,11 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
       case Name:
         return tr("Agent");
       case Height:
-        return tr("Height (units)");
+        return tr("Height (%1)").arg(units_.name());
       case MaxSlope:
         return tr("Slope (°)");
       case Area:
-        return tr("Area (units²)");
+        return tr("Area (%1)").arg(units_.areaName());
       case Layers:
         return tr("Layers");
       case ComponentCount:
@@ -167,13 +170,15 @@ bool AgentModel::setData(const QModelIndex& index, const QVariant& value, int ro
   const auto size = sizeIn(index.column());
   if (!size) return false;
   const auto number = parseNumber(value.toString());
-  const QString wrong = number ? coreText(checkValue(filterOf(*size).parameters[0], *number))
-                               : tr("'%1' is not a number; write for example 1.8").arg(value.toString());
+  const double stored = number ? units_.stored(*number, unitOf(*size)) : 0;
+  const QString wrong = number
+                            ? coreText(checkValue(filterOf(*size).parameters[0], stored))
+                            : tr("'%1' is not a number; write for example %2").arg(value.toString(), numberText(1.8));
   if (!wrong.isEmpty()) {
     emit failed(tr("agent: %1").arg(wrong));
     return false;
   }
-  resizeAgent(document_, agent, *size, *number);
+  resizeAgent(document_, agent, *size, stored);
   return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "ui/agent_results.hpp"
 #include "ui/agent_rules.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
@@ -19,7 +20,7 @@ class AgentModel : public QAbstractTableModel {
 
   AgentModel(Document& document, RunController& controller, AgentResults& results, QObject* parent = nullptr);
 
-  void setMetresPerUnit(double metresPerUnit);
+  void setUnits(const LevelUnits& units);
   /// 0: no agent.
   [[nodiscard]] int agentAt(int row) const;
   /// -1: not there.
@@ -42,12 +43,13 @@ class AgentModel : public QAbstractTableModel {
 
  private:
   void follow();
+  [[nodiscard]] QString heightHelp(const Agent& agent) const;
   [[nodiscard]] QString textIn(const Agent& agent, int column) const;
 
   Document& document_;
   RunController& controller_;
   AgentResults& results_;
-  double metresPerUnit_ = 1;
+  LevelUnits units_;
   std::vector<int> ids_;
 };
 

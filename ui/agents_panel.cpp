@@ -14,6 +14,7 @@
 #include "ui/flow_layout.hpp"
 #include "ui/icon.hpp"
 #include "ui/number_field.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -32,7 +33,7 @@ class AgentDelegate : public QStyledItemDelegate {
     if (editor->property("filled").toBool()) return;
     editor->setProperty("filled", true);
     if (auto* field = qobject_cast<NumberField*>(editor)) {
-      field->setValue(index.data(Qt::EditRole).toString().toDouble());
+      field->setValue(parseNumber(index.data(Qt::EditRole).toString()).value_or(0));
     } else {
       QStyledItemDelegate::setEditorData(editor, index);
     }
@@ -159,9 +160,9 @@ void AgentsPanel::fillAddMenu() {
       ->setObjectName(QStringLiteral("agentOfFilters"));
 }
 
-void AgentsPanel::setMetresPerUnit(double metresPerUnit) {
-  metresPerUnit_ = metresPerUnit;
-  model_->setMetresPerUnit(metresPerUnit);
+void AgentsPanel::setUnits(const LevelUnits& units) {
+  metresPerUnit_ = units.metresPerUnit;
+  model_->setUnits(units);
   fillAddMenu();
 }
 

@@ -20,7 +20,7 @@ class AgentsPanel : public QWidget {
  public:
   AgentsPanel(Document& document, RunController& controller, QWidget* parent = nullptr);
 
-  void setMetresPerUnit(double metresPerUnit);
+  void setUnits(const LevelUnits& units);
   void computeAll() { results_->computeAll(); }
   /// Counting from 0; nothing where there is no such agent.
   void activate(int row);

@@ -19,21 +19,18 @@ constexpr double kReach = 32;  // pixels from the middle to the ends
 constexpr double kRadius = 9;  // of the discs
 constexpr double kDegreesPerPixel = 0.6;
 
+/// One of the level's axes (Z up), with the sides of the view at its ends.
 struct Axis {
   QVector3D direction;
   ViewSide side, far;
-  QString letter;
-  QColor colour;
 };
 
-// Okabe and Ito's vermilion, green and blue.
-const std::array<Axis, 3>& axes() {
-  static const std::array<Axis, 3> kAxes = {
-      {{{1, 0, 0}, ViewSide::Right, ViewSide::Left, QStringLiteral("X"), QColor(213, 94, 0)},
-       {{0, 1, 0}, ViewSide::Back, ViewSide::Front, QStringLiteral("Y"), QColor(0, 138, 100)},
-       {{0, 0, 1}, ViewSide::Top, ViewSide::Bottom, QStringLiteral("Z"), QColor(0, 114, 178)}}};
-  return kAxes;
-}
+const std::array<Axis, 3> kAxes = {{{{1, 0, 0}, ViewSide::Right, ViewSide::Left},
+                                    {{0, 1, 0}, ViewSide::Back, ViewSide::Front},
+                                    {{0, 0, 1}, ViewSide::Top, ViewSide::Bottom}}};
+
+// Okabe and Ito's vermilion, green and blue, for the file's x, y and z.
+const std::array<QColor, 3> kColours = {QColor(213, 94, 0), QColor(0, 138, 100), QColor(0, 114, 178)};
 
 QString helpOf(ViewSide side) {
   switch (side) {
@@ -66,18 +63,28 @@ AxisGizmo::AxisGizmo(LevelView& view) : QWidget(&view), view_(view) {
   });
 }
 
+void AxisGizmo::setUnits(const LevelUnits& units) {
+  units_ = units;
+  setAccessibleDescription(tr("Axes of the file: %1").arg(units.upText()));
+  update();
+}
+
 std::vector<AxisGizmo::End> AxisGizmo::ends() const {
   const auto& q = view_.cameraPose().orientation;
   const QQuaternion turn(static_cast<float>(q[3]), static_cast<float>(q[0]), static_cast<float>(q[1]),
                          static_cast<float>(q[2]));
   std::vector<End> found;
-  for (const Axis& axis : axes()) {
+  for (int i = 0; i < 3; ++i) {
+    const Axis& axis = kAxes[static_cast<std::size_t>(i)];
+    const LevelUnits::FileAxis file = units_.fileAxis(i);
+    const QColor& colour = kColours[static_cast<std::size_t>(file.axis)];
+    const QString letter = axisName(file.axis);
     const QVector3D seen = turn.conjugated().rotatedVector(axis.direction);
     const QPointF middle(kSide / 2.0, kSide / 2.0);
     const QPointF offset(static_cast<double>(seen.x()) * kReach, -static_cast<double>(seen.y()) * kReach);
     const auto depth = static_cast<double>(seen.z());
-    found.push_back({axis.side, axis.letter, axis.colour, middle + offset, depth});
-    found.push_back({axis.far, {}, axis.colour, middle - offset, -depth});
+    found.push_back({axis.side, file.same ? letter : QString(), colour, middle + offset, depth});
+    found.push_back({axis.far, file.same ? QString() : letter, colour, middle - offset, -depth});
   }
   std::ranges::sort(found, {}, &End::depth);
   return found;
@@ -96,8 +103,10 @@ bool AxisGizmo::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const std::optional<ViewSide> end = endAt(help->pos());
-    QToolTip::showText(help->globalPos(), end ? helpOf(*end) : tr("Click an axis to look along it; drag to turn"),
-                       this);
+    QToolTip::showText(
+        help->globalPos(),
+        end ? helpOf(*end) : tr("The file's axes (%1). Click one to look along it; drag to turn").arg(units_.upText()),
+        this);
     return true;
   }
   return QWidget::event(event);

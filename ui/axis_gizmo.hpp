@@ -1,4 +1,4 @@
-// The three axes as the view sees them; a click on one looks along it, dragging turns.
+// The file's three axes as the view sees them; a click on one looks along it, dragging turns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/level_units.hpp"
 #include "ui/level_view.hpp"
 
 namespace footfall {
@@ -23,10 +24,12 @@ class AxisGizmo : public QWidget {
   /// A child of the view.
   explicit AxisGizmo(LevelView& view);
 
+  void setUnits(const LevelUnits& units);
+
   /// Where the end of an axis is drawn; the nearer ones come last.
   struct End {
     ViewSide side = ViewSide::Top;
-    QString letter;  ///< empty for the far ends
+    QString letter;  ///< of the file's axis that points there; empty at the ends that one points away from
     QColor colour;
     QPointF place;
     double depth = 0;  ///< towards the eye
@@ -45,6 +48,7 @@ class AxisGizmo : public QWidget {
   [[nodiscard]] std::optional<ViewSide> endAt(const QPointF& place) const;
 
   LevelView& view_;
+  LevelUnits units_;
   std::array<double, 4> painted_{};  ///< the orientation that is shown
   std::optional<QPoint> pressed_;    ///< a click may have begun
   QPoint last_;

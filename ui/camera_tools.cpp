@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/errors.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -31,6 +32,9 @@ CameraTools::CameraTools(EditorWindow& window) : QObject(&window), window_(windo
   setObjectName(QStringLiteral("cameraTools"));
   gizmo_ = new AxisGizmo(window_.view());
   window_.overlays().gizmo = gizmo_;
+  const auto takeUnits = [this] { gizmo_->setUnits(window_.units().units()); };
+  connect(&window_.units(), &UnitChoice::changed, gizmo_, takeUnits);
+  takeUnits();
   addSides();
   addMoves();
   addBookmarks();
@@ -42,8 +46,10 @@ CameraTools::CameraTools(EditorWindow& window) : QObject(&window), window_(windo
     const double across = std::hypot(size.x, size.y, size.z);
     fly_.setSpeed(across > 0 ? across / kFlySeconds : 1);
   });
-  connect(&fly_, &FlyTool::speedChanged, this,
-          [this](double speed) { window_.say(tr("Fly: %1 units a second").arg(speed, 0, 'g', 3)); });
+  connect(&fly_, &FlyTool::speedChanged, this, [this](double speed) {
+    const LevelUnits& units = window_.units().units();
+    window_.say(tr("Fly: %1 %2 a second").arg(shortText(speed * units.factor(), 3), units.name()));
+  });
 }
 
 void CameraTools::addSides() {
@@ -57,10 +63,10 @@ void CameraTools::addSides() {
   const QKeyCombination back = Qt::CTRL | Qt::Key_1;
   const std::array<Side, 5> sides = {
       {{ViewSide::Bottom, "view.bottom", tr("From &below"), tr("Look straight up"), Qt::CTRL | Qt::Key_7},
-       {ViewSide::Front, "view.front", tr("From the f&ront"), tr("Look along Y"), Qt::Key_1},
-       {ViewSide::Back, "view.back", tr("From the bac&k"), tr("Look against Y"), back},
-       {ViewSide::Right, "view.right", tr("From the ri&ght"), tr("Look against X"), Qt::Key_3},
-       {ViewSide::Left, "view.left", tr("From the &left"), tr("Look along X"), Qt::CTRL | Qt::Key_3}}};
+       {ViewSide::Front, "view.front", tr("From the f&ront"), tr("Look level, from the front"), Qt::Key_1},
+       {ViewSide::Back, "view.back", tr("From the bac&k"), tr("Look level, from the back"), back},
+       {ViewSide::Right, "view.right", tr("From the ri&ght"), tr("Look level, from the right"), Qt::Key_3},
+       {ViewSide::Left, "view.left", tr("From the &left"), tr("Look level, from the left"), Qt::CTRL | Qt::Key_3}}};
   for (const Side& side : sides) {
     window_.commands().add(
         {QString::fromLatin1(side.id), CommandMenu::View, QStringLiteral("camera"), side.text, side.help, {side.key}},

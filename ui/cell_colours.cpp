@@ -2,10 +2,11 @@
 #include "ui/cell_colours.hpp"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -127,26 +128,24 @@ std::vector<ThreadShare> threadShares(const CellBlock& block) {
 }
 
 QString durationText(double milliseconds) {
-  if (milliseconds >= 1000) return tr("%1 s").arg(milliseconds / 1000, 0, 'f', 2);
-  if (milliseconds >= 10) return tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 100 ? 1 : 0);
-  if (milliseconds >= 0.005 || milliseconds == 0) return tr("%1 ms").arg(milliseconds, 0, 'f', 2);
+  if (milliseconds >= 1000) return tr("%1 s").arg(fixedText(milliseconds / 1000, 2));
+  if (milliseconds >= 10) return tr("%1 ms").arg(fixedText(milliseconds, milliseconds < 100 ? 1 : 0));
+  if (milliseconds >= 0.005 || milliseconds == 0) return tr("%1 ms").arg(fixedText(milliseconds, 2));
   return tr("under 0.01 ms");
 }
-
-QString countText(double count) { return QLocale(QLocale::English).toString(std::round(count), 'f', 0); }
 
 QString valueText(CellColouring colouring, double value) {
   switch (colouring) {
     case CellColouring::Time:
       return durationText(value);
     case CellColouring::Triangles:
-      return tr("%1 triangles").arg(countText(value));
+      return tr("%1 triangles").arg(fixedText(value, 0));
     case CellColouring::Cost:
-      return tr("%1 units of work").arg(countText(value));
+      return tr("%1 units of work").arg(fixedText(value, 0));
     case CellColouring::Thread:
       break;
   }
-  return tr("thread %1").arg(countText(value));
+  return tr("thread %1").arg(fixedText(value, 0));
 }
 
 }  // namespace footfall

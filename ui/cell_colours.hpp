@@ -65,7 +65,6 @@ std::vector<ThreadShare> threadShares(const CellBlock& block);
 
 /// "12.3 ms", "1.24 s"; never "0 ms" for something.
 QString durationText(double milliseconds);
-QString countText(double count);
 /// A value of the colouring with its unit.
 QString valueText(CellColouring colouring, double value);
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cell_model.hpp"
 
-#include <QLocale>
 #include <QMap>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -16,12 +17,11 @@ bool sameShapes(const std::vector<CellBounds>& a, const std::vector<CellReport>&
   });
 }
 
-QString rangeText(double lower, double upper) {
-  const auto number = [](double value) { return QLocale(QLocale::English).toString(value, 'g', 6); };
+QString rangeText(double lower, double upper, const QString& unit) {
   if (std::isinf(lower) && std::isinf(upper)) return CellModel::tr("everything");
-  if (std::isinf(lower)) return CellModel::tr("below %1").arg(number(upper));
-  if (std::isinf(upper)) return CellModel::tr("from %1").arg(number(lower));
-  return CellModel::tr("%1 to %2").arg(number(lower), number(upper));
+  if (std::isinf(lower)) return CellModel::tr("below %1 %2").arg(measureText(upper), unit);
+  if (std::isinf(upper)) return CellModel::tr("from %1 %2").arg(measureText(lower), unit);
+  return CellModel::tr("%1 to %2 %3").arg(measureText(lower), measureText(upper), unit);
 }
 
 }  // namespace
@@ -104,6 +104,25 @@ void CellModel::select(std::optional<CellId> cell, bool frame) {
   if (cell && frame) emit frameRequested(*cell);
 }
 
+// Along the file's axes.
+void CellModel::describePlace(const CellBounds& bounds,
+                              const std::function<void(const QString&, const QString&)>& row) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (axis == 2 && !std::isfinite(bounds.lower[i]) && !std::isfinite(bounds.upper[i])) continue;  // cells of the plan
+    const LevelUnits::FileAxis file = units_.fileAxis(axis);
+    const double factor = file.same ? units_.factor() : -units_.factor();
+    const auto [lower, upper] = std::minmax({bounds.lower[i] * factor, bounds.upper[i] * factor});
+    const QString name = axisName(file.axis).toLower();
+    row(axis == 2 ? tr("height (%1)").arg(name) : name, rangeText(lower, upper, units_.name()));
+  }
+}
+
+void CellModel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  emit figuresChanged();
+}
+
 QString CellModel::describe(CellId id) const {
   if (!contains(id)) return {};
   const CellBlock& block = blocks()[id.block];
@@ -112,15 +131,10 @@ QString CellModel::describe(CellId id) const {
   const auto row = [&](const QString& name, const QString& value) {
     rows << QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value);
   };
-  row(QStringLiteral("x"), rangeText(cell.bounds.lower[0], cell.bounds.upper[0]));
-  row(QStringLiteral("y"), rangeText(cell.bounds.lower[1], cell.bounds.upper[1]));
-  if (std::isfinite(cell.bounds.lower[2]) || std::isfinite(cell.bounds.upper[2]))
-    row(tr("height"), rangeText(cell.bounds.lower[2], cell.bounds.upper[2]));
+  describePlace(cell.bounds, row);
   row(tr("estimated cost"), valueText(CellColouring::Cost, cell.cost));
   if (block.finished[id.cell]) {
-    row(tr("triangles"),
-        tr("%1 in, %2 out")
-            .arg(countText(static_cast<double>(cell.trianglesIn)), countText(static_cast<double>(cell.trianglesOut))));
+    row(tr("triangles"), tr("%1 in, %2 out").arg(countText(cell.trianglesIn), countText(cell.trianglesOut)));
     row(tr("time"), durationText(cell.workMs()));
     QMap<int, double> threads;
     std::vector<std::pair<QString, double>> filters;
@@ -140,7 +154,7 @@ QString CellModel::describe(CellId id) const {
                           : tr("%1, helped by %2").arg(cell.thread).arg(helpers.join(QStringLiteral(", "))));
     for (const auto& [name, time] : filters) row(name, durationText(time));
   } else if (cell.trianglesIn > 0) {
-    row(tr("triangles"), tr("%1 in").arg(countText(static_cast<double>(cell.trianglesIn))));
+    row(tr("triangles"), tr("%1 in").arg(countText(cell.trianglesIn)));
   }
   QString title = tr("Cell %1 of %2").arg(id.cell + 1).arg(block.report.cells.size());
   if (previewing()) {

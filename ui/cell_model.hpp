@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/partitioning/partition.hpp"
 #include "ui/cell_block.hpp"
 #include "ui/cell_colours.hpp"
+#include "ui/level_units.hpp"
 #include "ui/run_threads.hpp"
 
 namespace footfall {
@@ -56,6 +58,7 @@ class CellModel : public QObject {
   [[nodiscard]] int threads() const { return threads_; }
   void setThreads(int threads);
 
+  void setUnits(const LevelUnits& units);
   /// Everything that is known of a cell, as rich text.
   [[nodiscard]] QString describe(CellId cell) const;
 
@@ -70,6 +73,7 @@ class CellModel : public QObject {
 
  private:
   void changed();
+  void describePlace(const CellBounds& bounds, const std::function<void(const QString&, const QString&)>& row) const;
   [[nodiscard]] bool contains(const std::optional<CellId>& cell) const;
 
   CellBlocks blocks_;
@@ -79,6 +83,7 @@ class CellModel : public QObject {
   CellColouring colouring_ = CellColouring::Thread;
   std::optional<CellId> hovered_, selected_;
   int threads_ = processorCount();
+  LevelUnits units_;
 };
 
 }  // namespace footfall

@@ -6,10 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "core/environment/up_axis.hpp"
 #include "ui/panel_dock.hpp"
-#include "ui/path_text.hpp"
-#include "ui/why_text.hpp"
 
 namespace footfall {
 namespace {
@@ -65,6 +62,7 @@ CompareFeature::CompareFeature(EditorWindow& window)
   connect(&window_.controller(), &RunController::cancelled, this, resume);
   connect(&window_.controller(), &RunController::failed, this, resume);
   connect(&window_, &EditorWindow::environmentLoaded, watch_, &CompareWatch::forget);
+  connect(&window_.units(), &UnitChoice::changed, this, &CompareFeature::show);
   // While the window goes, its docks still hide, and the view is gone by then.
   connect(&window_.commands(), &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
   show();
@@ -141,11 +139,8 @@ void CompareFeature::takeResult() {
 }
 
 CompareWriter CompareFeature::writer() const {
-  const auto environment = window_.environment();
-  const double metres = environment ? environment->metresPerUnit : 1;
-  const UpAxis up = environment ? environment->up : UpAxis::Z;
-  return {[metres](double area) { return WhyText::area(area, metres); },
-          [up](const Vec3& place) { return placeText(inFileFrame(place, up)); }};
+  const LevelUnits units = window_.units().units();
+  return {[units](double area) { return units.area(area); }, [units](const Vec3& place) { return units.place(place); }};
 }
 
 void CompareFeature::show() {

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/components_model.hpp"
 
-#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <utility>
 
-#include "core/environment/up_axis.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
 
 constexpr std::size_t kMostLayers = 6;  // that are named one by one
-
-QString number(double value, int digits) { return QLocale(QLocale::English).toString(value + 0.0, 'g', digits); }
 
 QString layersText(const std::vector<std::uint32_t>& layers) {
   QStringList texts;
@@ -29,6 +26,12 @@ void ComponentsModel::setInspector(std::shared_ptr<const Inspector> inspector) {
   inspector_ = std::move(inspector);
   findFirst();
   endResetModel();
+}
+
+void ComponentsModel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
 }
 
 void ComponentsModel::setSmallerThan(std::optional<double> area) {
@@ -67,17 +70,15 @@ QString ComponentsModel::textOf(std::uint32_t component, int column) const {
   const Component& c = inspector_->components().list[component];
   switch (column) {
     case Rank:
-      return QString::number(component + 1);
+      return countText(component + 1);
     case Area:
-      return number(c.area, 6);
+      return shortText(c.area * units_.factor(Unit::Area));
     case Triangles:
-      return QString::number(c.triangles);
+      return countText(c.triangles);
     case Layers:
       return layersText(c.layers);
-    case Centre: {
-      const Vec3 p = inFileFrame(c.centre, inspector_->environment().up);
-      return QStringLiteral("%1  %2  %3").arg(number(p.x, 5), number(p.y, 5), number(p.z, 5));
-    }
+    case Centre:
+      return units_.placeNumbers(c.centre);
     default:
       return {};
   }
@@ -93,24 +94,23 @@ QVariant ComponentsModel::data(const QModelIndex& index, int role) const {
 
 QVariant ComponentsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  const bool metres = !inspector_ || inspector_->environment().metresPerUnit == 1;
   if (role == Qt::DisplayRole) {
     switch (section) {
       case Rank:
         return tr("Rank");
       case Area:
-        return metres ? tr("Area (m²)") : tr("Area (units²)");
+        return tr("Area (%1)").arg(units_.areaName());
       case Triangles:
         return tr("Triangles");
       case Layers:
         return tr("Layers");
       case Centre:
-        return tr("Centre");
+        return tr("Centre (%1)").arg(units_.name());
       default:
         return {};
     }
   }
-  if (role == Qt::ToolTipRole && section == Centre) return tr("Centre of mass, x y z, in the frame of the file");
+  if (role == Qt::ToolTipRole && section == Centre) return tr("Centre of mass. %1").arg(units_.frameText());
   if (role == Qt::ToolTipRole && section == Area) return tr("Of the surface; the largest is the first");
   return {};
 }

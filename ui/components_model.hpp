@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/metrics/inspection.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
@@ -21,6 +22,7 @@ class ComponentsModel : public QAbstractTableModel {
 
   /// Null: none.
   void setInspector(std::shared_ptr<const Inspector> inspector);
+  void setUnits(const LevelUnits& units);
   /// Leaves out all of this area and more; empty: none.
   void setSmallerThan(std::optional<double> area);
 
@@ -44,6 +46,7 @@ class ComponentsModel : public QAbstractTableModel {
 
   std::shared_ptr<const Inspector> inspector_;
   std::optional<double> smallerThan_;
+  LevelUnits units_;
   std::uint32_t first_ = 0;  ///< that is shown; those after it are, too
   double shownArea_ = 0;
 };

@@ -5,13 +5,13 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <cmath>
 #include <utility>
 
-#include "ui/why_text.hpp"
+#include "ui/keys_back.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 
@@ -21,12 +21,13 @@ ComponentsPanel::ComponentsPanel(QWidget* parent)
       error_(new QLabel(this)),
       table_(new QTableView(this)),
       total_(new QLabel(this)),
+      frame_(new QLabel(this)),
       copy_(new QPushButton(tr("Copy as text"), this)) {
   setObjectName(QStringLiteral("componentsPanel"));
   smallerThan_->setObjectName(QStringLiteral("componentsSmallerThan"));
   smallerThan_->setPlaceholderText(tr("any area"));
   smallerThan_->setClearButtonEnabled(true);
-  smallerThan_->setToolTip(tr("Show only components with less area than this, in the environment's units"));
+  giveKeysBackAfterTyping(*smallerThan_);
   auto* label = new QLabel(tr("&Smaller than"), this);
   label->setBuddy(smallerThan_);
   error_->setObjectName(QStringLiteral("rowError"));
@@ -57,6 +58,7 @@ ComponentsPanel::ComponentsPanel(QWidget* parent)
   total_->setWordWrap(true);
   total_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   total_->setAccessibleName(tr("Number and area of the components that are shown"));
+  setUnits({});
   copy_->setObjectName(QStringLiteral("componentsCopy"));
   copy_->setToolTip(tr("Copy all rows that are shown to the clipboard, with tabs for a spreadsheet"));
 
@@ -71,6 +73,10 @@ ComponentsPanel::ComponentsPanel(QWidget* parent)
   layout->addWidget(error_);
   layout->addWidget(table_, 1);
   layout->addLayout(foot);
+  frame_->setObjectName(QStringLiteral("componentsFrame"));
+  frame_->setWordWrap(true);
+  frame_->setEnabled(false);
+  layout->addWidget(frame_);
 
   connect(smallerThan_, &QLineEdit::textChanged, this, &ComponentsPanel::filter);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
@@ -95,6 +101,14 @@ void ComponentsPanel::setInspector(std::shared_ptr<const Inspector> inspector) {
   describe();
 }
 
+void ComponentsPanel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  model_.setUnits(units);
+  smallerThan_->setToolTip(tr("Show only components with less area than this, in %1").arg(units.areaName()));
+  frame_->setText(units.frameText());
+  filter();
+}
+
 void ComponentsPanel::choose(std::uint32_t component) {
   const int row = model_.rowOf(component);
   if (row >= 0) table_->setCurrentIndex(model_.index(row, 0));
@@ -102,19 +116,18 @@ void ComponentsPanel::choose(std::uint32_t component) {
 
 void ComponentsPanel::filter() {
   const QString text = smallerThan_->text().trimmed();
-  bool isNumber = true;
-  std::optional<double> area;
-  if (!text.isEmpty()) area = QLocale::c().toDouble(text, &isNumber);
-  const bool valid = text.isEmpty() || (isNumber && std::isfinite(*area) && *area > 0);
+  const std::optional<double> area = parseNumber(text);
+  const bool valid = text.isEmpty() || (area && std::isfinite(*area) && *area > 0);
   error_->setVisible(!valid);
-  error_->setText(valid ? QString() : tr("\"%1\" is no area; give a number above 0, such as 2.5").arg(text));
+  error_->setText(valid ? QString()
+                        : tr("\"%1\" is no area; give a number above 0, such as %2").arg(text, numberText(2.5)));
   if (smallerThan_->property("invalid").toBool() == valid) {
     smallerThan_->setProperty("invalid", !valid);
     smallerThan_->style()->unpolish(smallerThan_);
     smallerThan_->style()->polish(smallerThan_);
   }
   if (!valid) return;  // the last valid one stays in force
-  model_.setSmallerThan(area);
+  model_.setSmallerThan(area ? std::optional(units_.stored(*area, Unit::Area)) : std::nullopt);
   describe();
 }
 
@@ -126,12 +139,12 @@ void ComponentsPanel::describe() {
     return;
   }
   const auto all = static_cast<int>(inspector->components().list.size());
-  const double scale = inspector->environment().metresPerUnit;
-  const QString area = WhyText::area(model_.shownArea(), scale);
-  total_->setText(
-      model_.rowCount() == all
-          ? tr("%1 components, %2").arg(QString::number(all), area)
-          : tr("%1 of %2 components, %3").arg(QString::number(model_.rowCount()), QString::number(all), area));
+  const QString area = units_.area(model_.shownArea());
+  total_->setText(model_.rowCount() == all
+                      ? tr("%1 components, %2").arg(countText(static_cast<std::uint64_t>(all)), area)
+                      : tr("%1 of %2 components, %3")
+                            .arg(countText(static_cast<std::uint64_t>(model_.rowCount())),
+                                 countText(static_cast<std::uint64_t>(all)), area));
 }
 
 }  // namespace footfall

@@ -21,6 +21,7 @@ class ComponentsPanel : public QWidget {
   /// Null: none. The chosen rank stays chosen where there still is one.
   void setInspector(std::shared_ptr<const Inspector> inspector);
   void choose(std::uint32_t component);
+  void setUnits(const LevelUnits& units);
 
   /// Wide enough for all columns.
   [[nodiscard]] QSize sizeHint() const override;
@@ -42,10 +43,12 @@ class ComponentsPanel : public QWidget {
   void describe();
 
   ComponentsModel model_;
+  LevelUnits units_;
   QLineEdit* smallerThan_;
   QLabel* error_;
   QTableView* table_;
   QLabel* total_;
+  QLabel* frame_;
   QPushButton* copy_;
 };
 

@@ -3,7 +3,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,8 @@ CutBar::CutBar(LevelView& view) : QFrame(&view), view_(view) {
   facing_->setObjectName(QStringLiteral("cutFacing"));
   facing_->setAccessibleName(tr("Direction of the cut plane"));
   facing_->setToolTip(tr("Which way the plane faces"));
-  facing_->addItems({tr("Across X"), tr("Across Y"), tr("Facing the camera")});
+  facing_->addItems({QString(), QString(), tr("Facing the camera")});
+  setUnits({});
   slider_ = new QSlider(Qt::Horizontal, this);
   slider_->setObjectName(QStringLiteral("cutPosition"));
   slider_->setAccessibleName(tr("Position of the cut plane"));
@@ -59,6 +59,12 @@ CutBar::CutBar(LevelView& view) : QFrame(&view), view_(view) {
     emit closed();
   });
   hide();
+}
+
+// The plane stands upright: two of the file's axes lie in the plan.
+void CutBar::setUnits(const LevelUnits& units) {
+  units_ = units;
+  for (const int axis : {0, 1}) facing_->setItemText(axis, tr("Across %1").arg(axisName(units.fileAxis(axis).axis)));
 }
 
 // Of the level along the plane's normal, in the environment's coordinates.
@@ -137,7 +143,7 @@ void CutBar::apply() {
 
 void CutBar::describe() {
   setVisible(on());
-  if (on()) slider_->setAccessibleDescription(QLocale(QLocale::English).toString(view_.cutPlane()->at, 'g', 6));
+  if (on()) slider_->setAccessibleDescription(units_.length(view_.cutPlane()->at));
   emit changed(on());
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <optional>
 
+#include "ui/level_units.hpp"
 #include "ui/level_view.hpp"
 
 namespace footfall {
@@ -23,6 +24,7 @@ class CutBar : public QFrame {
   explicit CutBar(LevelView& view);
 
   /// Cuts through the middle at first.
+  void setUnits(const LevelUnits& units);
   void setOn(bool on);
   [[nodiscard]] bool on() const { return view_.cutPlane().has_value(); }
   void setPlane(const std::optional<CutPlane>& plane);
@@ -45,6 +47,7 @@ class CutBar : public QFrame {
   [[nodiscard]] Reach reach() const;
 
   LevelView& view_;
+  LevelUnits units_;
   double nx_ = 1, ny_ = 0;
   QComboBox* facing_;
   QSlider* slider_;

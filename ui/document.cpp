@@ -27,7 +27,7 @@ class DocumentCommand : public QUndoCommand {
         after_(std::move(after)),
         mergeKey_(std::move(mergeKey)),
         ofValue_(text.isEmpty()) {
-    setText(ofValue_ ? valueEditText(before_, after_) : text);
+    setText(ofValue_ ? valueEditText(before_, after_, document_.units()) : text);
   }
 
   void undo() override { document_.setState(before_); }
@@ -37,7 +37,7 @@ class DocumentCommand : public QUndoCommand {
     const auto* next = static_cast<const DocumentCommand*>(other);  // same id, so the same class
     if (next->mergeKey_ != mergeKey_) return false;
     after_ = next->after_;
-    setText(ofValue_ ? valueEditText(before_, after_) : next->text());
+    setText(ofValue_ ? valueEditText(before_, after_, document_.units()) : next->text());
     setObsolete(before_ == after_);
     return true;
   }
@@ -211,6 +211,27 @@ void Document::reset(const Pipeline& pipeline, const ImportOptions& import, Docu
   emit agentsChanged();
   emit levelChanged();
   emit filtersChanged();
+}
+
+Pipeline rescaleLengths(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit) {
+  if (fromMetresPerUnit == toMetresPerUnit) return pipeline;
+  Pipeline rescaled = rescaleDefaults(pipeline, fromMetresPerUnit, toMetresPerUnit);
+  LevelUnits from, to;
+  from.metresPerUnit = fromMetresPerUnit;
+  to.metresPerUnit = toMetresPerUnit;
+  from.scaleKnown = to.scaleKnown = true;
+  for (std::size_t s = 0; s < rescaled.steps.size(); ++s) {
+    PipelineStep& step = rescaled.steps[s];
+    const PipelineStep defaults = defaultStep(*step.filter, fromMetresPerUnit);
+    for (std::size_t i = 0; i < step.values.size(); ++i) {
+      const double before = pipeline.steps[s].values[i];
+      const Unit unit = step.filter->parameters[i].unit;
+      if (before == defaults.values[i] || (unit != Unit::Length && unit != Unit::Area)) continue;
+      const double value = to.stored(from.shown(before, unit), unit);
+      if (checkValue(step.filter->parameters[i], value).empty()) step.values[i] = value;
+    }
+  }
+  return rescaled;
 }
 
 Pipeline rescaleDefaults(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit) {

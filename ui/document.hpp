@@ -14,6 +14,7 @@
 #include "core/environment/placed_obstacle.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "ui/agent.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
@@ -49,6 +50,9 @@ class Document : public QObject {
   [[nodiscard]] const std::vector<FilterEntry>& filters() const { return state_.filters; }
   [[nodiscard]] Pipeline pipeline() const;
   [[nodiscard]] QUndoStack* undoStack() { return &undoStack_; }
+  /// For the texts of edits.
+  void setUnits(const LevelUnits& units) { units_ = units; }
+  [[nodiscard]] const LevelUnits& units() const { return units_; }
 
   void addFilter(const FilterDescriptor& filter, double metresPerUnit);
   void removeFilter(int id);
@@ -94,9 +98,12 @@ class Document : public QObject {
   DocumentState state_;
   QUndoStack undoStack_;
   int nextId_ = 1;
+  LevelUnits units_;
 };
 
 /// Values of lengths and areas that are defaults at one scale become the defaults of the other.
 Pipeline rescaleDefaults(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit);
+/// All lengths and areas stay the same in metres.
+Pipeline rescaleLengths(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit);
 
 }  // namespace footfall

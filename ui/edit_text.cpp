@@ -6,6 +6,7 @@
 
 #include "core/filters/descriptor_text.hpp"
 #include "ui/filter_text.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -26,13 +27,14 @@ QString inside(std::string_view label) {
 
 QString labelOf(const PipelineStep& step) { return filterText(step.filter->label); }
 
-QString valueText(const ParameterDescriptor& parameter, double value) {
+QString valueText(const ParameterDescriptor& parameter, double value, const LevelUnits& units) {
   if (parameter.type == ParameterType::Boolean) return value != 0 ? tr("yes") : tr("no");
-  const QString text = QString::fromStdString(formatValue(parameter, value));
+  const QString text = parameter.type == ParameterType::Real ? numberText(units.shown(value, parameter.unit))
+                                                             : QString::fromStdString(formatValue(parameter, value));
   return parameter.unit == Unit::Degrees ? text + QStringLiteral("°") : text;
 }
 
-QString valueEditText(const DocumentState& before, const DocumentState& after) {
+QString valueEditText(const DocumentState& before, const DocumentState& after, const LevelUnits& units) {
   for (const FilterEntry& now : after.filters) {
     const auto was = std::ranges::find(before.filters, now.id, &FilterEntry::id);
     if (was == before.filters.end() || was->step.filter != now.step.filter) continue;
@@ -40,8 +42,8 @@ QString valueEditText(const DocumentState& before, const DocumentState& after) {
       if (was->step.values[i] == now.step.values[i]) continue;
       const ParameterDescriptor& parameter = now.step.filter->parameters[i];
       return tr("Change %1 %2 → %3")
-          .arg(inside(parameter.label), valueText(parameter, was->step.values[i]),
-               valueText(parameter, now.step.values[i]));
+          .arg(inside(parameter.label), valueText(parameter, was->step.values[i], units),
+               valueText(parameter, now.step.values[i], units));
     }
   }
   return {};

@@ -68,6 +68,7 @@ void EditorWindow::createWidgets() {
   layout->addWidget(messages_);
   layout->addWidget(view_, 1);
   setCentralWidget(central);
+  central->setFocusProxy(view_);  // who gives the keys back gives them to the view
 
   import_ = new ImportPanel(this);
   filters_ = new FilterList(document_, controller_, this);

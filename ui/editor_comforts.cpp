@@ -17,6 +17,7 @@
 #include "ui/icon.hpp"
 #include "ui/installed_files.hpp"
 #include "ui/log_panel.hpp"
+#include "ui/number_text.hpp"
 #include "ui/theme_commands.hpp"
 #include "ui/translations.hpp"
 #include "ui/welcome_page.hpp"
@@ -103,11 +104,9 @@ void EditorWindow::logRun() {
   for (const FilterEntry& entry : document_.filters()) {
     const StepStatus status = controller_.status(entry.id);
     if (status.state != StepState::Done || !status.wallMs) continue;
-    QString line = tr("%1: %2 ms").arg(filterText(entry.step.filter->label)).arg(*status.wallMs, 0, 'f', 1);
+    QString line = tr("%1: %2 ms").arg(filterText(entry.step.filter->label)).arg(fixedText(*status.wallMs, 1));
     if (status.trianglesIn && status.trianglesOut)
-      line += tr(", %1 → %2 triangles")
-                  .arg(QLocale().toString(static_cast<qulonglong>(*status.trianglesIn)),
-                       QLocale().toString(static_cast<qulonglong>(*status.trianglesOut)));
+      line += tr(", %1 → %2 triangles").arg(countText(*status.trianglesIn), countText(*status.trianglesOut));
     lines << line;
   }
   log_.add(MessageLevel::Note, lines.join(QLatin1Char('\n')));

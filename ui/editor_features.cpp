@@ -11,11 +11,13 @@
 #include "ui/obstacle_features.hpp"
 #include "ui/path_feature.hpp"
 #include "ui/skipped_feature.hpp"
+#include "ui/unit_tools.hpp"
 
 namespace footfall {
 
 void EditorWindow::createFeatures() {
   addFilterTools(*this);
+  installUnitTools(*this);
   new EnvironmentTools(*this);
   installLevelLook(*this);
   connect(&findChild<LevelLook*>()->modes(), &ViewModes::ready, this, &EditorWindow::writePendingExports,

@@ -4,13 +4,13 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMimeData>
 #include <chrono>
 #include <limits>
 
 #include "ui/agent_rules.hpp"
 #include "ui/core_text.hpp"
+#include "ui/number_text.hpp"
 #include "ui/welcome_page.hpp"
 
 namespace footfall {
@@ -22,8 +22,7 @@ std::string toPath(const QString& path) { return QFile::encodeName(path).toStdSt
 QString fromPath(const std::string& path) { return QFile::decodeName(QByteArray::fromStdString(path)); }
 
 QString counted(std::uint64_t count, const QString& one, const QString& many) {
-  return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)) + QLatin1Char(' ') +
-         (count == 1 ? one : many);
+  return countText(count) + QLatin1Char(' ') + (count == 1 ? one : many);
 }
 
 }  // namespace
@@ -91,6 +90,8 @@ void EditorWindow::connectParts() {
   // Who works on has not closed.
   connect(document_.undoStack(), &QUndoStack::indexChanged, this, [this] { closing_ = closeWhenWritten_ = false; });
   connect(import_, &ImportPanel::optionsEdited, this, &EditorWindow::editImport);
+  connect(&units_, &UnitChoice::changed, this, &EditorWindow::takeUnits);
+  takeUnits();
   connect(&recent_, &RecentFiles::chosen, this, &EditorWindow::openAsking);
   connect(cancel_, &QPushButton::clicked, this, &EditorWindow::cancelWork);
   connect(legend_, &Legend::partsChanged, view_, &LevelView::setParts);
@@ -231,9 +232,11 @@ void EditorWindow::reread() {
 
 void EditorWindow::takeReread(const LoadedEnvironment& loaded) {
   loaded_ = loaded;
-  if (loaded.environment->scaleGuessed) guessedScale_ = loaded.environment->metresPerUnit;
+  keepFileScale(loaded);
   const Vec3 &lower = loaded.geometry->lower, &upper = loaded.geometry->upper;
-  import_->setEnvironment(loaded.environment.get(), {upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
+  import_->setEnvironment(loaded.environment.get(), {upper.x - lower.x, upper.y - lower.y, upper.z - lower.z},
+                          loaded.options.metresPerUnit.has_value());
+  units_.setLevel(*loaded.environment);
   composer_.replaceLoaded(loaded.environment);
   emit rereadDone();
 }
@@ -255,12 +258,12 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
     summary_->setState({});
   }
   loaded_ = loaded;
-  guessedScale_ = environment.scaleGuessed ? std::optional(environment.metresPerUnit)
-                  : opening.reload         ? guessedScale_
-                                           : std::nullopt;
+  if (!opening.reload) fileScale_.reset();
+  keepFileScale(loaded);
   const Vec3& upper = loaded.geometry->upper;
-  import_->setEnvironment(&environment, {2 * upper.x, 2 * upper.y, 2 * upper.z});
-  filters_->setMetresPerUnit(environment.metresPerUnit);
+  import_->setEnvironment(&environment, {2 * upper.x, 2 * upper.y, 2 * upper.z},
+                          loaded.options.metresPerUnit.has_value());
+  units_.setLevel(environment);
   view_->setEnvironment(loaded.geometry, !opening.reload || before->up != environment.up);
   legend_->describe({});
   showWelcome(false);
@@ -268,9 +271,10 @@ void EditorWindow::takeLoaded(const LoadedEnvironment& loaded) {
   if (!opening.reload) {
     // A pipeline that somebody has worked on is worth more than defaults.
     const bool own = before && !(document_.pipeline() == defaultPipeline(*before));
-    const Pipeline pipeline = opening.pipeline ? *opening.pipeline
-                              : own            ? document_.pipeline()
-                                               : defaultPipeline(environment);
+    const Pipeline pipeline =
+        opening.pipeline ? *opening.pipeline
+        : own            ? rescaleLengths(document_.pipeline(), before->metresPerUnit, environment.metresPerUnit)
+                         : defaultPipeline(environment);
     composer_.setLoaded(nullptr);  // the document is that of the new level from here on
     document_.reset(pipeline, opening.import, opening.rest);
     sessionPath_ = opening.session;
@@ -327,11 +331,26 @@ void EditorWindow::editImport(const ImportOptions& options) {
   std::optional<std::vector<Agent>> agents;
   QString mergeKey;
   if (options.metresPerUnit && options.metresPerUnit != document_.state().import.metresPerUnit) {
-    pipeline = rescaleDefaults(pipeline, loaded_.environment->metresPerUnit, *options.metresPerUnit);
-    agents = rescaledAgents(document_.state().agents, loaded_.environment->metresPerUnit, *options.metresPerUnit);
-    mergeKey = QStringLiteral("scale/%1").arg(import_->scaleField()->editSession());
+    if (import_->scaleField()->hasFocus())
+      mergeKey = QStringLiteral("scale/%1").arg(import_->scaleField()->editSession());
+    // What is typed passes through other numbers: all of them start from what was there before.
+    if (mergeKey.isEmpty() || !scaleEdit_ || scaleEdit_->key != mergeKey)
+      scaleEdit_ = ScaleEdit{mergeKey, pipeline, document_.state().agents, loaded_.environment->metresPerUnit,
+                             loaded_.environment->scaleGuessed};
+    const double scale = *options.metresPerUnit;
+    // What was typed while the unit was a guess was typed in the file's units, and stays.
+    pipeline = scaleEdit_->guessed ? rescaleDefaults(scaleEdit_->pipeline, scaleEdit_->scale, scale)
+                                   : rescaleLengths(scaleEdit_->pipeline, scaleEdit_->scale, scale);
+    agents = rescaledAgents(scaleEdit_->agents, scaleEdit_->scale, scale);
   }
   document_.setImportAndPipeline(options, pipeline, tr("Change import options"), mergeKey, agents);
+}
+
+// What was given instead says nothing about the file.
+void EditorWindow::keepFileScale(const LoadedEnvironment& loaded) {
+  if (loaded.options.metresPerUnit) return;
+  fileScale_ = loaded.environment->metresPerUnit;
+  fileScaleGuessed_ = loaded.environment->scaleGuessed;
 }
 
 // The document's options have changed, by an edit or by undo: read the file again where that makes a difference.
@@ -343,15 +362,15 @@ void EditorWindow::applyImport() {
     if (!opening_ || !opening_->reload) return;  // a new file brings its own
   }
   const bool sameMesh = options.up == loaded_.options.up && options.bothSides == loaded_.options.bothSides;
-  const std::optional<double> scale = options.metresPerUnit ? options.metresPerUnit : guessedScale_;
+  const std::optional<double> scale = options.metresPerUnit ? options.metresPerUnit : fileScale_;
   if (sameMesh && scale && !loader_.busy()) {
     // The scale changes no coordinate, so nothing is computed again.
     auto rescaled = std::make_shared<Environment>(*loaded_.environment);
     rescaled->metresPerUnit = *scale;
-    rescaled->scaleGuessed = !options.metresPerUnit;
+    rescaled->scaleGuessed = !options.metresPerUnit && fileScaleGuessed_;
     loaded_.environment = std::move(rescaled);
     loaded_.options = options;
-    filters_->setMetresPerUnit(*scale);
+    units_.setLevel(*loaded_.environment);
     return;
   }
   Opening opening;
@@ -367,22 +386,37 @@ void EditorWindow::applyImport() {
 void EditorWindow::showResult() {
   hideProgress();
   messages_->finish(MessageSubject::Run);
+  showSummary();
+  exportAction_->setEnabled(true);
+  // Later, when all have heard of the result: pictures are of what they make of it.
+  QMetaObject::invokeMethod(this, &EditorWindow::writePendingExports, Qt::QueuedConnection);
+}
+
+void EditorWindow::showSummary() {
   const auto run = controller_.finishedRun();
   const StateSummary& summary = run->result.summary;
   const NavigationMesh& mesh = *run->result.mesh;
-  QStringList parts{
-      counted(mesh.triangles.size(), tr("walkable triangle"), tr("walkable triangles")),
-      tr("area %1 units²").arg(QLocale(QLocale::English).toString(summary.area, 'f', summary.area < 1000 ? 2 : 0))};
+  QStringList parts{counted(mesh.triangles.size(), tr("walkable triangle"), tr("walkable triangles")),
+                    tr("area %1").arg(units_.units().area(summary.area))};
   if (mesh.layerCount > 0) {
     parts << counted(mesh.layerCount, tr("layer"), tr("layers"))
           << counted(mesh.connections.size(), tr("connection"), tr("connections"));
   }
   parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"))
-        << tr("%1 ms").arg(run->result.totalMs, 0, 'f', 0);
-  summary_->setState(parts.join(QStringLiteral("   ·   ")), parts.join(QLatin1Char('\n')));
-  exportAction_->setEnabled(true);
-  // Later, when all have heard of the result: pictures are of what they make of it.
-  QMetaObject::invokeMethod(this, &EditorWindow::writePendingExports, Qt::QueuedConnection);
+        << tr("%1 ms").arg(fixedText(run->result.totalMs, 0));
+  resultText_ = parts.join(QStringLiteral("   ·   "));
+  summary_->setState(resultText_, parts.join(QLatin1Char('\n')));
+}
+
+void EditorWindow::takeUnits() {
+  const LevelUnits& units = units_.units();
+  filters_->setUnits(units);
+  heights_->setUnits(units);
+  legend_->setUnits(units);
+  cells_.setUnits(units);
+  document_.setUnits(units);
+  import_->setUnits(units);
+  if (controller_.finishedRun() && summary_->state() == resultText_) showSummary();
 }
 
 void EditorWindow::say(const QString& text, StatusSubject subject) { summary_->say(subject, text); }

@@ -35,6 +35,7 @@
 #include "ui/session.hpp"
 #include "ui/session_keeper.hpp"
 #include "ui/status_line.hpp"
+#include "ui/unit_choice.hpp"
 #include "ui/view_layout.hpp"
 
 namespace footfall {
@@ -139,6 +140,8 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] LevelView& view() { return *view_; }
   [[nodiscard]] FilterList& filterList() { return *filters_; }
   [[nodiscard]] ImportPanel& importPanel() { return *import_; }
+  /// How lengths and places are shown and typed.
+  [[nodiscard]] UnitChoice& units() { return units_; }
   [[nodiscard]] CellModel& cells() { return cells_; }
   [[nodiscard]] CellWatch& cellWatch() { return *cellWatch_; }
   [[nodiscard]] CellLegend& cellLegend() { return *cellLegend_; }
@@ -206,6 +209,15 @@ class EditorWindow : public QMainWindow {
     std::optional<KeptSession> kept;  ///< where it comes from, when it was kept and not saved
   };
 
+  /// What a scale that is being typed converts from.
+  struct ScaleEdit {
+    QString key;  ///< of the edits that are one
+    Pipeline pipeline;
+    std::vector<Agent> agents;
+    double scale = 1;
+    bool guessed = true;
+  };
+
   void createWidgets();
   void createActions();
   void createSubmenus();
@@ -260,8 +272,11 @@ class EditorWindow : public QMainWindow {
   void takeReread(const LoadedEnvironment& loaded);
   void editImport(const ImportOptions& options);
   void applyImport();
+  void keepFileScale(const LoadedEnvironment& loaded);
   void useDefaultFilters();
   void showResult();
+  void showSummary();
+  void takeUnits();
   void showProgress(const QString& text, double fraction, std::optional<double> secondsLeft = {});
   void hideProgress();
   void cancelWork();
@@ -273,6 +288,7 @@ class EditorWindow : public QMainWindow {
   Document document_;
   LevelComposer composer_{document_};
   CommandRegistry commands_{this};
+  UnitChoice units_;
   std::vector<SessionSection> sections_;
   CellModel cells_;
   RunThreads runThreads_;
@@ -283,8 +299,10 @@ class EditorWindow : public QMainWindow {
   /// To be written when the run under way is finished, and for pictures what the view shows of it.
   std::vector<std::pair<QString, ExportSettings>> pendingExports_;
   bool closeWhenWritten_ = false;
-  bool levelFailed_ = false;            ///< told of the level that is being composed
-  std::optional<double> guessedScale_;  ///< of the loaded file
+  bool levelFailed_ = false;         ///< told of the level that is being composed
+  std::optional<double> fileScale_;  ///< the loaded file's own, or the guess; what holds while the user gives none
+  bool fileScaleGuessed_ = true;
+  std::optional<ScaleEdit> scaleEdit_;
   QString sessionPath_;
   QString pipelinePath_;  ///< opened or saved last; empty: none
   RecentFiles recent_;
@@ -308,6 +326,7 @@ class EditorWindow : public QMainWindow {
   ImportPanel* import_ = nullptr;
   MessageBar* messages_ = nullptr;
   StatusLine* summary_ = nullptr;
+  QString resultText_;  ///< its state, while that is the last result
   WelcomePage* welcome_ = nullptr;
   LogPanel* logPanel_ = nullptr;
   HelpPanel* help_ = nullptr;

@@ -7,7 +7,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -19,6 +18,7 @@
 #include "core/pipeline/export_header.hpp"
 #include "ui/core_text.hpp"
 #include "ui/guarded_application.hpp"
+#include "ui/number_text.hpp"
 #include "ui/replace_question.hpp"
 
 namespace footfall {
@@ -44,8 +44,7 @@ QCheckBox* addBox(QVBoxLayout* layout, const QString& id, const QString& text, c
 }
 
 QString counted(std::size_t count, const QString& one, const QString& many) {
-  return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)) + QLatin1Char(' ') +
-         (count == 1 ? one : many);
+  return countText(count) + QLatin1Char(' ') + (count == 1 ? one : many);
 }
 
 }  // namespace
@@ -325,9 +324,9 @@ void ExportDialog::estimate() {
         size = file.bytes.size();
         error = file.largestError;
       }
-      text = tr("Size: %1").arg(QLocale(QLocale::English).formattedDataSize(static_cast<qint64>(size)));
+      text = tr("Size: %1").arg(numberLocale().formattedDataSize(static_cast<qint64>(size)));
       if (error > 0)
-        text += QStringLiteral("; ") + tr("glTF has floats: coordinates move by up to %1 m").arg(error, 0, 'g', 2);
+        text += QStringLiteral("; ") + tr("glTF has floats: coordinates move by up to %1 m").arg(shortText(error, 2));
     } catch (const std::exception& problem) {
       text = coreText(problem);
     }

@@ -58,7 +58,7 @@ void FilterList::createHead(QVBoxLayout* layout) {
   };
   auto* menu = new QMenu(this);
   fillFilterMenu(*menu, [this](const FilterDescriptor& filter) {
-    document_.addFilter(filter, metresPerUnit_);
+    document_.addFilter(filter, units_.metresPerUnit);
     if (!document_.filters().empty()) choose({document_.filters().back().id});
   });
   add_ = button(QStringLiteral("addFilter"), tr("+ Add filter"), tr("Add a filter at the end of the list"), menu);
@@ -80,16 +80,16 @@ void FilterList::createHead(QVBoxLayout* layout) {
   layout->addWidget(times_);
 }
 
-void FilterList::setMetresPerUnit(double metresPerUnit) {
-  metresPerUnit_ = metresPerUnit;
-  actions_->setMetresPerUnit(metresPerUnit);
-  presets_->setMetresPerUnit(metresPerUnit);
-  for (FilterRow* row : rows_) row->setMetresPerUnit(metresPerUnit);
+void FilterList::setUnits(const LevelUnits& units) {
+  units_ = units;
+  actions_->setMetresPerUnit(units.metresPerUnit);
+  presets_->setMetresPerUnit(units.metresPerUnit);
+  for (FilterRow* row : rows_) row->setUnits(units);
 }
 
 FilterRow* FilterList::makeRow(const FilterEntry& entry) {
   auto* row = new FilterRow(entry, content_);
-  row->setMetresPerUnit(metresPerUnit_);
+  row->setUnits(units_);
   connect(row, &FilterRow::enabledEdited, &document_, &Document::setEnabled);
   connect(row, &FilterRow::valueEdited, &document_, &Document::setValue);
   connect(row, &FilterRow::previewRequested, this, &FilterList::previewRequested);

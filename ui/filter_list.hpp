@@ -36,7 +36,7 @@ class FilterList : public QWidget {
   /// Selects rows, gives the last of them the focus and scrolls it into sight.
   void choose(const FilterIds& ids);
   /// New filters take their defaults in this scale.
-  void setMetresPerUnit(double metresPerUnit);
+  void setUnits(const LevelUnits& units);
 
  signals:
   /// Somebody wants to see the cells of a strategy.
@@ -71,7 +71,7 @@ class FilterList : public QWidget {
 
   Document& document_;
   RunController& controller_;
-  double metresPerUnit_ = 1;
+  LevelUnits units_;
   FilterSelection selection_;
   FilterActions* actions_;
   QToolButton* add_;

@@ -99,8 +99,7 @@ bool FilterList::handleKey(FilterRow* row, const QObject* watched, QKeyEvent& ke
   const bool plain = key.modifiers() == Qt::NoModifier || key.modifiers() == Qt::KeypadModifier;
   const bool enter = plain && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter);
   if (typing() || qobject_cast<const QLineEdit*>(watched)) {
-    if (enter && perform) row->setFocus(Qt::OtherFocusReason);
-    return enter;
+    return enter && !perform;  // the field's own, and nobody's shortcut
   }
   if (key.key() == Qt::Key_Space && watched != row) return false;  // a button's
   if (enter && watched == row) {

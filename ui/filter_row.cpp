@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include "core/filters/descriptor_text.hpp"
@@ -12,6 +11,7 @@
 #include "ui/core_text.hpp"
 #include "ui/filter_text.hpp"
 #include "ui/fitted_labels.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -36,18 +36,19 @@ QString helpOf(const ParameterDescriptor& parameter) {
                            : FilterRow::tr(
                                  "<p>Type it, drag sideways, or turn the wheel while the field has the focus; "
                                  "Shift: finer, Ctrl: coarser, Esc: back.</p>");
+  // The unit stands behind the field.
+  ParameterDescriptor range = parameter;
+  if (range.unit != Unit::Degrees) range.unit = Unit::None;
   return QStringLiteral("<p>%1</p><p>%2</p>%3")
       .arg(filterText(parameter.help),
            FilterRow::tr("Takes %1. Default: %2%3.")
-               .arg(coreText(describeRange(parameter)),
+               .arg(coreText(describeRange(range)),
                     QString::fromStdString(formatValue(parameter, parameter.defaultValue)),
                     parameter.unit == Unit::Length ? QStringLiteral(" m")
                     : parameter.unit == Unit::Area ? QStringLiteral(" m²")
                                                    : QString()),
            drag);
 }
-
-QString countText(std::uint64_t count) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(count)); }
 
 QString statusFigures(const StepStatus& status) {
   QStringList parts;
@@ -124,6 +125,7 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   connect(enabled_, &QCheckBox::clicked, this, [this](bool on) { emit enabledEdited(id_, on); });
   connect(remove_, &QToolButton::clicked, this, [this] { emit removeRequested(id_); });
   setEntry(entry);
+  showUnits();
   setStatus({});
 }
 
@@ -165,10 +167,8 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   field->setFixedWidth(kFieldLetters * fontMetrics().averageCharWidth());
   field->takeDragsOf(label);
   label->setBuddy(field);
-  connect(field, &NumberField::valueEdited, this, [this, index, field](double value) {
-    showUnits();
-    emit valueEdited(id_, index, value, field->editSession());
-  });
+  connect(field, &NumberField::valueEdited, this,
+          [this, index, field](double value) { emit valueEdited(id_, index, value, field->editSession()); });
   connect(field, &NumberField::problemChanged, this, &FilterRow::showError);
   connect(field, &NumberField::draggingChanged, this, &FilterRow::draggingChanged);
   grid->addWidget(field, row, 1);
@@ -179,17 +179,16 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   units_.push_back(unit);
 }
 
-void FilterRow::setMetresPerUnit(double metresPerUnit) {
-  metresPerUnit_ = metresPerUnit;
+void FilterRow::setUnits(const LevelUnits& units) {
+  shown_ = units;
+  for (QWidget* widget : fields_)
+    if (auto* field = qobject_cast<NumberField*>(widget)) field->setUnits(units);
   showUnits();
 }
 
 void FilterRow::showUnits() {
-  for (std::size_t i = 0; i < units_.size(); ++i) {
-    if (!units_[i]) continue;
-    const double value = qobject_cast<NumberField*>(fields_[i])->value();
-    units_[i]->setText(unitText(filter_.parameters[i].unit, value, metresPerUnit_));
-  }
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (units_[i]) units_[i]->setText(unitText(filter_.parameters[i].unit, shown_));
 }
 
 void FilterRow::setEntry(const FilterEntry& entry) {
@@ -202,7 +201,6 @@ void FilterRow::setEntry(const FilterEntry& entry) {
       box->setChecked(entry.step.values[i] != 0);
     }
   }
-  showUnits();
 }
 
 void FilterRow::setInBlock(bool inBlock) {

@@ -33,8 +33,7 @@ class FilterRow : public QFrame {
   void setSelected(bool selected);
   /// The step's part of the time of all; nothing where it has no time.
   void setShare(std::optional<double> share, const QColor& colour);
-  /// Lengths and areas are told in metres, too, where a unit is none.
-  void setMetresPerUnit(double metresPerUnit);
+  void setUnits(const LevelUnits& units);
 
   /// Where the row can be dragged.
   [[nodiscard]] QWidget* handle() const { return handle_; }
@@ -81,7 +80,7 @@ class FilterRow : public QFrame {
   QToolButton* remove_;
   std::vector<QWidget*> fields_;
   std::vector<QLabel*> units_;  ///< null for booleans
-  double metresPerUnit_ = 1;
+  LevelUnits shown_;
   QWidget* parameters_ = nullptr;
   QLabel* figures_;
   QLabel* error_;

@@ -2,7 +2,6 @@
 #include "ui/filter_text.hpp"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include "core/filters/descriptor_text.hpp"
 

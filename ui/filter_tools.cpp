@@ -78,11 +78,9 @@ void addAgents(EditorWindow& window) {
                    .area = Qt::BottomDockWidgetArea},
                   panel);
   QObject::connect(panel, &AgentsPanel::failed, &window.messageBar(), &MessageBar::showError);
-  const auto takeScale = [&window, panel] {
-    if (window.environment()) panel->setMetresPerUnit(window.environment()->metresPerUnit);
-  };
-  QObject::connect(&window, &EditorWindow::environmentLoaded, panel, takeScale);
-  QObject::connect(&window.document(), &Document::importChanged, panel, takeScale);
+  const auto takeUnits = [&window, panel] { panel->setUnits(window.units().units()); };
+  QObject::connect(&window.units(), &UnitChoice::changed, panel, takeUnits);
+  takeUnits();
 
   const QString group = QStringLiteral("agents");
   QList<QAction*> switches;

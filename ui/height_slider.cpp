@@ -3,11 +3,12 @@
 
 #include <QFocusEvent>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -36,6 +37,13 @@ void HeightSlider::setLevel(double lower, double upper, std::vector<double> floo
   floors_ = std::move(floors);
   setRange({});
   updateGeometry();
+}
+
+void HeightSlider::setUnits(const LevelUnits& units) {
+  units_ = units;
+  setAccessibleDescription(tr("From %1 to %2").arg(textOf(value(Handle::Lower)), textOf(value(Handle::Upper))));
+  updateGeometry();
+  update();
 }
 
 void HeightSlider::setRange(const HeightRange& range) {
@@ -77,17 +85,20 @@ double HeightSlider::value(Handle handle) const {
 }
 
 QString HeightSlider::textOf(double height) const {
-  const double span = upper_ - lower_;
+  const double span = (upper_ - lower_) * units_.factor();
   constexpr double kLong = 1e7;  // of as many digits and more, nobody reads the last
-  if (std::max(std::abs(lower_), std::abs(upper_)) >= kLong) return QLocale(QLocale::English).toString(height, 'g', 5);
+  if (std::max(std::abs(lower_), std::abs(upper_)) * units_.factor() >= kLong)
+    return shortText(units_.shownHeight(height), 5);
   const int digits = span >= 1000 ? 0 : span >= 100 ? 1 : 2;
-  return QLocale(QLocale::English).toString(height, 'f', digits);
+  return fixedText(units_.shownHeight(height), digits);
 }
+
+QString HeightSlider::title() const { return tr("Height, %1").arg(units_.name()); }
 
 QSize HeightSlider::sizeHint() const {
   const QFontMetrics metrics(font());
   const int text = std::max({metrics.horizontalAdvance(textOf(lower_)), metrics.horizontalAdvance(textOf(upper_)),
-                             metrics.horizontalAdvance(tr("Height"))});
+                             metrics.horizontalAdvance(title())});
   return {text + 36, 280};
 }
 
@@ -265,7 +276,7 @@ void HeightSlider::paintEvent(QPaintEvent*) {
   painter.setBrush(ground);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRectF(0, 5, width(), fontMetrics().height()), Qt::AlignHCenter, tr("Height"));
+  painter.drawText(QRectF(0, 5, width(), fontMetrics().height()), Qt::AlignHCenter, title());
   const QRectF area = groove();
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette().color(QPalette::Mid));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/level_units.hpp"
 #include "ui/scene_picker.hpp"
 
 namespace footfall {
@@ -26,6 +27,8 @@ class HeightSlider : public QWidget {
 
   /// Bounds of the level, and heights with much floor, from the lowest up. The handles go to their ends.
   void setLevel(double lower, double upper, std::vector<double> floors);
+  /// The numbers are the file's coordinates along its up axis.
+  void setUnits(const LevelUnits& units);
   /// A handle that is beyond the level goes to its end.
   void setRange(const HeightRange& range);
   [[nodiscard]] const HeightRange& range() const { return range_; }
@@ -63,6 +66,7 @@ class HeightSlider : public QWidget {
   [[nodiscard]] double yOf(double height) const;
   [[nodiscard]] double heightAt(double y) const;
   [[nodiscard]] QString textOf(double height) const;
+  [[nodiscard]] QString title() const;
   void moveTo(Handle handle, double height);
   void step(double heights);
   void stepFloor(int direction);
@@ -71,6 +75,7 @@ class HeightSlider : public QWidget {
   double lower_ = 0, upper_ = 1;
   std::vector<double> floors_;
   HeightRange range_;
+  LevelUnits units_;
   Handle active_ = Handle::Upper;
   bool dragging_ = false;
   double grip_ = 0;  ///< from the handle's middle to where the mouse holds it

@@ -40,6 +40,8 @@ InspectionFeature::InspectionFeature(EditorWindow& window)
   connect(&window_.commands(), &QObject::destroyed, this, [this] {
     for (QDockWidget* dock : {whyDock_, componentsDock_}) dock->toggleViewAction()->disconnect(this);
   });
+  connect(&window_.units(), &UnitChoice::changed, this, &InspectionFeature::takeUnits);
+  takeUnits();
   connect(watch_, &InspectionWatch::failed, &window_.messageBar(), &MessageBar::showError);
   connect(&window_, &EditorWindow::environmentLoaded, this, [this] {
     const QString source = QString::fromStdString(window_.environment()->source);
@@ -140,6 +142,11 @@ void InspectionFeature::ask(const QPoint& place) {
     window_.say(tr("There is no result yet; the answer follows when a run has finished."), StatusSubject::Tool);
 }
 
+void InspectionFeature::takeUnits() {
+  components_->setUnits(window_.units().units());
+  if (watch_->explanation()) showAnswer();
+}
+
 void InspectionFeature::showAnswer() {
   const auto& told = watch_->explanation();
   if (!told) {
@@ -147,8 +154,8 @@ void InspectionFeature::showAnswer() {
     takeAnswerBack();
     return;
   }
-  why_->show(watch_->inspector(), *told);
-  ViewOverlay overlay = whyOverlay(*watch_->inspector(), *told);
+  why_->show(watch_->inspector(), *told, window_.units().units());
+  ViewOverlay overlay = whyOverlay(*watch_->inspector(), *told, window_.units().units());
   window_.view().setOverlay(kWhyOverlay, std::move(overlay));
   const auto corners = cornersOf(watch_->inspector()->environment(), told->place.triangle);
   const auto [x0, x1] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
@@ -173,7 +180,7 @@ void InspectionFeature::frame(const std::vector<std::uint32_t>& triangles) {
       upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
     }
   }
-  window_.view().setOverlay(kWhyOverlay, whyOverlay(*inspector, *told));
+  window_.view().setOverlay(kWhyOverlay, whyOverlay(*inspector, *told, window_.units().units()));
   window_.view().frame(lower, upper);
 }
 

@@ -32,6 +32,7 @@ class InspectionFeature : public QObject {
  private:
   void createWhy();
   void createComponents();
+  void takeUnits();
   void showAnswer();
   void takeAnswerBack();
   void frame(const std::vector<std::uint32_t>& triangles);

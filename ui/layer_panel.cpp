@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
@@ -13,6 +12,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -60,11 +61,6 @@ QIcon eyeIcon(bool open, const QPalette& palette, qreal ratio) {
   return QIcon(pixmap);
 }
 
-QString areaText(double area) {
-  if (area >= 1e9) return QLocale(QLocale::English).toString(area, 'g', 4);
-  return QLocale(QLocale::English).toString(area, 'f', area < 100 ? 2 : area < 10000 ? 1 : 0);
-}
-
 }  // namespace
 
 LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent) {
@@ -86,8 +82,8 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent) {
   list_->setUniformRowHeights(true);
   list_->setAllColumnsShowFocus(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  list_->setHeaderLabels({QString(), tr("Layer"), tr("Area"), tr("Triangles")});
-  list_->headerItem()->setToolTip(kArea, tr("Surface, in square units"));
+  list_->setHeaderLabels({QString(), tr("Layer"), QString(), tr("Triangles")});
+  list_->headerItem()->setToolTip(kArea, tr("Of the surface"));
   list_->headerItem()->setToolTip(kTriangles, tr("Walkable triangles"));
   list_->headerItem()->setToolTip(kEye, tr("Whether the view shows it"));
   for (const int column : {kArea, kTriangles}) list_->headerItem()->setTextAlignment(column, Qt::AlignRight);
@@ -125,6 +121,11 @@ void LayerPanel::setResult(std::shared_ptr<const MeshGeometry> result) {
   if (layers() > 0 && hiddenHere().size() == layers()) hidden_.clear();
   fill();
   if (hiddenHere() != before) emit hiddenChanged(hiddenHere());
+}
+
+void LayerPanel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  fill();
 }
 
 void LayerPanel::setHidden(const std::set<std::uint32_t>& hidden) {
@@ -214,14 +215,14 @@ void LayerPanel::fill() {
   const int current = before ? before->data(0, kLayerRole).toInt() : -1;
   list_->setSortingEnabled(false);
   list_->clear();
-  const QLocale english(QLocale::English);
+  list_->headerItem()->setText(kArea, tr("Area (%1)").arg(units_.areaName()));
   for (std::size_t i = 0; result_ && i < result_->figures.size(); ++i) {
     const LayerFigures& figures = result_->figures[i];
     auto* row = new Row(list_);
     row->setData(0, kLayerRole, static_cast<uint>(i));
     row->setText(kNumber, layers() == 0 ? tr("Walkable area") : QString::number(i));
-    row->setText(kArea, areaText(figures.area));
-    row->setText(kTriangles, english.toString(figures.triangles));
+    row->setText(kArea, units_.areaNumber(figures.area));
+    row->setText(kTriangles, countText(figures.triangles));
     row->setData(kNumber, kSortRole, static_cast<double>(i));
     row->setData(kArea, kSortRole, figures.area);
     row->setData(kTriangles, kSortRole, figures.triangles);

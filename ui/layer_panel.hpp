@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 
+#include "ui/level_units.hpp"
 #include "ui/render_geometry.hpp"
 
 namespace footfall {
@@ -26,6 +27,7 @@ class LayerPanel : public QWidget {
 
   /// Lists the layers of a finished result; null: there is none.
   void setResult(std::shared_ptr<const MeshGeometry> result);
+  void setUnits(const LevelUnits& units);
   /// Layers that the result does not have are kept: another one may.
   void setHidden(const std::set<std::uint32_t>& hidden);
   [[nodiscard]] const std::set<std::uint32_t>& hidden() const { return hidden_; }
@@ -59,6 +61,7 @@ class LayerPanel : public QWidget {
 
   std::shared_ptr<const MeshGeometry> result_;
   std::set<std::uint32_t> hidden_;
+  LevelUnits units_;
   QTreeWidget* list_;
   QLabel* summary_;
   QPushButton* all_;

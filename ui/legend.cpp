@@ -3,10 +3,11 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <utility>
+
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -30,7 +31,8 @@ QPixmap layersSwatch(std::uint32_t layers, qreal ratio) {
 }
 
 // Colours from the lower to the upper end, what the limit rejects hatched, with numbers below.
-QPixmap scaleSwatch(ViewMode mode, const FieldScale& scale, const QFont& font, const QColor& ink, qreal ratio) {
+QPixmap scaleSwatch(ViewMode mode, const FieldScale& scale, double factor, const QFont& font, const QColor& ink,
+                    qreal ratio) {
   constexpr int kWidth = 216;
   constexpr int kBar = 14;
   constexpr int kEnd = 8;  // of numbers beyond the bar
@@ -59,14 +61,13 @@ QPixmap scaleSwatch(ViewMode mode, const FieldScale& scale, const QFont& font, c
     const double x = std::clamp(xOf(value) - width / 2.0, 0.0, kWidth + 2.0 * kEnd - width);
     painter.drawText(QRectF(x, kBar + 4 + row * line, width + 2, line), Qt::AlignLeft, words);
   };
-  const QLocale english(QLocale::English);
   const QString unit = mode == ViewMode::Slope ? QStringLiteral("°") : QString();
   constexpr int kTicks = 3;
   for (int i = 0; i <= kTicks; ++i) {
     const double value = scale.lower + span * i / kTicks;
     painter.drawLine(QPointF(xOf(value), kBar), QPointF(xOf(value), kBar + 3));
     const bool open = mode == ViewMode::Clearance && i == kTicks;  // or more
-    text(value, 0, (open ? QStringLiteral("≥ ") : QString()) + english.toString(value, 'g', 4) + unit);
+    text(value, 0, (open ? QStringLiteral("≥ ") : QString()) + shortText(value * factor, 4) + unit);
   }
   if (scale.limit) {
     const double x = xOf(std::clamp(*scale.limit, scale.lower, scale.upper));
@@ -75,7 +76,7 @@ QPixmap scaleSwatch(ViewMode mode, const FieldScale& scale, const QFont& font, c
     painter.setPen(QPen(Qt::black, 2));
     painter.drawLine(QPointF(x, 0), QPointF(x, kBar));
     painter.setPen(ink);
-    text(*scale.limit, 1, Legend::tr("limit %1").arg(english.toString(*scale.limit, 'g', 6) + unit));
+    text(*scale.limit, 1, Legend::tr("limit %1").arg(shortText(*scale.limit * factor) + unit));
   }
   return pixmap;
 }
@@ -163,18 +164,26 @@ void Legend::describe(const ViewContent& content) {
   fit();
 }
 
+void Legend::setUnits(const LevelUnits& units) {
+  units_ = units;
+  showMode(shownMode_, shownScale_, modeReady_);
+}
+
 void Legend::showMode(ViewMode mode, const FieldScale& scale, bool ready) {
   shownMode_ = mode;
+  shownScale_ = scale;
+  modeReady_ = ready;
   mode_->setVisible(mode != ViewMode::Result);
   const QString title = mode == ViewMode::Slope       ? tr("Slope of floors")
-                        : mode == ViewMode::Clearance ? tr("Free height above floors, in units")
+                        : mode == ViewMode::Clearance ? tr("Free height above floors, in %1").arg(units_.name())
                                                       : labelOf(mode);
   mode_->setText(ready ? title : tr("%1 (computing)").arg(title));
   scale_->setVisible(isHeatMap(mode));
   if (isHeatMap(mode)) {
-    scale_->setPixmap(scaleSwatch(mode, scale, font(), palette().color(QPalette::Text), devicePixelRatioF()));
+    const double factor = mode == ViewMode::Slope ? 1 : units_.factor();
+    scale_->setPixmap(scaleSwatch(mode, scale, factor, font(), palette().color(QPalette::Text), devicePixelRatioF()));
     const QString what = labelOf(mode);
-    scale_->setAccessibleName(scale.limit ? tr("%1, limit %2").arg(what).arg(*scale.limit) : what);
+    scale_->setAccessibleName(scale.limit ? tr("%1, limit %2").arg(what, shortText(*scale.limit * factor)) : what);
     scale_->setToolTip(mode == ViewMode::Slope ? tr("Hatched: steeper than the limit of the slope filter")
                                                : tr("Hatched: less than the clearance filter asks for"));
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/field_geometry.hpp"
+#include "ui/level_units.hpp"
 #include "ui/overlay_frame.hpp"
 #include "ui/render_geometry.hpp"
 #include "ui/scene_renderer.hpp"
@@ -35,6 +36,7 @@ class Legend : public OverlayFrame {
     QString text;
   };
   void setNotes(const std::vector<Note>& notes);
+  void setUnits(const LevelUnits& units);
 
   /// The scale of a heat map on the legend's background, for reports.
   [[nodiscard]] QImage scaleImage() const;
@@ -54,6 +56,9 @@ class Legend : public OverlayFrame {
   std::vector<const RemovalStyle*> shownReasons_;
   bool shownVivid_ = false;
   ViewMode shownMode_ = ViewMode::Result;
+  FieldScale shownScale_;
+  bool modeReady_ = true;
+  LevelUnits units_;
   std::uint32_t layers_ = 0;
   bool anyWalkable_ = false;
 };

@@ -25,6 +25,12 @@ LevelLook::LevelLook(EditorWindow& window) : QObject(&window), window_(window), 
   addLayers();
   addCutPlane();
   addInside();
+  const auto takeUnits = [this] {
+    layers_->setUnits(window_.units().units());
+    cutBar_->setUnits(window_.units().units());
+  };
+  connect(&window_.units(), &UnitChoice::changed, this, takeUnits);
+  takeUnits();
   connect(&modes_, &ViewModes::modeChanged, &window_, &EditorWindow::keepSoon);
   connect(&window_, &EditorWindow::environmentLoaded, this, &LevelLook::takeEnvironment);
   connect(&window_.heightSlider(), &HeightSlider::rangeChanged, &window_, &EditorWindow::keepSoon);

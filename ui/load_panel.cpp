@@ -8,6 +8,7 @@
 
 #include "core/partitioning/load_balancing.hpp"
 #include "ui/core_text.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -187,14 +188,14 @@ void LoadPanel::showFigures(const CellBlock& block) {
     for (const CellReport& cell : block.report.cells) costs.push_back(cell.cost);
     const LoadBalance balance = assignLongestFirst(costs, static_cast<std::size_t>(model_.threads()));
     figures_->setText(
-        tr("Expected: imbalance <b>%1</b> on %2 threads").arg(balance.imbalance(), 0, 'f', 2).arg(model_.threads()));
+        tr("Expected: imbalance <b>%1</b> on %2 threads").arg(fixedText(balance.imbalance(), 2)).arg(model_.threads()));
     busy_->showPlan(balance.loads);
     return;
   }
   const LoadFigures figures = figuresOf(block);
-  QString text = tr("Imbalance <b>%1</b>").arg(figures.imbalance, 0, 'f', 2);
+  QString text = tr("Imbalance <b>%1</b>").arg(fixedText(figures.imbalance, 2));
   if (block.complete() && figures.speedUp > 0) {
-    text += tr(", speed-up <b>%1</b> on %2 threads").arg(figures.speedUp, 0, 'f', 2).arg(block.threads());
+    text += tr(", speed-up <b>%1</b> on %2 threads").arg(fixedText(figures.speedUp, 2)).arg(block.threads());
   }
   figures_->setText(text);
   figures_->setToolTip(

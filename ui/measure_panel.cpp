@@ -11,7 +11,7 @@
 
 #include "ui/editor_window.hpp"
 #include "ui/flow_layout.hpp"
-#include "ui/path_text.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 
@@ -20,10 +20,7 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   table_ = new QTableWidget(0, 5, this);
   table_->setObjectName(QStringLiteral("measureTable"));
   table_->setAccessibleName(tr("Measured pieces"));
-  table_->setToolTip(
-      tr("Each piece between two places, in the environment's units; height and slope from the first "
-         "place to the second"));
-  table_->setHorizontalHeaderLabels({tr("Length"), tr("In plan"), tr("Height"), tr("Slope °"), tr("Slope %")});
+  table_->setToolTip(tr("Each piece between two places; height and slope from the first place to the second"));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -51,17 +48,27 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   layout->setSpacing(6);
   layout->addWidget(table_, 1);
   layout->addWidget(sum_);
+  frame_ = new QLabel(this);
+  frame_->setObjectName(QStringLiteral("measureFrame"));
+  frame_->setWordWrap(true);
+  frame_->setEnabled(false);
+  layout->addWidget(frame_);
   layout->addLayout(buttons);
 
   connect(copy_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(tool_.text()); });
   connect(back_, &QPushButton::clicked, &tool_, &MeasureTool::removeLast);
   connect(clear_, &QPushButton::clicked, this, [this] { tool_.setPlaces({}); });
   connect(&tool_, &MeasureTool::placesChanged, this, &MeasurePanel::showPlaces);
+  connect(&tool_, &MeasureTool::unitsChanged, this, &MeasurePanel::showPlaces);
   showPlaces();
 }
 
 void MeasurePanel::showPlaces() {
   const auto& places = tool_.places();
+  const LevelUnits& units = tool_.units();
+  table_->setHorizontalHeaderLabels({tr("Length (%1)").arg(units.name()), tr("In plan (%1)").arg(units.name()),
+                                     tr("Height (%1)").arg(units.name()), tr("Slope °"), tr("Slope %")});
+  frame_->setText(units.frameText());
   const int rows = places.size() > 1 ? static_cast<int>(places.size()) - 1 : 0;
   table_->setRowCount(rows);
   double distance = 0, plan = 0;
@@ -70,20 +77,19 @@ void MeasurePanel::showPlaces() {
     const Measure m = measureBetween(places[k], places[k + 1]);
     distance += m.distance;
     plan += m.plan;
-    const std::array<QString, 5> cells{
-        measureText(m.distance), measureText(m.plan), measureText(m.height), QString::number(m.degrees, 'f', 1),
-        std::isfinite(m.percent) ? QString::number(m.percent, 'f', 1) : QStringLiteral("∞")};
+    const std::array<QString, 5> cells{units.lengthNumber(m.distance), units.lengthNumber(m.plan),
+                                       units.lengthNumber(m.height), fixedText(m.degrees, 1), fixedText(m.percent, 1)};
     for (int column = 0; column < 5; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-      item->setToolTip(measureSummary(m));
+      item->setToolTip(measureSummary(m, units));
       table_->setItem(i, column, item);
     }
   }
   sum_->setText(places.empty() ? tr("Click two or more places in the view.")
-                : rows == 0    ? tr("From %1").arg(placeText(places.front()))
-                : rows == 1    ? tr("From %1\nto %2").arg(placeText(places[0]), placeText(places[1]))
-                               : tr("Together %1, in the plan %2").arg(measureText(distance), measureText(plan)));
+                : rows == 0    ? tr("From %1").arg(units.place(places.front()))
+                : rows == 1    ? tr("From %1\nto %2").arg(units.place(places[0]), units.place(places[1]))
+                               : tr("Together %1, in the plan %2").arg(units.length(distance), units.length(plan)));
   copy_->setEnabled(!places.empty());
   back_->setEnabled(!places.empty());
   clear_->setEnabled(!places.empty());
@@ -111,6 +117,9 @@ MeasureFeature::MeasureFeature(EditorWindow& window)
   connect(&window.view(), &LevelView::toolChanged, this, follow);
   connect(dock, &QDockWidget::visibilityChanged, this, follow);
   connect(&window, &EditorWindow::environmentLoaded, this, [this] { tool_.setPlaces({}); });
+  const auto takeUnits = [this, &window] { tool_.setUnits(window.units().units()); };
+  connect(&window.units(), &UnitChoice::changed, this, takeUnits);
+  takeUnits();
 }
 
 }  // namespace footfall

@@ -24,7 +24,7 @@ class MeasurePanel : public QWidget {
 
   MeasureTool& tool_;
   QTableWidget* table_;
-  QLabel* sum_;
+  QLabel *sum_, *frame_ = nullptr;
   QPushButton *copy_, *back_, *clear_;
 };
 

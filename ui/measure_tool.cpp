@@ -8,8 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "ui/number_field.hpp"
-#include "ui/path_text.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -25,14 +24,14 @@ QColor vertexColour() { return {213, 94, 0}; }
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
-QString signedText(double value) {
-  const QString text = measureText(value);
-  return value > 0 && text != QLatin1String("0") ? QLatin1Char('+') + text : text;
+QString signedText(double value, const LevelUnits& units) {
+  const QString text = units.lengthNumber(value);
+  return (value > 0 && text != QLatin1String("0") ? QLatin1Char('+') + text : text) + QLatin1Char(' ') + units.name();
 }
 
 QString slopeText(const Measure& measure) {
-  const QString degrees = QString::number(measure.degrees, 'f', 1) + QStringLiteral("°");
-  return std::isfinite(measure.percent) ? QStringLiteral("%1 (%2 %)").arg(degrees).arg(measure.percent, 0, 'f', 1)
+  const QString degrees = fixedText(measure.degrees, 1) + QStringLiteral("°");
+  return std::isfinite(measure.percent) ? QStringLiteral("%1 (%2 %)").arg(degrees, fixedText(measure.percent, 1))
                                         : degrees;
 }
 
@@ -50,9 +49,10 @@ Measure measureBetween(const Vec3& from, const Vec3& to) {
   return measure;
 }
 
-QString measureSummary(const Measure& measure) {
+QString measureSummary(const Measure& measure, const LevelUnits& units) {
   return MeasureTool::tr("%1 (%2 in the plan), height %3, %4")
-      .arg(measureText(measure.distance), measureText(measure.plan), signedText(measure.height), slopeText(measure));
+      .arg(units.length(measure.distance), units.length(measure.plan), signedText(measure.height, units),
+           slopeText(measure));
 }
 
 MeasureTool::MeasureTool(LevelView& view, std::function<std::shared_ptr<const Environment>()> level)
@@ -61,6 +61,12 @@ MeasureTool::MeasureTool(LevelView& view, std::function<std::shared_ptr<const En
 void MeasureTool::setShown(bool shown) {
   shown_ = shown;
   draw();
+}
+
+void MeasureTool::setUnits(const LevelUnits& units) {
+  units_ = units;
+  draw();
+  emit unitsChanged();
 }
 
 void MeasureTool::setPlaces(std::vector<Vec3> places) {
@@ -86,13 +92,14 @@ QString MeasureTool::hint() const {
 
 QString MeasureTool::text() const {
   QString text = tr("x\ty\tz\tdistance\tin the plan\theight\tdegrees\tpercent") + QLatin1Char('\n');
+  const auto length = [this](double value) { return numberText(units_.shown(value)); };
   Measure sum;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Vec3& p = places_[i];
+    const Vec3 p = units_.shownPlace(places_[i]);
     QStringList cells{numberText(p.x), numberText(p.y), numberText(p.z)};
     if (i > 0) {
-      const Measure m = measureBetween(places_[i - 1], p);
-      cells << numberText(m.distance) << numberText(m.plan) << numberText(m.height) << numberText(m.degrees)
+      const Measure m = measureBetween(places_[i - 1], places_[i]);
+      cells << length(m.distance) << length(m.plan) << length(m.height) << numberText(m.degrees)
             << (std::isfinite(m.percent) ? numberText(m.percent) : QString());
       sum.distance += m.distance;
       sum.plan += m.plan;
@@ -101,11 +108,10 @@ QString MeasureTool::text() const {
     text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
   }
   if (places_.size() > 2)
-    text +=
-        tr("sum") + QStringLiteral("\t\t\t") +
-        QStringList{numberText(sum.distance), numberText(sum.plan), numberText(sum.height)}.join(QLatin1Char('\t')) +
-        QLatin1Char('\n');
-  return text;
+    text += tr("sum") + QStringLiteral("\t\t\t") +
+            QStringList{length(sum.distance), length(sum.plan), length(sum.height)}.join(QLatin1Char('\t')) +
+            QLatin1Char('\n');
+  return text + units_.frameText() + QLatin1Char('\n');
 }
 
 /// The vertex that is nearest to the line of sight on the screen, where it is near enough and not hidden.
@@ -224,7 +230,7 @@ void MeasureTool::draw() {
     overlay.labels.push_back(
         {{(from.x + to.x) / 2, (from.y + to.y) / 2, (from.z + to.z) / 2},
          tr("%1\nplan %2, height %3\n%4")
-             .arg(measureText(m.distance), measureText(m.plan), signedText(m.height), slopeText(m))});
+             .arg(units_.length(m.distance), units_.length(m.plan), signedText(m.height, units_), slopeText(m))});
   };
   for (std::size_t i = 0; i + 1 < places_.size(); ++i) add(places_[i], places_[i + 1]);
   if (hovered_ && !places_.empty() && !isEnded_ && !(hovered_->place == places_.back()))

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/level_units.hpp"
 #include "ui/level_view.hpp"
 #include "ui/view_tool.hpp"
 
@@ -24,8 +25,8 @@ struct Measure {
 
 Measure measureBetween(const Vec3& from, const Vec3& to);
 
-/// "3.2 (3 in the plan), height +1, 18.4° (33.3 %)".
-QString measureSummary(const Measure& measure);
+/// "3.2 m (3 m in the plan), height +1 m, 18.4° (33.3 %)".
+QString measureSummary(const Measure& measure, const LevelUnits& units);
 
 /// Clicks add places, on any surface; near a vertex of the level that is in sight, the vertex is meant. Enter or a
 /// double click ends a line, so that the next click begins another; Backspace takes the last place back; Ctrl+C copies.
@@ -39,9 +40,11 @@ class MeasureTool : public QObject, public ViewTool {
   [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
   void setPlaces(std::vector<Vec3> places);
   void removeLast();
-  /// All places and pieces, one a line, separated by tabs; the sum last where there is more than one.
+  /// All places and pieces in the shown unit, one a line, separated by tabs; the sum last where there is more than one.
   [[nodiscard]] QString text() const;
   void setShown(bool shown);
+  void setUnits(const LevelUnits& units);
+  [[nodiscard]] const LevelUnits& units() const { return units_; }
 
   void mouseMoved(const ViewMouse& mouse) override;
   void clicked(const ViewMouse& mouse) override;
@@ -52,6 +55,7 @@ class MeasureTool : public QObject, public ViewTool {
 
  signals:
   void placesChanged();
+  void unitsChanged();
 
  private:
   struct Target {
@@ -64,6 +68,7 @@ class MeasureTool : public QObject, public ViewTool {
 
   LevelView& view_;
   std::function<std::shared_ptr<const Environment>()> level_;
+  LevelUnits units_;
   std::vector<Vec3> places_;
   bool isEnded_ = false;  ///< the next click begins a new line
   std::optional<Target> hovered_;

@@ -2,22 +2,24 @@
 #include "ui/number_field.hpp"
 
 #include <QApplication>
-#include <QCoreApplication>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QStyle>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
-#include "core/environment/number_text.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/pipeline/pipeline.hpp"
 #include "ui/core_text.hpp"
 #include "ui/filter_text.hpp"
+#include "ui/keys_back.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -44,72 +46,93 @@ double tidy(double value) { return QString::number(value, 'g', 12).toDouble(); }
 
 }  // namespace
 
-std::optional<double> parseNumber(const QString& text) {
-  std::string digits = text.trimmed().toStdString();
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.erase(0, 1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return value;
-}
-
-QString numberText(double value) {
-  std::string text;
-  appendNumber(text, value);
-  return QString::fromStdString(text);
-}
-
-QString unitText(Unit unit) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("footfall", text); };
+QString unitText(Unit unit, const LevelUnits& units) {
   switch (unit) {
     case Unit::Degrees:
-      return tr("degrees");
+      return NumberField::tr("degrees");
     case Unit::Length:
-      return tr("units");
+      return units.name();
     case Unit::Area:
-      return tr("units²");
+      return units.areaName();
     case Unit::Count:
-      return tr("count");
+      return NumberField::tr("count");
     case Unit::None:
       break;
   }
   return {};
 }
 
-QString unitText(Unit unit, double value, double metresPerUnit) {
-  const QString text = unitText(unit);
-  if (metresPerUnit == 1 || (unit != Unit::Length && unit != Unit::Area)) return text;
-  const bool area = unit == Unit::Area;
-  const double metric = value * metresPerUnit * (area ? metresPerUnit : 1);
-  return text + QStringLiteral(" = %1 ").arg(metric, 0, 'g', 4) + (area ? QStringLiteral("m²") : QStringLiteral("m"));
-}
-
 NumberField::NumberField(const ParameterDescriptor& parameter, QWidget* parent)
-    : QLineEdit(parent), parameter_(parameter) {
+    : QLineEdit(parent), parameter_(parameter), asShown_(parameter) {
   setAlignment(Qt::AlignRight);
   setCursor(Qt::SizeHorCursor);
   connect(this, &QLineEdit::textEdited, this, &NumberField::readText);
 }
 
+void NumberField::setUnits(const LevelUnits& units) {
+  if (units == units_) return;
+  units_ = units;
+  const double factor = units.factor(parameter_.unit);
+  asShown_ = parameter_;
+  asShown_.minimum = parameter_.minimum * factor;
+  // The end of what the type can hold is no limit of people.
+  if (parameter_.maximum < std::numeric_limits<double>::max()) asShown_.maximum = parameter_.maximum * factor;
+  if (factor != 1) asShown_.unit = Unit::None;  // the core's words are of the file's units
+  if (text().isEmpty()) return;
+  number_ = units.shown(value_, parameter_.unit);
+  setProblem({});
+  showNumber();
+}
+
 void NumberField::setValue(double value) {
-  const auto shown = parseNumber(text());
+  const auto typed = parseNumber(text());
   value_ = value;
   setProblem({});
-  if (!shown || *shown != value) setText(QString::fromStdString(formatValue(parameter_, value)));
+  if (typed && units_.stored(*typed, parameter_.unit) == value) {
+    number_ = *typed;
+    return;
+  }
+  number_ = units_.shown(value, parameter_.unit);
+  showNumber();
+}
+
+QString NumberField::textOf(double number) const {
+  return parameter_.type == ParameterType::Real ? numberText(number)
+                                                : QString::fromStdString(formatValue(parameter_, number));
+}
+
+// From its beginning: the digits at the end say least.
+void NumberField::showNumber() {
+  setText(textOf(number_));
+  if (!hasFocus()) setCursorPosition(0);
+}
+
+void NumberField::take(double number) {
+  number_ = number;
+  const double value = units_.stored(number, parameter_.unit);
+  if (value == value_) return;
+  value_ = value;
+  emit valueEdited(value_);
+}
+
+QString NumberField::problemOf(double number) const {
+  const QString wrong = ::footfall::problemOf(asShown_, number);
+  return wrong.isEmpty() ? ::footfall::problemOf(parameter_, units_.stored(number, parameter_.unit)) : wrong;
 }
 
 void NumberField::readText(const QString& text) {
   const auto number = parseNumber(text);
   if (!number) {
-    setProblem(text.contains(QLatin1Char(',')) ? tr("not a number; write decimals with a point")
-                                               : tr("not a number; give %1").arg(coreText(describeRange(parameter_))));
+    const bool comma = text.contains(QLatin1Char(','));
+    setProblem(!comma ? tr("not a number; give %1").arg(coreText(describeRange(asShown_)))
+               : numberLocale().decimalPoint() == QLatin1String(",")
+                   ? tr("not a number; leave out what stands between thousands")
+                   : tr("not a number; write decimals with a point"));
     return;
   }
-  const QString wrong = problemOf(parameter_, *number);
+  const QString wrong = problemOf(*number);
   setProblem(wrong);
-  if (!wrong.isEmpty() || *number == value_) return;
-  value_ = *number;
-  emit valueEdited(value_);
+  if (wrong.isEmpty()) take(*number);
 }
 
 void NumberField::setProblem(const QString& problem) {
@@ -124,34 +147,33 @@ void NumberField::setProblem(const QString& problem) {
 double NumberField::stepSize() const {
   if (parameter_.type != ParameterType::Real || parameter_.unit == Unit::Degrees) return 1;
   // A tenth of the leading digit's weight: 2 becomes 2.1, 40 becomes 41.
-  return value_ == 0 ? 0.1 : std::pow(10.0, std::floor(std::log10(std::abs(value_))) - 1);
+  return number_ == 0 ? 0.1 : std::pow(10.0, std::floor(std::log10(std::abs(number_))) - 1);
 }
 
 void NumberField::stepBy(double steps) {
   const double step = stepSize() * std::min(std::abs(steps), 1.0);
   const double grain = parameter_.type == ParameterType::Real ? step : std::max(1.0, step);
   const double whole = steps > 0 ? std::max(steps, 1.0) : std::min(steps, -1.0);
-  const double next = tidy(std::round(value_ / grain + whole) * grain);
-  if (!checkValue(parameter_, next).empty()) return;
-  setText(QString::fromStdString(formatValue(parameter_, next)));
+  const double next = tidy(std::round(number_ / grain + whole) * grain);
+  if (!problemOf(next).isEmpty()) return;
+  setText(textOf(next));
   readText(text());
 }
 
 QString NumberField::takeNear(double wanted, double grain) {
   const double asked = tidy(std::round(wanted / grain) * grain);
-  const QString wrong = problemOf(parameter_, asked);
+  const QString wrong = problemOf(asked);
   double next = asked;
-  if (asked > parameter_.maximum || (asked == parameter_.maximum && parameter_.maximumOpen)) {
-    next = tidy(std::floor(parameter_.maximum / grain) * grain);
-    if (next == parameter_.maximum && parameter_.maximumOpen) next = tidy(next - grain);
-  } else if (asked < parameter_.minimum || (asked == parameter_.minimum && parameter_.minimumOpen)) {
-    next = tidy(std::ceil(parameter_.minimum / grain) * grain);
-    if (next == parameter_.minimum && parameter_.minimumOpen) next = tidy(next + grain);
+  if (asked > asShown_.maximum || (asked == asShown_.maximum && asShown_.maximumOpen)) {
+    next = tidy(std::floor(asShown_.maximum / grain) * grain);
+    if (next == asShown_.maximum && asShown_.maximumOpen) next = tidy(next - grain);
+  } else if (asked < asShown_.minimum || (asked == asShown_.minimum && asShown_.minimumOpen)) {
+    next = tidy(std::ceil(asShown_.minimum / grain) * grain);
+    if (next == asShown_.minimum && asShown_.minimumOpen) next = tidy(next + grain);
   }
-  if (next != value_ && checkValue(parameter_, next).empty()) {
-    value_ = next;
-    setText(QString::fromStdString(formatValue(parameter_, next)));
-    emit valueEdited(value_);
+  if (next != number_ && problemOf(next).isEmpty()) {
+    setText(textOf(next));
+    take(next);
   }
   return wrong;
 }
@@ -163,7 +185,7 @@ void NumberField::takeDragsOf(QWidget* label) {
   label->installEventFilter(this);
 }
 
-void NumberField::beginDrag(double x, bool onField) { drag_ = Drag{value_, stepSize(), 0, x, x, false, onField}; }
+void NumberField::beginDrag(double x, bool onField) { drag_ = Drag{number_, stepSize(), 0, x, x, false, onField}; }
 
 void NumberField::dragTo(double x, Qt::KeyboardModifiers modifiers) {
   if (!drag_) return;
@@ -173,7 +195,7 @@ void NumberField::dragTo(double x, Qt::KeyboardModifiers modifiers) {
     drag_->x = drag_->start;
     ++editSession_;
     setCursor(Qt::SizeHorCursor);
-    if (!problem_.isEmpty()) setText(QString::fromStdString(formatValue(parameter_, value_)));
+    if (!problem_.isEmpty()) showNumber();
     emit draggingChanged(true);
   }
   const double factor = factorOf(modifiers);
@@ -189,10 +211,9 @@ void NumberField::endDrag(bool keep) {
   if (!drag_) return;
   const Drag drag = *std::exchange(drag_, std::nullopt);
   if (!drag.moved) return;
-  if (!keep && value_ != drag.from) {
-    value_ = drag.from;
-    setText(QString::fromStdString(formatValue(parameter_, value_)));
-    emit valueEdited(value_);
+  if (!keep && number_ != drag.from) {
+    setText(textOf(drag.from));
+    take(drag.from);
   }
   setProblem({});
   ++editSession_;  // what follows is another edit
@@ -235,7 +256,7 @@ bool NumberField::eventFilter(QObject* watched, QEvent* event) {
       if (mouse->button() != Qt::LeftButton || !isEnabled()) break;
       setFocus(Qt::OtherFocusReason);  // so that Escape comes here
       beginDrag(mouse->globalPosition().x(), false);
-      break;  // the row takes it as a click, too
+      return true;  // what lies below would take the focus, and end the drag
     }
     case QEvent::MouseMove: {
       if (!drag_) break;
@@ -283,7 +304,23 @@ bool NumberField::event(QEvent* event) {
       return true;
     }
   }
+  if (event->type() == QEvent::ToolTip && !text().isEmpty()) {
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), help(), this);
+    return true;
+  }
   return QLineEdit::event(event);
+}
+
+// Every digit, which the field may be too narrow for, and what the file has where that is something else.
+QString NumberField::help() const {
+  QString full = textOf(number_);
+  const QString unit = unitText(parameter_.unit, units_);
+  if (!unit.isEmpty()) full += QLatin1Char(' ') + unit;
+  if (units_.factor(parameter_.unit) != 1) {
+    const LevelUnits file;
+    full = tr("%1 = %2 %3 of the file").arg(full, textOf(value_), unitText(parameter_.unit, file));
+  }
+  return QStringLiteral("<p><b>%1</b></p>").arg(full) + toolTip();
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
@@ -305,8 +342,14 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
         endDrag(false);
         return;
       }
-      setText(QString::fromStdString(formatValue(parameter_, value_)));
+      showNumber();
       setProblem({});
+      giveKeysBack(*this);
+      return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      QLineEdit::keyPressEvent(event);
+      if (problem_.isEmpty() && giveKeysBack(*this)) event->accept();  // dialogs want it themselves
       return;
     default:
       QLineEdit::keyPressEvent(event);
@@ -326,6 +369,8 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
   focusedByClick_ = false;
   setCursor(Qt::SizeHorCursor);
   QLineEdit::focusOutEvent(event);
+  deselect();
+  setCursorPosition(0);
 }
 
 }  // namespace footfall

@@ -6,13 +6,16 @@
 #include <optional>
 
 #include "core/filters/descriptor.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
-/// Takes any number as typed, in full precision; nothing is clamped or rounded. While the text is no valid value, the
-/// field is marked, problem() says why, and the last valid value stays in force. Up and Down, the wheel while the field
-/// has the focus, and dragging sideways change it by steps that suit the unit (Shift: tenths of them, Ctrl: tens);
-/// Escape brings back the value in force, or the one from before the drag. A drag goes no further than the range, and
+/// Takes any number as typed, in full precision; nothing is clamped or rounded. Lengths and areas are shown and typed
+/// in the unit of setUnits(), while value() stays in the file's units. Long numbers show their beginning, and all of
+/// them in the tool tip. Enter and Escape give the keys back to the view. While the text is no valid value, the field
+/// is marked, problem() says why, and the last valid value stays in force. Up and Down, the wheel while the field has
+/// the focus, and dragging sideways change it by steps that suit the unit (Shift: tenths of them, Ctrl: tens); Escape
+/// brings back the value in force, or the one from before the drag. A drag goes no further than the range, and
 /// problem() says so while the mouse is beyond. A field that has the focus already selects text when dragged over.
 class NumberField : public QLineEdit {
   Q_OBJECT
@@ -20,6 +23,7 @@ class NumberField : public QLineEdit {
  public:
   explicit NumberField(const ParameterDescriptor& parameter, QWidget* parent = nullptr);
 
+  void setUnits(const LevelUnits& units);
   /// Shows `value`, unless the text already stands for it.
   void setValue(double value);
   [[nodiscard]] double value() const { return value_; }
@@ -30,6 +34,8 @@ class NumberField : public QLineEdit {
   /// Dragging on `label` changes the value, too.
   void takeDragsOf(QWidget* label);
   [[nodiscard]] bool dragging() const { return drag_ && drag_->moved; }
+  /// Its tool tip, with the value in full.
+  [[nodiscard]] QString help() const;
 
  signals:
   void valueEdited(double value);
@@ -51,14 +57,19 @@ class NumberField : public QLineEdit {
 
  private:
   struct Drag {
-    double from = 0;          // the value in force when it began
-    double step = 1;          // of that value
+    double from = 0;          // the number in force when it began
+    double step = 1;          // of that number
     double steps = 0;         // gone so far
     double start = 0, x = 0;  // on the screen
     bool moved = false;       // far enough to be a drag and no click
     bool onField = false;
   };
 
+  [[nodiscard]] QString textOf(double number) const;
+  void showNumber();
+  /// What is wrong with a number in the shown unit.
+  [[nodiscard]] QString problemOf(double number) const;
+  void take(double number);
   void readText(const QString& text);
   void setProblem(const QString& problem);
   [[nodiscard]] double stepSize() const;
@@ -70,7 +81,10 @@ class NumberField : public QLineEdit {
   void endDrag(bool keep);
 
   ParameterDescriptor parameter_;
+  ParameterDescriptor asShown_;  // with limits in the shown unit
+  LevelUnits units_;
   double value_ = 0;
+  double number_ = 0;  // the same in the shown unit
   QString problem_;
   int editSession_ = 0;
   std::optional<Drag> drag_;
@@ -78,16 +92,7 @@ class NumberField : public QLineEdit {
   int wheel_ = 0;  // eighths of a degree that are no whole step yet
 };
 
-/// A number as typed, in the notation of pipeline files (a point for decimals, exponents allowed), or nothing.
-std::optional<double> parseNumber(const QString& text);
-
-/// The shortest text that reads back to the same number.
-QString numberText(double value);
-
-/// What a value is counted in, e.g. "degrees"; lengths and areas are in the environment's units. Empty for pure
-/// numbers.
-QString unitText(Unit unit);
-/// The same with the value in metres behind it where a unit is not a metre: "units = 2 m".
-QString unitText(Unit unit, double value, double metresPerUnit);
+/// What a value is shown and typed in, e.g. "degrees" or "m"; empty for pure numbers.
+QString unitText(Unit unit, const LevelUnits& units);
 
 }  // namespace footfall

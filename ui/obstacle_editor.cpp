@@ -11,8 +11,6 @@ namespace {
 constexpr int kRestMs = 150;
 constexpr int kPauseMs = 600;
 
-double metresPerUnit(const LevelComposer& composer) { return composer.level() ? composer.level()->metresPerUnit : 1; }
-
 /// The greatest 1, 2.5 or 5 times a power of ten that is not above `length`.
 double roundLength(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length) + 1e-9));
@@ -68,7 +66,7 @@ QString ObstacleEditor::nameOf(PlacedObstacle::Shape shape) {
 }
 
 PlacedObstacle ObstacleEditor::makeDefault(PlacedObstacle::Shape shape) const {
-  const double metre = roundLength(1 / metresPerUnit(composer_));
+  const double metre = roundShown(1);
   PlacedObstacle obstacle;
   obstacle.shape = shape;
   obstacle.size = {metre, metre, metre};
@@ -76,8 +74,11 @@ PlacedObstacle ObstacleEditor::makeDefault(PlacedObstacle::Shape shape) const {
   return obstacle;
 }
 
-double ObstacleEditor::step(bool coarse) const {
-  return roundLength((coarse ? 0.25 : 0.01) / metresPerUnit(composer_));
+double ObstacleEditor::step(bool coarse) const { return roundShown(coarse ? 0.25 : 0.01); }
+
+// Round for whoever reads it.
+double ObstacleEditor::roundShown(double metres) const {
+  return units_.stored(roundLength(metres / units_.metresPerUnit * units_.factor()));
 }
 
 std::uint32_t ObstacleEditor::newId() const {

@@ -35,6 +35,10 @@ class ObstacleEditor : public QObject {
   /// The step to which dragged lengths are rounded, about a centimetre; with `coarse`, about a quarter of a metre.
   [[nodiscard]] double step(bool coarse) const;
 
+  /// Steps and new obstacles are round in the unit that is shown.
+  void setUnits(const LevelUnits& units) { units_ = units; }
+  [[nodiscard]] const LevelUnits& units() const { return units_; }
+
   // Edits that can be undone. All of them end a drag first.
 
   /// Gives it an id, and a name where it has none; selects it.
@@ -77,6 +81,7 @@ class ObstacleEditor : public QObject {
     bool committed = false;  ///< the document has an entry of it
   };
 
+  [[nodiscard]] double roundShown(double metres) const;
   [[nodiscard]] const PlacedObstacle* inDocument(std::uint32_t id) const;
   [[nodiscard]] QString newName(const QString& stem) const;
   [[nodiscard]] std::uint32_t newId() const;
@@ -87,6 +92,7 @@ class ObstacleEditor : public QObject {
   Document& document_;
   LevelComposer& composer_;
   RunController& controller_;
+  LevelUnits units_;
   std::optional<std::uint32_t> selected_;
   std::optional<Drag> drag_;
   bool committing_ = false;

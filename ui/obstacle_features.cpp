@@ -11,6 +11,7 @@
 
 #include "ui/appearance.hpp"
 #include "ui/handle_colours.hpp"
+#include "ui/number_text.hpp"
 #include "ui/obstacle_geometry.hpp"
 
 namespace footfall {
@@ -102,6 +103,12 @@ void ObstacleFeatures::createPanel() {
   connect(panel_, &ObstaclePanel::frameRequested, this, &ObstacleFeatures::frame);
   panel_->setPlacing(false);
   connect(&window_, &EditorWindow::environmentLoaded, panel_, [this] { panel_->setPlacing(true); });
+  const auto takeUnits = [this] {
+    editor_->setUnits(window_.units().units());
+    panel_->setUnits(window_.units().units());
+  };
+  connect(&window_.units(), &UnitChoice::changed, this, takeUnits);
+  takeUnits();
   connect(panel_, &ObstaclePanel::stickingChanged, this, [this](bool on) { select_->setSticking(on); });
 }
 
@@ -165,16 +172,11 @@ void ObstacleFeatures::showSelection() {
     QColor fill = highlightColour();
     fill.setAlphaF(0.25F);
     overlay.surfaces.push_back({shape.triangles, fill});
-    overlay.labels.push_back(
-        {placeOn(*selected, {0, 0, selected->size.z}), tr("%1: at %2, %3, %4; size %5 × %6 × %7; %8°")
-                                                           .arg(QString::fromStdString(selected->name))
-                                                           .arg(selected->base.x)
-                                                           .arg(selected->base.y)
-                                                           .arg(selected->base.z)
-                                                           .arg(selected->size.x)
-                                                           .arg(selected->size.y)
-                                                           .arg(selected->size.z)
-                                                           .arg(selected->turn)});
+    const LevelUnits& units = window_.units().units();
+    overlay.labels.push_back({placeOn(*selected, {0, 0, selected->size.z}),
+                              tr("%1: %2; size %3; %4°")
+                                  .arg(QString::fromStdString(selected->name), units.place(selected->base),
+                                       units.size(selected->size), shortText(selected->turn))});
   }
   window_.view().setOverlay(name, std::move(overlay));
 }

@@ -7,7 +7,9 @@
 #include <QVBoxLayout>
 #include <limits>
 
+#include "core/environment/up_axis.hpp"
 #include "ui/flow_layout.hpp"
+#include "ui/keys_back.hpp"
 
 namespace footfall {
 namespace {
@@ -25,20 +27,27 @@ ParameterDescriptor descriptor(const char* name, Unit unit, bool positive) {
   return parameter;
 }
 
-double& numberOf(PlacedObstacle& o, std::size_t index) {
-  double* const numbers[] = {&o.base.x, &o.base.y, &o.base.z, &o.size.x, &o.size.y, &o.size.z, &o.turn};
-  return *numbers[index];
+// The base along the file's axes.
+double numberOf(const PlacedObstacle& o, std::size_t index, const LevelUnits& units) {
+  LevelUnits file = units;
+  file.wanted = LengthUnit::FileUnits;
+  const Vec3 base = file.shownPlace(o.base);
+  const double numbers[] = {base.x, base.y, base.z, o.size.x, o.size.y, o.size.z, o.turn};
+  return numbers[index];
 }
 
-QString describe(const PlacedObstacle& o) {
-  return QStringLiteral("%1   (%2 × %3 × %4)")
-      .arg(QString::fromStdString(o.name))
-      .arg(o.size.x)
-      .arg(o.size.y)
-      .arg(o.size.z);
+void setNumber(PlacedObstacle& o, std::size_t index, double value, const LevelUnits& units) {
+  Vec3 base = inFileFrame(o.base, units.up);
+  double* const numbers[] = {&base.x, &base.y, &base.z, &o.size.x, &o.size.y, &o.size.z, &o.turn};
+  *numbers[index] = value;
+  if (index < 3) o.base = fromFileFrame(base, units.up);
 }
 
 }  // namespace
+
+QString ObstaclePanel::describe(const PlacedObstacle& o) const {
+  return QStringLiteral("%1   (%2)").arg(QString::fromStdString(o.name), units_.size(o.size));
+}
 
 ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
   list_ = new QListWidget(this);
@@ -79,20 +88,12 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
   grid->addWidget(name_, 0, 1, 1, 3);
   const std::array<QString, kFields> names{tr("Base x"), tr("Base y"), tr("Base z"), tr("Length"),
                                            tr("Width"),  tr("Height"), tr("Turn")};
-  const std::array<QString, kFields> helps{tr("Middle of its bottom, along x, in units"),
-                                           tr("Middle of its bottom, along y, in units"),
-                                           tr("Height of its bottom, in units"),
-                                           tr("Extent along its own x axis, in units; a ramp rises along it"),
-                                           tr("Extent along its own y axis, in units"),
-                                           tr("Extent upward, in units"),
-                                           tr("About the vertical, in degrees, counter-clockwise from above")};
   constexpr std::array<const char*, kFields> kNames{"base x", "base y", "base z", "length", "width", "height", "turn"};
   for (std::size_t i = 0; i < kFields; ++i) {
     const bool size = i >= 3 && i < 6;
     fields_[i] = new NumberField(descriptor(kNames[i], i == 6 ? Unit::Degrees : Unit::Length, size), form_);
     fields_[i]->setObjectName(QStringLiteral("obstacle") + names[i].simplified().remove(QLatin1Char(' ')));
     fields_[i]->setAccessibleName(names[i]);
-    fields_[i]->setToolTip(helps[i]);
     fields_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // the view needs the width
     fields_[i]->setMinimumWidth(58);
     connect(fields_[i], &NumberField::valueEdited, this, [this, i](double value) { editField(i, value); });
@@ -103,7 +104,7 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
     for (std::size_t i = 0; i < count; ++i) grid->addWidget(fields_[first + i], at, 1 + static_cast<int>(i));
   };
   row(1, tr("Base x, y, z"), 0, 3);
-  row(2, tr("Size x, y, z"), 3, 3);
+  row(2, tr("Length, width, height"), 3, 3);
   row(3, tr("Turn"), 6, 1);
   grid->addWidget(new QLabel(tr("degrees"), form_), 3, 2);
   for (int column = 1; column < 4; ++column) grid->setColumnStretch(column, 1);
@@ -112,6 +113,13 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
   problem_->setWordWrap(true);
   problem_->hide();
   grid->addWidget(problem_, 4, 0, 1, 4);
+
+  frame_ = new QLabel(form_);
+  frame_->setObjectName(QStringLiteral("obstacleFrame"));
+  frame_->setWordWrap(true);
+  frame_->setEnabled(false);
+  grid->addWidget(frame_, 5, 0, 1, 4);
+  giveKeysBackAfterTyping(*name_);
 
   stick_ = new QCheckBox(tr("Stick to the ground"), this);
   stick_->setObjectName(QStringLiteral("stickObstacles"));
@@ -149,10 +157,31 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
     editor_.change(next, tr("Rename to %1"));
   });
   connect(stick_, &QCheckBox::toggled, this, &ObstaclePanel::stickingChanged);
+  showUnits();
   showObstacles();
 }
 
 void ObstaclePanel::setPlacing(bool possible) { add_->setEnabled(possible); }
+
+void ObstaclePanel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  for (NumberField* field : fields_) field->setUnits(units);
+  showUnits();
+  showObstacles();
+}
+
+void ObstaclePanel::showUnits() {
+  frame_->setText(units_.frameText());
+  const QString unit = units_.name();
+  for (int i = 0; i < 3; ++i)
+    fields_[static_cast<std::size_t>(i)]->setToolTip(
+        i == units_.fileAxis(2).axis ? tr("Height of its bottom, along the file's %1, in %2").arg(axisName(i), unit)
+                                     : tr("Middle of its bottom, along the file's %1, in %2").arg(axisName(i), unit));
+  fields_[3]->setToolTip(tr("Extent along its own length, in %1; a ramp rises along it").arg(unit));
+  fields_[4]->setToolTip(tr("Extent across its length, in %1").arg(unit));
+  fields_[5]->setToolTip(tr("Extent upward, in %1").arg(unit));
+  fields_[6]->setToolTip(tr("About the vertical, in degrees, counter-clockwise from above"));
+}
 
 void ObstaclePanel::showObstacles() {
   const QSignalBlocker quiet(list_);
@@ -184,8 +213,7 @@ void ObstaclePanel::showSelected() {
   }
   const QString name = QString::fromStdString(selected->name);
   if (!name_->hasFocus() || !name_->isModified()) name_->setText(name);
-  PlacedObstacle shown = *selected;
-  for (std::size_t i = 0; i < kFields; ++i) fields_[i]->setValue(numberOf(shown, i));
+  for (std::size_t i = 0; i < kFields; ++i) fields_[i]->setValue(numberOf(*selected, i, units_));
   showProblem();
 }
 
@@ -193,7 +221,7 @@ void ObstaclePanel::editField(std::size_t index, double value) {
   const PlacedObstacle* selected = editor_.selected();
   if (!selected) return;
   PlacedObstacle next = *selected;
-  numberOf(next, index) = value;
+  setNumber(next, index, value, units_);
   const QString text = index < 3 ? tr("Move %1") : index < 6 ? tr("Resize %1") : tr("Turn %1");
   editor_.changeSoon(next, text,
                      QStringLiteral("obstacle/%1/%2/%3").arg(next.id).arg(index).arg(fields_[index]->editSession()));

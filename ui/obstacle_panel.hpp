@@ -10,6 +10,7 @@
 #include <QWidget>
 #include <array>
 
+#include "ui/level_units.hpp"
 #include "ui/number_field.hpp"
 #include "ui/obstacle_editor.hpp"
 
@@ -23,12 +24,13 @@ class ObstaclePanel : public QWidget {
   explicit ObstaclePanel(ObstacleEditor& editor, QWidget* parent = nullptr);
 
   [[nodiscard]] QListWidget* list() const { return list_; }
-  /// x, y, z of its base; length, width, height; turn.
+  /// x, y, z of its base along the file's axes; length, width, height; turn.
   [[nodiscard]] NumberField* field(std::size_t index) const { return fields_[index]; }
   [[nodiscard]] QLineEdit* nameField() const { return name_; }
   [[nodiscard]] QCheckBox* stickBox() const { return stick_; }
   /// Nothing can be placed while nothing is loaded.
   void setPlacing(bool possible);
+  void setUnits(const LevelUnits& units);
 
  signals:
   void placeRequested(footfall::PlacedObstacle::Shape shape);
@@ -41,6 +43,8 @@ class ObstaclePanel : public QWidget {
 
   void showObstacles();
   void showSelected();
+  void showUnits();
+  [[nodiscard]] QString describe(const PlacedObstacle& obstacle) const;
   void editField(std::size_t index, double value);
   void showProblem();
 
@@ -50,7 +54,8 @@ class ObstaclePanel : public QWidget {
   QWidget* form_;
   QLineEdit* name_;
   std::array<NumberField*, kFields> fields_{};
-  QLabel* problem_;
+  QLabel *problem_, *frame_;
+  LevelUnits units_;
   QCheckBox* stick_;
 };
 

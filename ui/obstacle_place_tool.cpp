@@ -171,8 +171,7 @@ void PlaceObstacleTool::refresh() {
   overlay.surfaces.push_back({shape.triangles, fill});
   overlay.lines.push_back({shape.edges, highlightColour(), 2, outlineColour()});
   overlay.labels.push_back(
-      {placeOn(*preview_, {0, 0, preview_->size.z}),
-       QStringLiteral("%1 × %2 × %3").arg(preview_->size.x).arg(preview_->size.y).arg(preview_->size.z)});
+      {placeOn(*preview_, {0, 0, preview_->size.z}), context_.editor.units().size(preview_->size)});
   context_.view.setOverlay(kPreview, std::move(overlay));
 }
 

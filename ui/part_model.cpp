@@ -2,13 +2,13 @@
 #include "ui/part_model.hpp"
 
 #include <QFont>
-#include <QLocale>
 #include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "core/environment/part_names.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -152,7 +152,7 @@ QVariant PartModel::data(const QModelIndex& index, int role) const {
       if (index.column() == Name) return nameOf(index);
       if (index.column() == Role) return rolesText(parts);
       if (role == kSortRole) return static_cast<qulonglong>(countOf(index));
-      return QLocale(QLocale::English).toString(static_cast<qulonglong>(countOf(index)));
+      return countText(countOf(index));
     case Qt::CheckStateRole:
       return index.column() == Name ? QVariant(included(parts)) : QVariant();
     case Qt::TextAlignmentRole:

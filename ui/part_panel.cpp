@@ -3,7 +3,6 @@
 
 #include <QHeaderView>
 #include <QItemSelectionModel>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,6 +15,7 @@
 #include "ui/core_text.hpp"
 #include "ui/fitted_labels.hpp"
 #include "ui/flow_layout.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -38,8 +38,6 @@ class FilteredParts : public QSortFilterProxyModel {
     endResetModel();
   }
 };
-
-QString grouped(std::uint64_t number) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(number)); }
 
 }  // namespace
 
@@ -266,15 +264,15 @@ void PartPanel::showFigures() {
   if (const std::vector<std::uint32_t> selected = selectedParts(); !selected.empty()) {
     std::uint64_t count = 0;
     for (const std::uint32_t part : selected) count += model_->trianglesOf(part);
-    lines << tr("Selected: %1, %2 triangles").arg(nameOf(selected), grouped(count));
+    lines << tr("Selected: %1, %2 triangles").arg(nameOf(selected), countText(count));
   }
   if (ignored + obstacles > 0)
     lines << tr("Of %1 triangles, %2 ignored and %3 obstacles only")
-                 .arg(grouped(triangles), grouped(ignored), grouped(obstacles));
+                 .arg(countText(triangles), countText(ignored), countText(obstacles));
   else if (model_->partCount() > 0)
     lines << (model_->partCount() == 1
-                  ? tr("%1 triangles in one part").arg(grouped(triangles))
-                  : tr("%1 triangles in %2 parts").arg(grouped(triangles)).arg(model_->partCount()));
+                  ? tr("%1 triangles in one part").arg(countText(triangles))
+                  : tr("%1 triangles in %2 parts").arg(countText(triangles)).arg(countText(model_->partCount())));
   figures_->setText(lines.join(QLatin1Char('\n')));
 }
 

@@ -10,7 +10,6 @@
 
 #include "core/navigation/place_reach.hpp"
 #include "ui/editor_window.hpp"
-#include "ui/path_text.hpp"
 
 namespace footfall {
 namespace {
@@ -59,6 +58,15 @@ PathFeature::PathFeature(EditorWindow& window)
   connect(&tool_, &PathTool::hintChanged, this, [this](const QString& hint) {
     if (window_.view().tool() == &tool_) window_.say(hint, StatusSubject::Tool);
   });
+  const auto takeUnits = [this] {
+    panel_->setUnits(window_.units().units());
+    tool_.setUnits(window_.units().units());
+    const LevelUnits units = window_.units().units();
+    separation_->setWriter({[units](double length) { return units.length(length); },
+                            [units](const Vec3& place) { return units.place(place); }});
+  };
+  connect(&window.units(), &UnitChoice::changed, this, takeUnits);
+  takeUnits();
   connect(&window.controller(), &RunController::finished, this, &PathFeature::takeResult);
   connect(&window, &EditorWindow::environmentLoaded, this, [this] {
     const std::string source = window_.environment() ? window_.environment()->source : std::string();
@@ -94,11 +102,6 @@ void PathFeature::takeResult() {
     model_.setGround({});
   }
   const double metres = window_.environment() ? window_.environment()->metresPerUnit : 1;
-  panel_->setMetresPerUnit(metres);
-  tool_.setMetresPerUnit(metres);
-  separation_->setWriter(
-      {[metres](double length) { return metres == 1 ? tr("%1 m").arg(measureText(length)) : measureText(length); },
-       placeText});
   separation_->setMargin(kShownAround / metres);
   panel_->setNotice(!window_.environment() ? tr("Open an environment first.")
                     : run                  ? QString()

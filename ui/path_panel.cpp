@@ -66,6 +66,12 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
+  frame_ = new QLabel(this);
+  frame_->setObjectName(QStringLiteral("pathFrame"));
+  frame_->setWordWrap(true);
+  frame_->setEnabled(false);
+  frame_->setText(units_.frameText());
+
   auto* buttons = new FlowLayout(6);
   swap_ =
       addButton(buttons, QStringLiteral("pathSwap"), tr("Swap"), tr("Start where it ends, and the other way round"));
@@ -76,6 +82,7 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   layout->setContentsMargins(10, 6, 8, 8);
   layout->setSpacing(6);
   layout->addLayout(form);
+  layout->addWidget(frame_);
   layout->addWidget(failure_);
   layout->addWidget(text_);
   layout->addLayout(buttons);
@@ -90,7 +97,9 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   connect(swap_, &QPushButton::clicked, this, [this] { model_.setPlaces(model_.target(), model_.start()); });
   connect(clear_, &QPushButton::clicked, this, [this] { model_.setPlaces(std::nullopt, std::nullopt); });
   connect(copy_, &QPushButton::clicked, this, [this] {
-    QStringList lines{tr("Start %1").arg(placeText(*model_.start())), tr("Target %1").arg(placeText(*model_.target()))};
+    QStringList lines{tr("Start %1").arg(units_.place(*model_.start())),
+                      tr("Target %1").arg(units_.place(*model_.target()))};
+    lines << frame_->text();
     for (const QLabel* label : {failure_, text_})
       if (!label->text().isEmpty()) lines << label->text();
     QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')) + QLatin1Char('\n'));
@@ -104,8 +113,11 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   showResult();
 }
 
-void PathPanel::setMetresPerUnit(double metres) {
-  metresPerUnit_ = metres;
+void PathPanel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  start_->setUnits(units);
+  target_->setUnits(units);
+  frame_->setText(units.frameText());
   showResult();
 }
 
@@ -130,8 +142,8 @@ void PathPanel::showResult() {
   if (!notice_.isEmpty()) {
     text = notice_;
   } else if (result) {
-    failure = failureText(*result);
-    text = pathText(*result, metresPerUnit_, speed_->value());
+    failure = failureText(*result, units_);
+    text = pathText(*result, units_, speed_->value());
   } else if (!model_.start() || !model_.target()) {
     text = tr("Click two places in the view, or enter them here.");
   }

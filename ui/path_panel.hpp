@@ -18,7 +18,7 @@ class PathPanel : public QWidget {
  public:
   explicit PathPanel(PathModel& model, QWidget* parent = nullptr);
 
-  void setMetresPerUnit(double metres);
+  void setUnits(const LevelUnits& units);
   /// Why there is nothing to walk on; empty when there is something.
   void setNotice(const QString& notice);
   [[nodiscard]] double speed() const { return speed_->value(); }
@@ -34,11 +34,11 @@ class PathPanel : public QWidget {
   void showResult();
 
   PathModel& model_;
-  double metresPerUnit_ = 1;
+  LevelUnits units_;
   QString notice_;
   PlaceFields *start_, *target_;
   NumberField* speed_;
-  QLabel *text_, *failure_;
+  QLabel *text_, *failure_, *frame_;
   QPushButton *swap_, *clear_, *copy_;
 };
 

@@ -2,10 +2,11 @@
 #include "ui/path_text.hpp"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
@@ -16,30 +17,16 @@ struct PathText {
 };
 
 QString seconds(double time) {
-  if (time < 60) return PathText::tr("%1 s").arg(QString::number(time, 'f', 1));
+  if (time < 60) return PathText::tr("%1 s").arg(fixedText(time, 1));
   const int whole = static_cast<int>(std::lround(std::min(time, 1e8)));
   return PathText::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
 
-QString degrees(double angle) { return QString::number(angle, 'f', 1) + QStringLiteral("°"); }
+QString degrees(double angle) { return fixedText(angle, 1) + QStringLiteral("°"); }
 
 }  // namespace
 
-QString measureText(double value) {
-  const double size = std::fabs(value);
-  if (size != 0 && (size < 1e-4 || size >= 1e7)) return QString::number(value, 'g', 6);
-  const int decimals = size >= 1000 ? 1 : size >= 10 ? 2 : 3;
-  QString text = QString::number(value, 'f', size < 0.1 ? 5 : decimals);
-  while (text.contains(QLatin1Char('.')) && text.endsWith(QLatin1Char('0'))) text.chop(1);
-  if (text.endsWith(QLatin1Char('.'))) text.chop(1);
-  return text == QLatin1String("-0") ? QStringLiteral("0") : text;
-}
-
-QString placeText(const Vec3& place) {
-  return QStringLiteral("%1, %2, %3").arg(measureText(place.x), measureText(place.y), measureText(place.z));
-}
-
-QString failureText(const PathResult& result) {
+QString failureText(const PathResult& result, const LevelUnits& units) {
   switch (result.status) {
     case PathStatus::Found:
       return {};
@@ -47,29 +34,26 @@ QString failureText(const PathResult& result) {
       return PathText::tr("Nothing is walkable here.");
     case PathStatus::StartNotWalkable:
       return PathText::tr("The start is not walkable. The nearest place that is lies %1 away, at %2.")
-          .arg(measureText(result.start->distance), placeText(result.start->position));
+          .arg(units.length(result.start->distance), units.place(result.start->position));
     case PathStatus::TargetNotWalkable:
       return PathText::tr("The target is not walkable. One can come as near as %1 to it, at %2.")
-          .arg(measureText(result.end->distance), placeText(result.end->position));
+          .arg(units.length(result.end->distance), units.place(result.end->position));
     case PathStatus::NotConnected:
       return PathText::tr(
                  "No way leads there: start and target are on separate parts. One can come as near as %1, at %2.")
-          .arg(measureText(result.end->distance), placeText(result.end->position));
+          .arg(units.length(result.end->distance), units.place(result.end->position));
   }
   return {};
 }
 
-QString pathText(const PathResult& result, double metresPerUnit, double speed) {
+QString pathText(const PathResult& result, const LevelUnits& units, double speed) {
   if (!result.hasPath()) return {};
   QStringList lines;
-  const double metres = result.length * metresPerUnit;
-  lines << (metresPerUnit == 1
-                ? PathText::tr("Length %1 m").arg(measureText(result.length))
-                : PathText::tr("Length %1 units (%2 m)").arg(measureText(result.length), measureText(metres)));
-  lines
-      << (result.bends.size() == 1
-              ? PathText::tr("In the plan %1, 1 bend").arg(measureText(result.planLength))
-              : PathText::tr("In the plan %1, %2 bends").arg(measureText(result.planLength)).arg(result.bends.size()));
+  lines << PathText::tr("Length %1").arg(units.length(result.length));
+  lines << (result.bends.size() == 1 ? PathText::tr("In the plan %1, 1 bend").arg(units.length(result.planLength))
+                                     : PathText::tr("In the plan %1, %2 bends")
+                                           .arg(units.length(result.planLength), countText(result.bends.size())));
+  const double metres = result.length * units.metresPerUnit;
   if (speed > 0) lines << PathText::tr("%1 at %2 m/s").arg(seconds(metres / speed), measureText(speed));
   if (!result.layers.empty()) {
     QStringList layers;

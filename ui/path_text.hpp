@@ -5,16 +5,13 @@
 #include <QString>
 
 #include "core/navigation/path_finder.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
-/// Up to six digits, without exponents for what levels measure.
-QString measureText(double value);
-/// A place as "x, y, z".
-QString placeText(const Vec3& place);
 /// Why there is no path, and how near one can come; empty when there is one.
-QString failureText(const PathResult& result);
+QString failureText(const PathResult& result, const LevelUnits& units);
 /// Length, time and slopes of a path, one a line. `speed` is in metres a second.
-QString pathText(const PathResult& result, double metresPerUnit, double speed);
+QString pathText(const PathResult& result, const LevelUnits& units, double speed);
 
 }  // namespace footfall

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "ui/path_text.hpp"
-
 namespace footfall {
 namespace {
 
@@ -73,8 +71,8 @@ void PathTool::setShown(bool shown) {
   draw();
 }
 
-void PathTool::setMetresPerUnit(double metres) {
-  metresPerUnit_ = metres;
+void PathTool::setUnits(const LevelUnits& units) {
+  units_ = units;
   draw();
 }
 
@@ -166,7 +164,7 @@ void PathTool::draw() {
       segments.push_back({result->points[i], result->points[i + 1]});
     addArrows(view_, result->points, segments);
     overlay.lines.push_back({std::move(segments), lineColour(), 3, QColor(Qt::white)});
-    length = metresPerUnit_ == 1 ? tr("%1 m").arg(measureText(result->length)) : measureText(result->length);
+    length = units_.length(result->length);
   }
   mark(model_.start(), End::Start, startColour(), tr("Start"));
   mark(model_.target(), End::Target, targetColour(),

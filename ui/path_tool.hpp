@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "ui/level_units.hpp"
 #include "ui/level_view.hpp"
 #include "ui/path_model.hpp"
 #include "ui/view_tool.hpp"
@@ -21,7 +22,7 @@ class PathTool : public QObject, public ViewTool {
   /// Draws ends and path, also while the tool does not have the mouse.
   void setShown(bool shown);
   /// Metres in one unit, for the label.
-  void setMetresPerUnit(double metres);
+  void setUnits(const LevelUnits& units);
 
   bool mousePressed(const ViewMouse& mouse) override;
   void mouseMoved(const ViewMouse& mouse) override;
@@ -44,7 +45,7 @@ class PathTool : public QObject, public ViewTool {
   LevelView& view_;
   End dragged_ = End::None, hovered_ = End::None;
   bool shown_ = false;
-  double metresPerUnit_ = 1;
+  LevelUnits units_;
 };
 
 }  // namespace footfall

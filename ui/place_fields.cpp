@@ -7,11 +7,12 @@
 #include <QVariant>
 #include <cmath>
 
-#include "ui/path_text.hpp"
+#include "ui/keys_back.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 
-PlaceFields::PlaceFields(const QString& name, const QString& id, QWidget* parent) : QWidget(parent) {
+PlaceFields::PlaceFields(const QString& name, const QString& id, QWidget* parent) : QWidget(parent), name_(name) {
   setObjectName(id);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -22,8 +23,7 @@ PlaceFields::PlaceFields(const QString& name, const QString& id, QWidget* parent
     field->setObjectName(id + axes[i]);
     field->setPlaceholderText(axes[i]);
     field->setAccessibleName(tr("%1, %2").arg(name, axes[i]));
-    field->setToolTip(i == 2 ? tr("%1: height (Z is up here), in the environment's units").arg(name)
-                             : tr("%1: %2 in the environment's units").arg(name, axes[i]));
+    giveKeysBackAfterTyping(*field);
     field->setMinimumWidth(64);
     field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // or three of them make the panel wide
     connect(field, &QLineEdit::textEdited, this, &PlaceFields::read);
@@ -31,34 +31,47 @@ PlaceFields::PlaceFields(const QString& name, const QString& id, QWidget* parent
     fields_[i] = field;
   }
   setFocusProxy(fields_[0]);
+  showUnits();
+}
+
+void PlaceFields::showUnits() {
+  const int up = units_.fileAxis(2).axis;
+  for (int i = 0; i < 3; ++i)
+    fields_[static_cast<std::size_t>(i)]->setToolTip(
+        (i == up ? tr("%1: %2, the file's vertical axis, in %3") : tr("%1: %2 of the file, in %3"))
+            .arg(name_, axisName(i), units_.name()));
+}
+
+void PlaceFields::setUnits(const LevelUnits& units) {
+  units_ = units;
+  showUnits();
+  // What is being typed stays.
+  if (place_) setPlace(place_);
 }
 
 namespace {
 
 double axisOf(const Vec3& place, std::size_t axis) { return axis == 0 ? place.x : axis == 1 ? place.y : place.z; }
 
-// A picked place is rounded somewhere on its way: what is left of a 0 is shown as one. The place stays as it is.
-QString textOf(const Vec3& place, std::size_t axis) {
-  const double value = axisOf(place, axis);
-  const double extent = std::abs(place.x) + std::abs(place.y) + std::abs(place.z);
-  return measureText(std::abs(value) < 1e-12 * extent ? 0 : value);
-}
+// There and back between units may cost the last bit.
+bool isSame(double a, double b) { return std::abs(a - b) <= 1e-14 * std::abs(a); }
 
 }  // namespace
 
 void PlaceFields::setPlace(const std::optional<Vec3>& place) {
   const bool changed = place != place_;
   place_ = place;
+  const Vec3 shown = place ? units_.shownPlace(*place) : Vec3{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!place) {
       // Half a place that is being typed stays.
       if (changed && !fields_[i]->hasFocus()) fields_[i]->clear();
       continue;
     }
-    const double value = axisOf(*place, i);
+    const double value = axisOf(shown, i);
     // What has been typed stays as it was typed, while it means the same.
-    if (const auto typed = parseNumber(fields_[i]->text()); typed && *typed == value) continue;
-    const QString text = textOf(*place, i);
+    if (const auto typed = parseNumber(fields_[i]->text()); typed && isSame(*typed, value)) continue;
+    const QString text = measureText(axisOf(shown, i));
     if (fields_[i]->text() == text) continue;
     fields_[i]->setText(text);
     fields_[i]->setCursorPosition(0);
@@ -79,17 +92,18 @@ void PlaceFields::showProblems() {
 
 void PlaceFields::read() {
   showProblems();
+  const std::optional<Vec3> before = place_ ? std::optional(units_.shownPlace(*place_)) : std::nullopt;
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (place_ && fields_[i]->text() == measureText(axisOf(*place_, i))) {
-      values[i] = axisOf(*place_, i);
+    if (before && fields_[i]->text() == measureText(axisOf(*before, i))) {
+      values[i] = axisOf(*before, i);
       continue;
     }
     const auto value = parseNumber(fields_[i]->text());
     if (!value || !std::isfinite(*value)) return;
     values[i] = *value;
   }
-  place_ = Vec3{values[0], values[1], values[2]};
+  place_ = units_.storedPlace({values[0], values[1], values[2]});
   emit edited(*place_);
 }
 

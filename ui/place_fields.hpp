@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLineEdit>
 #include <QWidget>
 #include <array>
 #include <optional>
 
 #include "core/environment/environment.hpp"
-#include "ui/number_field.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
 /// Empty while there is no place; a place counts once all three fields hold numbers. Fields show a few digits; what is
-/// not typed over keeps all of them.
+/// not typed over keeps all of them. They are the file's axes, in the shown unit; the place is the level's.
 class PlaceFields : public QWidget {
   Q_OBJECT
 
@@ -21,6 +22,7 @@ class PlaceFields : public QWidget {
   PlaceFields(const QString& name, const QString& id, QWidget* parent = nullptr);
 
   void setPlace(const std::optional<Vec3>& place);
+  void setUnits(const LevelUnits& units);
   [[nodiscard]] QLineEdit* field(std::size_t axis) const { return fields_[axis]; }
 
  signals:
@@ -30,7 +32,11 @@ class PlaceFields : public QWidget {
   void read();
   void showProblems();
 
+  void showUnits();
+
+  QString name_;
   std::optional<Vec3> place_;
+  LevelUnits units_;
   std::array<QLineEdit*, 3> fields_{};
 };
 

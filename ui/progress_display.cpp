@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_text.hpp"
+
 namespace footfall {
 namespace {
 
@@ -49,10 +51,10 @@ std::optional<double> TimeLeft::estimate(double elapsedSeconds, double fraction)
 
 QString timeLeftText(double seconds) {
   if (seconds < 1) return ProgressDisplay::tr("nearly done");
-  if (seconds < 10) return ProgressDisplay::tr("about %1 s left").arg(std::ceil(seconds), 0, 'f', 0);
-  if (seconds < 90) return ProgressDisplay::tr("about %1 s left").arg(5 * std::ceil(seconds / 5), 0, 'f', 0);
-  if (seconds < 5400) return ProgressDisplay::tr("about %1 min left").arg(std::ceil(seconds / 60), 0, 'f', 0);
-  return ProgressDisplay::tr("about %1 h left").arg(seconds / 3600, 0, 'f', 1);
+  if (seconds < 10) return ProgressDisplay::tr("about %1 s left").arg(fixedText(std::ceil(seconds), 0));
+  if (seconds < 90) return ProgressDisplay::tr("about %1 s left").arg(fixedText(5 * std::ceil(seconds / 5), 0));
+  if (seconds < 5400) return ProgressDisplay::tr("about %1 min left").arg(fixedText(std::ceil(seconds / 60), 0));
+  return ProgressDisplay::tr("about %1 h left").arg(fixedText(seconds / 3600, 1));
 }
 
 QString timeLeftText(const EndEstimate::Told& told) {

@@ -4,11 +4,9 @@
 #include <algorithm>
 
 #include "core/environment/skipped_polygons.hpp"
-#include "core/environment/up_axis.hpp"
 #include "ui/appearance.hpp"
 #include "ui/core_text.hpp"
 #include "ui/panel_dock.hpp"
-#include "ui/path_text.hpp"
 
 namespace footfall {
 namespace {
@@ -45,14 +43,14 @@ SkippedFeature::SkippedFeature(EditorWindow& window)
   connect(panel_, &SkippedPanel::frameRequested, this, &SkippedFeature::frame);
   for (const auto signal : {&EditorWindow::environmentLoaded, &EditorWindow::rereadDone})
     connect(&window_, signal, this, &SkippedFeature::follow);
+  connect(&window_.units(), &UnitChoice::changed, this, &SkippedFeature::follow);
 }
 
 void SkippedFeature::follow() {
   window_.view().removeOverlay(kOverlay);
   const auto environment = window_.environment();
   const SkippedElements& skipped = environment ? environment->skipped : SkippedElements{};
-  const UpAxis up = environment ? environment->up : UpAxis::Z;
-  panel_->show(skipped, [up](const Vec3& place) { return placeText(inFileFrame(place, up)); });
+  panel_->show(skipped, [units = window_.units().units()](const Vec3& place) { return units.place(place); });
   show_->setVisible(skipped.polygons > 0);
   show_->setText(tr("%n polygons were left out: list", "", static_cast<int>(skipped.polygons)));
 }

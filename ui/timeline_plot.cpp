@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/balance_plot.hpp"
+#include "ui/number_text.hpp"
 #include "ui/plot_theme.hpp"
 #include "ui/timeline_lanes.hpp"
 
@@ -121,8 +122,8 @@ QString TimelinePlot::describe(const Timeline::Bar& bar, const QPointF& place) c
     text += tr("Here %1<br>on thread %2, %3 to %4 ms")
                 .arg(QString::fromStdString(timeline_.filters[segment.filter]))
                 .arg(bar.lane)
-                .arg(segment.start, 0, 'f', 2)
-                .arg(segment.end, 0, 'f', 2);
+                .arg(fixedText(segment.start, 2))
+                .arg(fixedText(segment.end, 2));
   }
   return text;
 }

@@ -78,7 +78,6 @@ QWidget* WhyPanel::makeAnswerPage() {
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   place_ = addFigure(grid, tr("Place"), QStringLiteral("whyPlace"));
-  place_->setToolTip(tr("In the frame and the units of the file"));
   triangle_ = addFigure(grid, tr("Triangle"), QStringLiteral("whyTriangle"));
   triangle_->setToolTip(
       tr("Counted from 0 in the order of the file, without ignored parts; with the names of mesh and material"));
@@ -108,19 +107,24 @@ QWidget* WhyPanel::makeAnswerPage() {
   layout->addWidget(reason_);
   layout->addWidget(showFilter_);
   layout->addLayout(grid);
+  frame_ = makeText(page, QStringLiteral("whyFrame"));
+  frame_->setEnabled(false);
+  layout->addWidget(frame_);
   layout->addLayout(buttons);
   layout->addStretch(1);
   return page;
 }
 
-void WhyPanel::show(const std::shared_ptr<const Inspector>& inspector, const PlaceExplanation& told) {
+void WhyPanel::show(const std::shared_ptr<const Inspector>& inspector, const PlaceExplanation& told,
+                    const LevelUnits& units) {
   swatch_->setPixmap(paintSwatch(WhyText::paint(*inspector, told), kSwatch, devicePixelRatioF()));
   headline_->setText(WhyText::headline(told));
-  reason_->setText(WhyText::reason(*inspector, told));
-  place_->setText(WhyText::place(*inspector, told.place.point));
+  reason_->setText(WhyText::reason(*inspector, told, units));
+  place_->setText(units.place(told.place.point));
+  frame_->setText(units.frameText());
   triangle_->setText(WhyText::triangle(*inspector, told.place.triangle));
   slope_->setText(WhyText::slope(told));
-  headroom_->setText(WhyText::headroom(*inspector, told));
+  headroom_->setText(WhyText::headroom(*inspector, told, units));
   showFilter_->setVisible(told.step.has_value());
   if (told.step)
     showFilter_->setText(tr("Go to step %1: %2")

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/metrics/inspection.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
@@ -18,7 +19,7 @@ class WhyPanel : public QWidget {
  public:
   explicit WhyPanel(QWidget* parent = nullptr);
 
-  void show(const std::shared_ptr<const Inspector>& inspector, const PlaceExplanation& told);
+  void show(const std::shared_ptr<const Inspector>& inspector, const PlaceExplanation& told, const LevelUnits& units);
   /// Says how to ask.
   void clear();
   /// A new answer is on its way; what is shown may be out of date.
@@ -45,6 +46,7 @@ class WhyPanel : public QWidget {
   QLabel* headline_ = nullptr;
   QLabel* reason_ = nullptr;
   QLabel* place_ = nullptr;
+  QLabel* frame_ = nullptr;
   QLabel* triangle_ = nullptr;
   QLabel* slope_ = nullptr;
   QLabel* headroom_ = nullptr;

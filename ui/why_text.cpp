@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/why_text.hpp"
 
-#include <QLocale>
 #include <QStringList>
 
-#include "core/environment/up_axis.hpp"
 #include "core/metrics/inspection_report.hpp"
+#include "ui/number_text.hpp"
 
 namespace footfall {
 namespace {
 
-QString number(double value, int digits = 6) { return QLocale(QLocale::English).toString(value + 0.0, 'g', digits); }
-
-QString coordinate(double value) {
-  const QString text = QLocale(QLocale::English).toString(value, 'f', 3);
-  return text == QLatin1String("-0.000") ? text.mid(1) : text;
+/// A length that differs from a limit, with as many digits as it takes to see that.
+QString lengthBeside(double length, double limit, const LevelUnits& units) {
+  const double factor = units.factor();
+  return QString::fromStdString(textBeside(length * factor, limit * factor))
+             .replace(QLatin1Char('.'), numberLocale().decimalPoint()) +
+         QLatin1Char(' ') + units.name();
 }
 
 }  // namespace
-
-QString WhyText::length(double length, double metresPerUnit) {
-  if (metresPerUnit == 1) return tr("%1 m").arg(number(length));
-  return tr("%1 units (%2 m)").arg(number(length), number(length * metresPerUnit, 4));
-}
-
-QString WhyText::area(double area, double metresPerUnit) {
-  if (metresPerUnit == 1) return tr("%1 m²").arg(number(area));
-  return tr("%1 units² (%2 m²)").arg(number(area), number(area * metresPerUnit * metresPerUnit, 4));
-}
 
 QString WhyText::headline(const PlaceExplanation& told) {
   switch (told.verdict) {
@@ -65,8 +55,7 @@ QString WhyText::triangle(const Inspector& inspector, std::uint32_t triangle) {
                          : tr("%1 (%2)").arg(QString::number(triangle), names.join(QStringLiteral(", ")));
 }
 
-QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told) {
-  const double scale = inspector.environment().metresPerUnit;
+QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units) {
   QString text;
   switch (told.verdict) {
     case PlaceVerdict::Walkable: {
@@ -74,7 +63,7 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
       text = tr("It belongs to component %1 of %2, with an area of %3.")
                  .arg(told.component + 1)
                  .arg(count)
-                 .arg(area(told.componentArea, scale));
+                 .arg(units.area(told.componentArea));
       if (told.layer) text = tr("Layer %1.").arg(*told.layer) + QLatin1Char(' ') + text;
       break;
     }
@@ -94,22 +83,22 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
       break;
     case PlaceVerdict::TooSteep:
       text = tr("It rises by %1°; at most %2° are allowed.")
-                 .arg(QString::fromStdString(textBeside(told.movedSlope.value_or(told.slope), told.limit)),
-                      number(told.limit));
+                 .arg(QString::fromStdString(textBeside(told.movedSlope.value_or(told.slope), told.limit))
+                          .replace(QLatin1Char('.'), numberLocale().decimalPoint()),
+                      shortText(told.limit));
       break;
     case PlaceVerdict::TooLow:
       if (!told.obstacle) {
-        text = tr("Something is above it within the %1 that agents need.").arg(length(told.limit, scale));
+        text = tr("Something is above it within the %1 that agents need.").arg(units.length(told.limit));
       } else {
-        const QString height = QString::fromStdString(textBeside(told.obstacle->height, told.limit));
         text = tr("Triangle %1 is %2 above it; agents need %3.")
                    .arg(triangle(inspector, told.obstacle->triangle),
-                        scale == 1 ? tr("%1 m").arg(height) : tr("%1 units").arg(height), length(told.limit, scale));
+                        lengthBeside(told.obstacle->height, told.limit, units), units.length(told.limit));
       }
       break;
     case PlaceVerdict::RegionTooSmall:
       text = tr("The connected region around it has an area of %1; it must have more than %2.")
-                 .arg(area(told.regionArea, scale), area(told.limit, scale));
+                 .arg(units.area(told.regionArea), units.area(told.limit));
       break;
     case PlaceVerdict::Moved:
       text = tr("The filter moved vertices, and no triangle is here any more.");
@@ -127,20 +116,13 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
 }
 
 QString WhyText::slope(const PlaceExplanation& told) {
-  return told.verdict == PlaceVerdict::NoArea ? tr("none") : tr("%1°").arg(number(told.slope));
+  return told.verdict == PlaceVerdict::NoArea ? tr("none") : tr("%1°").arg(shortText(told.slope));
 }
 
-QString WhyText::headroom(const Inspector& inspector, const PlaceExplanation& told) {
+QString WhyText::headroom(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units) {
   if (told.verdict == PlaceVerdict::NoArea || told.verdict == PlaceVerdict::Vertical) return tr("none");
   if (!told.above) return tr("unlimited: nothing is above");
-  return tr("%1, below triangle %2")
-      .arg(length(told.above->height, inspector.environment().metresPerUnit),
-           triangle(inspector, told.above->triangle));
-}
-
-QString WhyText::place(const Inspector& inspector, const Vec3& place) {
-  const Vec3 p = inFileFrame(place, inspector.environment().up);
-  return tr("x %1, y %2, z %3").arg(coordinate(p.x), coordinate(p.y), coordinate(p.z));
+  return tr("%1, below triangle %2").arg(units.length(told.above->height), triangle(inspector, told.above->triangle));
 }
 
 Paint WhyText::paint(const Inspector& inspector, const PlaceExplanation& told) {

@@ -8,6 +8,7 @@
 
 #include "core/metrics/inspection.hpp"
 #include "ui/appearance.hpp"
+#include "ui/level_units.hpp"
 
 namespace footfall {
 
@@ -18,16 +19,11 @@ class WhyText {
   /// "Not walkable: too low"
   static QString headline(const PlaceExplanation& told);
   /// One or two sentences: what decided, and who is responsible.
-  static QString reason(const Inspector& inspector, const PlaceExplanation& told);
+  static QString reason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
   static QString slope(const PlaceExplanation& told);
-  static QString headroom(const Inspector& inspector, const PlaceExplanation& told);
-  /// In the file's frame.
-  static QString place(const Inspector& inspector, const Vec3& place);
+  static QString headroom(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
   /// "12 (door, wood)": the number, and the names of mesh and material where the file has some.
   static QString triangle(const Inspector& inspector, std::uint32_t triangle);
-  /// In the environment's unit, and in metres where that is another one.
-  static QString length(double length, double metresPerUnit);
-  static QString area(double area, double metresPerUnit);
   /// The colour and pattern that such places have in the view.
   static Paint paint(const Inspector& inspector, const PlaceExplanation& told);
 };

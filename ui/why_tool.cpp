@@ -32,7 +32,7 @@ std::vector<std::uint32_t> obstaclesOf(const PlaceExplanation& told) {
   return obstacles;
 }
 
-ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told) {
+ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units) {
   const Environment& environment = inspector.environment();
   ViewOverlay overlay;
   const auto highlight = [&](const std::vector<std::uint32_t>& triangles, const QColor& colour, int alpha) {
@@ -59,7 +59,7 @@ ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told)
     overlay.lines.push_back(
         {{{place, top}}, inTheWay ? obstacleEdgeColour() : hoveredCellColour(), 2.5F, outlineColour()});
     const Vec3 middle{place.x, place.y, place.z + above->height / 2};
-    overlay.labels.push_back({middle, WhyText::length(above->height, environment.metresPerUnit)});
+    overlay.labels.push_back({middle, units.length(above->height)});
   }
   overlay.marks.push_back({place, selectedCellColour(), 11});
   overlay.throughWalls = true;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/metrics/inspection.hpp"
+#include "ui/level_units.hpp"
 #include "ui/view_overlay.hpp"
 #include "ui/view_tool.hpp"
 
@@ -45,6 +46,6 @@ std::array<Vec3, 3> cornersOf(const Environment& environment, std::uint32_t tria
 std::vector<std::uint32_t> obstaclesOf(const PlaceExplanation& told);
 
 /// The place with its triangle, what stands in the way, and the free height as a line.
-ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told);
+ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
 
 }  // namespace footfall

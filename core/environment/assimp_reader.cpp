@@ -261,6 +261,8 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     frame.up = axisOf(asset.upAxis, false);
     frame.metresPerUnit = asset.metresPerUnit;
     root = colladaRoot(scene->mRootNode->mTransformation, asset);
+  } else if (extension == ".gltf" || extension == ".glb" || extension == ".ifc") {
+    frame.metresPerUnit = 1;  // glTF 2.0, section 3.4: metres; Assimp turns an IFC file's own unit into metres
   }
   SceneReader(path, *scene, environment, context).read(root);
   return frame;

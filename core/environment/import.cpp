@@ -78,7 +78,7 @@ std::shared_ptr<const Environment> importEnvironment(const std::string& path, co
 
   environment->upGuessed = !options.up;
   environment->up = options.up.value_or(frame.up.value_or(usualUpAxis(extension)));
-  environment->scaleGuessed = !options.metresPerUnit;
+  environment->scaleGuessed = !options.metresPerUnit && !frame.metresPerUnit;
   environment->metresPerUnit =
       options.metresPerUnit.value_or(frame.metresPerUnit.value_or(usualMetresPerUnit(extension)));
   environment->bothSides = options.bothSides;

@@ -73,7 +73,7 @@ class TestComponentsPanel : public QObject {
     QCOMPARE(text(3, ComponentsModel::Area), QStringLiteral("1"));
     QCOMPARE(text(0, ComponentsModel::Triangles), QStringLiteral("2"));
     QCOMPARE(text(3, ComponentsModel::Centre), QStringLiteral("0.5  0.5  0"));
-    QVERIFY2(panel().totalText().startsWith("4 components, 30 m²"), qPrintable(panel().totalText()));
+    QVERIFY2(panel().totalText().startsWith("4 components, 30.00 units²"), qPrintable(panel().totalText()));
     // The list follows edits.
     window_->document().setEnabled(window_->document().filters()[3].id, false);
     QVERIFY(waitUntilIdle(*window_));
@@ -118,7 +118,7 @@ class TestComponentsPanel : public QObject {
     QTest::keyClicks(field, QStringLiteral("9"));
     QCOMPARE(table()->model()->rowCount(), 2);  // 4 and 1: 9 is not smaller than 9
     QCOMPARE(text(0, ComponentsModel::Rank), QStringLiteral("4"));
-    QVERIFY2(panel().totalText().startsWith("2 of 5 components, 5 m²"), qPrintable(panel().totalText()));
+    QVERIFY2(panel().totalText().startsWith("2 of 5 components, 5.00 units²"), qPrintable(panel().totalText()));
     QTest::keyClicks(field, QStringLiteral(".5x"));
     QVERIFY(field->property("invalid").toBool());
     QVERIFY(panel().findChild<QLabel*>(QStringLiteral("rowError"))->text().contains("9.5x"));
@@ -135,7 +135,7 @@ class TestComponentsPanel : public QObject {
     QTest::mouseClick(panel().copyButton(), Qt::LeftButton);
     const QStringList lines = QApplication::clipboard()->text().split('\n');
     QCOMPARE(lines.size(), 7);
-    QVERIFY(lines[0].startsWith("Rank\tArea (m²)\tTriangles"));
+    QVERIFY(lines[0].startsWith("Rank\tArea (units²)\tTriangles"));
     QVERIFY2(lines[1].startsWith("1\t25\t2\t"), qPrintable(lines[1]));
   }
 

@@ -361,7 +361,10 @@ class TestFilterList : public QObject {
     scale->setFocus();
     scale->selectAll();
     QTest::keyClicks(scale, "0.05");
-    QCOMPARE(row(2)->unitOf(0), QString("units = 2 m"));
+    QCOMPARE(row(2)->unitOf(0), QString("m"));
+    auto* field = qobject_cast<NumberField*>(row(2)->field(0));
+    QCOMPARE(field->text(), QString("2"));
+    QCOMPARE(field->value(), 40.0);
   }
 
  private:

@@ -173,13 +173,53 @@ class TestNumberField : public QObject {
     QCOMPARE(field.text(), QString("39"));
   }
 
-  void unitsAreToldWithMetresWhereTheyDiffer() {
-    QCOMPARE(unitText(Unit::Degrees, 45, 0.05), QString("degrees"));
-    QCOMPARE(unitText(Unit::Length, 40, 1), QString("units"));
-    QCOMPARE(unitText(Unit::Length, 40, 0.05), QString("units = 2 m"));
-    QCOMPARE(unitText(Unit::Area, 400, 0.05), QString::fromUtf8("units² = 1 m²"));
-    QCOMPARE(unitText(Unit::Count, 50, 0.05), QString("count"));
-    QVERIFY(unitText(Unit::None).isEmpty());
+  void unitsAreNamed() {
+    LevelUnits units;
+    QCOMPARE(unitText(Unit::Degrees, units), QString("degrees"));
+    QCOMPARE(unitText(Unit::Length, units), QString("units"));
+    QCOMPARE(unitText(Unit::Area, units), QString::fromUtf8("units²"));
+    units.scaleKnown = true;
+    QCOMPARE(unitText(Unit::Length, units), QString("m"));
+    QCOMPARE(unitText(Unit::Area, units), QString::fromUtf8("m²"));
+    QCOMPARE(unitText(Unit::Count, units), QString("count"));
+    QVERIFY(unitText(Unit::None, units).isEmpty());
+  }
+
+  void metresAreTypedAndUnitsKept() {
+    NumberField field(clearance(), window_.get());
+    LevelUnits inches;
+    inches.metresPerUnit = 0.0254;
+    inches.scaleKnown = true;
+    field.setValue(78.7401574803);
+    field.setUnits(inches);
+    QCOMPARE(field.text(), QString("2"));
+    field.show();
+    field.setFocus();
+    QTest::keyClick(&field, Qt::Key_Up);
+    QCOMPARE(field.text(), QString("2.1"));
+    QCOMPARE(field.value(), 82.6771653543);
+    field.selectAll();
+    QTest::keyClicks(&field, "-1");
+    QVERIFY2(field.problem().contains("-1") && !field.problem().contains("units"), qPrintable(field.problem()));
+    QCOMPARE(field.value(), 82.6771653543);
+    inches.wanted = LengthUnit::FileUnits;
+    field.setUnits(inches);
+    QCOMPARE(field.text(), QString("82.6771653543"));
+    QVERIFY(field.problem().isEmpty());
+  }
+
+  void germansTypeACommaOrAPoint() {
+    QLocale::setDefault(QLocale(QLocale::German));
+    NumberField field(clearance(), window_.get());
+    field.setValue(2.5);
+    QCOMPARE(field.text(), QString("2,5"));
+    for (const char* typed : {"1,75", "1.75"}) {
+      field.selectAll();
+      QTest::keyClicks(&field, typed);
+      QCOMPARE(field.value(), 1.75);
+      QVERIFY(field.problem().isEmpty());
+    }
+    QLocale::setDefault(QLocale::c());
   }
 
  private:

@@ -46,9 +46,9 @@ class TestCompare : public QObject {
     QVERIFY(waitForDifference());
     QCOMPARE(difference().areas[1].surface, 4.0);
     QVERIFY(!difference().hasArea[0]);
-    QVERIFY2(feature_->panel().summary().startsWith("Appeared: 4 m"), qPrintable(feature_->panel().summary()));
+    QVERIFY2(feature_->panel().summary().startsWith("Appeared: 4.00 units"), qPrintable(feature_->panel().summary()));
     QVERIFY(feature_->panel().summary().contains("Went: nothing"));
-    QVERIFY(legend().contains("Appeared: 4 m") && legend().contains("Went: nothing"));
+    QVERIFY(legend().contains("Appeared: 4.00 units") && legend().contains("Went: nothing"));
     QCOMPARE(feature_->panel().table()->rowCount(), 1);
     shoot("compare-appeared");
 

@@ -103,7 +103,7 @@ class TestWhy : public QObject {
     clickAt({0, 0.1, 0});
     QVERIFY(answered());
     QCOMPARE(panel().headline(), QStringLiteral("Not walkable: too low"));
-    QVERIFY2(panel().reason().contains("is 1.75 m above") && panel().reason().contains("need 2 m"),
+    QVERIFY2(panel().reason().contains("is 1.75 units above") && panel().reason().contains("need 2 units"),
              qPrintable(panel().reason()));
     QVERIFY(panel().isVisible() && panel().filterButton()->isVisible());
     QVERIFY2(panel().filterButton()->text().contains("VerticalClearanceFilter 2"),
@@ -163,7 +163,7 @@ class TestWhy : public QObject {
     QCOMPARE(headlineAt({5.5, 0, 0.9}), QStringLiteral("Not walkable: too steep"));
     QVERIFY(panel().reason().contains("60") && panel().reason().contains("45"));
     QCOMPARE(headlineAt({0.5, 0.2, 1}), QStringLiteral("Not walkable: too small an area"));
-    QVERIFY(panel().reason().contains("4 m²") && panel().reason().contains("5 m²"));
+    QVERIFY(panel().reason().contains("4.00 units²") && panel().reason().contains("5.00 units²"));
     QCOMPARE(headlineAt({2, 2.5, 0}), QStringLiteral("Walkable"));
     QVERIFY(!panel().obstacleButton()->isEnabled());
     window_->view().viewOblique();
