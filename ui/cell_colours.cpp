@@ -139,7 +139,7 @@ QString valueText(CellColouring colouring, double value) {
     case CellColouring::Time:
       return durationText(value);
     case CellColouring::Triangles:
-      return tr("%1 triangles").arg(fixedText(value, 0));
+      return value == 1 ? tr("1 triangle") : tr("%1 triangles").arg(fixedText(value, 0));
     case CellColouring::Cost:
       return tr("%1 units of work").arg(fixedText(value, 0));
     case CellColouring::Thread:

@@ -138,13 +138,13 @@ void ComponentsPanel::describe() {
     total_->setText(tr("No result yet"));
     return;
   }
-  const auto all = static_cast<int>(inspector->components().list.size());
+  const std::uint64_t all = inspector->components().list.size();
+  const auto shown = static_cast<std::uint64_t>(model_.rowCount());
   const QString area = units_.area(model_.shownArea());
-  total_->setText(model_.rowCount() == all
-                      ? tr("%1 components, %2").arg(countText(static_cast<std::uint64_t>(all)), area)
-                      : tr("%1 of %2 components, %3")
-                            .arg(countText(static_cast<std::uint64_t>(model_.rowCount())),
-                                 countText(static_cast<std::uint64_t>(all)), area));
+  total_->setText(shown != all ? (all == 1 ? tr("%1 of 1 component, %2").arg(countText(shown), area)
+                                           : tr("%1 of %2 components, %3").arg(countText(shown), countText(all), area))
+                  : all == 1   ? tr("1 component, %1").arg(area)
+                               : tr("%1 components, %2").arg(countText(all), area));
 }
 
 }  // namespace footfall

@@ -106,7 +106,9 @@ void EditorWindow::logRun() {
     if (status.state != StepState::Done || !status.wallMs) continue;
     QString line = tr("%1: %2 ms").arg(filterText(entry.step.filter->label)).arg(fixedText(*status.wallMs, 1));
     if (status.trianglesIn && status.trianglesOut)
-      line += tr(", %1 → %2 triangles").arg(countText(*status.trianglesIn), countText(*status.trianglesOut));
+      line += *status.trianglesOut == 1
+                  ? tr(", %1 → 1 triangle").arg(countText(*status.trianglesIn))
+                  : tr(", %1 → %2 triangles").arg(countText(*status.trianglesIn), countText(*status.trianglesOut));
     lines << line;
   }
   log_.add(MessageLevel::Note, lines.join(QLatin1Char('\n')));

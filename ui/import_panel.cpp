@@ -30,7 +30,9 @@ ParameterDescriptor scaleDescriptor() {
   return scale;
 }
 
-QString counted(std::uint64_t count, const QString& what) { return countText(count) + QLatin1Char(' ') + what; }
+QString counted(std::uint64_t count, const QString& one, const QString& many) {
+  return countText(count) + QLatin1Char(' ') + (count == 1 ? one : many);
+}
 
 }  // namespace
 
@@ -155,14 +157,14 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     const QString path = QString::fromStdString(environment->source);
     name_->setText(QFileInfo(path).fileName());
     name_->setToolTip(path);
-    counts_ = counted(environment->triangles.size(), tr("triangles")) + QStringLiteral(", ") +
-              counted(environment->vertices.size(), tr("vertices"));
+    counts_ = counted(environment->triangles.size(), tr("triangle"), tr("triangles")) + QStringLiteral(", ") +
+              counted(environment->vertices.size(), tr("vertex"), tr("vertices"));
     size_ = size;
     const SkippedElements& skipped = environment->skipped;
     QStringList left;
-    if (skipped.polygons > 0) left << counted(skipped.polygons, tr("polygons"));
-    if (skipped.lines > 0) left << counted(skipped.lines, tr("lines"));
-    if (skipped.points > 0) left << counted(skipped.points, tr("points"));
+    if (skipped.polygons > 0) left << counted(skipped.polygons, tr("polygon"), tr("polygons"));
+    if (skipped.lines > 0) left << counted(skipped.lines, tr("line"), tr("lines"));
+    if (skipped.points > 0) left << counted(skipped.points, tr("point"), tr("points"));
     skipped_ = left.isEmpty() ? QString() : tr("Skipped: %1").arg(left.join(QStringLiteral(", ")));
     showFigures();
     // What was given instead of guessed is no guess to fall back to.

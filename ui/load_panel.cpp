@@ -187,15 +187,19 @@ void LoadPanel::showFigures(const CellBlock& block) {
     std::vector<double> costs;
     for (const CellReport& cell : block.report.cells) costs.push_back(cell.cost);
     const LoadBalance balance = assignLongestFirst(costs, static_cast<std::size_t>(model_.threads()));
-    figures_->setText(
-        tr("Expected: imbalance <b>%1</b> on %2 threads").arg(fixedText(balance.imbalance(), 2)).arg(model_.threads()));
+    const QString imbalance = fixedText(balance.imbalance(), 2);
+    figures_->setText(model_.threads() == 1
+                          ? tr("Expected: imbalance <b>%1</b> on 1 thread").arg(imbalance)
+                          : tr("Expected: imbalance <b>%1</b> on %2 threads").arg(imbalance).arg(model_.threads()));
     busy_->showPlan(balance.loads);
     return;
   }
   const LoadFigures figures = figuresOf(block);
   QString text = tr("Imbalance <b>%1</b>").arg(fixedText(figures.imbalance, 2));
   if (block.complete() && figures.speedUp > 0) {
-    text += tr(", speed-up <b>%1</b> on %2 threads").arg(fixedText(figures.speedUp, 2)).arg(block.threads());
+    const QString speedUp = fixedText(figures.speedUp, 2);
+    text += block.threads() == 1 ? tr(", speed-up <b>%1</b> on 1 thread").arg(speedUp)
+                                 : tr(", speed-up <b>%1</b> on %2 threads").arg(speedUp).arg(block.threads());
   }
   figures_->setText(text);
   figures_->setToolTip(

@@ -264,14 +264,16 @@ void PartPanel::showFigures() {
   if (const std::vector<std::uint32_t> selected = selectedParts(); !selected.empty()) {
     std::uint64_t count = 0;
     for (const std::uint32_t part : selected) count += model_->trianglesOf(part);
-    lines << tr("Selected: %1, %2 triangles").arg(nameOf(selected), countText(count));
+    lines << (count == 1 ? tr("Selected: %1, 1 triangle").arg(nameOf(selected))
+                         : tr("Selected: %1, %2 triangles").arg(nameOf(selected), countText(count)));
   }
   if (ignored + obstacles > 0)
     lines << tr("Of %1 triangles, %2 ignored and %3 obstacles only")
                  .arg(countText(triangles), countText(ignored), countText(obstacles));
   else if (model_->partCount() > 0)
     lines << (model_->partCount() == 1
-                  ? tr("%1 triangles in one part").arg(countText(triangles))
+                  ? (triangles == 1 ? tr("1 triangle in one part")
+                                    : tr("%1 triangles in one part").arg(countText(triangles)))
                   : tr("%1 triangles in %2 parts").arg(countText(triangles)).arg(countText(model_->partCount())));
   figures_->setText(lines.join(QLatin1Char('\n')));
 }
