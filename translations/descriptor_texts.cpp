@@ -21,7 +21,7 @@
     QT_TRANSLATE_NOOP("Filter", "Removes the places where an agent would hit its head: those with anything, walkable or not, straight above and lower than the clearance. A vertical wall covers no area, so it removes none; where it reaches into the clearance it leaves obstacle edges, which agents cannot cross. Where walkable triangles overlap in one plane, one of them stays."),
     QT_TRANSLATE_NOOP("Filter", "No walkable point has a point of another triangle straight above it and nearer than the clearance; no place is walkable twice."),
     QT_TRANSLATE_NOOP("Filter", "Clearance"),
-    QT_TRANSLATE_NOOP("Filter", "The free height that an agent needs. An obstacle at exactly this height is no obstacle."),
+    QT_TRANSLATE_NOOP("Filter", "The free height that an agent needs. An obstacle at exactly this height is no obstacle. Less than about 1e-29 of the largest coordinate is refused."),
     QT_TRANSLATE_NOOP("Filter", "Area"),
     QT_TRANSLATE_NOOP("Filter", "Removes regions that are too small to matter, such as table tops and ledges. A region is what can be reached over shared edges without crossing an obstacle edge. What is removed stays an obstacle."),
     QT_TRANSLATE_NOOP("Filter", "Every walkable region has a surface area above the minimum."),

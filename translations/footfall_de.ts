@@ -28,10 +28,6 @@
         <translation>berichtigen Sie das, oder exportieren Sie die Datei noch einmal</translation>
     </message>
     <message>
-        <source>vertex index %1 in mesh &apos;%2&apos; is out of range: it has %3 vertices</source>
-        <translation>Eckennummer %1 im Netz „%2“ liegt außerhalb: Es hat %3 Ecken</translation>
-    </message>
-    <message>
         <source>unknown content</source>
         <translation>unbekannter Inhalt</translation>
     </message>
@@ -94,10 +90,6 @@
     <message>
         <source>use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads</source>
         <translation>nehmen Sie OBJ, glTF, FBX, DAE, PLY, STL, 3DS oder ein anderes Format, das Assimp liest</translation>
-    </message>
-    <message>
-        <source>no triangles in it (skipped: %1 polygons, %2 lines, %3 points)</source>
-        <translation>enthält keine Dreiecke (übergangene Polygone: %1, Linien: %2, Punkte: %3)</translation>
     </message>
     <message>
         <source>choose a file that has faces</source>
@@ -164,26 +156,6 @@
         <translation>sie wurde abgeschnitten oder von Hand geändert: exportieren Sie sie noch einmal</translation>
     </message>
     <message>
-        <source>its comments count %1 vertices, but it has %2</source>
-        <translation>ihre Kommentare zählen %1 Ecken, sie hat aber %2</translation>
-    </message>
-    <message>
-        <source>its comments count %1 triangles, but it has %2</source>
-        <translation>ihre Kommentare zählen %1 Dreiecke, sie hat aber %2</translation>
-    </message>
-    <message>
-        <source>its comments count %1 layers, but it has %2</source>
-        <translation>ihre Kommentare zählen %1 Ebenen, sie hat aber %2</translation>
-    </message>
-    <message>
-        <source>its comments count %1 connections, but it has %2</source>
-        <translation>ihre Kommentare zählen %1 Verbindungen, sie hat aber %2</translation>
-    </message>
-    <message>
-        <source>its comments count %1 obstacle edges, but it has %2</source>
-        <translation>ihre Kommentare zählen %1 Hinderniskanten, sie hat aber %2</translation>
-    </message>
-    <message>
         <source>no triangles in it</source>
         <translation>enthält keine Dreiecke</translation>
     </message>
@@ -240,16 +212,8 @@
         <translation>Eckennummer 0: OBJ zählt ab 1</translation>
     </message>
     <message>
-        <source>vertex index %1 is out of range: only %2 vertices precede it</source>
-        <translation>Eckennummer %1 liegt außerhalb: Nur %2 Ecken gehen ihr voran</translation>
-    </message>
-    <message>
         <source>vertex index %1 is out of range</source>
         <translation>Eckennummer %1 liegt außerhalb</translation>
-    </message>
-    <message>
-        <source>vertex index %1 is out of range: the file has %2 vertices</source>
-        <translation>Eckennummer %1 liegt außerhalb: Die Datei hat %2 Ecken</translation>
     </message>
     <message>
         <source>has a NUL byte, so it is not OBJ text</source>
@@ -314,10 +278,6 @@
     <message>
         <source>no permission to write it</source>
         <translation>keine Berechtigung zum Schreiben</translation>
-    </message>
-    <message>
-        <source>change the permissions or choose another folder</source>
-        <translation>ändern Sie die Rechte, oder wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
         <source>cannot be written: the disk is full</source>
@@ -396,16 +356,8 @@
         <translation>%1 und höchstens %2</translation>
     </message>
     <message>
-        <source>%1 vertices at %2 positions</source>
-        <translation>%1 Ecken an %2 Stellen</translation>
-    </message>
-    <message>
         <source>%1 vertices merged</source>
         <translation>Vereinte Ecken: %1</translation>
-    </message>
-    <message>
-        <source>%1 layers, %2 connections</source>
-        <translation>Ebenen: %1, Verbindungen: %2</translation>
     </message>
     <message>
         <source>all vertices are exact already</source>
@@ -436,10 +388,6 @@
         <translation>Eine Zelle, weil ein Thread läuft.</translation>
     </message>
     <message>
-        <source>One cell, because an environment of %1 triangles is done before cells would pay: threads share its floors.</source>
-        <translation>Eine Zelle, weil eine Umgebung mit %1 Dreiecken fertig ist, bevor sich Zellen lohnen: Threads teilen sich ihre Böden.</translation>
-    </message>
-    <message>
         <source>One cell, because the %1 triangles are little work: threads share its floors.</source>
         <translation>Eine Zelle, weil die %1 Dreiecke wenig Arbeit sind: Threads teilen sich ihre Böden.</translation>
     </message>
@@ -462,10 +410,6 @@
     <message>
         <source>line %1</source>
         <translation>Zeile %1</translation>
-    </message>
-    <message>
-        <source>step %1</source>
-        <translation>Schritt %1</translation>
     </message>
     <message>
         <source>the parallel block that %1 begins in %2</source>
@@ -542,10 +486,6 @@
     <message>
         <source>%1: is too long for a pipeline; give a text file of filters</source>
         <translation>%1: ist zu lang für eine Pipeline; geben Sie eine Textdatei mit Filtern</translation>
-    </message>
-    <message>
-        <source>%1: has %2 values; give %3</source>
-        <translation>%1: hat %2 Werte; geben Sie %3</translation>
     </message>
     <message>
         <source>%1: memory ran out; close other programs or use a smaller environment</source>
@@ -644,10 +584,6 @@
         <translation>stammt von einem neueren Footfall; bringen Sie dieses auf den neuesten Stand</translation>
     </message>
     <message>
-        <source>import: up is &apos;%1&apos;; give y or z</source>
-        <translation>import: up ist „%1“; geben Sie y oder z</translation>
-    </message>
-    <message>
         <source>import: metres_per_unit is not above 0; give for example 0.01</source>
         <translation>import: metres_per_unit liegt nicht über 0; geben Sie zum Beispiel 0.01</translation>
     </message>
@@ -666,6 +602,350 @@
     <message>
         <source>(unnamed)</source>
         <translation>(ohne Namen)</translation>
+    </message>
+    <message>
+        <source>the cells</source>
+        <translation>die Zellen</translation>
+    </message>
+    <message>
+        <source>the pipeline</source>
+        <translation>die Pipeline</translation>
+    </message>
+    <message>
+        <source>the path</source>
+        <translation>der Weg</translation>
+    </message>
+    <message>
+        <source>the export</source>
+        <translation>der Export</translation>
+    </message>
+    <message>
+        <source>the statistics</source>
+        <translation>die Statistik</translation>
+    </message>
+    <message>
+        <source>the timeline</source>
+        <translation>die Zeitachse</translation>
+    </message>
+    <message>
+        <source>the report</source>
+        <translation>der Bericht</translation>
+    </message>
+    <message>
+        <source>vertex index %1 in mesh &apos;%2&apos; is out of range: it has %3</source>
+        <translation>Eckennummer %1 im Netz „%2“ liegt außerhalb: Es hat %3</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 Ecke</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>no triangles in it (skipped: %1, %2, %3)</source>
+        <translation>enthält keine Dreiecke (übergangen: %1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>1 polygon</source>
+        <translation>1 Polygon</translation>
+    </message>
+    <message>
+        <source>%1 polygons</source>
+        <translation>%1 Polygone</translation>
+    </message>
+    <message>
+        <source>1 line</source>
+        <translation>1 Linie</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Linien</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>vertices: its comments count %1, but it has %2</source>
+        <translation>Ecken: Ihre Kommentare zählen %1, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>triangles: its comments count %1, but it has %2</source>
+        <translation>Dreiecke: Ihre Kommentare zählen %1, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>layers: its comments count %1, but it has %2</source>
+        <translation>Ebenen: Ihre Kommentare zählen %1, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>connections: its comments count %1, but it has %2</source>
+        <translation>Verbindungen: Ihre Kommentare zählen %1, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>obstacle edges: its comments count %1, but it has %2</source>
+        <translation>Hinderniskanten: Ihre Kommentare zählen %1, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>vertex index %1 is out of range: only %2 before it</source>
+        <translation>Eckennummer %1 liegt außerhalb: Vor ihr stehen nur %2</translation>
+    </message>
+    <message>
+        <source>vertex index %1 is out of range: the file has %2</source>
+        <translation>Eckennummer %1 liegt außerhalb: Die Datei hat %2</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1 is a file, not a folder</source>
+        <translation>kann nicht geschrieben werden: %1 ist eine Datei, kein Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be written: no file can be made in its folder</source>
+        <translation>kann nicht geschrieben werden: In ihrem Ordner kann keine Datei angelegt werden</translation>
+    </message>
+    <message>
+        <source>change the permissions of the file or choose another name</source>
+        <translation>ändern Sie die Rechte der Datei, oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>no permission to write in its folder</source>
+        <translation>keine Berechtigung, in ihren Ordner zu schreiben</translation>
+    </message>
+    <message>
+        <source>change the permissions of the folder or choose another one</source>
+        <translation>ändern Sie die Rechte des Ordners, oder wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>cannot be written: its disk can only be read</source>
+        <translation>kann nicht geschrieben werden: Ihr Datenträger kann nur gelesen werden</translation>
+    </message>
+    <message>
+        <source>choose another disk</source>
+        <translation>wählen Sie einen anderen Datenträger</translation>
+    </message>
+    <message>
+        <source>cannot be written: your share of the disk is used up</source>
+        <translation>kann nicht geschrieben werden: Ihr Anteil am Datenträger ist aufgebraucht</translation>
+    </message>
+    <message>
+        <source>cannot be written: it is too large for this disk</source>
+        <translation>kann nicht geschrieben werden: Sie ist zu groß für diesen Datenträger</translation>
+    </message>
+    <message>
+        <source>cannot be written: its name or path is too long</source>
+        <translation>kann nicht geschrieben werden: Ihr Name oder Pfad ist zu lang</translation>
+    </message>
+    <message>
+        <source>shorten it</source>
+        <translation>kürzen Sie ihn</translation>
+    </message>
+    <message>
+        <source>cannot be written: symbolic links lead round in a circle</source>
+        <translation>kann nicht geschrieben werden: Symbolische Verknüpfungen führen im Kreis</translation>
+    </message>
+    <message>
+        <source>remove the link or choose another name</source>
+        <translation>entfernen Sie die Verknüpfung, oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>cannot be written: another program uses it</source>
+        <translation>kann nicht geschrieben werden: Ein anderes Programm benutzt sie</translation>
+    </message>
+    <message>
+        <source>close that program or choose another name</source>
+        <translation>schließen Sie das Programm, oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>face %1 of mesh &apos;%2&apos;</source>
+        <translation>Fläche %1 des Netzes „%2“</translation>
+    </message>
+    <message>
+        <source>has no corners; a polygon needs three</source>
+        <translation>hat keine Ecken; ein Polygon braucht drei</translation>
+    </message>
+    <message>
+        <source>has one corner; a polygon needs three</source>
+        <translation>hat eine Ecke; ein Polygon braucht drei</translation>
+    </message>
+    <message>
+        <source>has two corners; a polygon needs three</source>
+        <translation>hat zwei Ecken; ein Polygon braucht drei</translation>
+    </message>
+    <message>
+        <source>all of its %1 corners are one vertex; a polygon needs three</source>
+        <translation>alle %1 Ecken sind dieselbe; ein Polygon braucht drei</translation>
+    </message>
+    <message>
+        <source>its %1 corners are only two different vertices; a polygon needs three</source>
+        <translation>seine %1 Ecken sind nur zwei verschiedene; ein Polygon braucht drei</translation>
+    </message>
+    <message>
+        <source>a curved surface, which is not read; export it as polygons</source>
+        <translation>eine gekrümmte Fläche, die nicht gelesen wird; exportieren Sie sie als Polygone</translation>
+    </message>
+    <message>
+        <source>the environment</source>
+        <translation>die Umgebung</translation>
+    </message>
+    <message>
+        <source>a file that the environment uses</source>
+        <translation>eine Datei, die die Umgebung benutzt</translation>
+    </message>
+    <message>
+        <source>%1: would be overwritten, and is %2; give another file to write to</source>
+        <translation>%1: würde überschrieben und ist %2; geben Sie eine andere Datei zum Schreiben an</translation>
+    </message>
+    <message>
+        <source>%1: cannot hold both %2 and %3; give two files</source>
+        <translation>%1: kann nicht beides aufnehmen, %2 und %3; geben Sie zwei Dateien an</translation>
+    </message>
+    <message>
+        <source>%1: %2 writes %3 files; give a name that ends so</source>
+        <translation>%1: %2 schreibt %3-Dateien; geben Sie einen Namen an, der so endet</translation>
+    </message>
+    <message>
+        <source>%1 of 1 region removed</source>
+        <translation>%1 von 1 Gebiet entfernt</translation>
+    </message>
+    <message>
+        <source>a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or check the scale and the largest coordinates</source>
+        <translation>eine Durchgangshöhe von %1 ist zu klein neben Koordinaten bis %2; geben Sie mindestens %3 an, oder prüfen Sie den Maßstab und die größten Koordinaten</translation>
+    </message>
+    <message>
+        <source>triangles without area left out: %1, walkable among them: %2</source>
+        <translation>Dreiecke ohne Fläche weggelassen: %1, davon begehbar: %2</translation>
+    </message>
+    <message>
+        <source>1 triangle without area left out; it was not walkable</source>
+        <translation>1 Dreieck ohne Fläche weggelassen; es war nicht begehbar</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area left out; none was walkable</source>
+        <translation>%1 Dreiecke ohne Fläche weggelassen; keines war begehbar</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>1 position</source>
+        <translation>1 Stelle</translation>
+    </message>
+    <message>
+        <source>%1 positions</source>
+        <translation>%1 Stellen</translation>
+    </message>
+    <message>
+        <source>1 vertex merged</source>
+        <translation>1 Ecke zusammengelegt</translation>
+    </message>
+    <message>
+        <source>1 layer</source>
+        <translation>1 Ebene</translation>
+    </message>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 Ebenen</translation>
+    </message>
+    <message>
+        <source>1 connection</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 connections</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>an obstacle edge, on which nothing stands that could be seen</source>
+        <translation>eine Hinderniskante, auf der nichts Sichtbares steht</translation>
+    </message>
+    <message>
+        <source>a gap of %1</source>
+        <translation>eine Lücke von %1</translation>
+    </message>
+    <message>
+        <source>a step of %1 up</source>
+        <translation>eine Stufe von %1 hinauf</translation>
+    </message>
+    <message>
+        <source>a step of %1 down</source>
+        <translation>eine Stufe von %1 hinab</translation>
+    </message>
+    <message>
+        <source>a gap of %1 and a step of %2 up</source>
+        <translation>eine Lücke von %1 und eine Stufe von %2 hinauf</translation>
+    </message>
+    <message>
+        <source>a gap of %1 and a step of %2 down</source>
+        <translation>eine Lücke von %1 und eine Stufe von %2 hinab</translation>
+    </message>
+    <message>
+        <source>something %1 high to climb over</source>
+        <translation>etwas %1 Hohes, über das man steigen muss</translation>
+    </message>
+    <message>
+        <source>a place with only %1 of free height</source>
+        <translation>eine Stelle mit nur %1 freier Höhe</translation>
+    </message>
+    <message>
+        <source>a wall; the parts are %1 apart</source>
+        <translation>eine Wand; die Teile liegen %1 auseinander</translation>
+    </message>
+    <message>
+        <source>an obstacle edge: a wall without thickness</source>
+        <translation>eine Hinderniskante: eine Wand ohne Dicke</translation>
+    </message>
+    <message>
+        <source>the parts only touch in a point, through which nobody fits</source>
+        <translation>die Teile berühren sich nur in einem Punkt, durch den niemand passt</translation>
+    </message>
+    <message>
+        <source>One cell, because an environment of %1 is done before cells would pay: threads share its floors.</source>
+        <translation>Eine Zelle, weil die Umgebung klein ist (%1) und fertig, bevor sich Zellen lohnen: Threads teilen sich ihre Böden.</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 Dreieck</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>step %1 (%2)</source>
+        <translation>Schritt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: values given: %2; give %3</source>
+        <translation>%1: angegebene Werte: %2; geben Sie %3 an</translation>
+    </message>
+    <message>
+        <source>the session that is open</source>
+        <translation>die Sitzung, die geöffnet ist</translation>
+    </message>
+    <message>
+        <source>the pipeline that is open</source>
+        <translation>die Pipeline, die geöffnet ist</translation>
+    </message>
+    <message>
+        <source>import: up is &apos;%1&apos;; give y, z, x, -y, -z or -x</source>
+        <translation>import: „up“ ist „%1“; geben Sie y, z, x, -y, -z oder -x an</translation>
+    </message>
+    <message>
+        <source>lengths are in &apos;%1&apos;; give metres, feet or file</source>
+        <translation>Längen sind in „%1“; geben Sie metres, feet oder file an</translation>
     </message>
 </context>
 <context>
@@ -737,10 +1017,6 @@
     <message>
         <source>Clearance</source>
         <translation>Durchgangshöhe</translation>
-    </message>
-    <message>
-        <source>The free height that an agent needs. An obstacle at exactly this height is no obstacle.</source>
-        <translation>Die freie Höhe, die ein Agent braucht. Ein Hindernis in genau dieser Höhe ist keines.</translation>
     </message>
     <message>
         <source>Area</source>
@@ -942,6 +1218,10 @@
         <source>One environment again, without a trace of the cells.</source>
         <translation>Wieder eine Umgebung, ohne eine Spur der Zellen.</translation>
     </message>
+    <message>
+        <source>The free height that an agent needs. An obstacle at exactly this height is no obstacle. Less than about 1e-29 of the largest coordinate is refused.</source>
+        <translation>Die freie Höhe, die ein Agent braucht. Ein Hindernis in genau dieser Höhe ist keines. Weniger als etwa 1e-29 der größten Koordinate wird abgelehnt.</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -1028,22 +1308,6 @@
 <context>
     <name>WhyText</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>%1 units (%2 m)</source>
-        <translation>%1 Einheiten (%2 m)</translation>
-    </message>
-    <message>
-        <source>%1 m²</source>
-        <translation>%1 m²</translation>
-    </message>
-    <message>
-        <source>%1 units² (%2 m²)</source>
-        <translation>%1 Einheiten² (%2 m²)</translation>
-    </message>
-    <message>
         <source>Walkable</source>
         <translation>Begehbar</translation>
     </message>
@@ -1124,10 +1388,6 @@
         <translation>Dreieck %1 liegt %2 darüber; Agenten brauchen %3.</translation>
     </message>
     <message>
-        <source>%1 units</source>
-        <translation>%1 Einheiten</translation>
-    </message>
-    <message>
         <source>The connected region around it has an area of %1; it must have more than %2.</source>
         <translation>Das zusammenhängende Gebiet darum hat eine Fläche von %1; es muss mehr als %2 haben.</translation>
     </message>
@@ -1158,10 +1418,6 @@
     <message>
         <source>%1, below triangle %2</source>
         <translation>%1, unter Dreieck %2</translation>
-    </message>
-    <message>
-        <source>x %1, y %2, z %3</source>
-        <translation>x %1, y %2, z %3</translation>
     </message>
 </context>
 <context>
@@ -1350,10 +1606,6 @@
         <translation>Alle Filter einschalten</translation>
     </message>
     <message>
-        <source>P&amp;resets</source>
-        <translation>&amp;Vorlagen</translation>
-    </message>
-    <message>
         <source>Run &amp;automatically</source>
         <translation>&amp;Selbsttätig ausführen</translation>
     </message>
@@ -1412,22 +1664,6 @@
     <message>
         <source>Agent: %1</source>
         <translation>Agent: %1</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>Grad</translation>
-    </message>
-    <message>
-        <source>units</source>
-        <translation>Einheiten</translation>
-    </message>
-    <message>
-        <source>units²</source>
-        <translation>Einheiten²</translation>
-    </message>
-    <message>
-        <source>count</source>
-        <translation>Anzahl</translation>
     </message>
     <message>
         <source>Sequential</source>
@@ -1497,6 +1733,42 @@
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 Dreieck</translation>
+    </message>
+    <message>
+        <source>Pr&amp;esets</source>
+        <translation>Vo&amp;rlagen</translation>
+    </message>
+    <message>
+        <source>Len&amp;gths in</source>
+        <translation>Län&amp;gen in</translation>
+    </message>
+    <message>
+        <source>&amp;Metres</source>
+        <translation>&amp;Meter</translation>
+    </message>
+    <message>
+        <source>Show and type lengths in metres, where the scale of the level is known</source>
+        <translation>Längen in Metern zeigen und eingeben, wo der Maßstab des Levels bekannt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Feet</source>
+        <translation>&amp;Fuß</translation>
+    </message>
+    <message>
+        <source>Show and type lengths in feet, where the scale of the level is known</source>
+        <translation>Längen in Fuß zeigen und eingeben, wo der Maßstab des Levels bekannt ist</translation>
+    </message>
+    <message>
+        <source>File&apos;s &amp;units</source>
+        <translation>&amp;Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>Show and type lengths as the file has them</source>
+        <translation>Längen zeigen und eingeben, wie die Datei sie hat</translation>
+    </message>
 </context>
 <context>
     <name>footfall::AgentModel</name>
@@ -1517,10 +1789,6 @@
         <translation>nicht berechnet</translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Alt+%1</source>
         <translation>Alt+%1</translation>
     </message>
@@ -1529,16 +1797,8 @@
         <translation>Agent</translation>
     </message>
     <message>
-        <source>Height (units)</source>
-        <translation>Höhe (Einheiten)</translation>
-    </message>
-    <message>
         <source>Slope (°)</source>
         <translation>Neigung (°)</translation>
-    </message>
-    <message>
-        <source>Area (units²)</source>
-        <translation>Fläche (Einheiten²)</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -1577,12 +1837,24 @@
         <translation>Bereit: Der Wechsel zum Agenten zeigt sein Ergebnis sofort</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a number; write for example 1.8</source>
-        <translation>„%1“ ist keine Zahl; schreiben Sie zum Beispiel 1.8</translation>
-    </message>
-    <message>
         <source>agent: %1</source>
         <translation>Agent: %1</translation>
+    </message>
+    <message>
+        <source>%1 units of the file</source>
+        <translation>%1 Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>Height (%1)</source>
+        <translation>Höhe (%1)</translation>
+    </message>
+    <message>
+        <source>Area (%1)</source>
+        <translation>Fläche (%1)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number; write for example %2</source>
+        <translation>„%1“ ist keine Zahl; schreiben Sie zum Beispiel %2</translation>
     </message>
 </context>
 <context>
@@ -1716,8 +1988,12 @@
         <translation>Achsen der Ansicht</translation>
     </message>
     <message>
-        <source>Click an axis to look along it; drag to turn</source>
-        <translation>Klick auf eine Achse blickt an ihr entlang; Ziehen dreht</translation>
+        <source>Axes of the file: %1</source>
+        <translation>Achsen der Datei: %1</translation>
+    </message>
+    <message>
+        <source>The file&apos;s axes (%1). Click one to look along it; drag to turn</source>
+        <translation>Die Achsen der Datei (%1). Klick auf eine blickt an ihr entlang; Ziehen dreht</translation>
     </message>
 </context>
 <context>
@@ -1774,10 +2050,6 @@
 <context>
     <name>footfall::CameraTools</name>
     <message>
-        <source>Fly: %1 units a second</source>
-        <translation>Fliegen: %1 Einheiten je Sekunde</translation>
-    </message>
-    <message>
         <source>From &amp;below</source>
         <translation>Von &amp;unten</translation>
     </message>
@@ -1790,32 +2062,16 @@
         <translation>Von &amp;vorn</translation>
     </message>
     <message>
-        <source>Look along Y</source>
-        <translation>An Y entlang sehen</translation>
-    </message>
-    <message>
         <source>From the bac&amp;k</source>
         <translation>Von &amp;hinten</translation>
-    </message>
-    <message>
-        <source>Look against Y</source>
-        <translation>Gegen Y sehen</translation>
     </message>
     <message>
         <source>From the ri&amp;ght</source>
         <translation>Von &amp;rechts</translation>
     </message>
     <message>
-        <source>Look against X</source>
-        <translation>Gegen X sehen</translation>
-    </message>
-    <message>
         <source>From the &amp;left</source>
         <translation>Von &amp;links</translation>
-    </message>
-    <message>
-        <source>Look along X</source>
-        <translation>An X entlang sehen</translation>
     </message>
     <message>
         <source>&amp;Perspective or parallel</source>
@@ -1848,10 +2104,6 @@
     <message>
         <source>Show where the camera goes when it jumps; off to reduce motion</source>
         <translation>Zeigen, wohin die Kamera springt; aus für weniger Bewegung</translation>
-    </message>
-    <message>
-        <source>&amp;Bookmarks</source>
-        <translation>&amp;Lesezeichen</translation>
     </message>
     <message>
         <source>&amp;Keep this view...</source>
@@ -1889,6 +2141,30 @@
         <source>Kept &apos;%1&apos;; Ctrl+Shift+%2 goes back to it</source>
         <translation>„%1“ gemerkt; Strg+Umschalt+%2 führt dorthin zurück</translation>
     </message>
+    <message>
+        <source>Fly: %1 %2 a second</source>
+        <translation>Fliegen: %1 %2 je Sekunde</translation>
+    </message>
+    <message>
+        <source>Look level, from the front</source>
+        <translation>Waagerecht blicken, von vorn</translation>
+    </message>
+    <message>
+        <source>Look level, from the back</source>
+        <translation>Waagerecht blicken, von hinten</translation>
+    </message>
+    <message>
+        <source>Look level, from the right</source>
+        <translation>Waagerecht blicken, von rechts</translation>
+    </message>
+    <message>
+        <source>Look level, from the left</source>
+        <translation>Waagerecht blicken, von links</translation>
+    </message>
+    <message>
+        <source>Book&amp;marks</source>
+        <translation>&amp;Merkpunkte</translation>
+    </message>
 </context>
 <context>
     <name>footfall::CellLegend</name>
@@ -1925,10 +2201,6 @@
         <translation>%1, vor einem Lauf</translation>
     </message>
     <message>
-        <source>Number of the thread that began the cell</source>
-        <translation>Nummer des Threads, der die Zelle begonnen hat</translation>
-    </message>
-    <message>
         <source>0 to %1</source>
         <translation>0 bis %1</translation>
     </message>
@@ -1948,28 +2220,34 @@
         <source>Colours: %1</source>
         <translation>Farben: %1</translation>
     </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Thread that began the cell; its share of the work:</source>
+        <translation>Thread, der die Zelle begonnen hat; sein Anteil an der Arbeit:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n weiterer</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Thread %1: %2 %, %3, %n cell(s)</source>
+        <translation>
+            <numerusform>Thread %1: %2 %, %3, %n Zelle</numerusform>
+            <numerusform>Thread %1: %2 %, %3, %n Zellen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>footfall::CellModel</name>
     <message>
         <source>everything</source>
         <translation>alles</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>unter %1</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <translation>ab %1</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>height</source>
-        <translation>Höhe</translation>
     </message>
     <message>
         <source>estimated cost</source>
@@ -2011,6 +2289,22 @@
         <source> (not finished)</source>
         <translation> (nicht fertig)</translation>
     </message>
+    <message>
+        <source>below %1 %2</source>
+        <translation>unter %1 %2</translation>
+    </message>
+    <message>
+        <source>from %1 %2</source>
+        <translation>ab %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>height (%1)</source>
+        <translation>Höhe (%1)</translation>
+    </message>
 </context>
 <context>
     <name>footfall::CommandPalette</name>
@@ -2048,18 +2342,153 @@
     </message>
 </context>
 <context>
+    <name>footfall::CompareFeature</name>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Show what appeared and what went since the last edit, or beside a saved result</source>
+        <translation>Zeigen, was seit der letzten Änderung oder gegenüber einem gespeicherten Ergebnis dazukam und was wegfiel</translation>
+    </message>
+    <message>
+        <source>Compare with the Last Edit</source>
+        <translation>Mit der letzten Änderung vergleichen</translation>
+    </message>
+    <message>
+        <source>Show over the view what the last edit has made walkable, and what is not walkable any more</source>
+        <translation>In der Ansicht zeigen, was die letzte Änderung begehbar gemacht hat und was nicht mehr begehbar ist</translation>
+    </message>
+    <message>
+        <source>Compare with a Saved Result…</source>
+        <translation>Mit einem gespeicherten Ergebnis vergleichen …</translation>
+    </message>
+    <message>
+        <source>Show over the view what an exported result, or another tool&apos;s mesh, has not or has</source>
+        <translation>In der Ansicht zeigen, was ein exportiertes Ergebnis oder das Netz eines anderen Programms nicht hat oder mehr hat</translation>
+    </message>
+    <message>
+        <source>Compare with a saved result</source>
+        <translation>Mit einem gespeicherten Ergebnis vergleichen</translation>
+    </message>
+    <message>
+        <source>Results (*.obj)</source>
+        <translation>Ergebnisse (*.obj)</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>Vergleicht …</translation>
+    </message>
+    <message>
+        <source>Choose what to compare the result with.</source>
+        <translation>Wählen Sie, womit das Ergebnis verglichen werden soll.</translation>
+    </message>
+    <message>
+        <source>There is no result yet; the comparison follows when a run has finished.</source>
+        <translation>Es gibt noch kein Ergebnis; der Vergleich folgt, wenn ein Lauf beendet ist.</translation>
+    </message>
+    <message>
+        <source>Nothing was edited yet; after the next edit, what it changed is shown.</source>
+        <translation>Noch wurde nichts geändert; nach der nächsten Änderung wird gezeigt, was sie bewirkt hat.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only the largest %n regions are drawn</source>
+        <translation>
+            <numerusform>Nur das größte Gebiet ist gezeichnet</numerusform>
+            <numerusform>Nur die größten %n Gebiete sind gezeichnet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ComparePanel</name>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Appeared: %1</source>
+        <translation>Dazugekommen: %1</translation>
+    </message>
+    <message>
+        <source>Went: %1</source>
+        <translation>Weggefallen: %1</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>The result before the last edit</source>
+        <translation>Das Ergebnis vor der letzten Änderung</translation>
+    </message>
+    <message>
+        <source>A saved result…</source>
+        <translation>Ein gespeichertes Ergebnis …</translation>
+    </message>
+    <message>
+        <source>What the result is compared with, after each run</source>
+        <translation>Womit das Ergebnis nach jedem Lauf verglichen wird</translation>
+    </message>
+    <message>
+        <source>Compare &amp;with</source>
+        <translation>Vergleichen &amp;mit</translation>
+    </message>
+    <message>
+        <source>Regions that differ, largest first</source>
+        <translation>Gebiete, die sich unterscheiden, die größten zuerst</translation>
+    </message>
+    <message>
+        <source>Click a region, or press Return on it, to bring it into sight</source>
+        <translation>Klick auf ein Gebiet oder Eingabe darauf bringt es ins Bild</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>A saved result: %1</source>
+        <translation>Ein gespeichertes Ergebnis: %1</translation>
+    </message>
+    <message>
+        <source>Both results cover the same area.</source>
+        <translation>Beide Ergebnisse bedecken dieselbe Fläche.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The largest %1 of %n regions are listed.</source>
+        <translation>
+            <numerusform>Aufgeführt sind die größten %1 von %n Gebiet.</numerusform>
+            <numerusform>Aufgeführt sind die größten %1 von %n Gebieten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>appeared</source>
+        <translation>dazugekommen</translation>
+    </message>
+    <message>
+        <source>went</source>
+        <translation>weggefallen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::CompareWatch</name>
+    <message>
+        <source>The comparison: memory ran out; close other programs or use a smaller environment</source>
+        <translation>Der Vergleich: Der Speicher ging aus; schließen Sie andere Programme, oder nehmen Sie eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ComponentsModel</name>
     <message>
         <source>Rank</source>
         <translation>Rang</translation>
-    </message>
-    <message>
-        <source>Area (m²)</source>
-        <translation>Fläche (m²)</translation>
-    </message>
-    <message>
-        <source>Area (units²)</source>
-        <translation>Fläche (Einheiten²)</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -2070,16 +2499,20 @@
         <translation>Ebenen</translation>
     </message>
     <message>
-        <source>Centre</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>Centre of mass, x y z, in the frame of the file</source>
-        <translation>Schwerpunkt, x y z, im Bezugssystem der Datei</translation>
-    </message>
-    <message>
         <source>Of the surface; the largest is the first</source>
         <translation>Der Oberfläche; das größte ist das erste</translation>
+    </message>
+    <message>
+        <source>Area (%1)</source>
+        <translation>Fläche (%1)</translation>
+    </message>
+    <message>
+        <source>Centre (%1)</source>
+        <translation>Mitte (%1)</translation>
+    </message>
+    <message>
+        <source>Centre of mass. %1</source>
+        <translation>Schwerpunkt. %1</translation>
     </message>
 </context>
 <context>
@@ -2091,10 +2524,6 @@
     <message>
         <source>any area</source>
         <translation>jede Fläche</translation>
-    </message>
-    <message>
-        <source>Show only components with less area than this, in the environment&apos;s units</source>
-        <translation>Nur Teile mit weniger Fläche zeigen, in den Einheiten der Umgebung</translation>
     </message>
     <message>
         <source>&amp;Smaller than</source>
@@ -2117,10 +2546,6 @@
         <translation>Alle gezeigten Zeilen in die Zwischenablage kopieren, mit Tabulatoren für eine Tabelle</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no area; give a number above 0, such as 2.5</source>
-        <translation>„%1“ ist keine Fläche; geben Sie eine Zahl über 0, etwa 2.5</translation>
-    </message>
-    <message>
         <source>No result yet</source>
         <translation>Noch kein Ergebnis</translation>
     </message>
@@ -2131,6 +2556,22 @@
     <message>
         <source>%1 of %2 components, %3</source>
         <translation>%1 von %2 Teilen, %3</translation>
+    </message>
+    <message>
+        <source>Show only components with less area than this, in %1</source>
+        <translation>Nur Teile mit weniger Fläche zeigen, in %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no area; give a number above 0, such as %2</source>
+        <translation>„%1“ ist keine Fläche; geben Sie eine Zahl über 0 an, etwa %2</translation>
+    </message>
+    <message>
+        <source>%1 of 1 component, %2</source>
+        <translation>%1 von 1 Teil, %2</translation>
+    </message>
+    <message>
+        <source>1 component, %1</source>
+        <translation>1 Teil, %1</translation>
     </message>
 </context>
 <context>
@@ -2146,14 +2587,6 @@
     <message>
         <source>Which way the plane faces</source>
         <translation>Wohin die Ebene zeigt</translation>
-    </message>
-    <message>
-        <source>Across X</source>
-        <translation>Quer zu X</translation>
-    </message>
-    <message>
-        <source>Across Y</source>
-        <translation>Quer zu Y</translation>
     </message>
     <message>
         <source>Facing the camera</source>
@@ -2182,6 +2615,10 @@
     <message>
         <source>Show the whole level again</source>
         <translation>Wieder das ganze Level zeigen</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>Quer zu %1</translation>
     </message>
 </context>
 <context>
@@ -2573,18 +3010,6 @@
         <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>Save the changes to %1?</source>
-        <translation>Änderungen an %1 speichern?</translation>
-    </message>
-    <message>
-        <source>They are lost otherwise.</source>
-        <translation>Sie gehen sonst verloren.</translation>
-    </message>
-    <message>
-        <source>Footfall ended unexpectedly while %1 was open (last change %2). Restore it?</source>
-        <translation>Footfall wurde unerwartet beendet, während %1 geöffnet war (letzte Änderung %2). Wiederherstellen?</translation>
-    </message>
-    <message>
         <source>Restore</source>
         <translation>Wiederherstellen</translation>
     </message>
@@ -2627,10 +3052,6 @@
     <message>
         <source>walkable triangles</source>
         <translation>begehbare Dreiecke</translation>
-    </message>
-    <message>
-        <source>area %1 units²</source>
-        <translation>Fläche %1 Einheiten²</translation>
     </message>
     <message>
         <source>layer</source>
@@ -2679,6 +3100,110 @@
     <message>
         <source>%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size</source>
         <translation>%1: Ein Bild von %2 × %3 kann hier nicht gezeichnet werden; wählen Sie eine kleinere Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Agents</source>
+        <translation>&amp;Agenten</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Display &amp;mode</source>
+        <translation>&amp;Darstellung</translation>
+    </message>
+    <message>
+        <source>&amp;Floors and cuts</source>
+        <translation>&amp;Böden und Schnitte</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>Selected &amp;filters</source>
+        <translation>Ausgewählte &amp;Filter</translation>
+    </message>
+    <message>
+        <source>T&amp;hreads</source>
+        <translation>T&amp;hreads</translation>
+    </message>
+    <message>
+        <source>&amp;Environment</source>
+        <translation>&amp;Umgebung</translation>
+    </message>
+    <message>
+        <source>What was opened: its extent, axes and scale</source>
+        <translation>Was geöffnet ist: Ausdehnung, Achsen und Maßstab</translation>
+    </message>
+    <message>
+        <source>&amp;Filters</source>
+        <translation>&amp;Filter</translation>
+    </message>
+    <message>
+        <source>The steps that make the walkable area</source>
+        <translation>Die Schritte, aus denen die begehbare Fläche entsteht</translation>
+    </message>
+    <message>
+        <source>, %1 → 1 triangle</source>
+        <translation>, %1 → 1 Dreieck</translation>
+    </message>
+    <message>
+        <source>%1 is written once the run has finished</source>
+        <translation>%1 wird geschrieben, sobald der Lauf beendet ist</translation>
+    </message>
+    <message>
+        <source>Save the changes as a session?</source>
+        <translation>Die Änderungen als Sitzung speichern?</translation>
+    </message>
+    <message>
+        <source>Save the changes to the session %1?</source>
+        <translation>Die Änderungen in der Sitzung %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Filters, agents, obstacles and settings of %1 have changed, and are lost otherwise. The file %1 itself stays as it is.</source>
+        <translation>Filter, Agenten, Hindernisse und Einstellungen von %1 haben sich geändert und gehen sonst verloren. Die Datei %1 selbst bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Closes when the file is written; close again to close at once</source>
+        <translation>Schließt, wenn die Datei geschrieben ist; noch einmal schließen schließt sofort</translation>
+    </message>
+    <message>
+        <source>Not written yet</source>
+        <translation>Noch nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 waits for the run.</source>
+        <translation>%1 wartet auf den Lauf.</translation>
+    </message>
+    <message>
+        <source>&amp;Write, then close</source>
+        <translation>&amp;Schreiben, dann schließen</translation>
+    </message>
+    <message>
+        <source>Close &amp;without it</source>
+        <translation>&amp;Ohne sie schließen</translation>
+    </message>
+    <message>
+        <source>Footfall ended unexpectedly while %1 was open (last change %2). Restore the session?</source>
+        <translation>Footfall wurde unerwartet beendet, während %1 geöffnet war (letzte Änderung %2). Die Sitzung wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>%1: not written, as the run was cancelled; export again</source>
+        <translation>%1: nicht geschrieben, weil der Lauf abgebrochen wurde; exportieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>%1. Not written: %2</source>
+        <translation>%1. Nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>%1: not written, as another environment was opened; open the one before and export again</source>
+        <translation>%1: nicht geschrieben, weil eine andere Umgebung geöffnet wurde; öffnen Sie die vorige, und exportieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>area %1</source>
+        <translation>Fläche %1</translation>
     </message>
 </context>
 <context>
@@ -2770,14 +3295,6 @@
         <translation>Wie in der Datei</translation>
     </message>
     <message>
-        <source>Y up</source>
-        <translation>Y oben</translation>
-    </message>
-    <message>
-        <source>Z up</source>
-        <translation>Z oben</translation>
-    </message>
-    <message>
         <source>Which axis points up in the export; glTF is always Y up</source>
         <translation>Welche Achse im Export nach oben zeigt; bei glTF ist immer Y oben</translation>
     </message>
@@ -2832,10 +3349,6 @@
     <message>
         <source>&quot;.%1&quot; is no format that can be written; the name must end in .obj, .gltf, .glb, .png or .html.</source>
         <translation>„.%1“ ist kein Format, das geschrieben werden kann; der Name muss auf .obj, .gltf, .glb, .png oder .html enden.</translation>
-    </message>
-    <message>
-        <source>The folder %1 does not exist; create it or choose another one.</source>
-        <translation>Den Ordner %1 gibt es nicht; legen Sie ihn an oder wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>Scale: %1</source>
@@ -2920,6 +3433,10 @@
     <message>
         <source>glTF has floats: coordinates move by up to %1 m</source>
         <translation>glTF hat einfache Genauigkeit: Koordinaten verschieben sich um bis zu %1 m</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 oben</translation>
     </message>
 </context>
 <context>
@@ -3264,12 +3781,20 @@
         <source>Takes %1. Default: %2%3.</source>
         <translation>Nimmt %1. Vorgabe: %2%3.</translation>
     </message>
+    <message>
+        <source>%1 → 1 triangle</source>
+        <translation>%1 → 1 Dreieck</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 Dreieck</translation>
+    </message>
 </context>
 <context>
     <name>footfall::FlyTool</name>
     <message>
-        <source>Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed, Esc ends</source>
-        <translation>Fliegen: W A S D bewegen, Q und E ab und auf, die Maus sieht sich um, Umschalt schneller, das Rad ändert das Tempo, Esc beendet</translation>
+        <source>Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed (%1 units a second), Esc ends</source>
+        <translation>Fliegen: W A S D bewegen, Q und E ab und auf, die Maus sieht sich um, Umschalt schneller, das Rad ändert das Tempo (%1 Einheiten je Sekunde), Esc beendet</translation>
     </message>
 </context>
 <context>
@@ -3304,8 +3829,8 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Von %1 bis %2</translation>
     </message>
     <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
+        <source>Height, %1</source>
+        <translation>Höhe, %1</translation>
     </message>
 </context>
 <context>
@@ -3332,22 +3857,6 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>Guess</source>
         <translation>Raten</translation>
-    </message>
-    <message>
-        <source>Y up</source>
-        <translation>Y oben</translation>
-    </message>
-    <message>
-        <source>Z up</source>
-        <translation>Z oben</translation>
-    </message>
-    <message>
-        <source>Which axis of the file points up. Z is up here; the export is turned back.</source>
-        <translation>Welche Achse der Datei nach oben zeigt. Hier ist Z oben; der Export wird zurückgedreht.</translation>
-    </message>
-    <message>
-        <source>How many metres one unit of the file is. Coordinates are never scaled: this sets the default values of the filters. Filters that still have their defaults follow.</source>
-        <translation>Wie viele Meter eine Einheit der Datei ist. Koordinaten werden nie skaliert: Dies bestimmt die Vorgaben der Filter. Filter, die noch ihre Vorgaben haben, folgen.</translation>
     </message>
     <message>
         <source>Both sides count as up</source>
@@ -3398,18 +3907,64 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Ausgelassen: %1</translation>
     </message>
     <message>
-        <source>%1 up (guessed)</source>
-        <translation>%1 oben (geraten)</translation>
-    </message>
-    <message>
         <source>(guessed)</source>
         <translation>(geraten)</translation>
     </message>
     <message>
-        <source>
-%1 × %2 × %3 units</source>
-        <translation>
-%1 × %2 × %3 Einheiten</translation>
+        <source>Which axis of the file points up; places are shown along the axes of the file</source>
+        <translation>Welche Achse der Datei nach oben zeigt; Orte werden entlang der Achsen der Datei angegeben</translation>
+    </message>
+    <message>
+        <source>How many metres one unit of the file is. Coordinates are never scaled: lengths are shown and typed in metres, and filters that still have their defaults follow.</source>
+        <translation>Wie viele Meter eine Einheit der Datei ist. Koordinaten werden nie umgerechnet: Längen werden in Metern gezeigt und eingegeben, und Filter mit unveränderten Vorgaben folgen.</translation>
+    </message>
+    <message>
+        <source>The file does not say what its unit is. Once the scale is known, all lengths are shown and typed in metres (or as View &gt; Lengths in says).</source>
+        <translation>Die Datei sagt nicht, was ihre Einheit ist. Ist der Maßstab bekannt, werden alle Längen in Metern gezeigt und eingegeben (oder wie unter Ansicht &gt; Längen in gewählt).</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>%1 (guessed)</source>
+        <translation>%1 (geraten)</translation>
+    </message>
+    <message>
+        <source>(says the file)</source>
+        <translation>(laut Datei)</translation>
+    </message>
+    <message>
+        <source>1 unit of the file is %1</source>
+        <translation>1 Einheit der Datei ist %1</translation>
+    </message>
+    <message>
+        <source>No, %1</source>
+        <translation>Nein, %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 %4 (%5)</source>
+        <translation>%1 × %2 × %3 %4 (%5)</translation>
     </message>
 </context>
 <context>
@@ -3496,24 +4051,12 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Ebenen</translation>
     </message>
     <message>
-        <source>The eye (or Space) hides and shows a layer. A click on a row (or Enter) shows it alone, another one shows all again; a double click brings it into sight. Walls stay: see View &gt; Walkable only, or the heights.</source>
-        <translation>Das Auge (oder die Leertaste) blendet eine Ebene aus und ein. Ein Klick auf eine Zeile (oder die Eingabetaste) zeigt sie allein, ein weiterer wieder alle; ein Doppelklick bringt sie ins Bild. Wände bleiben: siehe Ansicht &gt; Nur Begehbares, oder die Höhen.</translation>
-    </message>
-    <message>
         <source>Layer</source>
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>Area</source>
-        <translation>Fläche</translation>
-    </message>
-    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Surface, in square units</source>
-        <translation>Oberfläche in Quadrateinheiten</translation>
     </message>
     <message>
         <source>Walkable triangles</source>
@@ -3550,6 +4093,18 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>%1 layers</source>
         <translation>%1 Ebenen</translation>
+    </message>
+    <message>
+        <source>The eye (or Space) hides and shows a layer. A click on a row (or Enter) shows it alone, another one shows all again; a double click brings it into sight. Walls stay: see the view mode Walkable only, or the heights.</source>
+        <translation>Das Auge (oder die Leertaste) blendet eine Ebene aus und ein. Ein Klick auf eine Zeile (oder die Eingabetaste) zeigt sie allein, ein weiterer wieder alle; ein Doppelklick bringt sie ins Bild. Wände bleiben: siehe die Darstellung „Nur Begehbares“ oder die Höhen.</translation>
+    </message>
+    <message>
+        <source>Of the surface</source>
+        <translation>Der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Area (%1)</source>
+        <translation>Fläche (%1)</translation>
     </message>
 </context>
 <context>
@@ -3611,10 +4166,6 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Neigung der Böden</translation>
     </message>
     <message>
-        <source>Free height above floors, in units</source>
-        <translation>Freie Höhe über Böden, in Einheiten</translation>
-    </message>
-    <message>
         <source>%1 (computing)</source>
         <translation>%1 (wird berechnet)</translation>
     </message>
@@ -3633,6 +4184,14 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>Walkable, by source triangle</source>
         <translation>Begehbar, nach Quelldreieck</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Free height above floors, in %1</source>
+        <translation>Freie Höhe über Böden, in %1</translation>
     </message>
 </context>
 <context>
@@ -3676,6 +4235,43 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>Cut the view with an upright plane</source>
         <translation>Die Ansicht mit einer aufrechten Ebene schneiden</translation>
+    </message>
+    <message>
+        <source>Look &amp;inside</source>
+        <translation>Hineinse&amp;hen</translation>
+    </message>
+    <message>
+        <source>Leave out faces seen from behind, and roofs and outer walls while one looks down, to see the floors inside</source>
+        <translation>Flächen weglassen, die von hinten zu sehen sind, und beim Blick nach unten auch Dächer und Außenwände, um die Böden innen zu sehen</translation>
+    </message>
+    <message>
+        <source>Roofs and outer walls are open: %1 closes them.
+The handles of Height show a single storey.</source>
+        <translation>Dächer und Außenwände sind offen: %1 schließt sie.
+Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::LevelUnits</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Places are in the file&apos;s frame (%1), in %2</source>
+        <translation>Orte sind im Bezugssystem der Datei (%1), in %2</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 oben</translation>
     </message>
 </context>
 <context>
@@ -3779,6 +4375,22 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <source>The lanes of the threads fill when cells run.</source>
         <translation>Die Spuren der Threads füllen sich, wenn Zellen laufen.</translation>
     </message>
+    <message>
+        <source>Threads of a run</source>
+        <translation>Threads eines Laufs</translation>
+    </message>
+    <message>
+        <source>So many threads at most compute a run; the result is the same</source>
+        <translation>Höchstens so viele Threads rechnen an einem Lauf; das Ergebnis ist dasselbe</translation>
+    </message>
+    <message>
+        <source>Expected: imbalance &lt;b&gt;%1&lt;/b&gt; on 1 thread</source>
+        <translation>Erwartet: Ungleichgewicht &lt;b&gt;%1&lt;/b&gt; mit 1 Thread</translation>
+    </message>
+    <message>
+        <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on 1 thread</source>
+        <translation>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; mit 1 Thread</translation>
+    </message>
 </context>
 <context>
     <name>footfall::LogPanel</name>
@@ -3865,18 +4477,6 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Gemessene Stücke</translation>
     </message>
     <message>
-        <source>Each piece between two places, in the environment&apos;s units; height and slope from the first place to the second</source>
-        <translation>Jedes Stück zwischen zwei Stellen, in den Einheiten der Umgebung; Höhe und Neigung von der ersten zur zweiten Stelle</translation>
-    </message>
-    <message>
-        <source>In plan</source>
-        <translation>Im Grundriss</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
         <source>Slope °</source>
         <translation>Neigung °</translation>
     </message>
@@ -3927,8 +4527,20 @@ bis %2</translation>
         <translation>Zusammen %1, im Grundriss %2</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
+        <source>Each piece between two places; height and slope from the first place to the second</source>
+        <translation>Jedes Stück zwischen zwei Orten; Höhe und Neigung vom ersten zum zweiten</translation>
+    </message>
+    <message>
+        <source>Length (%1)</source>
+        <translation>Länge (%1)</translation>
+    </message>
+    <message>
+        <source>In plan (%1)</source>
+        <translation>Im Grundriss (%1)</translation>
+    </message>
+    <message>
+        <source>Height (%1)</source>
+        <translation>Höhe (%1)</translation>
     </message>
 </context>
 <context>
@@ -4005,6 +4617,22 @@ Grundriss %2, Höhe %3
     <message>
         <source>%1; it stays %2</source>
         <translation>%1; es bleibt %2</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>not a number; leave out what stands between thousands</source>
+        <translation>keine Zahl; lassen Sie weg, was zwischen den Tausendern steht</translation>
+    </message>
+    <message>
+        <source>%1 = %2 %3 of the file</source>
+        <translation>%1 = %2 %3 der Datei</translation>
     </message>
 </context>
 <context>
@@ -4093,8 +4721,8 @@ Grundriss %2, Höhe %3
         <translation>Das ausgewählte Hindernis aus dem Level nehmen</translation>
     </message>
     <message>
-        <source>%1: at %2, %3, %4; size %5 × %6 × %7; %8°</source>
-        <translation>%1: bei %2, %3, %4; Größe %5 × %6 × %7; %8°</translation>
+        <source>%1: %2; size %3; %4°</source>
+        <translation>%1: %2; Größe %3; %4°</translation>
     </message>
 </context>
 <context>
@@ -4172,40 +4800,12 @@ Grundriss %2, Höhe %3
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>Middle of its bottom, along x, in units</source>
-        <translation>Mitte seiner Unterseite, entlang x, in Einheiten</translation>
-    </message>
-    <message>
-        <source>Middle of its bottom, along y, in units</source>
-        <translation>Mitte seiner Unterseite, entlang y, in Einheiten</translation>
-    </message>
-    <message>
-        <source>Height of its bottom, in units</source>
-        <translation>Höhe seiner Unterseite, in Einheiten</translation>
-    </message>
-    <message>
-        <source>Extent along its own x axis, in units; a ramp rises along it</source>
-        <translation>Ausdehnung entlang seiner eigenen x-Achse, in Einheiten; eine Rampe steigt entlang ihr</translation>
-    </message>
-    <message>
-        <source>Extent along its own y axis, in units</source>
-        <translation>Ausdehnung entlang seiner eigenen y-Achse, in Einheiten</translation>
-    </message>
-    <message>
-        <source>Extent upward, in units</source>
-        <translation>Ausdehnung nach oben, in Einheiten</translation>
-    </message>
-    <message>
         <source>About the vertical, in degrees, counter-clockwise from above</source>
         <translation>Um die Senkrechte, in Grad, von oben gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Base x, y, z</source>
         <translation>Grund x, y, z</translation>
-    </message>
-    <message>
-        <source>Size x, y, z</source>
-        <translation>Größe x, y, z</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -4234,6 +4834,41 @@ Grundriss %2, Höhe %3
     <message>
         <source>Turn %1</source>
         <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>Length, width, height</source>
+        <translation>Länge, Breite, Höhe</translation>
+    </message>
+    <message>
+        <source>Height of its bottom, along the file&apos;s %1, in %2</source>
+        <translation>Höhe der Unterseite, entlang %1 der Datei, in %2</translation>
+    </message>
+    <message>
+        <source>Middle of its bottom, along the file&apos;s %1, in %2</source>
+        <translation>Mitte der Unterseite, entlang %1 der Datei, in %2</translation>
+    </message>
+    <message>
+        <source>Extent along its own length, in %1; a ramp rises along it</source>
+        <translation>Ausdehnung in der eigenen Länge, in %1; eine Rampe steigt an ihr entlang</translation>
+    </message>
+    <message>
+        <source>Extent across its length, in %1</source>
+        <translation>Ausdehnung quer zur Länge, in %1</translation>
+    </message>
+    <message>
+        <source>Extent upward, in %1</source>
+        <translation>Ausdehnung nach oben, in %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::OverlayFrame</name>
+    <message>
+        <source>Unfold; drag to move, double click to put it back</source>
+        <translation>Ausklappen; Ziehen verschiebt, ein Doppelklick setzt sie zurück</translation>
+    </message>
+    <message>
+        <source>Fold; drag to move, double click to put it back</source>
+        <translation>Einklappen; Ziehen verschiebt, ein Doppelklick setzt sie zurück</translation>
     </message>
 </context>
 <context>
@@ -4397,6 +5032,14 @@ Material: %2</translation>
         <source>%1 triangles in %2 parts</source>
         <translation>%1 Dreiecke in %2 Teilen</translation>
     </message>
+    <message>
+        <source>Selected: %1, 1 triangle</source>
+        <translation>Ausgewählt: %1, 1 Dreieck</translation>
+    </message>
+    <message>
+        <source>1 triangle in one part</source>
+        <translation>1 Dreieck in einem Teil</translation>
+    </message>
 </context>
 <context>
     <name>footfall::PathFeature</name>
@@ -4522,14 +5165,6 @@ Material: %2</translation>
         <translation>Kein Weg führt dorthin: Start und Ziel liegen auf getrennten Teilen. Man kommt auf %1 heran, bei %2.</translation>
     </message>
     <message>
-        <source>Length %1 m</source>
-        <translation>Länge %1 m</translation>
-    </message>
-    <message>
-        <source>Length %1 units (%2 m)</source>
-        <translation>Länge %1 Einheiten (%2 m)</translation>
-    </message>
-    <message>
         <source>In the plan %1, 1 bend</source>
         <translation>Im Grundriss %1, 1 Knick</translation>
     </message>
@@ -4553,6 +5188,14 @@ Material: %2</translation>
         <source>Slope up to %1, climbs or falls up to %2</source>
         <translation>Neigung bis %1, steigt oder fällt bis %2</translation>
     </message>
+    <message>
+        <source>Length %1</source>
+        <translation>Länge %1</translation>
+    </message>
+    <message>
+        <source>Layers %1 (1 connection)</source>
+        <translation>Ebenen %1 (1 Verbindung)</translation>
+    </message>
 </context>
 <context>
     <name>footfall::PathTool</name>
@@ -4567,10 +5210,6 @@ Material: %2</translation>
     <message>
         <source>Try it: drag an end, or click to begin another path. Esc ends.</source>
         <translation>Ausprobieren: Ziehen Sie ein Ende, oder klicken Sie für einen neuen Weg. Esc beendet.</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
     </message>
     <message>
         <source>Start</source>
@@ -4607,12 +5246,12 @@ Material: %2</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1: height (Z is up here), in the environment&apos;s units</source>
-        <translation>%1: Höhe (Z ist hier oben), in den Einheiten der Umgebung</translation>
+        <source>%1: %2, the file&apos;s vertical axis, in %3</source>
+        <translation>%1: %2, die senkrechte Achse der Datei, in %3</translation>
     </message>
     <message>
-        <source>%1: %2 in the environment&apos;s units</source>
-        <translation>%1: %2 in den Einheiten der Umgebung</translation>
+        <source>%1: %2 of the file, in %3</source>
+        <translation>%1: %2 der Datei, in %3</translation>
     </message>
 </context>
 <context>
@@ -4738,6 +5377,14 @@ Material: %2</translation>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
+    <message>
+        <source>longer than estimated</source>
+        <translation>länger als geschätzt</translation>
+    </message>
+    <message>
+        <source>time left unknown</source>
+        <translation>Restzeit unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>footfall::RecentFiles</name>
@@ -4748,6 +5395,25 @@ Material: %2</translation>
     <message>
         <source>(none yet)</source>
         <translation>(noch keine)</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ReplaceTexts</name>
+    <message>
+        <source>Replace a file</source>
+        <translation>Eine Datei ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace %1?</source>
+        <translation>%1 ersetzen?</translation>
+    </message>
+    <message>
+        <source>This file is in %1 (%2, last changed %3). What is in it is lost.</source>
+        <translation>Diese Datei liegt in %1 (%2, zuletzt geändert %3). Ihr Inhalt geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -4768,6 +5434,68 @@ Material: %2</translation>
         <source>Finishing</source>
         <translation>Abschluss</translation>
     </message>
+    <message>
+        <source>%1 of 1 cell finished</source>
+        <translation>%1 von 1 Zelle fertig</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::RunThreads</name>
+    <message>
+        <source>All threads (%1)</source>
+        <translation>Alle Threads (%1)</translation>
+    </message>
+    <message>
+        <source>1 thread</source>
+        <translation>1 Thread</translation>
+    </message>
+    <message>
+        <source>%1 threads</source>
+        <translation>%1 Threads</translation>
+    </message>
+    <message>
+        <source>So many threads at most compute a run; the result is the same</source>
+        <translation>Höchstens so viele Threads rechnen an einem Lauf; das Ergebnis ist dasselbe</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ScaleText</name>
+    <message>
+        <source>1 m</source>
+        <translation>1 m</translation>
+    </message>
+    <message>
+        <source>1 cm</source>
+        <translation>1 cm</translation>
+    </message>
+    <message>
+        <source>1 mm</source>
+        <translation>1 mm</translation>
+    </message>
+    <message>
+        <source>1 inch</source>
+        <translation>1 Zoll</translation>
+    </message>
+    <message>
+        <source>1 foot</source>
+        <translation>1 Fuß</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>1 unit = %1?</source>
+        <translation>1 Einheit = %1?</translation>
+    </message>
+    <message>
+        <source>%1 m high: is 1 unit = %2?</source>
+        <translation>%1 m hoch: Ist 1 Einheit = %2?</translation>
+    </message>
+    <message>
+        <source>%1 m long: is 1 unit = %2?</source>
+        <translation>%1 m lang: Ist 1 Einheit = %2?</translation>
+    </message>
 </context>
 <context>
     <name>footfall::SelectObstacleTool</name>
@@ -4786,6 +5514,35 @@ Material: %2</translation>
     <message>
         <source>Click an obstacle; drag its handles to move, turn and resize it. Shift snaps, Alt drags a copy, Esc takes back</source>
         <translation>Hindernis anklicken; seine Griffe ziehen, um es zu bewegen, zu drehen und seine Größe zu ändern. Umschalt rastet ein, Alt zieht eine Kopie, Esc nimmt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SeparationText</name>
+    <message>
+        <source>The parts are nearest at %1: %2.</source>
+        <translation>Am nächsten sind sich die Teile bei %1: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is the largest of %n obstacles on the easiest way.</source>
+        <translation>
+            <numerusform>Es ist das einzige Hindernis auf dem leichtesten Weg.</numerusform>
+            <numerusform>Es ist das größte von %n Hindernissen auf dem leichtesten Weg.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SeparationView</name>
+    <message>
+        <source>Show &amp;it</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>What keeps start and target apart</source>
+        <translation>Was Start und Ziel trennt</translation>
+    </message>
+    <message>
+        <source>Bring the place into sight where the two parts are nearest to each other</source>
+        <translation>Die Stelle ins Bild bringen, an der sich die beiden Teile am nächsten sind</translation>
     </message>
 </context>
 <context>
@@ -4930,6 +5687,77 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::SkippedFeature</name>
+    <message>
+        <source>Left Out</source>
+        <translation>Weggelassen</translation>
+    </message>
+    <message>
+        <source>List the polygons of the file that could not be read as floors or walls, and why</source>
+        <translation>Die Polygone der Datei aufführen, die nicht als Boden oder Wand gelesen werden konnten, und warum</translation>
+    </message>
+    <message>
+        <source>List the polygons of the file that were left out, and why</source>
+        <translation>Die Polygone der Datei aufführen, die weggelassen wurden, und warum</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n polygons were left out: list</source>
+        <translation>
+            <numerusform>%n Polygon wurde weggelassen: Liste</numerusform>
+            <numerusform>%n Polygone wurden weggelassen: Liste</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This polygon has no corners: it is nowhere in the level.</source>
+        <translation>Dieses Polygon hat keine Ecken: Es liegt nirgends im Level.</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SkippedPanel</name>
+    <message>
+        <source>Polygons of the file that were left out</source>
+        <translation>Polygone der Datei, die weggelassen wurden</translation>
+    </message>
+    <message>
+        <source>Click a polygon, or press Return on it, to bring its corners into sight</source>
+        <translation>Klick auf ein Polygon oder Eingabe darauf bringt seine Ecken ins Bild</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>nirgends</translation>
+    </message>
+    <message>
+        <source>No polygon of the file was left out.</source>
+        <translation>Kein Polygon der Datei wurde weggelassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n polygons of the file were left out:</source>
+        <translation>
+            <numerusform>%n Polygon der Datei wurde weggelassen:</numerusform>
+            <numerusform>%n Polygone der Datei wurden weggelassen:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n are listed.</source>
+        <translation>
+            <numerusform>Das erste ist aufgeführt.</numerusform>
+            <numerusform>Die ersten %n sind aufgeführt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>footfall::StaleBadge</name>
     <message>
         <source>Out of date</source>
@@ -5042,6 +5870,17 @@ Material: %2</translation>
     <message>
         <source>Thread %1 was idle for %2</source>
         <translation>Thread %1 war %2 lang untätig</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ViewHint</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Do not show this again</source>
+        <translation>Nicht mehr zeigen</translation>
     </message>
 </context>
 <context>
@@ -5203,10 +6042,6 @@ Material: %2</translation>
     <message>
         <source>Place</source>
         <translation>Setzen</translation>
-    </message>
-    <message>
-        <source>In the frame and the units of the file</source>
-        <translation>Im Bezugssystem und den Einheiten der Datei</translation>
     </message>
     <message>
         <source>Triangle</source>

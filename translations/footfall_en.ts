@@ -2,12 +2,86 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>footfall::CellLegend</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Thread %1: %2 %, %3, %n cell(s)</source>
+        <translation>
+            <numerusform>Thread %1: %2 %, %3, %n cell</numerusform>
+            <numerusform>Thread %1: %2 %, %3, %n cells</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::CompareFeature</name>
+    <message numerus="yes">
+        <source>Only the largest %n regions are drawn</source>
+        <translation>
+            <numerusform>Only the largest region is drawn</numerusform>
+            <numerusform>Only the largest %n regions are drawn</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ComparePanel</name>
+    <message numerus="yes">
+        <source>The largest %1 of %n regions are listed.</source>
+        <translation>
+            <numerusform>The largest %1 of %n region are listed.</numerusform>
+            <numerusform>The largest %1 of %n regions are listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>footfall::EditorWindow</name>
     <message numerus="yes">
         <source>Opened %1: %n triangle(s)</source>
         <translation>
             <numerusform>Opened %1: %n triangle</numerusform>
             <numerusform>Opened %1: %n triangles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SeparationText</name>
+    <message numerus="yes">
+        <source>It is the largest of %n obstacles on the easiest way.</source>
+        <translation>
+            <numerusform>It is the only obstacle on the easiest way.</numerusform>
+            <numerusform>It is the largest of %n obstacles on the easiest way.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SkippedFeature</name>
+    <message numerus="yes">
+        <source>%n polygons were left out: list</source>
+        <translation>
+            <numerusform>%n polygon was left out: list</numerusform>
+            <numerusform>%n polygons were left out: list</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::SkippedPanel</name>
+    <message numerus="yes">
+        <source>%n polygons of the file were left out:</source>
+        <translation>
+            <numerusform>%n polygon of the file was left out:</numerusform>
+            <numerusform>%n polygons of the file were left out:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n are listed.</source>
+        <translation>
+            <numerusform>The first one is listed.</numerusform>
+            <numerusform>The first %n are listed.</numerusform>
         </translation>
     </message>
 </context>
