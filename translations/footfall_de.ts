@@ -4385,11 +4385,11 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     </message>
     <message>
         <source>Expected: imbalance &lt;b&gt;%1&lt;/b&gt; on 1 thread</source>
-        <translation>Erwartet: Ungleichgewicht &lt;b&gt;%1&lt;/b&gt; mit 1 Thread</translation>
+        <translation>Erwartet: Ungleichgewicht &lt;b&gt;%1&lt;/b&gt; auf 1 Thread</translation>
     </message>
     <message>
         <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on 1 thread</source>
-        <translation>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; mit 1 Thread</translation>
+        <translation>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; auf 1 Thread</translation>
     </message>
 </context>
 <context>
