@@ -35,7 +35,8 @@ void addMenu(EditorWindow& window) {
     command.text = entry.text;
     command.help = entry.help;
     command.checkable = true;
-    QAction* action = window.commands().add(command, [&window, unit = entry.unit](bool) {
+    QAction* action = window.commands().add(command, [&window, unit = entry.unit](bool on) {
+      if (!on || window.units().units().wanted == unit) return;  // checked by a session, not by the user
       window.units().choose(unit);
       window.keepSoon();
     });

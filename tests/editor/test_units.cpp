@@ -61,6 +61,10 @@ class TestUnits : public QObject {
     const UpAxis axis = static_cast<UpAxis>(up);
     QVERIFY(open(floorObj(axis), axis, scale));
     window_->view().viewFromTop();
+    // Their panels share the window with the view: all of them first.
+    for (const char* command : {"tools.path", "inspect.why", "tools.measure"})
+      window_->commands().find(command)->trigger();
+    QTest::qWait(100);
     const QPoint at = window_->view().project({2, -1, 0})->toPoint();
     const LevelUnits& units = window_->units().units();
 
