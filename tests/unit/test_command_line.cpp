@@ -365,8 +365,7 @@ void TestCommandLine::whereNothingCanBeWrittenIsToldFirst() {
   for (const auto& [target, says] : {std::pair{path("none/out.obj"), "its folder does not exist"},
                                      {path("."), "is a folder"},
                                      {path("board.obj/out.obj"), "board.obj is a file, not a folder"},
-                                     {path(QString(300, 'x')), "its name or path is too long"},
-                                     {QString("/proc/out.obj"), "in its folder"}}) {
+                                     {path(QString(300, 'x')), "its name or path is too long"}}) {
     const Outcome outcome = runProgram({"run", path("broken.obj"), "-o", target});
     QCOMPARE(outcome.exitCode, 1);
     QVERIFY2(outcome.err.contains(says), outcome.err.constData());
