@@ -72,7 +72,7 @@ class TestComponentsPanel : public QObject {
     QCOMPARE(text(0, ComponentsModel::Area), QStringLiteral("16"));
     QCOMPARE(text(3, ComponentsModel::Area), QStringLiteral("1"));
     QCOMPARE(text(0, ComponentsModel::Triangles), QStringLiteral("2"));
-    QCOMPARE(text(3, ComponentsModel::Centre), QStringLiteral("0.5  0.5  0"));
+    QCOMPARE(text(3, ComponentsModel::Centre), QStringLiteral("0.5, 0.5, 0"));
     QVERIFY2(panel().totalText().startsWith("4 components, 30.00 units²"), qPrintable(panel().totalText()));
     // The list follows edits.
     window_->document().setEnabled(window_->document().filters()[3].id, false);

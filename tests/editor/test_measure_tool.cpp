@@ -82,8 +82,9 @@ class TestMeasureTool : public QObject {
     click({4, -4, 0}, {0, 0});
     QTest::keyClick(&window_->view(), Qt::Key_C, Qt::ControlModifier);
     const QStringList lines = QApplication::clipboard()->text().split('\n');
-    QCOMPARE(lines.size(), 4);
+    QCOMPARE(lines.size(), 5);
     QCOMPARE(lines[2], QString("4\t-4\t0\t8\t8\t0\t0\t0"));
+    QCOMPARE(lines[3], QString("Places are in the file's frame (Z up), in units"));
     QTest::keyClick(&window_->view(), Qt::Key_Backspace);
     QCOMPARE(tool_->places().size(), 1U);
     click({4, 4, 0}, {0, 0});

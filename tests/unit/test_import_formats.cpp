@@ -59,6 +59,7 @@ class TestImportFormats : public QObject {
     const auto environment = importEnvironment(dataFile("transforms.gltf"));
     QVERIFY(environment->up == UpAxis::Y && environment->upGuessed);
     QCOMPARE(environment->metresPerUnit, 1.0);
+    QVERIFY(!environment->scaleGuessed);  // glTF is in metres
     // parent moves by 10; first child scales by (2, 3, 4) and turns 90 degrees about Y; the second mirrors X and lifts
     const std::vector<Vec3> expected = {{10, 0, 0}, {10, 2, 0}, {6, 0, 0}, {10, 0, 5}, {10, 1, 5}, {9, 0, 5}};
     QVERIFY(closeTo(corners(*environment), expected, 1e-6));
