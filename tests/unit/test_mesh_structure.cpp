@@ -7,6 +7,7 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -84,10 +85,17 @@ Pairs overlapsFound(const WalkableState& state) {
   RunContext context;
   ExactFallbacks fallbacks;
   Pairs result;
-  for (auto pair : findPlanOverlaps(*state.kernel, *state.mesh, topologyOf(*state.mesh), context, fallbacks)) {
+  constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+  auto found = findPlanOverlaps(*state.kernel, *state.mesh, topologyOf(*state.mesh), kNoLimit, context, fallbacks);
+  for (auto& pair : found.value()) {
     std::sort(pair.begin(), pair.end());
     if (!result.insert(pair).second) return {{-1, -1}};  // each only once
   }
+  // The limit is what is still listed.
+  const auto listed = [&](std::size_t most) {
+    return findPlanOverlaps(*state.kernel, *state.mesh, topologyOf(*state.mesh), most, context, fallbacks).has_value();
+  };
+  if (!listed(result.size()) || (!result.empty() && listed(result.size() - 1))) return {{-2, -2}};
   return result;
 }
 
