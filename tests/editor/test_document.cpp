@@ -8,6 +8,7 @@
 #include "ui/agent_edits.hpp"
 #include "ui/background_queue.hpp"
 #include "ui/filter_edits.hpp"
+#include "ui/number_text.hpp"
 #include "ui/time_estimate.hpp"
 
 using namespace footfall;

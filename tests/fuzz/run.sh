@@ -59,6 +59,7 @@ fi
 if [ "${seconds}" -gt 0 ]; then
   say "footfall-fuzz-slowest"
   # With sanitizers everything takes ten times as long.
-  build/fuzz/tests/fuzz/footfall-fuzz-slowest --seconds "${seconds}" --seed "${seed}" --limit 200000 --folder "${found}"
+  build/fuzz/tests/fuzz/footfall-fuzz-slowest --seconds "${seconds}" --triangles 100 --seed "${seed}" --limit 200000 \
+    --folder "${found}"
 fi
 say "nothing found"
