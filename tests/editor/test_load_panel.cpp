@@ -3,6 +3,7 @@
 #include "tests/editor/block_builder.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/load_panel.hpp"
+#include "ui/run_threads.hpp"
 
 using namespace footfall;
 using namespace footfall::test;
@@ -13,7 +14,7 @@ class TestLoadPanel : public QObject {
  private slots:
   void init() {
     model_ = std::make_unique<CellModel>();
-    panel_ = std::make_unique<LoadPanel>(*model_);
+    panel_ = std::make_unique<LoadPanel>(*model_, threads_);
     panel_->resize(1000, 260);
     panel_->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
@@ -195,6 +196,7 @@ class TestLoadPanel : public QObject {
   }
 
   std::unique_ptr<CellModel> model_;
+  RunThreads threads_;
   std::unique_ptr<LoadPanel> panel_;
 };
 

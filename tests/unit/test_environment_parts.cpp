@@ -116,7 +116,7 @@ class TestEnvironmentParts : public QObject {
     const QString file = QString::fromStdString(folder.write(
         "a.obj", QByteArray(kSquare) + "o crate\nusemtl wood\nf 1 2 3\nf 1 3 4\no floor\nusemtl stone\nf 1 2 3\n"));
     const Outcome all = runProgram({"info", file});
-    QVERIFY2(all.out.contains("  crate/wood: 2 triangles\n  floor/stone: 1 triangles\n"), all.out);
+    QVERIFY2(all.out.contains("  crate/wood: 2 triangles\n  floor/stone: 1 triangle\n"), all.out);
     const Outcome rest = runProgram({"info", file, "--ignore", "crate", "--obstacle-only", "stone", "--up", "z"});
     QVERIFY2(rest.out.contains("walkable at 45 degrees  0\n") && rest.out.contains("triangles               1\n"),
              rest.out);

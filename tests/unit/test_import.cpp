@@ -233,7 +233,7 @@ class TestImport : public QObject {
     QTest::newRow("binary without NUL") << QByteArray("\x7f\x45\x4c\x46\x02\n\x01") << 1 << "not an OBJ statement";
     QTest::newRow("markup") << QByteArray("<html>\n") << 1 << "not an OBJ statement: '<html>'";
     QTest::newRow("no triangles") << start << 0 << "no triangles";
-    QTest::newRow("only lines") << start + "l 1 2\n" << 0 << "1 lines";
+    QTest::newRow("only lines") << start + "l 1 2\n" << 0 << "1 line";
     QTest::newRow("text") << QByteArray("hello world\n") << 0 << "no triangles";
     QTest::newRow("only blanks") << QByteArray("\n\n  \n") << 0 << "no triangles";
     QTest::newRow("0 bytes") << QByteArray("") << 0 << "empty";
