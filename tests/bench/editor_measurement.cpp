@@ -11,6 +11,7 @@
 #include "ui/agent_edits.hpp"
 #include "ui/agents_panel.hpp"
 #include "ui/frame_watchdog.hpp"
+#include "ui/number_text.hpp"
 #include "ui/obstacle_features.hpp"
 
 namespace footfall::bench {
