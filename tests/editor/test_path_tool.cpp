@@ -69,7 +69,8 @@ class TestPathTool : public QObject {
     // Beside it, a little later: what keeps them apart.
     QTRY_VERIFY(model().result()->separation);
     QCOMPARE(model().result()->separation->barrier().gap, 2.0);
-    QVERIFY2(text("pathSeparation").contains("nearest at x 4, y 0, z 0 units: a gap of 2 units."), qPrintable(text("pathSeparation")));
+    QVERIFY2(text("pathSeparation").contains("nearest at x 4, y 0, z 0 units: a gap of 2 units."),
+             qPrintable(text("pathSeparation")));
     shoot("path-fails");
     const CameraPose pose = window_->view().cameraPose();
     press("pathShowSeparation");
@@ -133,7 +134,8 @@ class TestPathTool : public QObject {
     QCOMPARE(model().start()->x, 2.0);
     press("pathCopy");
     const QString copied = QApplication::clipboard()->text();
-    QVERIFY2(copied.startsWith("Start x 2, y -2, z 0 units\nTarget x 1, y -2, z 0 units\nPlaces are"), qPrintable(copied));
+    QVERIFY2(copied.startsWith("Start x 2, y -2, z 0 units\nTarget x 1, y -2, z 0 units\nPlaces are"),
+             qPrintable(copied));
     press("pathClear");
     QVERIFY(!model().start() && !model().target() && !model().result());
     QVERIFY(field("pathTargetZ")->text().isEmpty());
