@@ -167,6 +167,9 @@ class TestWhy : public QObject {
     QCOMPARE(headlineAt({2, 2.5, 0}), QStringLiteral("Walkable"));
     QVERIFY(!panel().obstacleButton()->isEnabled());
     window_->view().viewOblique();
+    // The wall is seen from behind: left out, or asked about, as it is drawn.
+    QCOMPARE(headlineAt({-3, 0.1, 1}), QStringLiteral("Walkable"));
+    window_->commands().find("view.inside")->trigger();
     QCOMPARE(headlineAt({-3, 0.1, 1}), QStringLiteral("Not walkable: a wall"));
     // Return asks at the place of the mouse.
     const QPoint place = window_->view().project({2, 2.5, 0})->toPoint();
