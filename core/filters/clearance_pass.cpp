@@ -42,22 +42,24 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
 }
 
 // Beside large coordinates a tiny height makes every number as wide as what lies between them. On slanted floors there
-// is no height that makes no difference; but one beyond the digits that decisions are quick with is a slip of the hand
-// or a wrong scale.
+// is no height that makes no difference; but one below the coordinates' common step, and beyond the digits that
+// decisions are quick with, is a slip of the hand or a wrong scale.
 void checkHeight(const SourceMesh& mesh, double height) {
   Grid grid = mesh.grid;
   grid.include(height);
-  if (mesh.grid.empty() || grid.width() <= std::max(kWidestFixedGrid, mesh.grid.width())) return;
+  constexpr int kMostAdded = 64;  // bits: a double of about the coordinates' step has 53
+  if (mesh.grid.empty() || grid.width() <= std::max(kWidestFixedGrid, mesh.grid.width() + kMostAdded)) return;
   const auto shown = [](double x) {
     std::string text;
     appendNumber(text, x);
     return text;
   };
   constexpr int kDigits = std::numeric_limits<double>::digits;
-  throw InputError(FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or "
-                                 "check the scale and the largest coordinates"),
-                   shown(height), shown(largestCoordinate(mesh)),
-                   shown(std::ldexp(1.0, mesh.grid.top - kWidestFixedGrid + kDigits)));
+  throw InputError(
+      FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or "
+                    "check the scale and the largest coordinates"),
+      shown(height), shown(largestCoordinate(mesh)),
+      shown(std::ldexp(1.0, std::min(mesh.grid.top - kWidestFixedGrid, mesh.grid.low - kMostAdded) + kDigits)));
 }
 
 }  // namespace

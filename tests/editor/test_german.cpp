@@ -45,7 +45,7 @@ class TestGerman : public QObject {
   void messagesAboutFiles() {
     const QString path = writeFile(*folder_, "bad.obj", "v 0 0 0\nf 1 2 9\n");
     QCOMPARE(messageAfterOpening(path), path +
-                                            ":2: Eckennummer 9 liegt außerhalb: Die Datei hat 1 Ecken; berichtigen Sie "
+                                            ":2: Eckennummer 9 liegt außerhalb: Die Datei hat 1 Ecke; berichtigen Sie "
                                             "die Zeile, oder exportieren Sie die Datei noch einmal");
     const QString session = writeFile(*folder_, "bad.footfall", "{\"footfall_session\": 1");
     QVERIFY(messageAfterOpening(session).contains(": fehlerhaft bei Byte "));
@@ -69,7 +69,7 @@ class TestGerman : public QObject {
     QTest::keyClick(field, Qt::Key_Escape);
     window_->document().replacePipeline(parsePipelineFragment("GridStrategy 2 2\n", "test"), "test");
     QTRY_COMPARE(window_->messageBar().text(),
-                 QString("Schritt 1: GridStrategy beginnt einen parallelen Block, der nie "
+                 QString("Schritt 1 (Gitterstrategie): GridStrategy beginnt einen parallelen Block, der nie "
                          "endet; setzen Sie ein Collapse dahinter"));
   }
 

@@ -297,7 +297,7 @@ class TestLevelView : public QObject {
                   "{\"footfall_session\": 1, \"environment\": \"floor.obj\", \"import\": {\"up\": \"z\"},"
                   "\"pipeline\": [{\"filter\": \"SlopeFilter\"}]}");
     const QString picture = folder.filePath("picture.png");
-    const Ended ended = runProgram({session, "--screenshot", picture, "--size", "800x600"}, quietEnvironment(folder));
+    const Ended ended = runProgram({session, "--screenshot", picture, "--size", "1400x900"}, quietEnvironment(folder));
     QCOMPARE(ended.error, QByteArray());
     QCOMPARE(ended.code, 0);
     QVERIFY(shareOf(QImage(picture), walkablePaint().colour) > 0.1);
