@@ -9,8 +9,9 @@
 namespace footfall {
 namespace {
 
-constexpr int kMargin = 12;           // to the view's edges
-constexpr double kMuchOfView = 0.36;  // of its width or its height
+constexpr int kMargin = 12;               // to the view's edges
+constexpr double kMuchOfView = 0.36;      // of its width or its height
+constexpr double kMuchOfArea = 1.0 / 12;  // of the two together
 
 }  // namespace
 
@@ -63,7 +64,8 @@ QSize OverlayFrame::roomIn(const QSize& view) const {
 
 bool OverlayFrame::fitInto(const QSize& view) {
   const QSize full = body_->sizeHint() + QSize(0, fold_->sizeHint().height());
-  crowded_ = full.width() > kMuchOfView * view.width() || full.height() > kMuchOfView * view.height();
+  crowded_ = full.width() > kMuchOfView * view.width() || full.height() > kMuchOfView * view.height() ||
+             full.width() * full.height() > kMuchOfArea * view.width() * view.height();
   if (body_->isHidden() != folded()) showFold();
   layout()->activate();
   adjustSize();

@@ -11,7 +11,7 @@
 namespace footfall {
 namespace {
 
-QString tr(const char* text) { return EditorWindow::tr(text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
 
 struct Entry {
   LengthUnit unit;

@@ -34,7 +34,9 @@ void ViewLayout::place(const QSize& view) const {
       bottom = view.height() - kMargin;
       if (cellsInCorner && shown(cells) && cells->x() < right) bottom = cells->y() - kGap;
     }
-    heights->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, wanted.height()));
+    // In a small view it leaves more than half of the height free.
+    const int most = std::max(heights->minimumSizeHint().height(), std::min(wanted.height(), view.height() * 3 / 8));
+    heights->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
   }
   if (hint) {
     hint->adjustSize();

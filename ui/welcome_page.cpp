@@ -60,7 +60,7 @@ class SampleButton : public QToolButton {
     }
     const QMargins margins = grid->contentsMargins();
     const int least = std::max(height + grid->verticalSpacing(), kThumbnail.height() / 2);
-    setMinimumHeight(least + margins.top() + margins.bottom());
+    setMinimumHeight(std::max(minimumHeight(), least + margins.top() + margins.bottom()));
   }
 };
 
@@ -242,6 +242,9 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
     grid->addWidget(picture, 0, 0, 2, 1);
     grid->addWidget(title, 0, 1, Qt::AlignBottom);
     grid->addWidget(text, 1, 1, Qt::AlignTop);
+    // As a beginning, room for three lines; where they are not enough, SampleButton grows.
+    button->setMinimumHeight(
+        std::max(kThumbnail.height() / 2, title->sizeHint().height() + 3 * text->fontMetrics().lineSpacing()) + 12);
     connect(button, &QToolButton::clicked, this, [this, sample] { emit sampleChosen(sample.path, sample.pipeline); });
     layout->insertWidget(layout->count() - 1, button);
     sampleButtons_.push_back(button);

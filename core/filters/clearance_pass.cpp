@@ -35,7 +35,8 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
                                                [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
   const double extent = high->z - low->z;
   if (!std::isfinite(extent) || mesh.grid.empty()) return height;
-  if (extent == 0) return std::min(height, std::ldexp(1.0, mesh.grid.top));  // any would do
+  // Any would do: one that makes no number wider.
+  if (extent == 0) return std::clamp(height, std::ldexp(1.0, mesh.grid.low), std::ldexp(1.0, mesh.grid.top));
   int exponent = 0;
   std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
   return std::min(height, std::ldexp(1.0, exponent));

@@ -131,8 +131,8 @@ const QSet<QString>& equalWords() {
       // names of the program, of formats, and of what pipelines are written in
       "Footfall", "OBJ", "glTF", "GLB", "HTML", "PNG", "CSV", "Shift", "m", "s", "ms", "x", "y", "z", "X", "Y", "Z",
       // words that German shares with English
-      "Name", "Filter", "Agent", "Block", "Format", "Parallel", "Material", "Import", "Export", "Pipeline", "Status",
-      "Start", "Version", "Modus", "OK", "Alt", "Plan", "Villa", "Arena", "Docks"};
+      "Name", "Filter", "Agent", "Block", "Format", "Parallel", "Threads", "Material", "Import", "Export", "Pipeline",
+      "Status", "Start", "Version", "Modus", "OK", "Alt", "Plan", "Villa", "Arena", "Docks"};
   return words;
 }
 

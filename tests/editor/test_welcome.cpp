@@ -48,7 +48,14 @@ class TestWelcome : public QObject {
       const auto labels = button->findChildren<QLabel*>();
       for (const QLabel* label : labels) {
         QVERIFY2(button->rect().contains(label->geometry()), qPrintable(label->text()));
-        if (label->wordWrap()) QVERIFY(label->height() >= label->heightForWidth(label->width()));
+        if (!label->wordWrap()) continue;
+        const int needed = label->heightForWidth(label->width());
+        QVERIFY2(label->height() >= needed, qPrintable(QStringLiteral("%1: %2 of %3, button %4 of least %5")
+                                                           .arg(label->text())
+                                                           .arg(label->height())
+                                                           .arg(needed)
+                                                           .arg(button->height())
+                                                           .arg(button->minimumHeight())));
       }
     }
   }
