@@ -109,6 +109,22 @@ class Table {
   std::string html_;
 };
 
+/// Areas for people: in square metres where the file's scale is known, else in the file's own units.
+class AreaText {
+ public:
+  explicit AreaText(const Environment& environment) : isKnown_(!environment.scaleGuessed) {
+    if (isKnown_) squareMetres_ = environment.metresPerUnit * environment.metresPerUnit;
+  }
+  [[nodiscard]] std::string operator()(double area) const {
+    return shortNumber(area * squareMetres_) + (isKnown_ ? " m²" : "");
+  }
+  [[nodiscard]] bool isKnown() const { return isKnown_; }
+
+ private:
+  bool isKnown_;
+  double squareMetres_ = 1;
+};
+
 std::string percent(double part, double whole) {
   return number(whole > 0 ? std::clamp(100 * part / whole, 0.0, 100.0) : 0, "%.1f");
 }
@@ -171,7 +187,7 @@ std::string stepName(const StepStatistics& step) {
   return filter == nullptr ? step.name : formatStep({filter, step.parameters, true, 0});
 }
 
-std::string stepsSection(const RunResult& result) {
+std::string stepsSection(const RunResult& result, const AreaText& areaText) {
   double longest = std::max(result.startMs, result.finishMs);
   for (const StepStatistics& step : result.steps) longest = std::max(longest, step.wallMs);
   Table table({"Step", "", "Time", "Triangles", "Area", "Note"}, 2);
@@ -181,10 +197,10 @@ std::string stepsSection(const RunResult& result) {
   };
   if (!result.steps.empty()) {
     const StateSummary& first = result.steps.front().in;
-    row("(start)", result.startMs, grouped(first.triangles), shortNumber(first.area), "");
+    row("(start)", result.startMs, grouped(first.triangles), areaText(first.area), "");
   }
   for (const StepStatistics& step : result.steps)
-    row(stepName(step), step.wallMs, grouped(step.out.triangles), shortNumber(step.out.area),
+    row(stepName(step), step.wallMs, grouped(step.out.triangles), areaText(step.out.area),
         step.fromCache ? step.note.empty() ? "from the cache" : step.note.str() + "; from the cache" : step.note.str());
   row("(navigation mesh)", result.finishMs, result.mesh ? grouped(result.mesh->triangles.size()) : "", "", "");
   return "<section>\n<h2>Steps</h2>\n" + table.finish() + "<p class=\"quiet\">The run took " +
@@ -194,7 +210,8 @@ std::string stepsSection(const RunResult& result) {
          number(static_cast<double>(peakRssBytes()) / 1048576.0, "%.0f") + " MiB.</p>\n</section>\n";
 }
 
-std::string groupsTable(const char* title, const std::string& prefix, const std::vector<Group>& groups, bool byArea) {
+std::string groupsTable(const char* title, const std::string& prefix, const std::vector<Group>& groups, bool byArea,
+                        const AreaText& areaText) {
   std::vector<std::size_t> order(groups.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (byArea)
@@ -206,35 +223,36 @@ std::string groupsTable(const char* title, const std::string& prefix, const std:
   const std::size_t shown = std::min(order.size(), kMostRows);
   for (std::size_t i = 0; i < shown; ++i) {
     const Group& group = groups[order[i]];
-    table.row({prefix + std::to_string(byArea ? i + 1 : order[i]), percent(group.area, largest),
-               shortNumber(group.area), grouped(group.triangles)});
+    table.row({prefix + std::to_string(byArea ? i + 1 : order[i]), percent(group.area, largest), areaText(group.area),
+               grouped(group.triangles)});
   }
   std::string html = table.finish();
   if (shown < order.size()) {
     double rest = 0;
     for (std::size_t i = shown; i < order.size(); ++i) rest += groups[order[i]].area;
-    html += "<p class=\"quiet\">and " + grouped(order.size() - shown) + " more with an area of " + shortNumber(rest) +
+    html += "<p class=\"quiet\">and " + grouped(order.size() - shown) + " more with an area of " + areaText(rest) +
             " together</p>\n";
   }
   return html;
 }
 
-std::string resultSection(const RunResult& result) {
+std::string resultSection(const RunResult& result, const AreaText& areaText) {
   if (!result.mesh) return {};
   const NavigationMesh& mesh = *result.mesh;
   const SurfaceTopology topology = makeSurfaceTopology(mesh);
   std::string html = "<section>\n<h2>Result</h2>\n<p>" +
                      escapeHtml(counted(mesh.triangles.size(), "walkable triangle", "walkable triangles") + ", " +
                                 counted(mesh.vertices.size(), "vertex", "vertices") + ", area " +
-                                shortNumber(result.summary.area) + "; " + counted(mesh.layerCount, "layer", "layers") +
+                                areaText(result.summary.area) + "; " + counted(mesh.layerCount, "layer", "layers") +
                                 ", " + counted(mesh.connections.size(), "connection", "connections") + ", " +
                                 counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + "; " +
                                 counted(topology.componentCount, "connected part", "connected parts")) +
                      "</p>\n";
-  if (mesh.layerCount > 0) html += groupsTable("Layer", "layer_", sumGroups(mesh, mesh.layers, mesh.layerCount), false);
+  if (mesh.layerCount > 0)
+    html += groupsTable("Layer", "layer_", sumGroups(mesh, mesh.layers, mesh.layerCount), false, areaText);
   if (topology.componentCount > 0) {
     html += "<h3>Connected parts, the largest first</h3>\n" +
-            groupsTable("Part", "", sumGroups(mesh, topology.components, topology.componentCount), true);
+            groupsTable("Part", "", sumGroups(mesh, topology.components, topology.componentCount), true, areaText);
   }
   return html + "</section>\n";
 }
@@ -312,6 +330,7 @@ std::string reportDate() {
 std::string formatHtmlReport(const Environment& environment, const Pipeline& pipeline, const RunResult& result,
                              const ProgramTimes& times, const ReportDetails& details) {
   const std::string name = escapeHtml(std::filesystem::path(environment.source).filename().string());
+  const AreaText areaText(environment);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
@@ -319,10 +338,12 @@ std::string formatHtmlReport(const Environment& environment, const Pipeline& pip
       name + ": walkable area</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + name +
       "</h1>\n<p class=\"quiet\">Walkable area, computed by Footfall " FOOTFALL_VERSION +
       (details.date.empty() ? std::string() : " on " + escapeHtml(details.date)) +
-      ". Lengths and areas are in the units of the environment.</p>\n";
+      (areaText.isKnown() ? ". Areas are in square metres; the pipeline's lengths are in the units of the file, " +
+                                shortNumber(environment.metresPerUnit) + " m each.</p>\n"
+                          : ". Lengths and areas are in the units of the file, whose scale is a guess.</p>\n");
   html += environmentSection(environment, pipeline, times);
-  html += resultSection(result);
-  html += stepsSection(result);
+  html += resultSection(result, areaText);
+  html += stepsSection(result, areaText);
   for (const BlockReport& block : result.blocks) html += blockSection(block, result.threads);
   html += picturesSection(details);
   return html + "</main>\n</body>\n</html>\n";

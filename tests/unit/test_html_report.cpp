@@ -70,6 +70,21 @@ class TestHtmlReport : public QObject {
     QVERIFY(html.find("/a/b") == std::string::npos);
   }
 
+  void areasAreInSquareMetresWhereTheScaleIsKnown() {
+    const Ran ran = run("SlopeFilter 45\n");
+    ran.environment->metresPerUnit = 0.5;
+    ran.environment->scaleGuessed = false;
+    const std::string known = formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {});
+    for (const char* text : {"Areas are in square metres", "0.5 m each", ">10 m²<", ", area 10 m²;"})
+      QVERIFY2(known.find(text) != std::string::npos, text);
+    QCOMPARE(findError(known), QString());
+    ran.environment->scaleGuessed = true;
+    const std::string guessed = formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {});
+    for (const char* text : {"whose scale is a guess", ">40<", ", area 40;"})
+      QVERIFY2(guessed.find(text) != std::string::npos, text);
+    QVERIFY(guessed.find("m²") == std::string::npos);
+  }
+
   void hasCellsAndThreads() {
     const Ran ran = run("GridStrategy 2 1\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n");
     const std::string html = formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {});
