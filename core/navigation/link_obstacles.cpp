@@ -57,8 +57,7 @@ struct LinkObstacles::Way {
     Span span;
     if (count < 2) return span;
     if (ends[0][0] > ends[1][0]) std::swap(ends[0], ends[1]);
-    const auto& [t0, z0] = ends[0];
-    const auto& [t1, z1] = ends[1];
+    const double t0 = ends[0][0], z0 = ends[0][1], t1 = ends[1][0], z1 = ends[1][1];
     if (t1 < first || t0 > last) return span;
     const auto heightAt = [&](double t) { return t1 > t0 ? z0 + (t - t0) / (t1 - t0) * (z1 - z0) : z0; };
     span.add(heightAt(std::max(t0, first)));
