@@ -11,14 +11,15 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
-#include "core/errors.hpp"
-#include "core/metrics/cells_report.hpp"
 #include "core/partitioning/cut_export.hpp"
 #include "core/partitioning/cutting.hpp"
-#include "core/pipeline/export_header.hpp"
 #include "core/pipeline/runner.hpp"
+#include "core/report/cells_report.hpp"
+#include "core/report/export_header.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 namespace {
 
 void checkTarget(const CellsArguments& arguments) {
@@ -124,4 +125,4 @@ std::string previewCells(const CellsArguments& arguments) {
   return arguments.json ? formatCellsJson(report) : formatCells(report);
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -7,7 +7,7 @@
 
 #include "app/command_files.hpp"
 
-namespace footfall {
+namespace footfall::app {
 
 struct CellsArguments {
   EnvironmentChoice environment;
@@ -22,4 +22,4 @@ struct CellsArguments {
 /// Returns the report for stdout. SIGINT and SIGTERM cancel while it runs. Throws InputError, RunError or Cancelled.
 std::string previewCells(const CellsArguments& arguments);
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -3,11 +3,12 @@
 
 #include <utility>
 
-#include "core/environment/import.hpp"
 #include "core/environment/part_rules.hpp"
-#include "core/errors.hpp"
+#include "core/io/import.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 
 std::shared_ptr<const Environment> loadEnvironment(const EnvironmentChoice& choice, RunContext* context) {
   const auto environment = importEnvironment(choice.path, choice.import, context);
@@ -52,4 +53,4 @@ WriteTargets targetsBeside(const EnvironmentChoice& environment, const std::stri
   return targets;
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
-#include "core/environment/write_targets.hpp"
-#include "core/pipeline/pipeline.hpp"
-#include "core/pipeline/run_context.hpp"
+#include "core/io/write_targets.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run_context.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 
 /// The environment that is named, and what of it is meant.
 struct EnvironmentChoice {
@@ -38,4 +39,4 @@ RunResult runNamingFile(const std::string& pipelineFile, std::shared_ptr<const E
 /// What a command reads, which it must not write over.
 WriteTargets targetsBeside(const EnvironmentChoice& environment, const std::string& pipelineFile);
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -15,12 +15,13 @@
 #include "app/path_command.hpp"
 #include "app/run_command.hpp"
 #include "app/why_command.hpp"
-#include "core/environment/info.hpp"
 #include "core/environment/up_axis.hpp"
-#include "core/errors.hpp"
 #include "core/filters/descriptor_text.hpp"
+#include "core/report/info.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 namespace {
 
 CLI::IsMember upAxisNames() {
@@ -331,4 +332,4 @@ void runCommandLine(int argc, const char* const* argv) {
   checkOutput();
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -9,12 +9,13 @@
 
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/compare/comparison_report.hpp"
 #include "core/environment/up_axis.hpp"
-#include "core/metrics/comparison_report.hpp"
-#include "core/metrics/process_usage.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 namespace {
 
 constexpr std::size_t kSteps = 4;  // of compareMeshes()
@@ -68,4 +69,4 @@ CompareOutcome compareFiles(const CompareArguments& arguments) {
           differenceOf(arguments, comparison)};
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -6,9 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "core/metrics/mesh_comparison.hpp"
+#include "core/compare/mesh_comparison.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 
 struct CompareArguments {
   std::array<std::string, 2> files;  ///< A, the ground truth, and B
@@ -29,4 +30,4 @@ struct CompareOutcome {
 /// SIGINT and SIGTERM cancel while it runs. Throws InputError or Cancelled.
 CompareOutcome compareFiles(const CompareArguments& arguments);
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -5,7 +5,7 @@
 #include <new>
 
 #include "app/command_line.hpp"
-#include "core/errors.hpp"
+#include "footfall/errors.hpp"
 
 namespace {
 
@@ -20,7 +20,7 @@ int fail(ExitCode code, const char* message) {
 
 int main(int argc, char** argv) {
   try {
-    footfall::runCommandLine(argc, argv);
+    footfall::app::runCommandLine(argc, argv);
     return kDone;
   } catch (const footfall::InputError& error) {
     return fail(kWrongInput, error.what());

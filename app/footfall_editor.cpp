@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "core/environment/up_axis.hpp"
-#include "core/errors.hpp"
-#include "ui/editor_application.hpp"
+#include "footfall/errors.hpp"
+#include "ui/window/editor_application.hpp"
 
 namespace {
 
@@ -26,26 +26,26 @@ QSize sizeFrom(const std::string& text) {
 int main(int argc, char** argv) {
   CLI::App app("Footfall's editor: shows the walkable area of an environment while you change the filters.",
                "footfall-editor");
-  footfall::EditorOptions options;
+  footfall::ui::EditorOptions options;
   std::string pipelinePath;
   std::string size;
   std::string view = "oblique";
   std::string up;
   double scale = 0;
   std::vector<std::string> shown;
-  std::string colouring = footfall::nameOf(footfall::CellsShown().colouring);
+  std::string colouring = footfall::ui::nameOf(footfall::ui::CellsShown().colouring);
   app.set_version_flag("--version", "footfall-editor " FOOTFALL_VERSION);
   app.add_option("ENV", options.environment, "environment (OBJ, glTF, PLY, ...) or session (.footfall)");
   app.add_option("-p,--pipeline", pipelinePath, "pipeline file instead of the default filters");
   std::vector<std::string> ups;
-  for (const footfall::UpAxis axis : footfall::kUpAxes) ups.emplace_back(footfall::nameOf(axis));
+  for (const footfall::UpAxis axis : footfall::detail::kUpAxes) ups.emplace_back(footfall::detail::nameOf(axis));
   app.add_option("--up", up, "axis of the file that points up")->check(CLI::IsMember(ups));
   auto* scaleOption = app.add_option("--scale", scale, "metres per unit of the file")->check(CLI::PositiveNumber);
   app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
   app.add_option("--size", size, "size of the window, e.g. 1600x1000");
   app.add_option("--view", view, "where to look from")->check(CLI::IsMember({"top", "oblique"}))->capture_default_str();
   std::vector<std::string> modes;
-  for (const footfall::ViewMode mode : footfall::kViewModes) modes.emplace_back(footfall::nameOf(mode));
+  for (const footfall::ui::ViewMode mode : footfall::ui::kViewModes) modes.emplace_back(footfall::ui::nameOf(mode));
   std::string mode;
   auto* modeOption =
       app.add_option("--mode", mode, "what the view shows, e.g. --mode slope")->check(CLI::IsMember(modes));
@@ -69,20 +69,20 @@ int main(int argc, char** argv) {
     }
     if (!pipelinePath.empty()) options.pipeline = footfall::readPipelineFile(pipelinePath);
     if (!size.empty()) options.size = sizeFrom(size);
-    options.import.up = footfall::upAxisFrom(up);
+    options.import.up = footfall::detail::upAxisFrom(up);
     if (*scaleOption) options.import.metresPerUnit = scale;
     options.top = view == "top";
     if (!theme.empty()) {
-      options.theme = theme == "light"  ? footfall::ThemeChoice::Light
-                      : theme == "dark" ? footfall::ThemeChoice::Dark
-                                        : footfall::ThemeChoice::System;
+      options.theme = theme == "light"  ? footfall::ui::ThemeChoice::Light
+                      : theme == "dark" ? footfall::ui::ThemeChoice::Dark
+                                        : footfall::ui::ThemeChoice::System;
     }
-    if (*modeOption) options.mode = footfall::viewModeFrom(mode);
+    if (*modeOption) options.mode = footfall::ui::viewModeFrom(mode);
     if (*showOption) {
       const auto wants = [&](const char* part) { return std::find(shown.begin(), shown.end(), part) != shown.end(); };
-      options.cells = {wants("cells"), wants("timeline"), *footfall::colouringFrom(colouring)};
+      options.cells = {wants("cells"), wants("timeline"), *footfall::ui::colouringFrom(colouring)};
     }
-    return footfall::runEditor(argc, argv, options);
+    return footfall::ui::runEditor(argc, argv, options);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     std::fprintf(stderr, "footfall-editor: %s; see footfall-editor --help\n", error.what());

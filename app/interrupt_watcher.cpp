@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <system_error>
 
-namespace footfall {
+namespace footfall::app {
 
 InterruptWatcher::InterruptWatcher(RunContext& context) {
   sigset_t watched;
@@ -52,4 +52,4 @@ void InterruptWatcher::restore() noexcept {
   pthread_sigmask(SIG_SETMASK, &previousMask_, nullptr);
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -6,9 +6,9 @@
 
 #include <thread>
 
-#include "core/pipeline/run_context.hpp"
+#include "footfall/run_context.hpp"
 
-namespace footfall {
+namespace footfall::app {
 
 /// While it lives, SIGINT and SIGTERM cancel the context instead of ending the process. A thread of its own waits for
 /// them, so nothing runs in a signal handler. Make it before other threads: they inherit that the signals are blocked.
@@ -29,4 +29,4 @@ class InterruptWatcher {
   std::thread thread_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::app

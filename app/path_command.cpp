@@ -9,16 +9,17 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
+#include "core/base/worker_arena.hpp"
 #include "core/environment/up_axis.hpp"
-#include "core/environment/worker_arena.hpp"
-#include "core/errors.hpp"
 #include "core/navigation/path_finder.hpp"
-#include "core/navigation/path_report.hpp"
 #include "core/navigation/place_reach.hpp"
-#include "core/pipeline/export_header.hpp"
 #include "core/pipeline/runner.hpp"
+#include "core/report/export_header.hpp"
+#include "core/report/path_report.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 namespace {
 
 void checkArguments(const PathArguments& arguments) {
@@ -67,4 +68,4 @@ PathOutcome findPath(const PathArguments& arguments) {
           path.reached() ? std::string() : environment->source + ": " + formatFailure(path, environment->up)};
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -9,7 +9,7 @@
 
 #include "app/command_files.hpp"
 
-namespace footfall {
+namespace footfall::app {
 
 struct PathArguments {
   EnvironmentChoice environment;
@@ -32,4 +32,4 @@ struct PathOutcome {
 /// that can, and is reported and written as well. Throws InputError, RunError or Cancelled.
 PathOutcome findPath(const PathArguments& arguments);
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace footfall {
+namespace footfall::app {
 
 void ProgressBar::begin(const std::string& task, std::size_t steps) {
   const std::lock_guard lock(mutex_);
@@ -63,4 +63,4 @@ void ProgressBar::draw(bool atOnce) {
   drawn_ = true;
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

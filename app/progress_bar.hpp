@@ -7,9 +7,9 @@
 #include <mutex>
 #include <string>
 
-#include "core/pipeline/run_context.hpp"
+#include "footfall/run_context.hpp"
 
-namespace footfall {
+namespace footfall::app {
 
 /// Thread-safe and quick: worker threads report to it. Draws at most every 50 ms, and nothing when not visible.
 class ProgressBar {
@@ -38,4 +38,4 @@ class ProgressBar {
   std::chrono::steady_clock::time_point lastDrawn_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::app

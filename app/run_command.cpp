@@ -9,19 +9,20 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
-#include "core/environment/export.hpp"
-#include "core/environment/gltf_export.hpp"
-#include "core/environment/worker_arena.hpp"
-#include "core/errors.hpp"
-#include "core/metrics/html_report.hpp"
-#include "core/metrics/process_usage.hpp"
-#include "core/metrics/run_statistics.hpp"
-#include "core/metrics/run_trace.hpp"
-#include "core/pipeline/export_header.hpp"
-#include "core/pipeline/pipeline.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/base/worker_arena.hpp"
+#include "core/io/export.hpp"
+#include "core/io/gltf_export.hpp"
 #include "core/pipeline/runner.hpp"
+#include "core/report/export_header.hpp"
+#include "core/report/html_report.hpp"
+#include "core/report/run_statistics.hpp"
+#include "core/report/run_trace.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/pipeline.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 namespace {
 
 void checkTargets(const RunArguments& arguments) {
@@ -87,4 +88,4 @@ std::string runAndExport(const RunArguments& arguments) {
   return arguments.quiet ? std::string() : formatSummary(*environment, result, times);
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "app/command_files.hpp"
-#include "core/environment/export.hpp"
+#include "core/io/export.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 
 struct RunArguments {
   EnvironmentChoice environment;
@@ -28,4 +29,4 @@ struct RunArguments {
 /// a whole or stays as it was. Throws InputError, RunError or Cancelled.
 std::string runAndExport(const RunArguments& arguments);
 
-}  // namespace footfall
+}  // namespace footfall::app

@@ -11,13 +11,14 @@
 #include "app/command_files.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "core/environment/up_axis.hpp"
-#include "core/errors.hpp"
-#include "core/metrics/inspection_report.hpp"
 #include "core/pipeline/runner.hpp"
+#include "core/report/inspection_report.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::app {
+using namespace detail;
 namespace {
 
 std::string coordinates(const Vec3& place) {
@@ -74,4 +75,4 @@ std::string explainPlace(const WhyArguments& arguments) {
   return arguments.json ? formatExplanationJson(inspector, told) : formatExplanation(inspector, told);
 }
 
-}  // namespace footfall
+}  // namespace footfall::app

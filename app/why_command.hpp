@@ -8,7 +8,7 @@
 
 #include "app/command_files.hpp"
 
-namespace footfall {
+namespace footfall::app {
 
 struct WhyArguments {
   EnvironmentChoice environment;
@@ -23,4 +23,4 @@ struct WhyArguments {
 /// while it runs. Throws InputError (also where nothing is under the point), RunError or Cancelled.
 std::string explainPlace(const WhyArguments& arguments);
 
-}  // namespace footfall
+}  // namespace footfall::app

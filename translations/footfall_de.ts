@@ -1771,7 +1771,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::AgentModel</name>
+    <name>footfall::ui::AgentModel</name>
     <message>
         <source>running</source>
         <translation>läuft</translation>
@@ -1858,7 +1858,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::AgentsPanel</name>
+    <name>footfall::ui::AgentsPanel</name>
     <message>
         <source>Agents and their results</source>
         <translation>Agenten und ihre Ergebnisse</translation>
@@ -1958,7 +1958,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::AxisGizmo</name>
+    <name>footfall::ui::AxisGizmo</name>
     <message>
         <source>From the top</source>
         <translation>Von oben</translation>
@@ -1997,7 +1997,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::BusyPlot</name>
+    <name>footfall::ui::BusyPlot</name>
     <message>
         <source>pre-processing</source>
         <translation>Vorbereitung</translation>
@@ -2048,7 +2048,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::CameraTools</name>
+    <name>footfall::ui::CameraTools</name>
     <message>
         <source>From &amp;below</source>
         <translation>Von &amp;unten</translation>
@@ -2167,7 +2167,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::CellLegend</name>
+    <name>footfall::ui::CellLegend</name>
     <message>
         <source>Colour cells by</source>
         <translation>Zellen einfärben nach</translation>
@@ -2244,7 +2244,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::CellModel</name>
+    <name>footfall::ui::CellModel</name>
     <message>
         <source>everything</source>
         <translation>alles</translation>
@@ -2307,7 +2307,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::CommandPalette</name>
+    <name>footfall::ui::CommandPalette</name>
     <message>
         <source> (on)</source>
         <translation> (an)</translation>
@@ -2342,7 +2342,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::CompareFeature</name>
+    <name>footfall::ui::CompareFeature</name>
     <message>
         <source>Compare</source>
         <translation>Vergleich</translation>
@@ -2400,7 +2400,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::ComparePanel</name>
+    <name>footfall::ui::ComparePanel</name>
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
@@ -2478,14 +2478,14 @@
     </message>
 </context>
 <context>
-    <name>footfall::CompareWatch</name>
+    <name>footfall::ui::CompareWatch</name>
     <message>
         <source>The comparison: memory ran out; close other programs or use a smaller environment</source>
         <translation>Der Vergleich: Der Speicher ging aus; schließen Sie andere Programme, oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ComponentsModel</name>
+    <name>footfall::ui::ComponentsModel</name>
     <message>
         <source>Rank</source>
         <translation>Rang</translation>
@@ -2516,7 +2516,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::ComponentsPanel</name>
+    <name>footfall::ui::ComponentsPanel</name>
     <message>
         <source>Copy as text</source>
         <translation>Als Text kopieren</translation>
@@ -2575,7 +2575,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::CutBar</name>
+    <name>footfall::ui::CutBar</name>
     <message>
         <source>Cut</source>
         <translation>Schnitt</translation>
@@ -2622,7 +2622,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::Document</name>
+    <name>footfall::ui::Document</name>
     <message>
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
@@ -2653,7 +2653,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::EditorWindow</name>
+    <name>footfall::ui::EditorWindow</name>
     <message>
         <source>Environment</source>
         <translation>Umgebung</translation>
@@ -3207,14 +3207,14 @@
     </message>
 </context>
 <context>
-    <name>footfall::EnvironmentLoader</name>
+    <name>footfall::ui::EnvironmentLoader</name>
     <message>
         <source>%1: memory ran out; close other programs or use a smaller environment</source>
         <translation>%1: Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
-    <name>footfall::EnvironmentTools</name>
+    <name>footfall::ui::EnvironmentTools</name>
     <message>
         <source>Meshes and Materials</source>
         <translation>Netze und Materialien</translation>
@@ -3237,7 +3237,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::ExportDialog</name>
+    <name>footfall::ui::ExportDialog</name>
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
@@ -3440,7 +3440,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::ExportTexts</name>
+    <name>footfall::ui::ExportTexts</name>
     <message>
         <source>Wavefront OBJ: exact, in the file&apos;s frame</source>
         <translation>Wavefront OBJ: exakt, im Bezugssystem der Datei</translation>
@@ -3479,7 +3479,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::FilterActions</name>
+    <name>footfall::ui::FilterActions</name>
     <message>
         <source>Parallel blocks</source>
         <translation>Parallele Blöcke</translation>
@@ -3618,7 +3618,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::FilterHelp</name>
+    <name>footfall::ui::FilterHelp</name>
     <message>
         <source>degrees</source>
         <translation>Grad</translation>
@@ -3705,7 +3705,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::FilterList</name>
+    <name>footfall::ui::FilterList</name>
     <message>
         <source>No filters: everything that faces up is walkable. Add one above.</source>
         <translation>Keine Filter: Alles, was nach oben zeigt, ist begehbar. Fügen Sie oben einen hinzu.</translation>
@@ -3736,7 +3736,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::FilterRow</name>
+    <name>footfall::ui::FilterRow</name>
     <message>
         <source>&lt;p&gt;Type it, drag sideways, or turn the wheel while the field has the focus; Shift: finer, Ctrl: coarser, Esc: back.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Tippen, seitwärts ziehen oder das Rad drehen, während das Feld den Fokus hat; Umschalt: feiner, Strg: gröber, Esc: zurück.&lt;/p&gt;</translation>
@@ -3791,14 +3791,14 @@
     </message>
 </context>
 <context>
-    <name>footfall::FlyTool</name>
+    <name>footfall::ui::FlyTool</name>
     <message>
         <source>Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed (%1 units a second), Esc ends</source>
         <translation>Fliegen: W A S D bewegen, Q und E ab und auf, die Maus sieht sich um, Umschalt schneller, das Rad ändert das Tempo (%1 Einheiten je Sekunde), Esc beendet</translation>
     </message>
 </context>
 <context>
-    <name>footfall::GuardedApplication</name>
+    <name>footfall::ui::GuardedApplication</name>
     <message>
         <source>something went wrong that gave no reason; save your session under another name and start Footfall anew</source>
         <translation>Etwas ging schief und nannte keinen Grund; speichern Sie die Sitzung unter anderem Namen und starten Sie Footfall neu</translation>
@@ -3813,7 +3813,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::HeightSlider</name>
+    <name>footfall::ui::HeightSlider</name>
     <message>
         <source>Heights that are shown</source>
         <translation>Gezeigte Höhen</translation>
@@ -3834,7 +3834,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
 </context>
 <context>
-    <name>footfall::HelpPanel</name>
+    <name>footfall::ui::HelpPanel</name>
     <message>
         <source>Help about the filter that has the focus</source>
         <translation>Hilfe zum Filter, der den Fokus hat</translation>
@@ -3845,7 +3845,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
 </context>
 <context>
-    <name>footfall::ImportPanel</name>
+    <name>footfall::ui::ImportPanel</name>
     <message>
         <source>Nothing loaded</source>
         <translation>Nichts geladen</translation>
@@ -3968,7 +3968,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
 </context>
 <context>
-    <name>footfall::InspectionFeature</name>
+    <name>footfall::ui::InspectionFeature</name>
     <message>
         <source>Why?</source>
         <translation>Warum?</translation>
@@ -4007,14 +4007,14 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
 </context>
 <context>
-    <name>footfall::InspectionWatch</name>
+    <name>footfall::ui::InspectionWatch</name>
     <message>
         <source>Why: memory ran out; close other programs or use a smaller environment</source>
         <translation>Warum: Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
-    <name>footfall::Language</name>
+    <name>footfall::ui::Language</name>
     <message>
         <source>&amp;Language</source>
         <translation>&amp;Sprache</translation>
@@ -4033,7 +4033,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
 </context>
 <context>
-    <name>footfall::LayerPanel</name>
+    <name>footfall::ui::LayerPanel</name>
     <message>
         <source>No result yet</source>
         <translation>Noch kein Ergebnis</translation>
@@ -4108,7 +4108,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
 </context>
 <context>
-    <name>footfall::Legend</name>
+    <name>footfall::ui::Legend</name>
     <message>
         <source>Walkable</source>
         <translation>Begehbar</translation>
@@ -4195,7 +4195,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     </message>
 </context>
 <context>
-    <name>footfall::LevelLook</name>
+    <name>footfall::ui::LevelLook</name>
     <message>
         <source>Layers</source>
         <translation>Ebenen</translation>
@@ -4252,7 +4252,7 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     </message>
 </context>
 <context>
-    <name>footfall::LevelUnits</name>
+    <name>footfall::ui::LevelUnits</name>
     <message>
         <source>m</source>
         <translation>m</translation>
@@ -4275,14 +4275,14 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     </message>
 </context>
 <context>
-    <name>footfall::LevelView</name>
+    <name>footfall::ui::LevelView</name>
     <message>
         <source>View of the level</source>
         <translation>Ansicht des Levels</translation>
     </message>
 </context>
 <context>
-    <name>footfall::LoadPanel</name>
+    <name>footfall::ui::LoadPanel</name>
     <message>
         <source>Run in parallel</source>
         <translation>Parallel ausführen</translation>
@@ -4393,7 +4393,7 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     </message>
 </context>
 <context>
-    <name>footfall::LogPanel</name>
+    <name>footfall::ui::LogPanel</name>
     <message>
         <source>Which messages are shown</source>
         <translation>Welche Meldungen gezeigt werden</translation>
@@ -4452,7 +4452,7 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     </message>
 </context>
 <context>
-    <name>footfall::MeasureFeature</name>
+    <name>footfall::ui::MeasureFeature</name>
     <message>
         <source>Measure</source>
         <translation>Messen</translation>
@@ -4471,7 +4471,7 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     </message>
 </context>
 <context>
-    <name>footfall::MeasurePanel</name>
+    <name>footfall::ui::MeasurePanel</name>
     <message>
         <source>Measured pieces</source>
         <translation>Gemessene Stücke</translation>
@@ -4544,7 +4544,7 @@ bis %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::MeasureTool</name>
+    <name>footfall::ui::MeasureTool</name>
     <message>
         <source>%1 (%2 in the plan), height %3, %4</source>
         <translation>%1 (%2 im Grundriss), Höhe %3, %4</translation>
@@ -4575,7 +4575,7 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::MessageBar</name>
+    <name>footfall::ui::MessageBar</name>
     <message>
         <source>Close this message; the log keeps it</source>
         <translation>Diese Meldung schließen; das Protokoll behält sie</translation>
@@ -4590,7 +4590,7 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::MessageLog</name>
+    <name>footfall::ui::MessageLog</name>
     <message>
         <source>error</source>
         <translation>Fehler</translation>
@@ -4605,7 +4605,7 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::NumberField</name>
+    <name>footfall::ui::NumberField</name>
     <message>
         <source>not a number; write decimals with a point</source>
         <translation>keine Zahl; schreiben Sie Dezimalen mit einem Punkt</translation>
@@ -4636,7 +4636,7 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::ObstacleEditor</name>
+    <name>footfall::ui::ObstacleEditor</name>
     <message>
         <source>Cylinder</source>
         <translation>Zylinder</translation>
@@ -4663,7 +4663,7 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::ObstacleFeatures</name>
+    <name>footfall::ui::ObstacleFeatures</name>
     <message>
         <source>&amp;Select and move obstacles</source>
         <translation>Hindernisse au&amp;swählen und bewegen</translation>
@@ -4726,7 +4726,7 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::ObstaclePanel</name>
+    <name>footfall::ui::ObstaclePanel</name>
     <message>
         <source>Obstacles</source>
         <translation>Hindernisse</translation>
@@ -4861,7 +4861,7 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::OverlayFrame</name>
+    <name>footfall::ui::OverlayFrame</name>
     <message>
         <source>Unfold; drag to move, double click to put it back</source>
         <translation>Ausklappen; Ziehen verschiebt, ein Doppelklick setzt sie zurück</translation>
@@ -4872,14 +4872,14 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::PartLevel</name>
+    <name>footfall::ui::PartLevel</name>
     <message>
         <source>the roles of parts cannot be applied (%1); close other programs or use a smaller environment</source>
         <translation>Die Rollen der Teile können nicht angewandt werden (%1); schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PartModel</name>
+    <name>footfall::ui::PartModel</name>
     <message>
         <source>(no material)</source>
         <translation>(kein Material)</translation>
@@ -4943,7 +4943,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PartPanel</name>
+    <name>footfall::ui::PartPanel</name>
     <message>
         <source>Filter by name</source>
         <translation>Nach Namen filtern</translation>
@@ -5042,7 +5042,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PathFeature</name>
+    <name>footfall::ui::PathFeature</name>
     <message>
         <source>Try it</source>
         <translation>Ausprobieren</translation>
@@ -5069,14 +5069,14 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PathModel</name>
+    <name>footfall::ui::PathModel</name>
     <message>
         <source>the path: memory ran out; close other programs or use a smaller environment</source>
         <translation>Der Weg: Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PathPanel</name>
+    <name>footfall::ui::PathPanel</name>
     <message>
         <source>Start</source>
         <translation>Start</translation>
@@ -5139,7 +5139,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PathText</name>
+    <name>footfall::ui::PathText</name>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
@@ -5198,7 +5198,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PathTool</name>
+    <name>footfall::ui::PathTool</name>
     <message>
         <source>Try it: click where the path starts. Esc ends.</source>
         <translation>Ausprobieren: Klicken Sie, wo der Weg beginnt. Esc beendet.</translation>
@@ -5233,14 +5233,14 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PhasePlot</name>
+    <name>footfall::ui::PhasePlot</name>
     <message>
         <source>Where the time of the run went</source>
         <translation>Wohin die Zeit des Laufs ging</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PlaceFields</name>
+    <name>footfall::ui::PlaceFields</name>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
@@ -5255,7 +5255,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PlaceObstacleTool</name>
+    <name>footfall::ui::PlaceObstacleTool</name>
     <message>
         <source>Draw the base; let go to go on with the height. Shift snaps, Esc takes back</source>
         <translation>Grundfläche aufziehen; Loslassen geht zur Höhe weiter. Umschalt rastet ein, Esc nimmt zurück</translation>
@@ -5270,7 +5270,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PresetStore</name>
+    <name>footfall::ui::PresetStore</name>
     <message>
         <source>a preset &apos;%1&apos; is there already; choose another name</source>
         <translation>Eine Vorlage „%1“ gibt es schon; wählen Sie einen anderen Namen</translation>
@@ -5301,7 +5301,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::PresetsMenu</name>
+    <name>footfall::ui::PresetsMenu</name>
     <message>
         <source>Built in</source>
         <translation>Mitgeliefert</translation>
@@ -5356,7 +5356,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ProgressDisplay</name>
+    <name>footfall::ui::ProgressDisplay</name>
     <message>
         <source>nearly done</source>
         <translation>fast fertig</translation>
@@ -5387,7 +5387,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::RecentFiles</name>
+    <name>footfall::ui::RecentFiles</name>
     <message>
         <source>%1 (not there any more)</source>
         <translation>%1 (nicht mehr da)</translation>
@@ -5398,7 +5398,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ReplaceTexts</name>
+    <name>footfall::ui::ReplaceTexts</name>
     <message>
         <source>Replace a file</source>
         <translation>Eine Datei ersetzen</translation>
@@ -5417,7 +5417,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::RunController</name>
+    <name>footfall::ui::RunController</name>
     <message>
         <source>memory ran out; close other programs or use a smaller environment</source>
         <translation>Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
@@ -5440,7 +5440,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::RunThreads</name>
+    <name>footfall::ui::RunThreads</name>
     <message>
         <source>All threads (%1)</source>
         <translation>Alle Threads (%1)</translation>
@@ -5459,7 +5459,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ScaleText</name>
+    <name>footfall::ui::ScaleText</name>
     <message>
         <source>1 m</source>
         <translation>1 m</translation>
@@ -5498,7 +5498,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::SelectObstacleTool</name>
+    <name>footfall::ui::SelectObstacleTool</name>
     <message>
         <source>Move %1</source>
         <translation>%1 verschieben</translation>
@@ -5517,7 +5517,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::SeparationText</name>
+    <name>footfall::ui::SeparationText</name>
     <message>
         <source>The parts are nearest at %1: %2.</source>
         <translation>Am nächsten sind sich die Teile bei %1: %2.</translation>
@@ -5531,7 +5531,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::SeparationView</name>
+    <name>footfall::ui::SeparationView</name>
     <message>
         <source>Show &amp;it</source>
         <translation>&amp;Zeigen</translation>
@@ -5546,7 +5546,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::SessionKeeper</name>
+    <name>footfall::ui::SessionKeeper</name>
     <message>
         <source>%1: the session cannot be kept for after a crash; make this folder writable</source>
         <translation>%1: Die Sitzung kann nicht für den Fall eines Absturzes behalten werden; machen Sie diesen Ordner beschreibbar</translation>
@@ -5557,14 +5557,14 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ShareBar</name>
+    <name>footfall::ui::ShareBar</name>
     <message>
         <source>%1 % of the time of all filters</source>
         <translation>%1 % der Zeit aller Filter</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ShortcutWindow</name>
+    <name>footfall::ui::ShortcutWindow</name>
     <message>
         <source>Left drag</source>
         <translation>Links ziehen</translation>
@@ -5687,7 +5687,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::SkippedFeature</name>
+    <name>footfall::ui::SkippedFeature</name>
     <message>
         <source>Left Out</source>
         <translation>Weggelassen</translation>
@@ -5713,7 +5713,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::SkippedPanel</name>
+    <name>footfall::ui::SkippedPanel</name>
     <message>
         <source>Polygons of the file that were left out</source>
         <translation>Polygone der Datei, die weggelassen wurden</translation>
@@ -5758,7 +5758,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::StaleBadge</name>
+    <name>footfall::ui::StaleBadge</name>
     <message>
         <source>Out of date</source>
         <translation>Veraltet</translation>
@@ -5777,7 +5777,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ThemeCommands</name>
+    <name>footfall::ui::ThemeCommands</name>
     <message>
         <source>T&amp;heme</source>
         <translation>&amp;Farbschema</translation>
@@ -5808,7 +5808,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::TimeStrip</name>
+    <name>footfall::ui::TimeStrip</name>
     <message>
         <source>Time of the filters</source>
         <translation>Zeit der Filter</translation>
@@ -5819,7 +5819,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::TimelineLanes</name>
+    <name>footfall::ui::TimelineLanes</name>
     <message>
         <source>partitioning</source>
         <translation>Aufteilung</translation>
@@ -5834,7 +5834,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::TimelinePlot</name>
+    <name>footfall::ui::TimelinePlot</name>
     <message>
         <source>Timeline</source>
         <translation>Zeitachse</translation>
@@ -5873,7 +5873,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ViewHint</name>
+    <name>footfall::ui::ViewHint</name>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
@@ -5884,7 +5884,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::ViewModes</name>
+    <name>footfall::ui::ViewModes</name>
     <message>
         <source>View mode</source>
         <translation>Ansichtsart</translation>
@@ -5907,7 +5907,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::WelcomePage</name>
+    <name>footfall::ui::WelcomePage</name>
     <message>
         <source>House</source>
         <translation>Haus</translation>
@@ -6022,7 +6022,7 @@ Material: %2</translation>
     </message>
 </context>
 <context>
-    <name>footfall::WhyPanel</name>
+    <name>footfall::ui::WhyPanel</name>
     <message>
         <source>Choose Tools &gt; Why? (Y) and click a place in the view: this panel then says why it is walkable, or which filter rejected it and what stands in the way.</source>
         <translation>Wählen Sie Werkzeuge &gt; Warum? (Y) und klicken Sie eine Stelle in der Ansicht an: Diese Tafel sagt dann, warum sie begehbar ist, oder welcher Filter sie verworfen hat und was im Weg steht.</translation>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
-    <name>footfall::CellLegend</name>
+    <name>footfall::ui::CellLegend</name>
     <message numerus="yes">
         <source>%n more</source>
         <translation>
@@ -19,7 +19,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::CompareFeature</name>
+    <name>footfall::ui::CompareFeature</name>
     <message numerus="yes">
         <source>Only the largest %n regions are drawn</source>
         <translation>
@@ -29,7 +29,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::ComparePanel</name>
+    <name>footfall::ui::ComparePanel</name>
     <message numerus="yes">
         <source>The largest %1 of %n regions are listed.</source>
         <translation>
@@ -39,7 +39,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::EditorWindow</name>
+    <name>footfall::ui::EditorWindow</name>
     <message numerus="yes">
         <source>Opened %1: %n triangle(s)</source>
         <translation>
@@ -49,7 +49,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::SeparationText</name>
+    <name>footfall::ui::SeparationText</name>
     <message numerus="yes">
         <source>It is the largest of %n obstacles on the easiest way.</source>
         <translation>
@@ -59,7 +59,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::SkippedFeature</name>
+    <name>footfall::ui::SkippedFeature</name>
     <message numerus="yes">
         <source>%n polygons were left out: list</source>
         <translation>
@@ -69,7 +69,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::SkippedPanel</name>
+    <name>footfall::ui::SkippedPanel</name>
     <message numerus="yes">
         <source>%n polygons of the file were left out:</source>
         <translation>

@@ -14,7 +14,7 @@ trap 'rm -rf "${work}"' EXIT
 "${descriptor_texts}" >"${work}/descriptor_texts.cpp"
 if [ "${mode}" != --check ]; then cp "${work}/descriptor_texts.cpp" "${here}/descriptor_texts.cpp"; fi
 echo "${work}/descriptor_texts.cpp" >"${work}/sources"
-# What the core says is marked without Qt (core/text.hpp): lupdate reads copies with a mark that it knows.
+# What the core says is marked without Qt (footfall/text.hpp): lupdate reads copies with a mark that it knows.
 while read -r source; do
   if grep -qE 'FOOTFALL_TEXT\(("|$)' "${source}"; then
     copy="${work}/${source#"${repository}/"}"

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/environment/environment_edit.hpp"
-#include "core/exact/numbered_table.hpp"
+#include "core/base/numbered_table.hpp"
+#include "footfall/edit.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 15;
@@ -181,4 +181,4 @@ std::shared_ptr<const Environment> diffEnvironments(const std::shared_ptr<const 
   return differ.match() ? differ.edited(before) : now;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -5,10 +5,10 @@
 
 #include <memory>
 
-#include "core/environment/environment.hpp"
-#include "core/pipeline/run_context.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/run_context.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// `now` as an edit of `before`: the same vertices and triangles with the same parts and roles, those that `before` has
 /// too first and in its order, the others in the order of `now`. Triangles are the same when their corners lie at equal
@@ -21,4 +21,4 @@ std::shared_ptr<const Environment> diffEnvironments(const std::shared_ptr<const 
                                                     const std::shared_ptr<const Environment>& now,
                                                     RunContext* context = nullptr);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/environment/environment_edit.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "core/errors.hpp"
+#include "footfall/edit.hpp"
+#include "footfall/errors.hpp"
 
 namespace footfall {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 unsigned byteAt(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
@@ -82,4 +82,4 @@ void dropUnnamedPart(Environment& environment) {
   environment.partOf.clear();
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

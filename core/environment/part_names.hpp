@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/environment/environment.hpp"
-#include "core/text.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/text.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A name from a file as valid UTF-8 without control characters: what is no UTF-8 is taken as Latin-1, so that a name
 /// survives sessions and command lines, whatever wrote the file.
@@ -41,4 +41,4 @@ class PartList {
 /// Empties both lists when there is only one part, without names.
 void dropUnnamedPart(Environment& environment);
 
-}  // namespace footfall
+}  // namespace footfall::detail

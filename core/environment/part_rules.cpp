@@ -9,11 +9,11 @@
 #include <string_view>
 #include <utility>
 
-#include "core/environment/environment_edit.hpp"
 #include "core/environment/part_names.hpp"
-#include "core/errors.hpp"
+#include "footfall/edit.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 std::vector<EnvironmentPart> partsOf(const Environment& environment) {
@@ -84,4 +84,4 @@ std::vector<PartRule> rulesForName(const Environment& environment, const std::st
   return rules;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// 'Obstacle only' and 'never walkable' are one role: what was rejected as a floor remains an obstacle (design,
 /// section 2).
@@ -41,4 +41,4 @@ std::shared_ptr<const Environment> applyPartRules(const std::shared_ptr<const En
 std::vector<PartRule> rulesForName(const Environment& environment, const std::string& name, PartRole role,
                                    const std::string& option);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include "core/errors.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr int kSides = 24;          // of a cylinder; a multiple of 4, so that it touches its extents
@@ -169,4 +169,4 @@ TriangleSoup obstaclesSoup(const std::vector<PlacedObstacle>& obstacles) {
   return all;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

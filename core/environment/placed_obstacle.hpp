@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
-#include "core/environment/environment_edit.hpp"
+#include "footfall/edit.hpp"
+#include "footfall/environment.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 struct PlacedObstacle {
   /// A ramp rises along its own x axis, from nothing to its full height.
@@ -45,4 +45,4 @@ TriangleSoup solidSoupOf(const PlacedObstacle& obstacle, double spacing);
 /// The surfaces of all of them in one soup, for exports.
 TriangleSoup obstaclesSoup(const std::vector<PlacedObstacle>& obstacles);
 
-}  // namespace footfall
+}  // namespace footfall::detail

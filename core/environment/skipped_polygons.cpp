@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "core/environment/up_axis.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 SkippedPolygon skippedPolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices) {
   SkippedPolygon polygon;
@@ -79,4 +79,4 @@ std::string formatSkipped(const SkippedElements& skipped, UpAxis up, std::size_t
   return text;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
-#include "core/text.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/text.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A polygon with fewer than three distinct ones of these corners, indices into `vertices`; without line or face.
 SkippedPolygon skippedPolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices);
@@ -30,4 +30,4 @@ Text skippedReason(const SkippedPolygon& polygon);
 /// rest; empty when none was left out. In English; places in the frame of the file, of which `up` is the up axis.
 std::string formatSkipped(const SkippedElements& skipped, UpAxis up, std::size_t most);
 
-}  // namespace footfall
+}  // namespace footfall::detail

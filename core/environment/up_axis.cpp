@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace footfall {
+namespace footfall::detail {
 
 std::string_view nameOf(UpAxis up) {
   switch (up) {
@@ -36,4 +36,4 @@ std::optional<UpAxis> upAxisFrom(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// All up axes, in the order in which a user is offered them.
 inline constexpr std::array<UpAxis, 6> kUpAxes{UpAxis::Y,         UpAxis::Z,         UpAxis::X,
@@ -73,4 +73,4 @@ inline Vec3 inFileFrame(const Vec3& place, UpAxis up) {
   return {out[0], out[1], out[2]};
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-namespace footfall {
+namespace footfall::detail {
 
 struct ErrorDouble {
   double value = 0;
@@ -84,4 +84,4 @@ inline int filteredArea(double ax, double ay, double bx, double by, double slack
   return kUnknownSign;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

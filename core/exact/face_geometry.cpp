@@ -6,7 +6,7 @@
 
 #include "core/exact/plan_predicates.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 int filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c, double slack) {
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
@@ -213,4 +213,4 @@ int FaceGeometry::compare(Index a, Index b, int axis) {
   return sgn(coordinateDifference<mpz_class>(exact_.wide(x), exact_.wide(y), axis));
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/numbered_table.hpp"
 #include "core/exact/integer_triples.hpp"
-#include "core/exact/numbered_table.hpp"
 #include "core/exact/plan_kernel.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 class FaceGeometry {
  public:
@@ -87,4 +87,4 @@ class FaceGeometry {
 /// Orientation of three rounded points relative to one origin, or kUnknownSign.
 int filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c, double slack);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -7,7 +7,7 @@
 
 #include "core/exact/shape.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 int next(int k) { return k == 2 ? 0 : k + 1; }
@@ -440,4 +440,4 @@ std::vector<int> FaceTriangulation::windingNumbers() const {
   return winding;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

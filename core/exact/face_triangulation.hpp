@@ -13,7 +13,7 @@
 
 #include "core/exact/face_geometry.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 class FaceTriangulation {
  public:
@@ -81,4 +81,4 @@ class FaceTriangulation {
   std::vector<std::array<Index, 2>> stack_;  ///< (cell, new vertex) to legalize
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -31,7 +31,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace footfall {
+namespace footfall::detail {
 
 static_assert(GMP_NUMB_BITS == 64);
 
@@ -177,4 +177,4 @@ class FixedInteger {
 /// The widest grid on which FixedInteger holds every value of the predicates.
 inline constexpr int kWidestFixedGrid = (64 * (FixedInteger::kCapacity - 2) - 28) / 26 - 1;
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -11,7 +11,7 @@
 
 #include "core/exact/error_double.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 struct Grid {
   int low = 5000;   ///< all numbers are integers times 2^low
@@ -56,4 +56,4 @@ struct Grid {
   static constexpr int kScaledTop = 36;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

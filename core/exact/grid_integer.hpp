@@ -11,7 +11,7 @@
 #include "core/exact/fixed_integer.hpp"
 #include "core/exact/grid.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// |x| = digits * 2^shift in units of 2^gridExponent, for an x on that grid; shift >= 0.
 struct GridDigits {
@@ -75,4 +75,4 @@ inline FixedInteger gridDifference<FixedInteger>(double x, double y, int gridExp
   return wide();
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -10,7 +10,7 @@
 
 #include "core/exact/fixed_integer.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// Numbered triples of integers of any width, without an allocation for each.
 class IntegerTriples {
@@ -67,4 +67,4 @@ class IntegerTriples {
   std::vector<mp_limb_t> limbs_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -8,7 +8,7 @@
 #include "core/exact/plan_predicates.hpp"
 #include "core/exact/rounded_quotient.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // An approximation worse than this share of the coordinates (or of one unit of the grid) is computed exactly instead.
@@ -432,4 +432,4 @@ double nearestDouble(const mpq_class& value) {
   return roundedQuotient(viewOf(value.get_num()), viewOf(value.get_den()), 0);
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

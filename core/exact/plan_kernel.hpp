@@ -16,11 +16,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/exact/exact_fallbacks.hpp"
 #include "core/exact/fixed_integer.hpp"
 #include "core/exact/source_mesh.hpp"
+#include "footfall/statistics.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A directed line in the plan; positive is its left side.
 struct PlanLine {
@@ -164,4 +164,4 @@ class PlanKernel {
 /// Nearest double of a rational, ties to even; overflow gives infinity.
 double nearestDouble(const mpq_class& value);
 
-}  // namespace footfall
+}  // namespace footfall::detail

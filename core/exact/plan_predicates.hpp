@@ -14,7 +14,7 @@
 #include "core/exact/grid_integer.hpp"
 #include "core/exact/plan_kernel.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 inline double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -178,4 +178,4 @@ typename C::T heightDifference(const C& c, const Homogeneous<typename C::T>& h, 
   return zf * m[2] - zg * n[2];
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

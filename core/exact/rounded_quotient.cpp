@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // x * 2^shift (shift >= 0) into `limbs`; returns the number of limbs.
@@ -66,4 +66,4 @@ double roundedQuotient(IntegerView numerator, IntegerView denominator, int expon
   return ((numerator.size < 0) != (denominator.size < 0) ? -result : result) + 0.0;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

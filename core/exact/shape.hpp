@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace footfall {
+namespace footfall::detail {
 
 /// True when the origin seems to lie well inside the circumcircle of the counter-clockwise triangle a, b, c. The margin
 /// keeps flips from going round in circles; whether a flip is possible at all must be decided exactly.
@@ -23,4 +23,4 @@ inline bool isWellInsideCircle(const std::array<double, 2>& a, const std::array<
   return inside > size * 0x1p-32;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -4,12 +4,12 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "core/environment/environment_edit.hpp"
 #include "core/exact/source_mesh.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// How the numbers of an edited mesh follow from those of its base. All maps rise: what was kept keeps its order, so
 /// that every choice by the smaller number stays what it was.
@@ -23,10 +23,19 @@ struct SourceEdit {
   std::vector<Box> removed, added;    ///< of the triangles that went and came
 };
 
-/// The mesh that makeSourceMesh() makes of `environment`, which is an edit of the environment that `base` was made of.
-/// Null when they do not fit together, or when the edit changes the scale of the grid. `poll` is called now and then
-/// and may throw to cancel.
-std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base,
-                                                 const Environment& environment, const std::function<void()>& poll);
+/// A soup that was made of another one: what was kept comes first, in the order of the other one.
+struct EditedSoup {
+  std::span<const Vec3> vertices;
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> keptVertices;   ///< numbers in the other one, ascending
+  std::span<const std::uint32_t> keptTriangles;  ///< numbers in the other one, ascending
+  bool bothSides = false;
+};
 
-}  // namespace footfall
+/// The mesh that makeSourceMesh() makes of `soup`, which is an edit of the soup that `base` was made of. Null when they
+/// do not fit together, or when the edit changes the scale of the grid. `poll` is called now and then and may throw to
+/// cancel.
+std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base, const EditedSoup& soup,
+                                                 const std::function<void()>& poll);
+
+}  // namespace footfall::detail

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/environment/parallel_ranges.hpp"
-#include "core/exact/lexicographic_order.hpp"
+#include "core/base/lexicographic_order.hpp"
+#include "core/base/parallel_ranges.hpp"
 #include "core/exact/source_predicates.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // As many vertices or triangles are worth a task of their own, and a look whether to cancel.
@@ -218,4 +218,4 @@ SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vecto
   return mesh;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

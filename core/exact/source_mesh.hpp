@@ -13,14 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "core/base/geometry.hpp"
 #include "core/exact/error_double.hpp"
 #include "core/exact/grid.hpp"
 #include "core/exact/source_tree.hpp"
 
-namespace footfall {
-
-using Index = std::int32_t;
+namespace footfall::detail {
 
 struct SourceEdit;  // core/exact/source_edit.hpp
 
@@ -100,4 +98,4 @@ SourceMesh makeSourceMesh(
     const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
     const std::function<void()>& poll = [] {});
 
-}  // namespace footfall
+}  // namespace footfall::detail

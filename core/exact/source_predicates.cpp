@@ -11,7 +11,7 @@
 #include "core/exact/error_double.hpp"
 #include "core/exact/grid_integer.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // Products of four coordinates neither overflow nor lose residuals to underflow when every coordinate is zero or
@@ -180,4 +180,4 @@ bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, 
   return compareWithIrrationalSlope(exactNormal<mpz_class>(a, b, c, gridOf(a, b, c)), degrees) > 0;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -4,10 +4,10 @@
 
 #include <array>
 
-#include "core/environment/environment.hpp"
+#include "core/base/geometry.hpp"
 #include "core/exact/error_double.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// True when the three positions are collinear or equal (cases 2 to 4 of thesis 4.4.2).
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
@@ -34,4 +34,4 @@ class SlopeLimit {
   ErrorDouble squared_;  ///< cos^2 of the angle
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

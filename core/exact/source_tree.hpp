@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/environment/triangle_tree.hpp"
+#include "core/base/triangle_tree.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A tree over the triangles of an environment, with those that were added later beside it and those that went left
 /// out. The order of the visits says nothing.
@@ -69,4 +69,4 @@ class SourceTree {
   std::shared_ptr<const TriangleTree> added_;                 ///< null together with numbers_
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -15,11 +15,11 @@
 #include <span>
 #include <string>
 
+#include "core/assembly/mesh_assembly.hpp"
 #include "core/filters/filter_registry.hpp"
-#include "core/filters/mesh_assembly.hpp"
-#include "core/filters/mesh_topology.hpp"
+#include "core/mesh/mesh_topology.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr mpfr_prec_t kFinestPrecision = 4096;
@@ -216,4 +216,4 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   return outcome;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
-#include "core/counted_text.hpp"
+#include "core/base/counted_text.hpp"
 #include "core/filters/filter_registry.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 // An obstacle edge of a removed triangle stays where it is: obstacle edges are known by their vertices, so the
 // neighbour that shares such an edge has it too (algorithm 3).
@@ -30,4 +30,4 @@ FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context) {
   return {result, std::move(note), {}};
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/filters/descriptor.hpp"
-
 #include <algorithm>
 #include <limits>
+
+#include "footfall/filter.hpp"
 
 namespace footfall {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // Limits at the end of what the type can hold are there for the program, not for people.
@@ -219,4 +219,4 @@ std::string_view nearestFilterName(std::string_view name) {
   return best;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

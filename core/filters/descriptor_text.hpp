@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/filters/descriptor.hpp"
-#include "core/text.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/text.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A value as it stands in a pipeline file: true or false, or the shortest digits that read back to the same double.
 std::string formatValue(const ParameterDescriptor& parameter, double value);
@@ -31,4 +31,4 @@ std::string filtersMarkdown();
 /// The known filter name or alias that `name` most likely stands for (fewest edits, letter case ignored).
 std::string_view nearestFilterName(std::string_view name);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -13,13 +13,13 @@
 #include <string>
 #include <unordered_map>
 
-#include "core/counted_text.hpp"
-#include "core/filters/disjoint_sets.hpp"
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/base/counted_text.hpp"
+#include "core/base/disjoint_sets.hpp"
 #include "core/filters/filter_registry.hpp"
-#include "core/filters/generation.hpp"
-#include "core/filters/mesh_assembly.hpp"
+#include "core/filters/rounding/generation.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 bool isCloser(const Vec3& a, const Vec3& b, double distance) {
@@ -115,4 +115,4 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   return outcome;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -5,7 +5,7 @@
 
 #include "core/exact/source_predicates.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>& values,
                       const std::shared_ptr<const PlanKernel>& kernel) {
@@ -36,4 +36,4 @@ bool FloorFlags::passesAll(Index face) {
   return std::all_of(tests_.begin(), tests_.end(), [&](const FaceTest& test) { return test(face, fallbacks); });
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

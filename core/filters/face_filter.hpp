@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/exact/exact_fallbacks.hpp"
-#include "core/filters/descriptor.hpp"
-#include "core/filters/walkable_state.hpp"
+#include "core/assembly/walkable_state.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/statistics.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// Whether a triangle that is a floor stays one; counts where doubles cannot tell.
 using FaceTest = std::function<bool(Index face, ExactFallbacks& count)>;
@@ -43,4 +43,4 @@ class FloorFlags {
   std::vector<char> flags_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

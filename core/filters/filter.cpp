@@ -8,19 +8,22 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/environment/environment_edit.hpp"
 #include "core/exact/source_edit.hpp"
 #include "core/filters/filter_registry.hpp"
-#include "core/filters/mesh_topology.hpp"
+#include "core/mesh/mesh_topology.hpp"
+#include "footfall/edit.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context, const Recall& recall) {
   context.checkCancelled();
   const auto poll = [&context] { context.checkCancelled(); };
   std::shared_ptr<const SourceMesh> mesh;
   if (recall.before && environment->edit && recall.before->environment == environment->edit->base.lock())
-    mesh = editSourceMesh(recall.before->kernel->sharedMesh(), *environment, poll);
+    mesh = editSourceMesh(recall.before->kernel->sharedMesh(),
+                          {environment->vertices, environment->triangles, environment->edit->keptVertices,
+                           environment->edit->keptTriangles, environment->bothSides},
+                          poll);
   if (!mesh)
     mesh = std::make_shared<SourceMesh>(
         makeSourceMesh({environment->vertices, environment->triangles}, environment->bothSides, nullptr, poll));
@@ -149,4 +152,4 @@ std::shared_ptr<const NavigationMesh> makePreviewMesh(const WalkableState& state
   return preview;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

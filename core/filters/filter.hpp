@@ -6,42 +6,21 @@
 #include <memory>
 #include <vector>
 
-#include "core/environment/environment.hpp"
-#include "core/environment/navigation_mesh.hpp"
-#include "core/exact/exact_fallbacks.hpp"
-#include "core/filters/descriptor.hpp"
-#include "core/pipeline/run_context.hpp"
-#include "core/text.hpp"
+#include "core/assembly/recall.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/run_context.hpp"
+#include "footfall/statistics.hpp"
+#include "footfall/text.hpp"
 
-namespace footfall {
-
-struct WalkableState;  // core/filters/walkable_state.hpp
-/// Immutable: a filter makes a new state, so that results can be cached and shared between threads.
-using StatePtr = std::shared_ptr<const WalkableState>;
-
-struct StateSummary {
-  std::uint64_t triangles = 0;  ///< walkable triangles
-  double area = 0;              ///< 3D surface area of the walkable triangles, rounded
-  std::uint64_t rejected = 0;   ///< triangles of the environment that are obstacles only
-  std::uint32_t layers = 0;
-  std::uint64_t connections = 0;
-  std::uint64_t obstacleEdges = 0;
-};
+namespace footfall::detail {
 
 /// What a filter says about its own work beside the result, for the user (e.g. "3 vertices merged").
 struct FilterOutcome {
   StatePtr state;
   Text note;  ///< may be empty
   ExactFallbacks fallbacks;
-};
-
-/// What a filter may take from earlier runs, and whether it should leave something for later ones. Never changes the
-/// result.
-struct Recall {
-  /// What the same filter of the same pipeline gave, with other parameters or for the environment that this one is an
-  /// edit of; or null.
-  StatePtr before;
-  bool keep = false;  ///< later runs may ask: remember what they can take over
 };
 
 /// The state before the first filter: all non-degenerate triangles that face up are walkable.
@@ -63,4 +42,4 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& state, 
 /// A quick picture of a state for display while a run goes on: rounded, not repaired.
 std::shared_ptr<const NavigationMesh> makePreviewMesh(const WalkableState& state);
 
-}  // namespace footfall
+}  // namespace footfall::detail

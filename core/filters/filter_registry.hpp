@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "core/assembly/walkable_state.hpp"
 #include "core/filters/filter.hpp"
-#include "core/filters/walkable_state.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContext& context);
 FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
@@ -19,4 +19,4 @@ FilterOutcome applySimplification(const StatePtr& state, bool approximate, doubl
 FilterOutcome applyLayerSubdivision(const StatePtr& state, const Recall& recall, RunContext& context);
 FilterOutcome applyRounding(const StatePtr& state, RunContext& context);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -7,7 +7,7 @@
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context) {
   const FaceTest isWithin = makeFaceTest(*findFilter("SlopeFilter"), {degrees}, state->kernel);
@@ -38,4 +38,4 @@ FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& cont
   return outcome;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

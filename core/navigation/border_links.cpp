@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr double kClearlyLess = 1 - 1e-9;  // what is nearer by less than that is no reason to leave the middle
@@ -134,4 +134,4 @@ std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b) 
   return link;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

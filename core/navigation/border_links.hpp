@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/environment/navigation_mesh.hpp"
-#include "core/navigation/surface_topology.hpp"
+#include "core/mesh/surface_topology.hpp"
+#include "footfall/navigation_mesh.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A side of a triangle that cannot be crossed; the triangle lies to the left of it. Each side of an obstacle edge is
 /// one.
@@ -62,4 +62,4 @@ std::optional<Vec3> besideOn(const BorderEdge& border, const Vec3& place, double
 /// The same from the other side.
 BorderLink reversed(const BorderLink& link);
 
-}  // namespace footfall
+}  // namespace footfall::detail

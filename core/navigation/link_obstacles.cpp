@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -165,4 +165,4 @@ BorderLink LinkObstacles::seeAlong(const Way& way, const BorderLink& link, std::
   return seen;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -7,11 +7,11 @@
 #include <memory>
 #include <vector>
 
-#include "core/environment/environment.hpp"
-#include "core/environment/triangle_tree.hpp"
+#include "core/base/triangle_tree.hpp"
 #include "core/navigation/border_links.hpp"
+#include "footfall/environment.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// Made once for an environment, then asked from any thread.
 class LinkObstacles {
@@ -40,4 +40,4 @@ class LinkObstacles {
   TriangleTree tree_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

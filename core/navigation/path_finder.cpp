@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "core/navigation/path_search.hpp"
 #include "core/navigation/plan_crossing.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceTopology::kNone;
@@ -184,4 +184,4 @@ void addSeparation(PathResult& result, const SurfaceTopology& topology, const Se
       separations.find(topology.components[result.start->triangle], topology.components[result.target->triangle], poll);
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

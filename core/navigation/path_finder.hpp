@@ -14,7 +14,7 @@
 #include "core/navigation/separation.hpp"
 #include "core/navigation/surface_place.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 enum class PathStatus {
   Found,
@@ -99,4 +99,4 @@ void addSeparation(
     PathResult& result, const SurfaceTopology& topology, const SeparationFinder& separations,
     const std::function<void()>& poll = [] {});
 
-}  // namespace footfall
+}  // namespace footfall::detail

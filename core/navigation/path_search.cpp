@@ -11,7 +11,7 @@
 #include "core/exact/source_predicates.hpp"
 #include "core/navigation/plan_crossing.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceTopology::kNone;
@@ -281,4 +281,4 @@ SidePath searchPath(const NavigationMesh& mesh, const SurfaceTopology& topology,
   return Search(mesh, topology, start, goal).run(startTriangle, goalTriangle, poll);
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -20,10 +20,10 @@
 #include <functional>
 #include <vector>
 
-#include "core/environment/navigation_mesh.hpp"
-#include "core/navigation/surface_topology.hpp"
+#include "core/mesh/surface_topology.hpp"
+#include "footfall/navigation_mesh.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A path as the search finds it: from the start in `startTriangle` through sides, in order, to the goal.
 struct SidePath {
@@ -45,4 +45,4 @@ SidePath searchPath(const NavigationMesh& mesh, const SurfaceTopology& topology,
                     std::uint32_t startTriangle, const Vec3& goal, std::uint32_t goalTriangle,
                     const std::function<void()>& poll);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace footfall {
+namespace footfall::detail {
 
 namespace {
 
@@ -31,4 +31,4 @@ double agentHeight(const Pipeline& pipeline, double metresPerUnit) {
   return clearance > 0 ? clearance : kUsualHeight / metresPerUnit;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/pipeline/pipeline.hpp"
+#include "footfall/pipeline.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// Just below the largest clearance that an enabled VerticalClearanceFilter asks for: so far above a walkable place
 /// there is no obstacle, and a point on an obstacle never means a floor beneath it (PathFinder::find). Infinite when
@@ -15,4 +15,4 @@ double placeReach(const Pipeline& pipeline);
 /// for, or 2 metres, in the environment's units.
 double agentHeight(const Pipeline& pipeline, double metresPerUnit);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -8,7 +8,7 @@
 
 #include "core/exact/error_double.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 ErrorDouble area(const Vec3& a, const Vec3& b, const Vec3& p) {
@@ -43,4 +43,4 @@ Vec3 pointBetween(const Vec3& c, const Vec3& d, double parameter) {
   return {std::lerp(c.x, d.x, parameter), std::lerp(c.y, d.y, parameter), std::lerp(c.z, d.z, parameter)};
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// How far along the segment from c (0) to d (1) the line through a and b crosses it, in the plan. c and d must lie on
 /// different sides of the line, or one of them on it (not both).
@@ -17,4 +17,4 @@ double crossingParameter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
 /// The point at this parameter; 0 and 1 give c and d themselves, anything between lies in their box.
 Vec3 pointBetween(const Vec3& c, const Vec3& d, double parameter);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -10,10 +10,10 @@
 #include <tuple>
 #include <utility>
 
-#include "core/environment/parallel_ranges.hpp"
-#include "core/filters/disjoint_sets.hpp"
+#include "core/base/disjoint_sets.hpp"
+#include "core/base/parallel_ranges.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -279,4 +279,4 @@ std::optional<Separation> SeparationFinder::find(std::uint32_t from, std::uint32
   return SeparationSearch(*this, from, to, poll).run();
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

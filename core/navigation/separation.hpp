@@ -20,7 +20,7 @@
 
 #include "core/navigation/link_obstacles.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 struct Separation {
   std::vector<BorderLink> links;  ///< from the first part to the other one, over parts between
@@ -51,4 +51,4 @@ class SeparationFinder {
   LinkObstacles obstacles_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr double kNothing = 1e-9;  // of the larger of gap and step: the other one is rounding
@@ -58,4 +58,4 @@ std::string_view linkWord(LinkKind kind) {
   return {};
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "core/navigation/separation.hpp"
-#include "core/text.hpp"
+#include "footfall/text.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// What stands between the two borders, "a step of 0.43 up" or "a gap of 0.12"; `length` writes lengths, given in the
 /// mesh's units.
@@ -18,4 +18,4 @@ Text barrierText(const BorderLink& link, const std::function<std::string(double)
 /// The word for a kind in JSON, e.g. "low_ceiling".
 std::string_view linkWord(LinkKind kind);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -9,7 +9,7 @@
 
 #include "core/exact/source_predicates.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -134,4 +134,4 @@ std::optional<SurfacePlace> PlaceIndex::nearest(const Vec3& p, std::uint32_t com
   return best;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

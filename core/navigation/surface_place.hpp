@@ -6,11 +6,11 @@
 #include <functional>
 #include <optional>
 
-#include "core/environment/navigation_mesh.hpp"
-#include "core/environment/triangle_tree.hpp"
-#include "core/navigation/surface_topology.hpp"
+#include "core/base/triangle_tree.hpp"
+#include "core/mesh/surface_topology.hpp"
+#include "footfall/navigation_mesh.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// A point in the plan inside or on the border of a triangle (exactly), with its height on it (rounded).
 struct SurfacePlace {
@@ -40,4 +40,4 @@ class PlaceIndex {
   TriangleTree tree_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/counted_text.hpp"
+#include "core/base/counted_text.hpp"
 #include "core/partitioning/partition_builder.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // Below, the threads share the floors of one cell: even the estimate of the work would be a good part of it.
@@ -55,4 +55,4 @@ AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double
   return choice;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

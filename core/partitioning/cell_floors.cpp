@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/environment/parallel_ranges.hpp"
+#include "core/base/parallel_ranges.hpp"
 #include "core/partitioning/partition_builder.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // A chunk has a counter for each cell, so there are few.
@@ -181,4 +181,4 @@ CellFloors assignFloors(Partition& partition, const StrategyInput& input) {
   return FloorAssignment(partition, input).run();
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

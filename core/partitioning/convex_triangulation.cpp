@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace footfall {
+namespace footfall::detail {
 
 std::size_t ConvexTriangulation::fanApex() const {
   std::size_t corners = 0, apex = outline_.size();
@@ -31,4 +31,4 @@ std::size_t ConvexTriangulation::bestCorner() const {
   return best;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -9,7 +9,7 @@
 
 #include "core/exact/source_mesh.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// Reused from polygon to polygon by one thread.
 ///
@@ -58,4 +58,4 @@ class ConvexTriangulation {
   std::vector<OutlinePoint> outline_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/partitioning/cut_export.hpp"
 
-#include "core/environment/obj_text.hpp"
+#include "core/io/obj_text.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 std::string formatCutObj(const CutEnvironment& cut, std::size_t cellCount, const Environment& environment,
                          const ExportHeader& header) {
@@ -47,4 +47,4 @@ void writeCutObj(const std::string& path, const CutEnvironment& cut, std::size_t
   writeFileSafely(path, formatCutObj(cut, cellCount, environment, header));
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "core/environment/export.hpp"
+#include "core/io/export.hpp"
 #include "core/partitioning/cutting.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// The OBJ text, in the frame and units of the environment's file: the groups `g cell_0`, `g cell_1`, ... of
 /// `cellCount` cells, those without triangles included, with vertices shared by index. Same input, same bytes.
@@ -18,4 +18,4 @@ std::string formatCutObj(const CutEnvironment& cut, std::size_t cellCount, const
 void writeCutObj(const std::string& path, const CutEnvironment& cut, std::size_t cellCount,
                  const Environment& environment, const ExportHeader& header);
 
-}  // namespace footfall
+}  // namespace footfall::detail

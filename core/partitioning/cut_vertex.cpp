@@ -10,7 +10,7 @@
 #include "core/exact/plan_kernel.hpp"
 #include "core/exact/source_predicates.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 double coordinateOf(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -120,4 +120,4 @@ Vec3 CutGeometry::roundedPlace(const CutVertex& vertex) const {
   return {place[0] + 0.0, place[1] + 0.0, place[2] + 0.0};
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -10,7 +10,7 @@
 #include "core/exact/source_mesh.hpp"
 #include "core/partitioning/partition.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// The same point of the surface always has the same form, in whatever cells and triangles it occurs.
 struct CutVertex {
@@ -59,4 +59,4 @@ class CutGeometry {
   const std::array<std::vector<double>, 2>& borders_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -9,11 +9,11 @@
 #include <optional>
 #include <tuple>
 
-#include "core/environment/parallel_ranges.hpp"
+#include "core/base/parallel_ranges.hpp"
 #include "core/partitioning/convex_triangulation.hpp"
 #include "core/partitioning/triangle_cutter.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kTrianglesPerTask = 4096;
@@ -367,4 +367,4 @@ CutEnvironment cutEnvironment(const SourceMesh& mesh, const Partition& partition
   return result;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -11,7 +11,7 @@
 #include "core/partitioning/cut_vertex.hpp"
 #include "core/partitioning/partition.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 struct CutTriangle {
   std::array<Index, 3> corners{};  ///< numbers of vertices; turned as the source triangle is
@@ -40,4 +40,4 @@ CutEnvironment cutEnvironment(
     const SourceMesh& mesh, const Partition& partition, std::span<const char> included, bool round,
     const std::function<void()>& poll = [] {});
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/environment/parallel_ranges.hpp"
+#include "core/base/parallel_ranges.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // Work in units of a floor that nothing stands on, fitted to the time of the clearance filter on nine levels of 3 k to
@@ -256,4 +256,4 @@ void estimateCosts(Partition& partition, const FloorWork& work) {
   }
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

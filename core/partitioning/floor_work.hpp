@@ -7,7 +7,7 @@
 
 #include "core/partitioning/partition_builder.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// Work is in units of one trivial triangle. Small environments are looked at as a whole, of large ones a part that
 /// follows from the environment alone.
@@ -37,4 +37,4 @@ FloorWork estimateFloorWork(const StrategyInput& input, std::size_t cells);
 /// Fills Cell::cost.
 void estimateCosts(Partition& partition, const FloorWork& work);
 
-}  // namespace footfall
+}  // namespace footfall::detail

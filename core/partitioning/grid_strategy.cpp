@@ -4,7 +4,7 @@
 
 #include "core/partitioning/partition_builder.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // The thesis's lower + (width / count) * i. Two ends so far apart that the width overflows are halved first. Cuts that
@@ -54,4 +54,4 @@ std::unique_ptr<CutTree> growGrid(double columns, double rows, const std::string
   return balancedTree({x, y});
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -9,7 +9,7 @@
 
 #include "core/partitioning/floor_work.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // Work in units of a trivial triangle, as that of FloorWork.
@@ -239,4 +239,4 @@ std::unique_ptr<CutTree> growHeightAware(const RecursionLimits& limits, const Fl
   return tree;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

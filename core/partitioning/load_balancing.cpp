@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-namespace footfall {
+namespace footfall::detail {
 
 std::vector<std::size_t> longestFirst(std::span<const double> costs) {
   std::vector<std::size_t> order(costs.size());
@@ -42,4 +42,4 @@ LoadBalance assignLongestFirst(std::span<const double> costs, std::size_t bins) 
   return balance;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace footfall {
+namespace footfall::detail {
 
 /// The tasks by falling cost; equal ones in their given order.
 std::vector<std::size_t> longestFirst(std::span<const double> costs);
@@ -23,4 +23,4 @@ struct LoadBalance {
 /// `bins` is at least 1; costs are finite and not negative.
 LoadBalance assignLongestFirst(std::span<const double> costs, std::size_t bins);
 
-}  // namespace footfall
+}  // namespace footfall::detail

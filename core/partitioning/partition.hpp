@@ -5,26 +5,15 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/exact/source_mesh.hpp"
-#include "core/text.hpp"
+#include "core/base/geometry.hpp"
+#include "footfall/statistics.hpp"
+#include "footfall/text.hpp"
 
-namespace footfall {
-
-/// A half-open box: [lower, upper) in x and y; floors whose lowest corner lies in [lower, upper) in z. Units of the
-/// environment; infinite on the outer sides.
-struct CellBounds {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> lower{-kInfinity, -kInfinity, -kInfinity};
-  std::array<double, 3> upper{kInfinity, kInfinity, kInfinity};
-  /// Numbers in Partition::borders of the sides in x and y; -1 on an outer side.
-  std::array<Index, 2> lowerBorder{-1, -1};
-  std::array<Index, 2> upperBorder{-1, -1};
-};
+namespace footfall::detail {
 
 struct Cell {
   CellBounds bounds;
@@ -88,4 +77,4 @@ struct Partition {
   }
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

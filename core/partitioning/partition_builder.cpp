@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "core/errors.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kTrianglesPerTask = 8192;
@@ -104,4 +104,4 @@ Partition partitionOf(const CutTree& tree) {
   return partition;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "core/exact/source_mesh.hpp"
 #include "core/partitioning/partition.hpp"
 #include "core/partitioning/strategies.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 struct FloorWork;  // core/partitioning/floor_work.hpp
 
@@ -87,4 +88,4 @@ struct AutoChoice {
 /// `work` is asked for only where it matters.
 AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double(const RecursionLimits&)>& work);
 
-}  // namespace footfall
+}  // namespace footfall::detail

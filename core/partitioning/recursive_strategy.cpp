@@ -7,7 +7,7 @@
 #include "core/partitioning/partition_builder.hpp"
 #include "core/partitioning/triangle_pieces.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kParallelSize = 2048;  ///< fewer pieces are not worth a second thread
@@ -66,4 +66,4 @@ std::unique_ptr<CutTree> growRecursive(const RecursionLimits& limits, const std:
   return tree;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -7,7 +7,7 @@
 #include "core/partitioning/partition_builder.hpp"
 #include "core/partitioning/triangle_pieces.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kParallelSize = 2048;  ///< fewer pieces are not worth a second thread
@@ -63,4 +63,4 @@ std::unique_ptr<CutTree> growSortedRecursive(const RecursionLimits& limits, cons
   return tree;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -7,7 +7,7 @@
 
 #include "core/partitioning/floor_work.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 std::string textOf(std::string_view strategy, const std::vector<double>& values) {
@@ -67,4 +67,4 @@ Partition makePartition(std::string_view strategy, const std::vector<double>& va
   return partition;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

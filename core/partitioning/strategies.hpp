@@ -7,9 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/exact/source_mesh.hpp"
 #include "core/partitioning/partition.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// What a strategy looks at.
 struct StrategyInput {
@@ -36,4 +37,4 @@ struct CellFloors {
 /// Lists all triangles with walkable[t] != 0, and counts Cell::floors and Cell::obstacles.
 CellFloors assignFloors(Partition& partition, const StrategyInput& input);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 std::array<double, 3> coordinates(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -106,4 +106,4 @@ void TriangleCutter::cut(Index triangle, const Polygon& whole, Index child, doub
   cut(triangle, above, node.above, z, pieces);
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

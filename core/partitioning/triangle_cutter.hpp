@@ -7,7 +7,7 @@
 
 #include "core/partitioning/cut_vertex.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// What a side of a piece lies on: the border `number` of axis 0 or 1, or (axis 2) the triangle's edge from corner
 /// `number` to the next one.
@@ -60,4 +60,4 @@ class TriangleCutter {
   std::vector<Index> borderOfNode_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

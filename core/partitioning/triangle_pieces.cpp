@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/environment/parallel_ranges.hpp"
+#include "core/base/parallel_ranges.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 using Point = TrianglePieces::Point;
@@ -114,4 +114,4 @@ std::array<TrianglePieces, 2> TrianglePieces::split(int axis, double coordinate,
   return result;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -11,7 +11,7 @@
 
 #include "core/partitioning/partition_builder.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// What lies in one node of the tree of cuts.
 class TrianglePieces {
@@ -45,4 +45,4 @@ class TrianglePieces {
   std::vector<Point> corners_;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/block_structure.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
   const auto& [filter, values, enabled, line] = pipeline.steps[step];
@@ -52,4 +52,4 @@ std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
   return std::nullopt;
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/pipeline/pipeline.hpp"
+#include "footfall/pipeline.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 struct StructureError {
   std::size_t step = 0;  ///< index into Pipeline::steps
@@ -22,4 +22,4 @@ std::optional<StructureError> findStructureError(const Pipeline& pipeline);
 /// messages.
 Text placeOfStep(const Pipeline& pipeline, std::size_t step);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -12,7 +12,7 @@
 
 #include "core/partitioning/load_balancing.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 // Small faces that a thread takes at once.
@@ -411,4 +411,4 @@ void CellRun::finish(Index cell) {
   if (--cellsLeft_ == 0) changed_.notify_all();
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "core/filters/clearance_pass.hpp"
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/filters/clearance/clearance_pass.hpp"
 #include "core/partitioning/strategies.hpp"
-#include "core/pipeline/run_context.hpp"
-#include "core/pipeline/run_report.hpp"
+#include "footfall/run_context.hpp"
+#include "footfall/statistics.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// What runs on every cell: tests of single faces, then perhaps a clearance.
 struct CellFilters {
@@ -129,4 +129,4 @@ class CellRun {
   bool failed_ = false;
 };
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "core/counted_text.hpp"
+#include "core/base/counted_text.hpp"
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/pipeline/cell_run.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr std::string_view kClearance = "VerticalClearanceFilter";
@@ -217,4 +217,4 @@ BlockOutcome runBlock(const BlockRequest& request, const Stopwatch& clock, RunCo
   return Block(request, clock, context).run();
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

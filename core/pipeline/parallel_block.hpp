@@ -4,12 +4,12 @@
 
 #include <vector>
 
+#include "core/base/process_usage.hpp"
 #include "core/filters/filter.hpp"
-#include "core/metrics/process_usage.hpp"
 #include "core/partitioning/strategies.hpp"
 #include "core/pipeline/runner.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 struct BlockRequest {
   std::vector<const PipelineStep*> steps;  ///< from the strategy to Collapse
@@ -35,4 +35,4 @@ BlockOutcome runBlock(const BlockRequest& request, const Stopwatch& clock, RunCo
 StrategyInput strategyInput(const WalkableState& state, const std::vector<const PipelineStep*>& steps, int threads,
                             RunContext& context);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pipeline/pipeline.hpp"
+#include "footfall/pipeline.hpp"
 
 #include <array>
 #include <charconv>
@@ -8,6 +8,7 @@
 #include "core/filters/descriptor_text.hpp"
 
 namespace footfall {
+using namespace detail;
 namespace {
 
 // 2 m in units of 0.3 mm is 6666.66666667, not 6666.666666666667: defaults are for people to read.

@@ -7,13 +7,14 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/errors.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/pipeline/block_structure.hpp"
-#include "core/pipeline/pipeline.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/pipeline.hpp"
 
 namespace footfall {
+using namespace detail;
 namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f";
@@ -176,7 +177,7 @@ Pipeline parsePipeline(std::string_view text, const std::string& source) {
   return parser.finish();
 }
 
-Pipeline parsePipelineFragment(std::string_view text, const std::string& source) {
+Pipeline detail::parsePipelineFragment(std::string_view text, const std::string& source) {
   Parser parser(source);
   parseLines(text, parser);
   return parser.finishFragment();

@@ -8,19 +8,18 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/environment/environment_edit.hpp"
 #include "core/pipeline/state_size.hpp"
+#include "footfall/edit.hpp"
 
-namespace footfall {
-
+namespace footfall::detail {
 namespace {
 
 // The first state, seven filters of the default pipeline, a few more: without them every edit would start from nothing.
 constexpr std::size_t kLeastEntries = 12;
 
 std::size_t sizeOf(const CachedPrefix& prefix, CountedParts& counted) {
-  std::size_t bytes = prefix.state ? footfall::sizeOf(*prefix.state, counted) : 0;
-  if (prefix.mesh && counted.insert(prefix.mesh.get()).second) bytes += footfall::sizeOf(*prefix.mesh);
+  std::size_t bytes = prefix.state ? detail::sizeOf(*prefix.state, counted) : 0;
+  if (prefix.mesh && counted.insert(prefix.mesh.get()).second) bytes += detail::sizeOf(*prefix.mesh);
   return bytes;
 }
 
@@ -32,10 +31,6 @@ std::size_t machineMemory() {
 }
 
 }  // namespace
-
-ResultCache::ResultCache(std::size_t capacity, std::size_t bytes) : impl_(std::make_unique<Impl>(capacity, bytes)) {}
-ResultCache::~ResultCache() = default;
-void ResultCache::clear() { impl_->clear(); }
 
 PrefixCache::PrefixCache(std::size_t capacity, std::size_t bytes)
     : capacity_(capacity), mostBytes_(bytes > 0 ? bytes : machineMemory() / 8) {}
@@ -125,5 +120,14 @@ std::string prefixKey(const std::vector<const PipelineStep*>& steps, std::size_t
   }
   return key;
 }
+
+}  // namespace footfall::detail
+
+namespace footfall {
+
+ResultCache::ResultCache(std::size_t capacity, std::size_t bytes)
+    : inside_(std::make_unique<detail::PrefixCache>(capacity, bytes)) {}
+ResultCache::~ResultCache() = default;
+void ResultCache::clear() { inside_->clear(); }
 
 }  // namespace footfall

@@ -11,7 +11,7 @@
 
 #include "core/pipeline/runner.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// What is known after the first steps of a pipeline. Complete in itself, so that it stays of use when the entries of
 /// shorter prefixes are gone.
@@ -60,11 +60,7 @@ class PrefixCache {
   std::list<Entry> entries_;  // most recently used first
 };
 
-struct ResultCache::Impl : PrefixCache {
-  using PrefixCache::PrefixCache;
-};
-
 /// Filters and parameters of the first `count` of `steps` as one text, equal exactly when they are equal.
 std::string prefixKey(const std::vector<const PipelineStep*>& steps, std::size_t count);
 
-}  // namespace footfall
+}  // namespace footfall::detail

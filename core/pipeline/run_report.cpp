@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pipeline/run_report.hpp"
-
 #include <algorithm>
 #include <numeric>
+
+#include "footfall/statistics.hpp"
 
 namespace footfall {
 

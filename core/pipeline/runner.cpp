@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/environment/background_release.hpp"
-#include "core/environment/worker_arena.hpp"
-#include "core/metrics/process_usage.hpp"
+#include "core/base/background_release.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/base/worker_arena.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/parallel_block.hpp"
 #include "core/pipeline/result_cache.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 constexpr Pattern kAtPlace{"%1: %2"};
@@ -285,31 +285,12 @@ class Run {
 
 }  // namespace
 
-RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
-                      ResultCache* cache, int threads) {
-  checkRunnable(pipeline);
-  const Stopwatch watch;
-  RunResult result = onThreads(threads, [&](int workers) {
-    Run run(std::move(environment), pipeline, context, cache ? cache->impl_.get() : nullptr, workers, watch);
-    RunResult made = run.execute();
-    made.threads = workers;
-    return made;
-  });
-  result.totalMs = watch.wallMs();
-  result.cpuMs = watch.cpuMs();
-  RunTimes& times = result.times;
-  times.total = result.totalMs;
-  times.overhead =
-      times.total - times.preprocessing - times.partitioning - times.parallel - times.merging - times.postprocessing;
-  return result;
-}
-
 std::vector<StatePtr> stepStates(std::shared_ptr<const Environment> environment, const Pipeline& pipeline,
                                  RunContext& context, ResultCache& cache, int threads) {
   checkRunnable(pipeline);
   const Stopwatch watch;
   return onThreads(threads, [&](int workers) {
-    return Run(std::move(environment), pipeline, context, cache.impl_.get(), workers, watch).states();
+    return Run(std::move(environment), pipeline, context, &cache.inside(), workers, watch).states();
   });
 }
 
@@ -334,6 +315,30 @@ Partition previewPartition(const std::shared_ptr<const Environment>& environment
       });
     });
   });
+}
+
+}  // namespace footfall::detail
+
+namespace footfall {
+
+RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                      ResultCache* cache, int threads) {
+  using namespace detail;
+  checkRunnable(pipeline);
+  const Stopwatch watch;
+  RunResult result = onThreads(threads, [&](int workers) {
+    Run run(std::move(environment), pipeline, context, cache ? &cache->inside() : nullptr, workers, watch);
+    RunResult made = run.execute();
+    made.threads = workers;
+    return made;
+  });
+  result.totalMs = watch.wallMs();
+  result.cpuMs = watch.cpuMs();
+  RunTimes& times = result.times;
+  times.total = result.totalMs;
+  times.overhead =
+      times.total - times.preprocessing - times.partitioning - times.parallel - times.merging - times.postprocessing;
+  return result;
 }
 
 }  // namespace footfall

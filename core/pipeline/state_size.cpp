@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "core/filters/assembly_memory.hpp"
-#include "core/filters/mesh_topology.hpp"
-#include "core/filters/simplifier.hpp"
+#include "core/assembly/assembly_memory.hpp"
+#include "core/filters/simplification/simplifier.hpp"
+#include "core/mesh/mesh_topology.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 namespace {
 
 template <typename Element>
@@ -66,4 +66,4 @@ std::size_t sizeOf(const NavigationMesh& mesh) {
          bytesOf(mesh.obstacleEdges) + bytesOf(mesh.connections);
 }
 
-}  // namespace footfall
+}  // namespace footfall::detail

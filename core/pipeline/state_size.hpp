@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <unordered_set>
 
-#include "core/environment/navigation_mesh.hpp"
-#include "core/filters/walkable_state.hpp"
+#include "core/assembly/walkable_state.hpp"
+#include "footfall/navigation_mesh.hpp"
 
-namespace footfall {
+namespace footfall::detail {
 
 /// What was counted already: states share most of what they are made of.
 using CountedParts = std::unordered_set<const void*>;
@@ -18,4 +18,4 @@ using CountedParts = std::unordered_set<const void*>;
 std::size_t sizeOf(const WalkableState& state, CountedParts& counted);
 std::size_t sizeOf(const NavigationMesh& mesh);
 
-}  // namespace footfall
+}  // namespace footfall::detail

@@ -11,11 +11,12 @@
 #include <thread>
 #include <vector>
 
-#include "core/environment/import.hpp"
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/io/import.hpp"
 #include "core/pipeline/runner.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 constexpr double kDueMs = 50;

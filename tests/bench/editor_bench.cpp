@@ -4,17 +4,19 @@
 #include <QTemporaryDir>
 #include <iostream>
 
-#include "core/environment/export.hpp"
-#include "core/errors.hpp"
+#include "core/io/export.hpp"
+#include "footfall/errors.hpp"
 #include "tests/bench/editor_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
-#include "ui/editor_application.hpp"
-#include "ui/guarded_application.hpp"
+#include "ui/base/guarded_application.hpp"
+#include "ui/window/editor_application.hpp"
 
 namespace {
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::bench;
+using namespace footfall::ui;
 
 struct Arguments {
   EditorSubject subject{FOOTFALL_SOURCE_DIR "/samples/docks/docks.obj"};

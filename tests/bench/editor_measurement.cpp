@@ -3,18 +3,20 @@
 
 #include <array>
 
-#include "core/errors.hpp"
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
+#include "footfall/errors.hpp"
 #include "tests/bench/sampling.hpp"
 #include "tests/bench/view_watch.hpp"
 #include "tests/editor/editor_driver.hpp"
-#include "ui/agent_edits.hpp"
-#include "ui/agents_panel.hpp"
-#include "ui/frame_watchdog.hpp"
-#include "ui/number_text.hpp"
-#include "ui/obstacle_features.hpp"
+#include "ui/agents/agent_edits.hpp"
+#include "ui/agents/agents_panel.hpp"
+#include "ui/base/frame_watchdog.hpp"
+#include "ui/base/number_text.hpp"
+#include "ui/level/obstacle_features.hpp"
 
 namespace footfall::bench {
+using namespace detail;
+using namespace ui;
 namespace {
 
 constexpr int kRepaints = 9;

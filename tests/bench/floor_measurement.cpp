@@ -8,10 +8,11 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "core/environment/input_file.hpp"
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/io/input_file.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 void check(RTCDevice device) {

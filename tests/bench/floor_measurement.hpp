@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 #include "tests/bench/sampling.hpp"
 
 namespace footfall::bench {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "core/environment/export.hpp"
-#include "core/errors.hpp"
+#include "core/io/export.hpp"
+#include "footfall/errors.hpp"
 #include "tests/bench/benchmark.hpp"
 #include "tests/bench/report.hpp"
 #include "tests/bench/targets.hpp"
@@ -13,6 +13,7 @@
 namespace {
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::bench;
 
 void runProgramWith(int argc, char** argv) {

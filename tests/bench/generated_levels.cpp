@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/environment/export.hpp"
+#include "core/io/export.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 using Units = std::int64_t;  // of 1/64 m

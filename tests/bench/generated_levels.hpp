@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 
 namespace footfall::bench {
 

@@ -7,11 +7,12 @@
 #include <optional>
 #include <random>
 
-#include "core/environment/environment_edit.hpp"
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/edit.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 constexpr int kEditsPerRun = 12;

@@ -8,13 +8,14 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/environment/export.hpp"
-#include "core/environment/triangle_tree.hpp"
-#include "core/metrics/process_usage.hpp"
-#include "core/pipeline/export_header.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/base/triangle_tree.hpp"
+#include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
+#include "core/report/export_header.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 // The processor time between the steps, which the runner's own statistics do not have.

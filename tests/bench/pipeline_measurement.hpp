@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/environment/navigation_mesh.hpp"
-#include "core/pipeline/pipeline.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/pipeline.hpp"
 #include "tests/bench/sampling.hpp"
 #include "tests/bench/subject.hpp"
 

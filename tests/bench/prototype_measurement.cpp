@@ -4,9 +4,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 double readTotal(const std::string& output) {

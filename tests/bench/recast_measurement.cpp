@@ -9,9 +9,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 template <auto release>

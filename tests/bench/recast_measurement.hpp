@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 #include "tests/bench/sampling.hpp"
 
 namespace footfall::bench {

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;

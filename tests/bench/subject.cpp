@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "core/environment/import.hpp"
-#include "core/errors.hpp"
+#include "core/io/import.hpp"
+#include "footfall/errors.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 
 Subject parseSubject(const std::string& text, double clearance) {
   Subject subject{"", text, clearance};

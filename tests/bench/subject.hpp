@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 
 namespace footfall::bench {
 

@@ -5,14 +5,15 @@
 #include <filesystem>
 #include <iostream>
 
-#include "core/environment/export.hpp"
-#include "core/errors.hpp"
+#include "core/io/export.hpp"
+#include "footfall/errors.hpp"
 #include "tests/bench/thesis_experiments.hpp"
 #include "tests/bench/thesis_report.hpp"
 
 namespace {
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::bench;
 
 std::vector<ThesisSubject> samplesWithPipelines() {

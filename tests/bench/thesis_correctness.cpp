@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/thesis_correctness.hpp"
 
-#include "core/environment/export.hpp"
-#include "core/metrics/mesh_comparison.hpp"
+#include "core/compare/mesh_comparison.hpp"
+#include "core/io/export.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 // How close the bound of the largest distance is to be.

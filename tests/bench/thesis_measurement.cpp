@@ -5,12 +5,13 @@
 #include <map>
 #include <thread>
 
-#include "core/environment/export.hpp"
-#include "core/errors.hpp"
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/io/export.hpp"
+#include "footfall/errors.hpp"
 #include "tests/bench/sampling.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 // TBB's workers leave the arena of a run that has ended only after a hundred yields. On a busy machine, where they

@@ -11,6 +11,7 @@
 #include "tests/bench/thesis_pipelines.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 
 /// A way to run an environment.
 struct Configuration {

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/environment/number_text.hpp"
-#include "core/errors.hpp"
+#include "core/base/number_text.hpp"
+#include "footfall/errors.hpp"
 #include "tests/bench/pipeline_measurement.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 namespace {
 
 constexpr double kWeldMetres = 0.005;

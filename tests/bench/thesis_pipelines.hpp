@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "core/environment/environment.hpp"
-#include "core/pipeline/pipeline.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/pipeline.hpp"
 #include "tests/bench/subject.hpp"
 
 namespace footfall::bench {

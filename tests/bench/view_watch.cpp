@@ -6,9 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/metrics/process_usage.hpp"
+#include "core/base/process_usage.hpp"
 
 namespace footfall::bench {
+using namespace detail;
 
 ViewWatch::ViewWatch(EditorWindow& window) : window_(window) {
   connect(&window.view(), &LevelView::frameSwapped, this, &ViewWatch::frameShown);

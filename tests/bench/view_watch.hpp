@@ -7,9 +7,11 @@
 #include <QTimer>
 #include <optional>
 
-#include "ui/editor_window.hpp"
+#include "ui/window/editor_window.hpp"
 
 namespace footfall::bench {
+using namespace detail;
+using namespace ui;
 
 /// Milliseconds since an edit.
 struct EditTimes {

@@ -1,12 +1,8 @@
 // A project outside the tree that uses the installed library: one square floor through the default pipeline.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
+#include <footfall/run.hpp>
 #include <memory>
-
-#include "core/environment/environment.hpp"
-#include "core/pipeline/pipeline.hpp"
-#include "core/pipeline/run_context.hpp"
-#include "core/pipeline/runner.hpp"
 
 int main() {
   auto environment = std::make_shared<footfall::Environment>();

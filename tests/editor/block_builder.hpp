@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "ui/cell_block.hpp"
+#include "ui/view/cell_block.hpp"
 
 namespace footfall::test {
+using namespace ui;
 
 /// A block of cells side by side along x, each one unit wide; the outer sides are open.
 class BlockBuilder {

@@ -8,11 +8,13 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "ui/editor_application.hpp"
-#include "ui/editor_window.hpp"
-#include "ui/guarded_application.hpp"
+#include "ui/base/guarded_application.hpp"
+#include "ui/window/editor_application.hpp"
+#include "ui/window/editor_window.hpp"
 
 namespace footfall::test {
+using namespace detail;
+using namespace ui;
 
 /// A square floor of 8 x 8 at the height 0, counter-clockwise seen from above; Z up.
 inline QByteArray floorObj() { return "v -4 -4 0\nv 4 -4 0\nv 4 4 0\nv -4 4 0\nf 1 2 3\nf 1 3 4\n"; }

@@ -3,11 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "core/environment/collada_asset.hpp"
-#include "core/environment/truncation_check.hpp"
+#include "core/io/collada_asset.hpp"
+#include "core/io/truncation_check.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::fuzz;
 
 namespace {

@@ -7,10 +7,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/environment/import.hpp"
+#include "core/io/import.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::fuzz;
 
 namespace {

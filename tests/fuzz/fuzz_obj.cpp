@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/environment/environment.hpp"
-#include "core/environment/number_text.hpp"
-#include "core/environment/obj_reader.hpp"
+#include "core/base/number_text.hpp"
+#include "core/io/obj_reader.hpp"
+#include "footfall/environment.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::fuzz;
 
 namespace {

@@ -10,13 +10,14 @@
 #include <chrono>
 #include <iostream>
 
-#include "core/environment/export.hpp"
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
+#include "core/io/export.hpp"
 #include "tests/fuzz/isolated_call.hpp"
 #include "tests/fuzz/pipeline_case.hpp"
 #include "tests/fuzz/pipeline_check.hpp"
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::fuzz;
 
 namespace {

@@ -1,10 +1,11 @@
 // Any bytes as a pipeline file: a pipeline that is the same when it is written and read, or one line of error.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pipeline/export_header.hpp"
-#include "core/pipeline/pipeline.hpp"
+#include "core/report/export_header.hpp"
+#include "footfall/pipeline.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::fuzz;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

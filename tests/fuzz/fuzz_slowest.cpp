@@ -12,15 +12,16 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "core/environment/export.hpp"
-#include "core/environment/number_text.hpp"
-#include "core/metrics/process_usage.hpp"
-#include "core/pipeline/pipeline.hpp"
+#include "core/base/number_text.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/pipeline.hpp"
 #include "tests/fuzz/isolated_call.hpp"
 #include "tests/fuzz/slow_soups.hpp"
 
 using namespace footfall;
+using namespace footfall::detail;
 using namespace footfall::fuzz;
 
 namespace {

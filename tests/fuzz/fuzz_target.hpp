@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/errors.hpp"
+#include "footfall/errors.hpp"
 
 /// Takes any bytes and returns 0. libFuzzer calls it with what it makes up, replay_corpus.cpp with files.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -7,10 +7,11 @@
 #include <initializer_list>
 #include <random>
 
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "tests/support/soup_generators.hpp"
 
 namespace footfall::fuzz {
+using namespace detail;
 namespace {
 
 using test::Soup;

@@ -6,13 +6,14 @@
 #include <numeric>
 #include <random>
 
-#include "core/environment/export.hpp"
+#include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
 #include "tests/reference/layer_optimum.hpp"
 #include "tests/reference/product_check.hpp"
 #include "tests/support/run_filters.hpp"
 
 namespace footfall::fuzz {
+using namespace detail;
 namespace {
 
 using namespace reference;

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 
 namespace footfall::fuzz {
 

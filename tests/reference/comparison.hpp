@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/filters/exact_view.hpp"
+#include "core/assembly/exact_view.hpp"
 #include "tests/reference/walkable_area.hpp"
 
 namespace footfall::reference {
+using namespace detail;
 
 /// A triangle of the product in rationals.
 struct Piece {

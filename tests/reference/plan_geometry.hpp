@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/environment/environment.hpp"
+#include "footfall/environment.hpp"
 
 namespace footfall::reference {
 

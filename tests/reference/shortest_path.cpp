@@ -15,6 +15,7 @@
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall::reference {
+using namespace detail;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -9,6 +9,7 @@
 #include "core/navigation/path_finder.hpp"
 
 namespace footfall::reference {
+using namespace detail;
 
 /// The length in the plan of the shortest path from a place to another, found by looking at every sequence of
 /// triangles that leads there without repetition; infinite when there is none. Nothing when there are more sequences

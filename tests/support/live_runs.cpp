@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/environment/export.hpp"
+#include "core/io/export.hpp"
 
 namespace footfall::test {
+using namespace detail;
 
 TriangleSoup soupFor(const Soup& soup) {
   TriangleSoup result;

@@ -5,11 +5,12 @@
 #include <memory>
 #include <string>
 
-#include "core/environment/environment_edit.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/edit.hpp"
 #include "tests/support/soup.hpp"
 
 namespace footfall::test {
+using namespace detail;
 
 TriangleSoup soupFor(const Soup& soup);
 

@@ -8,10 +8,11 @@
 #include <map>
 #include <numeric>
 
-#include "core/environment/number_text.hpp"
-#include "core/pipeline/pipeline.hpp"
+#include "core/base/number_text.hpp"
+#include "footfall/pipeline.hpp"
 
 namespace footfall::test {
+using namespace detail;
 namespace {
 
 using Edge = std::array<std::uint32_t, 2>;

@@ -9,6 +9,7 @@
 #include "core/filters/filter.hpp"
 
 namespace footfall::test {
+using namespace detail;
 
 /// `filters` is a pipeline's text ("SlopeFilter 45\nVerticalClearanceFilter 2"). Not through the runner: the exact
 /// state is wanted.

@@ -6,11 +6,11 @@
 
 #include <cstddef>
 
-namespace footfall {
+namespace footfall::test {
 
 void runWithThreads(int threads, const std::function<void()>& body) {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena(threads).execute(body);
 }
 
-}  // namespace footfall
+}  // namespace footfall::test

@@ -4,9 +4,9 @@
 
 #include <functional>
 
-namespace footfall {
+namespace footfall::test {
 
 /// As many threads as asked for, however few processors there are.
 void runWithThreads(int threads, const std::function<void()>& body);
 
-}  // namespace footfall
+}  // namespace footfall::test

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/soup.hpp"
 
-#include "core/environment/number_text.hpp"
+#include "core/base/number_text.hpp"
 
 namespace footfall::test {
+using namespace detail;
 
 Soup& Soup::triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   triangles_.push_back({a, b, c});

@@ -8,14 +8,15 @@
 #include <memory>
 #include <string>
 
-#include "core/environment/import.hpp"
-#include "core/errors.hpp"
+#include "core/io/import.hpp"
+#include "footfall/errors.hpp"
 
 #ifndef FOOTFALL_SOURCE_DIR
 #define FOOTFALL_SOURCE_DIR "."
 #endif
 
 namespace footfall::test {
+using namespace detail;
 
 /// A folder that is removed with this object.
 class TemporaryFolder {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/filters/descriptor.hpp"
+#include "footfall/filter.hpp"
 
 namespace {
 

@@ -1,0 +1,44 @@
+// What a clearance filter keeps beside its result, so that a later run need not find it again.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <memory_resource>
+#include <utility>
+#include <vector>
+
+#include "core/assembly/face_mesh.hpp"
+
+namespace footfall::detail {
+
+/// Which vertices lie on which outlines. Faces are known by their number, what belongs to them by its place among the
+/// face's own: nothing here depends on what other faces there are.
+struct JoinMemory {
+  /// Of all faces that were joined, in that order: the face, where its points begin, where its outlines begin.
+  struct Entry {
+    Index face = -1;
+    Index firstPoint = 0;
+    Index firstOutline = 0;
+  };
+  struct Incidence {
+    Index outline = -1;
+    Index vertex = -1;
+  };
+  std::vector<Entry> entries;   ///< and one more, with the ends
+  std::vector<Index> vertexOf;  ///< for each point of each entry its vertex, or -1
+  Index vertexCount = 0;
+  std::vector<Incidence> between;              ///< the vertex lies strictly inside the outline
+  std::vector<std::pair<Index, Index>> equal;  ///< vertices at one place
+};
+
+struct AssemblyMemory {
+  /// For each source triangle that something cuts; else null.
+  FaceMeshes meshes;
+  /// For each source triangle what stands in the clearance above it and overlaps it in the plan, ascending; null:
+  /// nothing, or no floor.
+  std::vector<std::shared_ptr<const std::pmr::vector<Index>>> candidates;
+  double clearance = 0;
+  JoinMemory join;
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/assembly/earlier_result.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <numeric>
+
+#include "core/assembly/assembly_memory.hpp"
+
+namespace footfall::detail {
+namespace {
+
+// So many boxes are worth a tree.
+constexpr std::size_t kManyBoxes = 32;
+
+bool overlaps(const Box& a, const Box& b) {
+  return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] && a.upper[1] >= b.lower[1] &&
+         a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
+}
+
+// Whether a point depends on a height above a floor.
+bool usesLevel(const PlanPoint& point) {
+  const auto isRaised = [](const PlanLine& line) { return line.kind == PlanLine::Trace && line.b != 0; };
+  if (point.kind == PlanPoint::EdgePlane) return point.d != 0;
+  return point.kind == PlanPoint::Crossing && (isRaised(point.firstLine()) || isRaised(point.secondLine()));
+}
+
+// A copy that is never destroyed: all that it has lies in the memory as well.
+template <class T>
+T* copyInto(const CopyMemory& memory, const T& value) {
+  return new (memory->allocate(sizeof(T), alignof(T))) T(value, memory.get());
+}
+
+Box boxAround(const std::vector<Box>& boxes) {
+  Box all;
+  all.lower.fill(std::numeric_limits<double>::infinity());
+  all.upper.fill(-std::numeric_limits<double>::infinity());
+  for (const Box& b : boxes)
+    for (int k = 0; k < 3; ++k) {
+      all.lower[k] = std::min(all.lower[k], b.lower[k]);
+      all.upper[k] = std::max(all.upper[k], b.upper[k]);
+    }
+  return all;
+}
+
+}  // namespace
+
+CopyMemory makeCopyMemory() {
+  constexpr std::size_t kFirstBlock = 1 << 16;
+  return std::make_shared<std::pmr::monotonic_buffer_resource>(kFirstBlock);
+}
+
+std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const PlanKernel& now) {
+  if (!before) return std::nullopt;
+  const auto& mesh = now.sharedMesh();
+  const bool sameHeights = before->kernel->heights() == now.heights();
+  if (before->kernel->sharedMesh() == mesh) return EarlierResult(before, nullptr, sameHeights);
+  if (mesh->edit && mesh->edit->base.lock() == before->kernel->sharedMesh())
+    return EarlierResult(before, mesh->edit, sameHeights);
+  return std::nullopt;
+}
+
+EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, bool sameHeights)
+    : before_(std::move(before)), edit_(std::move(edit)), sameHeights_(sameHeights) {
+  if (!edit_) return;
+  removed_ = boxAround(edit_->removed);
+  added_ = boxAround(edit_->added);
+  if (edit_->removed.size() + edit_->added.size() < kManyBoxes) return;
+  std::vector<Box> boxes = edit_->removed;
+  boxes.insert(boxes.end(), edit_->added.begin(), edit_->added.end());
+  std::vector<std::int32_t> ids(boxes.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  auto tree = std::make_shared<TriangleTree>();
+  tree->build(boxes, ids);
+  tree_ = std::move(tree);
+}
+
+bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) const {
+  if (before.x != now.x || before.y != now.y || before.z != now.z || before.error != now.error) return false;
+  if (!sameHeights_ && usesLevel(now.point)) return false;
+  if (!edit_) return before.point == now.point && before.face == now.face && before.source == now.source;
+  return edit_->triangleOf[before.face] == now.face &&
+         (before.source < 0 ? now.source < 0 : edit_->vertexOf[before.source] == now.source) &&
+         renumbered(before.point) == now.point;
+}
+
+bool EarlierResult::isTouched(const Box& box) const {
+  if (!edit_) return false;
+  if (tree_) {
+    if (!overlaps(removed_, box) && !overlaps(added_, box)) return false;
+    std::vector<std::int32_t> stack;
+    bool isFound = false;
+    tree_->visitOverlapping(box, stack, [&](std::int32_t id) {
+      const auto i = static_cast<std::size_t>(id), removed = edit_->removed.size();
+      isFound = overlaps(i < removed ? edit_->removed[i] : edit_->added[i - removed], box);
+      return !isFound;
+    });
+    return isFound;
+  }
+  const auto any = [&](const Box& all, const std::vector<Box>& boxes) {
+    return overlaps(all, box) &&
+           std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return overlaps(b, box); });
+  };
+  return any(removed_, edit_->removed) || any(added_, edit_->added);
+}
+
+PlanLine EarlierResult::renumbered(PlanLine line) const {
+  if (line.kind == PlanLine::Edge) {
+    line.a = edit_->planOf[line.a];
+    line.b = edit_->planOf[line.b];
+  } else {
+    line.a = edit_->triangleOf[line.a];
+  }
+  return line;
+}
+
+PlanPoint EarlierResult::renumbered(PlanPoint point) const {
+  switch (point.kind) {
+    case PlanPoint::Source:
+      point.a = edit_->planOf[point.a];
+      break;
+    case PlanPoint::EdgePlane:
+      point.a = edit_->vertexOf[point.a];
+      point.b = edit_->vertexOf[point.b];
+      point.c = edit_->triangleOf[point.c];
+      break;
+    default: {
+      const PlanLine first = renumbered(point.firstLine()), second = renumbered(point.secondLine());
+      point.b = first.a;
+      point.c = first.b;
+      point.e = second.a;
+      point.f = second.b;
+      if (point.face >= 0) point.face = edit_->triangleOf[point.face];
+    }
+  }
+  return point;
+}
+
+std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore, const CopyMemory& memory) const {
+  const auto& shared = before_->cuts->shared(faceBefore);
+  if (!edit_ || !shared) return shared;
+  FaceCuts* const result = copyInto(memory, *shared);
+  for (PlanPoint& p : result->points) p = renumbered(p);
+  for (PlanLine& l : result->lines) l = renumbered(l);
+  return {memory, result};
+}
+
+std::shared_ptr<const FaceMesh> EarlierResult::mesh(Index faceBefore, const CopyMemory& memory) const {
+  const auto& shared = before_->memory->meshes[faceBefore];
+  if (!edit_ || !shared) return shared;
+  FaceMesh* const result = copyInto(memory, *shared);
+  for (PlanPoint& p : result->points) p = renumbered(p);
+  for (PlanLine& l : result->lines) l = renumbered(l);
+  return {memory, result};
+}
+
+std::shared_ptr<const std::pmr::vector<Index>> EarlierResult::candidates(Index faceBefore,
+                                                                         const CopyMemory& memory) const {
+  const auto& shared = before_->memory->candidates[faceBefore];
+  if (!edit_ || !shared) return shared;
+  std::pmr::vector<Index>* const result = copyInto(memory, *shared);
+  for (Index& t : *result) t = edit_->triangleOf[t];
+  std::erase(*result, -1);
+  return {memory, result};
+}
+
+const std::vector<Index>& EarlierResult::added() const {
+  static const std::vector<Index> kNone;
+  return edit_ ? edit_->addedTriangles : kNone;
+}
+
+}  // namespace footfall::detail

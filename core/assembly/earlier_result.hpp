@@ -1,0 +1,61 @@
+// What an earlier run found at the same place of a pipeline, and what of it still holds.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <memory_resource>
+#include <optional>
+#include <vector>
+
+#include "core/assembly/face_mesh.hpp"
+#include "core/assembly/recall.hpp"
+#include "core/assembly/walkable_state.hpp"
+#include "core/base/triangle_tree.hpp"
+#include "core/exact/source_edit.hpp"
+
+namespace footfall::detail {
+
+/// Where copies of one thread lie, that are let go together: each holds all of it.
+using CopyMemory = std::shared_ptr<std::pmr::monotonic_buffer_resource>;
+[[nodiscard]] CopyMemory makeCopyMemory();
+
+/// An earlier state whose source mesh is the present one or the one that it was edited from. Faces keep their parts
+/// while nothing came or went in the clearance above them; numbers are those of the present mesh.
+class EarlierResult {
+ public:
+  /// Empty when the two do not relate. Their heights may differ.
+  static std::optional<EarlierResult> relate(const StatePtr& before, const PlanKernel& now);
+
+  [[nodiscard]] const WalkableState& state() const { return *before_; }
+  /// The number that a triangle had, or -1.
+  [[nodiscard]] Index faceBefore(Index face) const { return edit_ ? edit_->baseOf[face] : face; }
+  /// The number that a triangle of the earlier mesh has now, or -1.
+  [[nodiscard]] Index faceNow(Index before) const { return edit_ ? edit_->triangleOf[before] : before; }
+  /// Whether two vertices of walkable meshes are the same: point, face, source and rounded place.
+  [[nodiscard]] bool isSame(const MeshVertex& before, const MeshVertex& now) const;
+  /// Whether a triangle that came or went may reach into the box.
+  [[nodiscard]] bool isTouched(const Box& box) const;
+
+  // Of what a clearance filter remembered.
+
+  [[nodiscard]] std::shared_ptr<const FaceCuts> cuts(Index faceBefore, const CopyMemory& memory) const;
+  [[nodiscard]] std::shared_ptr<const FaceMesh> mesh(Index faceBefore, const CopyMemory& memory) const;
+  /// What stood above a face, as far as it still exists.
+  [[nodiscard]] std::shared_ptr<const std::pmr::vector<Index>> candidates(Index faceBefore,
+                                                                          const CopyMemory& memory) const;
+  /// The triangles that came, except degenerate ones.
+  [[nodiscard]] const std::vector<Index>& added() const;
+
+ private:
+  EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, bool sameHeights);
+  [[nodiscard]] PlanPoint renumbered(PlanPoint point) const;
+  [[nodiscard]] PlanLine renumbered(PlanLine line) const;
+
+  StatePtr before_;
+  std::shared_ptr<const SourceEdit> edit_;    ///< null: the same mesh
+  bool sameHeights_;                          ///< levels mean what they meant
+  Box removed_, added_;                       ///< around all that went and came
+  std::shared_ptr<const TriangleTree> tree_;  ///< over both, where they are many
+};
+
+}  // namespace footfall::detail

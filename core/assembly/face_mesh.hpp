@@ -1,0 +1,60 @@
+// The walkable part of one face as triangles: what its cuts leave.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <memory_resource>
+#include <vector>
+
+#include "core/exact/face_cuts.hpp"
+#include "core/exact/face_triangulation.hpp"
+
+namespace footfall::detail {
+
+/// Points are numbered within the face; 0, 1, 2 are its corners.
+struct FaceMesh {
+  struct Cell {
+    std::array<Index, 3> corners{};
+    std::uint8_t obstacleEdges = 0;                    ///< bit k: edge from corner k to k + 1
+    std::uint8_t outlineEdges = 0;                     ///< bit k: no walkable part of this face on the other side
+    std::array<std::int8_t, 3> faceEdges{-1, -1, -1};  ///< for an outline edge on the face's own edge: which
+    std::array<Index, 3> lines{-1, -1, -1};            ///< supporting line of an outline or obstacle edge
+  };
+  FaceMesh() = default;
+  /// A copy that lies in `memory`.
+  FaceMesh(const FaceMesh& other, std::pmr::memory_resource* memory)
+      : points(other.points, memory),
+        approximate(other.approximate, memory),
+        lines(other.lines, memory),
+        cells(other.cells, memory) {}
+
+  std::pmr::vector<PlanPoint> points;
+  std::pmr::vector<ApproximatePoint> approximate;  ///< relative to the face's first vertex
+  std::pmr::vector<PlanLine> lines;
+  std::pmr::vector<Cell> cells;
+};
+
+/// For each source triangle what its cuts leave; null where nothing cuts it.
+using FaceMeshes = std::vector<std::shared_ptr<const FaceMesh>>;
+
+/// Triangulates a face by its cuts. `covered` chooses the covered parts instead of the walkable ones.
+class FaceMesher {
+ public:
+  /// `advance(n)` (may be empty) is called when n more segments are in.
+  FaceMesher(const PlanKernel& kernel, std::function<void()> poll, std::function<void(std::size_t)> advance = {})
+      : geometry_(kernel), triangulation_(geometry_, std::move(poll)), advance_(std::move(advance)) {}
+
+  FaceMesh mesh(Index face, const FaceCuts* cuts, bool covered = false);
+
+  [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
+
+ private:
+  void insertCuts(const FaceCuts& cuts);
+
+  FaceGeometry geometry_;
+  FaceTriangulation triangulation_;
+  std::function<void(std::size_t)> advance_;
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,42 @@
+// What obstacles leave on the part of a floor that lies in one cell, until the cells are put together.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/exact/face_cuts.hpp"
+#include "core/exact/plan_kernel.hpp"
+
+namespace footfall::detail {
+
+/// One side of a cell in the plan.
+struct CellSide {
+  PlanLine border;  ///< a Border line of the kernel
+  int keep = 1;     ///< sign of the border's side on which the cell lies
+};
+
+/// Segments inside the cell are as in FaceCuts. Those that a border cut in two carry their obstacle: it has at most one
+/// segment on each line, so obstacle and line tell which pieces belong together.
+struct FaceShare {
+  struct Piece {
+    Index obstacle = -1;
+    CutSegment segment;  ///< an end that a border made is -1
+  };
+
+  bool removed = false;  ///< one obstacle covers the whole face, in this cell and in all others
+  std::uint8_t edgeWalls = 0;
+  bool dependsOnFloors = false;
+  std::vector<PlanPoint> points;
+  std::vector<std::uint8_t> borders;  ///< as in FaceCuts
+  std::vector<PlanLine> lines;
+  std::vector<CutSegment> segments;
+  std::vector<Piece> pieces;
+  std::vector<Index> candidates;  ///< what stands in the clearance above this part, ascending
+
+  [[nodiscard]] bool empty() const {
+    return !removed && edgeWalls == 0 && !dependsOnFloors && segments.empty() && pieces.empty() && candidates.empty();
+  }
+};
+
+}  // namespace footfall::detail

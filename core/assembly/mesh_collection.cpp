@@ -1,0 +1,322 @@
+// How a MeshJoiner collects the parts of all faces.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangles, outlines and points have their places by the faces' order. Vertices are numbered by their first use, for
+// which one thread looks at a few bytes of each point; all else is done by all threads, for ranges of points or
+// triangles, since a single face can have most of them.
+#include <oneapi/tbb/combinable.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <mutex>
+
+#include "core/assembly/mesh_joiner.hpp"
+#include "core/base/numbered_table.hpp"
+#include "core/base/parallel_ranges.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::size_t kFacesPerTask = 512;
+constexpr std::size_t kPointsPerTask = 1024;
+constexpr std::size_t kTrianglesPerTask = 1024;
+constexpr std::size_t kPolled = 1 << 14;
+
+// As in PlanKernel: what is known worse than this share of the coordinates is computed exactly.
+constexpr double kCoarse = 0x1p-26;
+
+int next(int k) { return k == 2 ? 0 : k + 1; }
+
+// What a used point is, where it is no source vertex.
+constexpr Index kOnSourceEdge = -1, kOfOneFace = -2, kUnused = -3;
+
+template <class Work>
+void forBlocks(std::size_t count, std::size_t size, RunContext& context, const Work& work) {
+  forRanges((count + size - 1) / size, 1, [&](std::size_t block, std::size_t) {
+    context.checkCancelled();
+    work(block, block * size, std::min((block + 1) * size, count));
+  });
+}
+
+}  // namespace
+
+struct MeshJoiner::Additions {
+  std::span<const FaceToJoin> faces;
+  std::vector<Index> firstTriangle;  ///< for each face
+  std::size_t pointCount = 0, triangleCount = 0, outlineCount = 0;
+  /// For each block of triangles the outlines of the face to which the first one belongs, before that one.
+  std::vector<Index> outlinesBefore;
+  /// The points of each face in the order of their first use, from where its points begin; then -1 for those without.
+  std::vector<Index> pointOf;
+  std::vector<Index> names;       ///< of each of them: a source vertex, or what it is instead
+  std::vector<Index> firstUseOf;  ///< of each vertex: the place of the point
+};
+
+// Places for the points and triangles of the faces.
+void MeshJoiner::layOut(Additions& additions, RunContext& context) {
+  const auto& faces = additions.faces;
+  auto& entries = memory_.entries;
+  entries.resize(faces.size() + 1);
+  additions.firstTriangle.resize(faces.size() + 1);
+  forBlocks(faces.size(), kFacesPerTask, context, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const FaceMesh* parts = faces[i].parts;
+      entries[i] = {faces[i].face, parts != nullptr ? static_cast<Index>(parts->points.size()) : 3, 0};
+      additions.firstTriangle[i] = parts != nullptr ? static_cast<Index>(parts->cells.size()) : 1;
+    }
+  });
+  Index points = 0, triangles = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    points += std::exchange(entries[i].firstPoint, points);
+    triangles += std::exchange(additions.firstTriangle[i], triangles);
+  }
+  entries.back().firstPoint = points;
+  additions.firstTriangle.back() = triangles;
+  additions.pointCount = static_cast<std::size_t>(points);
+  additions.triangleCount = static_cast<std::size_t>(triangles);
+}
+
+// The points that a face uses, in that order, and places for its outlines.
+Index MeshJoiner::listUses(std::size_t entry, Additions& additions) {
+  const auto& entries = memory_.entries;
+  const FaceMesh* parts = additions.faces[entry].parts;
+  Index* use = additions.pointOf.data() + entries[entry].firstPoint;
+  Index triangle = additions.firstTriangle[entry];
+  const auto noteOutlines = [&](Index count) {
+    if (triangle % kTrianglesPerTask == 0) additions.outlinesBefore[triangle / kTrianglesPerTask] = count;
+    ++triangle;
+  };
+  if (parts == nullptr) {
+    for (Index k = 0; k < 3; ++k) *use++ = k;
+    noteOutlines(0);
+    return 3;
+  }
+  Index* const seen = memory_.vertexOf.data() + entries[entry].firstPoint;
+  Index outlines = 0;
+  for (const FaceMesh::Cell& cell : parts->cells) {
+    for (const Index p : cell.corners)
+      if (std::exchange(seen[p], 0) < 0) *use++ = p;
+    noteOutlines(outlines);
+    outlines += std::popcount(cell.outlineEdges);
+  }
+  std::fill(use, additions.pointOf.data() + entries[entry + 1].firstPoint, -1);
+  return outlines;
+}
+
+// What a face's points are: source vertices, points on source edges, which faces may share, and all others.
+void MeshJoiner::nameUses(std::size_t entry, Index first, Index last, Additions& additions,
+                          ExactFallbacks& fallbacks) const {
+  const FaceToJoin& given = additions.faces[entry];
+  const auto& f = mesh_.triangles[given.face];
+  const auto isCorner = [&](Index v) { return f[0] == v || f[1] == v || f[2] == v; };
+  const auto nameOf = [&](Index p) {
+    if (p < 0) return kUnused;
+    if (p < 3) return f[p];
+    const PlanPoint& point = given.parts->points[p];
+    if (point.kind == PlanPoint::Source) {
+      // an obstacle's vertex seen from above: it may itself lie on the floor
+      for (Index v = point.a; v < static_cast<Index>(mesh_.planIds.size()) && mesh_.planIds[v] == point.a; ++v)
+        if (kernel_.heightSign(given.face, v, 0, fallbacks) == 0) return v;
+    }
+    const bool isOnSourceEdge = point.kind == PlanPoint::EdgePlane &&
+                                ((isCorner(point.a) && isCorner(point.b)) || (point.c == given.face && point.d == 0));
+    return isOnSourceEdge ? kOnSourceEdge : kOfOneFace;
+  };
+  for (Index place = first; place < last; ++place) additions.names[place] = nameOf(additions.pointOf[place]);
+}
+
+void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
+  memory_.vertexOf.assign(additions.pointCount, -1);
+  additions.pointOf.resize(additions.pointCount);
+  additions.names.resize(additions.pointCount);
+  additions.outlinesBefore.resize(additions.triangleCount / kTrianglesPerTask + 1);
+  auto& entries = memory_.entries;
+  const std::size_t count = additions.faces.size();
+  tbb::combinable<ExactFallbacks> fallbacks;
+  std::vector<Index> large;  // a face can have most of the points
+  std::mutex mutex;
+  forBlocks(count, kFacesPerTask, context, [&](std::size_t, std::size_t firstFace, std::size_t lastFace) {
+    ExactFallbacks& found = fallbacks.local();
+    for (std::size_t i = firstFace; i < lastFace; ++i) {
+      entries[i].firstOutline = listUses(i, additions);
+      const Index first = entries[i].firstPoint, last = entries[i + 1].firstPoint;
+      if (static_cast<std::size_t>(last - first) <= kPointsPerTask) {
+        nameUses(i, first, last, additions, found);
+        continue;
+      }
+      const std::lock_guard lock(mutex);
+      large.push_back(static_cast<Index>(i));
+    }
+  });
+  for (const Index i : large) {
+    const Index begin = entries[i].firstPoint;
+    forBlocks(static_cast<std::size_t>(entries[i + 1].firstPoint - begin), kPointsPerTask, context,
+              [&](std::size_t, std::size_t first, std::size_t last) {
+                nameUses(i, begin + static_cast<Index>(first), begin + static_cast<Index>(last), additions,
+                         fallbacks.local());
+              });
+  }
+  fallbacks.combine_each([&](const ExactFallbacks& found) { fallbacks_ += found; });
+  Index outlines = 0;
+  for (std::size_t i = 0; i < count; ++i) outlines += std::exchange(entries[i].firstOutline, outlines);
+  entries.back().firstOutline = outlines;
+  additions.outlineCount = static_cast<std::size_t>(outlines);
+}
+
+void MeshJoiner::numberUses(Additions& additions, RunContext& context) {
+  std::vector<Index> ofSource(mesh_.vertices.size(), -1);
+  // In space they lie on the source edge itself, so all faces that know one by this name mean the same vertex.
+  NumberedTable<PlanPoint> onSourceEdges;
+  onSourceEdges.clear();
+  std::vector<Index> ofSourceEdgePoint;
+  std::vector<Index>& firstUseOf = additions.firstUseOf;
+  firstUseOf.reserve(std::min(additions.pointCount, mesh_.vertices.size() + additions.pointCount / 2));
+  const auto addVertex = [&](Index place) {
+    firstUseOf.push_back(place);
+    return static_cast<Index>(firstUseOf.size()) - 1;
+  };
+  const auto numberOf = [&](std::size_t entry, Index place) {
+    const Index name = additions.names[place];
+    if (name >= 0) {
+      if (ofSource[name] < 0) ofSource[name] = addVertex(place);
+      return ofSource[name];
+    }
+    if (name == kOfOneFace) return addVertex(place);
+    const auto [number, isNew] = onSourceEdges.insert(additions.faces[entry].parts->points[additions.pointOf[place]]);
+    if (isNew) ofSourceEdgePoint.push_back(addVertex(place));
+    return ofSourceEdgePoint[number];
+  };
+  const auto& entries = memory_.entries;
+  std::size_t polled = 0;
+  for (std::size_t i = 0; i < additions.faces.size(); ++i) {
+    const Index first = entries[i].firstPoint, end = entries[i + 1].firstPoint;
+    if ((polled += static_cast<std::size_t>(end - first)) > kPolled) {
+      context.checkCancelled();
+      polled = 0;
+    }
+    for (Index place = first; place < end && additions.names[place] != kUnused; ++place)
+      memory_.vertexOf[first + additions.pointOf[place]] = numberOf(i, place);
+  }
+}
+
+MeshVertex MeshJoiner::sourceVertex(Index source, Index face) const {
+  const Vec3& p = mesh_.scaled[source];
+  return {{PlanPoint::Source, mesh_.planIds[source]}, face, source, p.x, p.y, p.z, kernel_.sign().slack};
+}
+
+MeshVertex MeshJoiner::constructedVertex(Index face, const PlanPoint& point,
+                                         const ApproximatePoint& approximate) const {
+  const Vec3& origin = mesh_.scaled[mesh_.triangles[face][0]];
+  const auto& n = mesh_.normals[face];
+  const ErrorDouble x(approximate.x, approximate.error), y(approximate.y, approximate.error);
+  const ErrorDouble gx = x + ErrorDouble(origin.x), gy = y + ErrorDouble(origin.y);
+  const ErrorDouble gz = ErrorDouble(origin.z) - (n[0] * x + n[1] * y) / n[2];
+  MeshVertex vertex{point, face, -1, gx.value, gy.value, gz.value, 0};
+  vertex.error = std::max({gx.error, gy.error, gz.error});
+  const auto size = [&] { return std::max({std::fabs(vertex.x), std::fabs(vertex.y), std::fabs(vertex.z)}); };
+  if (!(vertex.error < kCoarse * (size() + 1))) {
+    // On a sliver, doubles may know next to nothing of the normal. Half a unit in the last place, doubled, and what
+    // subnormal numbers lose.
+    const int scale = mesh_.grid.scaleExponent();
+    const Vec3 place = kernel_.roundedPosition(point, face);
+    vertex.x = std::ldexp(place.x, scale), vertex.y = std::ldexp(place.y, scale), vertex.z = std::ldexp(place.z, scale);
+    vertex.error = size() * 0x1p-52 + std::ldexp(1.0, scale - 1074);
+  }
+  vertex.error += kernel_.sign().slack;
+  return vertex;
+}
+
+void MeshJoiner::fillVertices(const Additions& additions, RunContext& context) {
+  const auto& firstUseOf = additions.firstUseOf;
+  vertices_ = UnfilledArray<MeshVertex>(firstUseOf.size());
+  const auto& entries = memory_.entries;
+  forBlocks(firstUseOf.size(), kPointsPerTask, context, [&](std::size_t, std::size_t first, std::size_t last) {
+    std::size_t i = entryOfPoint(firstUseOf[first]);
+    for (std::size_t v = first; v < last; ++v) {
+      const Index place = firstUseOf[v], name = additions.names[place];
+      while (entries[i + 1].firstPoint <= place) ++i;
+      const FaceToJoin& given = additions.faces[i];
+      const Index p = additions.pointOf[place];
+      vertices_.fill(v, name >= 0 ? sourceVertex(name, given.face)
+                                  : constructedVertex(given.face, given.parts->points[p], given.parts->approximate[p]));
+    }
+  });
+}
+
+void MeshJoiner::fillTriangles(const Additions& additions, RunContext& context) {
+  const auto& faces = additions.faces;
+  const auto& firstTriangle = additions.firstTriangle;
+  const auto& entries = memory_.entries;
+  triangles_ = UnfilledArray<MeshTriangle>(additions.triangleCount);
+  outlines_ = UnfilledArray<Outline>(additions.outlineCount);
+  const auto fillWhole = [&](const FaceToJoin& given, Index t, Index& outline, const Index* vertexOf) {
+    const auto& f = mesh_.triangles[given.face];
+    const MeshTriangle triangle{{vertexOf[0], vertexOf[1], vertexOf[2]}, given.face, given.obstacleEdges};
+    triangles_.fill(t, triangle);
+    for (int k = 0; k < 3; ++k) {
+      const Index u = f[k], v = f[next(k)];
+      const Index a = mesh_.planIds[u], b = mesh_.planIds[v];
+      outlines_.fill(outline++, {triangle.corners[k],
+                                 triangle.corners[next(k)],
+                                 t,
+                                 static_cast<std::int8_t>(k),
+                                 given.face,
+                                 {PlanLine::Edge, std::min(a, b), std::max(a, b)},
+                                 {std::min(u, v), std::max(u, v)}});
+    }
+  };
+  const auto fillPart = [&](const FaceToJoin& given, const FaceMesh::Cell& cell, Index t, Index& outline,
+                            const Index* vertexOf) {
+    const auto& f = mesh_.triangles[given.face];
+    const auto& c = cell.corners;
+    const MeshTriangle triangle{{vertexOf[c[0]], vertexOf[c[1]], vertexOf[c[2]]}, given.face, cell.obstacleEdges};
+    triangles_.fill(t, triangle);
+    for (int k = 0; k < 3; ++k) {
+      if ((cell.outlineEdges >> k & 1) == 0) continue;
+      std::pair<Index, Index> sourceEdge{-1, -1};
+      if (cell.faceEdges[k] >= 0) {
+        const Index u = f[cell.faceEdges[k]], v = f[next(cell.faceEdges[k])];
+        sourceEdge = {std::min(u, v), std::max(u, v)};
+      }
+      outlines_.fill(outline++, {triangle.corners[k], triangle.corners[next(k)], t, static_cast<std::int8_t>(k),
+                                 given.face, given.parts->lines[cell.lines[k]], sourceEdge});
+    }
+  };
+  forBlocks(additions.triangleCount, kTrianglesPerTask, context,
+            [&](std::size_t block, std::size_t first, std::size_t last) {
+              auto i = static_cast<std::size_t>(
+                  std::upper_bound(firstTriangle.begin(), firstTriangle.end(), static_cast<Index>(first)) -
+                  firstTriangle.begin() - 1);
+              Index outline = entries[i].firstOutline + additions.outlinesBefore[block];
+              for (auto t = static_cast<Index>(first); t < static_cast<Index>(last); ++t) {
+                while (firstTriangle[i + 1] <= t) ++i;
+                const FaceToJoin& given = faces[i];
+                const Index* const vertexOf = memory_.vertexOf.data() + entries[i].firstPoint;
+                if (given.parts == nullptr)
+                  fillWhole(given, t, outline, vertexOf);
+                else
+                  fillPart(given, given.parts->cells[t - firstTriangle[i]], t, outline, vertexOf);
+              }
+            });
+}
+
+void MeshJoiner::addFaces(std::span<const FaceToJoin> faces, RunContext& context) {
+  Additions additions;
+  additions.faces = faces;
+  layOut(additions, context);
+  listAllUses(additions, context);
+  numberUses(additions, context);
+  fillVertices(additions, context);
+  fillTriangles(additions, context);
+}
+
+std::size_t MeshJoiner::entryOfPoint(std::size_t place) const {
+  const auto& entries = memory_.entries;
+  const auto after =
+      std::upper_bound(entries.begin(), entries.end(), static_cast<Index>(place),
+                       [](Index point, const JoinMemory::Entry& entry) { return point < entry.firstPoint; });
+  return static_cast<std::size_t>(after - entries.begin()) - 1;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,108 @@
+// Welds and splits the outlines of face parts so that they meet in whole edges.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/assembly/assembly_memory.hpp"
+#include "core/assembly/earlier_result.hpp"
+#include "core/assembly/face_mesh.hpp"
+#include "core/assembly/walkable_state.hpp"
+#include "core/base/unfilled_array.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// A face to be joined with others.
+struct FaceToJoin {
+  Index face = -1;
+  std::uint8_t obstacleEdges = 0;   ///< of a face that nothing cuts
+  const FaceMesh* parts = nullptr;  ///< its walkable parts; null: nothing cuts it
+};
+
+/// Collects the parts of all faces, then joins them. One object for one mesh.
+class MeshJoiner {
+ public:
+  explicit MeshJoiner(const PlanKernel& kernel) : kernel_(kernel), mesh_(kernel.mesh()) {}
+
+  /// All faces, in any fixed order, by which everything is numbered; on all threads. Their parts are not needed any
+  /// more afterwards. To be called once.
+  void addFaces(std::span<const FaceToJoin> faces, RunContext& context);
+
+  /// What lies on what need not be found again between faces that are not in `changed` (ascending).
+  void reuse(const EarlierResult& earlier, std::vector<Index> changed);
+
+  /// Joins everything that was added. To be called once.
+  WalkableMesh join(RunContext& context);
+
+  /// How it was joined, for reuse().
+  JoinMemory takeMemory();
+
+  [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
+
+ private:
+  /// An edge of a part's outline: other parts may meet it.
+  struct Outline {
+    Index from = -1, to = -1;  ///< vertices
+    Index triangle = -1;
+    std::int8_t k = 0;
+    Index face = -1;
+    PlanLine line;                               ///< taken on `face`
+    std::pair<Index, Index> sourceEdge{-1, -1};  ///< the source vertices of the face's edge that it lies on
+  };
+  using Incidence = JoinMemory::Incidence;
+  /// Outlines between the same two vertices.
+  struct Twins {
+    std::vector<Index> first;  ///< of each set the smallest
+    std::vector<Index> next;   ///< for each outline the next of its set, or -1
+  };
+  enum class Relation { Apart, AtStart, Between, AtEnd };
+
+  /// Faces whose points are in the order in which their triangles use them first: what addFaces() numbers.
+  struct Additions;
+  void layOut(Additions& additions, RunContext& context);
+  Index listUses(std::size_t entry, Additions& additions);
+  void nameUses(std::size_t entry, Index first, Index last, Additions& additions, ExactFallbacks& fallbacks) const;
+  void listAllUses(Additions& additions, RunContext& context);
+  void numberUses(Additions& additions, RunContext& context);
+  void fillVertices(const Additions& additions, RunContext& context);
+  void fillTriangles(const Additions& additions, RunContext& context);
+  /// The entry to which the point at this place belongs.
+  [[nodiscard]] std::size_t entryOfPoint(std::size_t place) const;
+  [[nodiscard]] MeshVertex sourceVertex(Index source, Index face) const;
+  [[nodiscard]] MeshVertex constructedVertex(Index face, const PlanPoint& point,
+                                             const ApproximatePoint& approximate) const;
+  void takeOver();
+  /// The entries of faces that may meet a changed one; all of them when nothing is reused.
+  [[nodiscard]] std::vector<Index> entriesToSearch() const;
+  /// Calls visit(i) for every outline of the entries.
+  template <class Visit>
+  void forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const;
+  [[nodiscard]] Twins findTwins(const std::vector<Index>& entries, RunContext& context) const;
+  void findIncidences(RunContext& context);
+  Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
+  [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;
+  /// Compares x (axis 0) or y (axis 1); 0 may also mean "too close for doubles" unless `exactly`.
+  int compareCoordinate(Index a, Index b, int axis, bool exactly, ExactFallbacks& count) const;
+  /// Order of two vertices along an outline's direction.
+  int compareAlong(const Outline& outline, Index a, Index b, ExactFallbacks& count) const;
+
+  const PlanKernel& kernel_;
+  const SourceMesh& mesh_;
+  UnfilledArray<MeshVertex> vertices_;
+  UnfilledArray<MeshTriangle> triangles_;
+  UnfilledArray<Outline> outlines_;
+  JoinMemory memory_;
+  const EarlierResult* earlier_ = nullptr;
+  std::vector<Index> changed_;
+  std::vector<char> knownVertices_, knownOutlines_;  ///< their relations were taken over; empty: none
+  ExactFallbacks fallbacks_;
+};
+
+}  // namespace footfall::detail

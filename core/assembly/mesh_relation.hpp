@@ -1,0 +1,26 @@
+// Which triangles of a walkable mesh are those of an earlier one?
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/assembly/earlier_result.hpp"
+
+namespace footfall::detail {
+
+/// A triangle is an earlier one when its face is, and its corners, one for one, are the same vertices: the same points
+/// of the same sources, with the same rounded coordinates. Vertices correspond one to one. Whatever follows from such
+/// triangles alone is what it was.
+struct MeshRelation {
+  std::vector<Index> triangleBefore;  ///< for each triangle its number in the earlier mesh, or -1; each at most once
+  std::size_t triangleCountBefore = 0;
+  Index related = 0;                ///< how many triangles have a number
+  std::vector<Index> vertexBefore;  ///< for each vertex that a related triangle has; others may have -1
+  std::vector<Index> vertexNow;     ///< for each vertex of the earlier mesh its number now; or -1
+};
+
+/// `before` is the mesh of a state that `earlier` relates to `now`'s. Triangles of a face are compared in their order;
+/// those that are not found may still be there.
+MeshRelation relateMeshes(const EarlierResult& earlier, const WalkableMesh& before, const WalkableMesh& now);
+
+}  // namespace footfall::detail

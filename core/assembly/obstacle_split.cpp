@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/assembly/obstacle_split.hpp"
+
+#include <algorithm>
+
+#include "core/base/disjoint_sets.hpp"
+#include "core/mesh/triangle_split.hpp"
+
+namespace footfall::detail {
+namespace {
+
+int next(int k) { return k == 2 ? 0 : k + 1; }
+
+Index cornerOf(const MeshTriangle& t, Index vertex) {
+  return t.corners[0] == vertex ? 0 : t.corners[1] == vertex ? 1 : 2;
+}
+
+}  // namespace
+
+SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& topology,
+                               const std::function<void()>& poll) {
+  const auto& triangles = mesh.triangles;
+  const auto endOf = [&](Index side) { return triangles[side / 3].corners[next(side % 3)]; };
+  SplitMesh result;
+  result.triangles = triangles;
+  result.layers = mesh.layers;
+  std::vector<char> atObstacle(mesh.vertices.size(), 0);
+  bool any = false;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (triangles[t].obstacleEdges == 0) continue;
+    any = true;
+    result.triangles[t].obstacleEdges = 0;
+    for (int k = 0; k < 3; ++k)
+      if ((triangles[t].obstacleEdges >> k & 1) != 0)
+        atObstacle[triangles[t].corners[k]] = atObstacle[triangles[t].corners[next(k)]] = 1;
+  }
+
+  poll();
+  DisjointSets corners(any ? triangles.size() * 3 : 0);
+  const auto corner = [&](Index side, Index v) { return side - side % 3 + cornerOf(triangles[side / 3], v); };
+  std::vector<Index> obstacles;  // edges
+  for (Index e = 0; any && e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    const Index a = beginOf(triangles, sides[0]), b = endOf(sides[0]);
+    if (sides.size() < 2 || (atObstacle[a] == 0 && atObstacle[b] == 0)) continue;
+    if (isObstacle(triangles, sides)) {
+      obstacles.push_back(e);
+      for (const Index side : sides)
+        result.triangles[side / 3].obstacleEdges |= static_cast<std::uint8_t>(1 << side % 3);
+      continue;
+    }
+    for (const Index side : sides.subspan(1))
+      for (const Index v : {a, b}) corners.unite(corner(side, v), corner(sides[0], v));
+  }
+
+  poll();
+  // Sides that still share both ends get a point in the middle each.
+  std::vector<char> needs;
+  for (const Index e : obstacles) {
+    const auto sides = topology.sidesOf(e);
+    const Index a = beginOf(triangles, sides[0]), b = endOf(sides[0]);
+    for (std::size_t x = 0; x < sides.size(); ++x)
+      for (std::size_t y = 0; y < x; ++y) {
+        if (corners.find(corner(sides[x], a)) != corners.find(corner(sides[y], a)) ||
+            corners.find(corner(sides[x], b)) != corners.find(corner(sides[y], b)))
+          continue;
+        needs.resize(triangles.size() * 3, 0);
+        needs[sides[x]] = needs[sides[y]] = 1;
+      }
+  }
+
+  poll();
+  std::vector<Index> copies(any ? triangles.size() * 3 : 0, -1);  // for the first corner of each set
+  std::vector<Index> whole(mesh.vertices.size(), -1);
+  const auto newVertex = [&](Index origin, std::array<Index, 2> middle) {
+    result.origins.push_back(origin);
+    result.middles.push_back(middle);
+    return static_cast<Index>(result.origins.size()) - 1;
+  };
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Index v = triangles[t].corners[k];
+      Index& slot = atObstacle[v] != 0 ? copies[corners.find(3 * t + k)] : whole[v];
+      if (slot < 0) slot = newVertex(v, {-1, -1});
+      result.triangles[t].corners[k] = slot;
+    }
+  if (needs.empty()) return result;
+  poll();
+
+  std::vector<MeshTriangle> pieces;
+  std::vector<std::uint32_t> layers;
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
+    EdgeVertices on{};
+    std::array<std::vector<Index>, 3> inner;
+    for (int k = 0; k < 3; ++k) {
+      if (needs[3 * t + k] == 0) continue;
+      const Index a = triangles[t].corners[k], b = triangles[t].corners[next(k)];
+      inner[k] = {newVertex(-1, {std::min(a, b), std::max(a, b)})};
+      on[k] = &inner[k];
+    }
+    splitTriangle(result.triangles[t], on, pieces);
+    if (!mesh.layers.empty()) layers.resize(pieces.size(), mesh.layers[t]);
+  }
+  result.triangles = std::move(pieces);
+  result.layers = std::move(layers);
+  return result;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,22 @@
+// A state between filters as a handle, and what a run may take over from earlier ones.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+namespace footfall::detail {
+
+struct WalkableState;  // core/assembly/walkable_state.hpp
+/// Immutable: a filter makes a new state, so that results can be cached and shared between threads.
+using StatePtr = std::shared_ptr<const WalkableState>;
+
+/// What a filter may take from earlier runs, and whether it should leave something for later ones. Never changes the
+/// result.
+struct Recall {
+  /// What the same filter of the same pipeline gave, with other parameters or for the environment that this one is an
+  /// edit of; or null.
+  StatePtr before;
+  bool keep = false;  ///< later runs may ask: remember what they can take over
+};
+
+}  // namespace footfall::detail

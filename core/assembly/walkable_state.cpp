@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/assembly/walkable_state.hpp"
+
+namespace footfall::detail {
+
+std::shared_ptr<const MeshTopology> topologyOf(const WalkableState& state, const std::function<void()>& poll) {
+  if (state.topology && state.topologyOwner.lock() == state.mesh) return state.topology;
+  return std::make_shared<MeshTopology>(findEdges(state.mesh->triangles, state.mesh->vertices.size(), poll));
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,50 @@
+// The state between filters: which source triangles are floors, what obstacles cut out of them, and the mesh of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/exact/face_cuts.hpp"
+#include "core/exact/plan_kernel.hpp"
+#include "core/mesh/mesh_topology.hpp"
+#include "footfall/environment.hpp"
+
+namespace footfall::detail {
+
+struct AssemblyMemory;    // core/assembly/assembly_memory.hpp
+struct SimplifierMemory;  // core/filters/simplification/simplifier.hpp
+
+struct WalkableState {
+  std::shared_ptr<const Environment> environment;
+  std::shared_ptr<const PlanKernel> kernel;
+  /// For each source triangle: it takes part as a floor (its cuts say which part of it).
+  std::vector<char> walkable;
+  /// For each source triangle: taken out of the environment altogether (DegeneracyFilter).
+  std::vector<char> removed;
+  /// For each source triangle, or empty before the first clearance filter.
+  std::shared_ptr<const CutTable> cuts;
+  /// The mesh of walkable parts; null until a filter needed it.
+  std::shared_ptr<const WalkableMesh> mesh;
+  /// The edges of `topologyOwner`, when a filter found them; of use while that is still `mesh` (topologyOf()).
+  std::shared_ptr<const MeshTopology> topology;
+  std::weak_ptr<const WalkableMesh> topologyOwner;
+  /// The mesh's triangles may span several coplanar source triangles (SimplificationFilter).
+  bool simplified = false;
+  /// Pieces that AreaFilter took away since the cuts were made: obstacles still, but no floor any more.
+  std::shared_ptr<const WalkableMesh> dropped;
+  /// How the mesh of the last clearance filter came about, for later runs to take over; null when nobody asked for it.
+  std::shared_ptr<const AssemblyMemory> memory;
+  /// The same of the last SimplificationFilter.
+  std::shared_ptr<const SimplifierMemory> simplifierMemory;
+  /// Pairs of triangles that the last LayerSubdivisionFilter found above one another; null when nobody asked for it.
+  std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
+};
+
+/// The topology of the state's mesh: what an earlier filter found for the same mesh, else found now.
+std::shared_ptr<const MeshTopology> topologyOf(
+    const WalkableState& state, const std::function<void()>& poll = [] {});
+
+}  // namespace footfall::detail

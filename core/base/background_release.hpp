@@ -1,0 +1,45 @@
+// Freeing what is large where nobody waits for it: taking down a gigabyte takes longer than a cancelled run may last.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace footfall::detail {
+
+/// Drops a reference on another thread of the library's own, soon. Where that cannot be arranged it is dropped at once.
+void releaseInBackground(std::shared_ptr<const void> thing) noexcept;
+
+/// Holds references to things that may be large. When an exception passes, it drops in the background those that are
+/// the last; otherwise here. To be declared before all others that hold them.
+class ReleaseOnException {
+ public:
+  /// `isLarge`: whether freeing the things is worth another thread.
+  explicit ReleaseOnException(bool isLarge) : isLarge_(isLarge), exceptions_(std::uncaught_exceptions()) {}
+  ~ReleaseOnException() {
+    if (std::uncaught_exceptions() == exceptions_) return;
+    for (std::shared_ptr<const void>& thing : things_) {
+      // Others may drop theirs meanwhile; whoever is last frees it.
+      if (thing.use_count() == 1) releaseInBackground(std::move(thing));
+    }
+  }
+  ReleaseOnException(const ReleaseOnException&) = delete;
+  ReleaseOnException& operator=(const ReleaseOnException&) = delete;
+
+  void hold(std::shared_ptr<const void> thing) {
+    if (isLarge_) things_.push_back(std::move(thing));
+  }
+
+ private:
+  bool isLarge_;
+  int exceptions_;
+  std::vector<std::shared_ptr<const void>> things_;
+};
+
+/// Of what has at least so many triangles, freeing is worth another thread.
+inline constexpr std::size_t kLargeRelease = 1 << 14;
+
+}  // namespace footfall::detail

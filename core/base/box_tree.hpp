@@ -1,0 +1,221 @@
+// Which of many boxes may overlap a query box? A tree that is built in almost linear time, for one pass of queries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/base/geometry.hpp"
+
+namespace footfall::detail {
+
+/// Boxes of D dimensions in the order of a space-filling curve (Morton's), four of them under each node.
+///
+/// Boxes are kept as floats relative to a common centre. All steps, the difference, cutting off what no float holds,
+/// and the conversion, round monotonically: a <= b stays true of the rounded numbers. So boxes that overlap (touching
+/// counts) still do. Boxes may be infinite, as those of vertices are that doubles cannot place, but must not hold NaN.
+template <int D>
+class BoxTree {
+ public:
+  struct Bounds {
+    std::array<double, D> lower{};
+    std::array<double, D> upper{};
+  };
+
+  /// `boundsOf(id)` gives the box of each of `ids`; it may be called from any thread. `poll` is called now and then,
+  /// from any thread, and may throw.
+  template <class BoundsOf>
+  void build(const std::vector<Index>& ids, BoundsOf boundsOf, const std::function<void()>& poll) {
+    const auto count = static_cast<Index>(ids.size());
+    levels_.clear();
+    ids_.resize(count);
+    if (count == 0) return;
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    Bounds all;
+    all.lower.fill(kLargest);
+    all.upper.fill(-kLargest);
+    for (Index i = 0; i < count; ++i) {
+      if (i % kPolled == 0) poll();
+      const Bounds b = boundsOf(ids[i]);
+      for (int k = 0; k < D; ++k) {
+        if (std::isfinite(b.lower[k])) all.lower[k] = std::min(all.lower[k], b.lower[k]);
+        if (std::isfinite(b.upper[k])) all.upper[k] = std::max(all.upper[k], b.upper[k]);
+      }
+    }
+    double extent = 0;  // halves, as the whole may overflow
+    for (int k = 0; k < D; ++k) {
+      if (all.lower[k] > all.upper[k]) all.lower[k] = all.upper[k] = 0;
+      centre_[k] = all.lower[k] / 2 + all.upper[k] / 2;
+      extent = std::max(extent, all.upper[k] / 2 - all.lower[k] / 2);
+    }
+    std::vector<std::pair<std::uint32_t, Index>> order(count);
+    const double scale = extent > kCells * std::numeric_limits<double>::min() ? kCells / extent : 0;
+    forBlocks(count, poll, [&](Index i) {
+      const Bounds b = boundsOf(ids[i]);
+      std::uint32_t key = 0;
+      for (int k = 0; k < D; ++k) {
+        const double low = std::clamp(b.lower[k], all.lower[k], all.upper[k]);
+        const double high = std::clamp(b.upper[k], all.lower[k], all.upper[k]);
+        const double place = ((low / 2 + high / 2) / 2 - all.lower[k] / 2) * scale;
+        key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1))) << k;
+      }
+      order[i] = {key, ids[i]};
+    });
+    sortByKey(order, poll);
+
+    levels_.emplace_back((count + kFan - 1) / kFan);
+    forBlocks(static_cast<Index>(levels_[0].size()), poll, [&](Index g) {
+      const Index first = g * kFan, last = std::min(first + kFan, count);
+      for (Index i = first; i < last; ++i) {
+        ids_[i] = order[i].second;
+        levels_[0][g].set(i - first, rounded(boundsOf(ids_[i])));
+      }
+    });
+    while (levels_.back().size() > 1) {
+      const std::vector<Group>& below = levels_.back();
+      std::vector<Group> level((below.size() + kFan - 1) / kFan);
+      const auto nodes = static_cast<Index>(below.size());
+      forBlocks(static_cast<Index>(level.size()), poll, [&](Index g) {
+        for (Index i = g * kFan; i < std::min((g + 1) * kFan, nodes); ++i) level[g].set(i - g * kFan, below[i].whole());
+      });
+      levels_.push_back(std::move(level));
+    }
+  }
+
+  /// Boxes have places along the curve.
+  [[nodiscard]] Index size() const { return static_cast<Index>(ids_.size()); }
+  [[nodiscard]] Index idAt(Index place) const { return ids_[place]; }
+
+  /// Calls visit(id) for every box that may overlap the query; only for those from place `first` on.
+  template <class Visit>
+  void visitOverlapping(const Bounds& query, Visit visit, Index first = 0) const {
+    if (levels_.empty()) return;
+    const int top = static_cast<int>(levels_.size()) - 1;
+    visitGroup(rounded(query), top, 0, first, visit);
+  }
+
+ private:
+  static constexpr int kFanBits = 2;
+  static constexpr Index kFan = 1 << kFanBits;
+  struct Node {
+    std::array<float, D> lower{}, upper{};
+  };
+  /// Four boxes, coordinate by coordinate, so that they are compared at once; those that are not used overlap nothing.
+  struct Group {
+    std::array<std::array<float, kFan>, D> lower, upper;
+    Group() {
+      for (int k = 0; k < D; ++k) {
+        lower[k].fill(std::numeric_limits<float>::infinity());
+        upper[k].fill(-std::numeric_limits<float>::infinity());
+      }
+    }
+    void set(Index i, const Node& node) {
+      for (int k = 0; k < D; ++k) {
+        lower[k][i] = node.lower[k];
+        upper[k][i] = node.upper[k];
+      }
+    }
+    [[nodiscard]] Node whole() const {
+      Node node;
+      for (int k = 0; k < D; ++k) {
+        node.lower[k] = *std::min_element(lower[k].begin(), lower[k].end());
+        node.upper[k] = *std::max_element(upper[k].begin(), upper[k].end());
+      }
+      return node;
+    }
+  };
+  static constexpr int kBits = 30 / D;
+  static constexpr double kCells = 1 << kBits;
+  static constexpr Index kPerTask = 8192;
+  static constexpr Index kPolled = 1 << 16;
+
+  template <class Work>
+  static void forBlocks(Index count, const std::function<void()>& poll, Work work) {
+    if (count <= kPerTask) {
+      for (Index i = 0; i < count; ++i) work(i);
+      return;
+    }
+    tbb::parallel_for(tbb::blocked_range<Index>(0, count, kPerTask), [&](const auto& range) {
+      poll();
+      for (Index i = range.begin(); i != range.end(); ++i) work(i);
+    });
+  }
+
+  /// Puts D - 1 zeros between the bits.
+  static std::uint32_t spread(std::uint32_t x) {
+    std::uint32_t result = 0;
+    for (int bit = 0; bit < kBits; ++bit) result |= (x >> bit & 1U) << (bit * D);
+    return result;
+  }
+
+  /// Radix sort, stable.
+  static void sortByKey(std::vector<std::pair<std::uint32_t, Index>>& order, const std::function<void()>& poll) {
+    if (order.size() < 256) {
+      std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      return;
+    }
+    constexpr int kDigit = 10;
+    std::vector<std::pair<std::uint32_t, Index>> other(order.size());
+    for (int shift = 0; shift < kBits * D; shift += kDigit) {
+      poll();
+      std::array<Index, (1 << kDigit) + 1> start{};
+      for (const auto& entry : order) ++start[(entry.first >> shift & ((1U << kDigit) - 1)) + 1];
+      for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+      for (const auto& entry : order) other[start[entry.first >> shift & ((1U << kDigit) - 1)]++] = entry;
+      order.swap(other);
+    }
+  }
+
+  /// Never infinite, so that nothing overlaps a box that is not used.
+  static float inFloats(double x) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+  }
+
+  Node rounded(const Bounds& b) const {
+    Node node;
+    for (int k = 0; k < D; ++k) {
+      node.lower[k] = inFloats(b.lower[k] - centre_[k]);
+      node.upper[k] = inFloats(b.upper[k] - centre_[k]);
+    }
+    return node;
+  }
+
+  template <class Visit>
+  void visitGroup(const Node& query, int level, Index group, Index first, Visit& visit) const {
+    const Group& g = levels_[level][group];
+    std::array<std::int32_t, kFan> hit;
+    for (Index i = 0; i < kFan; ++i) {
+      std::int32_t overlaps = 1;
+      for (int k = 0; k < D; ++k) overlaps &= (g.lower[k][i] <= query.upper[k]) & (g.upper[k][i] >= query.lower[k]);
+      hit[i] = overlaps;
+    }
+    for (Index i = 0; i < kFan; ++i) {
+      const Index child = group * kFan + i;
+      if (hit[i] == 0 || lastPlace(child, level) < first) continue;
+      if (level == 0)
+        visit(ids_[child]);
+      else
+        visitGroup(query, level - 1, child, first, visit);
+    }
+  }
+
+  /// The last place below a box of a level.
+  static std::int64_t lastPlace(Index box, int level) {
+    return ((static_cast<std::int64_t>(box) + 1) << (kFanBits * level)) - 1;
+  }
+
+  std::array<double, D> centre_{};
+  std::vector<Index> ids_;                  ///< in the order of the curve
+  std::vector<std::vector<Group>> levels_;  ///< boxes, then the wholes of groups, up to one group
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,21 @@
+// Numbers of elements, and boxes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "footfall/geometry.hpp"
+
+namespace footfall::detail {
+
+/// The number of an element of a mesh; -1 often stands for none.
+using Index = std::int32_t;
+
+/// Closed and parallel to the axes.
+struct Box {
+  std::array<double, 3> lower{};
+  std::array<double, 3> upper{};
+};
+
+}  // namespace footfall::detail

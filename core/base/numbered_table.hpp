@@ -1,0 +1,86 @@
+// A table that numbers distinct keys in the order of their arrival.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace footfall::detail {
+
+/// Open addressing over plain keys without padding. Clearing takes constant time, and a table that was large once costs
+/// small ones no more: slots carry the number of the filling that they belong to.
+template <class Key>
+class NumberedTable {
+ public:
+  using Number = std::int32_t;
+
+  NumberedTable() { startFilling(); }
+
+  void clear() {
+    keys_.clear();
+    bits_ = kFirstBits;
+    startFilling();
+  }
+  /// The number of `key`, and whether it is new.
+  std::pair<Number, bool> insert(const Key& key) {
+    if (keys_.size() * 2 >= (std::size_t{1} << bits_)) grow();
+    Slot* slot = find(key);
+    if (slot->filling == filling_) return {slot->number, false};
+    *slot = {filling_, static_cast<Number>(keys_.size())};
+    keys_.push_back(key);
+    return {slot->number, true};
+  }
+  const Key& operator[](Number i) const { return keys_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] std::size_t size() const { return keys_.size(); }
+
+ private:
+  static constexpr int kFirstBits = 6;
+  struct Slot {
+    std::uint32_t filling = 0;
+    Number number = 0;
+  };
+
+  // Sums of products with odd numbers (the fractions of pi), of which the top bits are used.
+  static std::uint64_t hash(const Key& key) {
+    constexpr std::size_t kWords = sizeof(Key) / 8, kTail = sizeof(Key) % 8;
+    constexpr std::uint64_t kFactors[] = {0x243F6A8885A308D3ULL, 0x13198A2E03707345ULL, 0xA4093822299F31D1ULL,
+                                          0x082EFA98EC4E6C89ULL, 0x452821E638D01377ULL};
+    static_assert(kWords + (kTail != 0) <= std::size(kFactors) && std::has_unique_object_representations_v<Key>);
+    std::uint64_t words[kWords + (kTail != 0)] = {};
+    std::memcpy(words, &key, sizeof(Key));
+    std::uint64_t h = 0;
+    for (std::size_t i = 0; i < std::size(words); ++i) h += words[i] * kFactors[i];
+    h ^= h >> 32;
+    return h * 0x9E3779B97F4A7C15ULL;
+  }
+  Slot* find(const Key& key) {
+    const std::size_t mask = (std::size_t{1} << bits_) - 1;
+    std::size_t slot = hash(key) >> (64 - bits_);
+    while (slots_[slot].filling == filling_ && !(keys_[static_cast<std::size_t>(slots_[slot].number)] == key))
+      slot = (slot + 1) & mask;
+    return &slots_[slot];
+  }
+  void startFilling() {
+    if (slots_.size() < (std::size_t{1} << bits_)) slots_.resize(std::size_t{1} << bits_);
+    if (++filling_ != 0) return;
+    slots_.assign(slots_.size(), {});  // the numbers of fillings begin again
+    filling_ = 1;
+  }
+  void grow() {
+    ++bits_;
+    startFilling();
+    for (std::size_t i = 0; i < keys_.size(); ++i) *find(keys_[i]) = {filling_, static_cast<Number>(i)};
+  }
+
+  int bits_ = kFirstBits;
+  std::uint32_t filling_ = 0;
+  std::vector<Key> keys_;
+  std::vector<Slot> slots_;
+};
+
+}  // namespace footfall::detail

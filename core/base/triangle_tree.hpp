@@ -1,0 +1,135 @@
+// A bounding-volume tree over boxes: which ones may overlap a query box? Built once for an environment, read by all.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nodes have four children, whose boxes are floats that are compared all at once. Coordinates come into the tree, and
+// queries to it, through one function of each axis that never decreases: subtract the middle of the whole, multiply
+// with a power of two, cut off what lies far outside and convert to float, where each of the four steps rounds
+// monotonically. So lower <= upper stays true whatever is lost, and no overlap is missed; boxes that are apart by less
+// than about 2^-23 of the whole may be reported besides.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#include "core/base/geometry.hpp"
+#include "core/base/parallel_ranges.hpp"
+#include "core/base/unfilled_array.hpp"
+
+namespace footfall::detail {
+
+/// Four floats that are computed with at once (an extension of GCC and Clang on all processors).
+using Float4 = float __attribute__((vector_size(16)));
+
+/// A box in the frame of a tree, on its way into a node: two halves of 16 bytes.
+struct alignas(16) TreeItem {
+  std::array<float, 3> lower;
+  std::int32_t id;
+  std::array<float, 3> upper;
+  std::int32_t unused;
+};
+
+/// Closed boxes: touching counts as overlapping.
+class TriangleTree {
+ public:
+  /// `ids[i]`, which must not be negative, is reported for `boxes[i]`, which must not hold NaN. O(n log n), in
+  /// parallel; the tree depends on nothing but its input. `poll` is called now and then, by any thread, and may throw.
+  void build(
+      std::span<const Box> boxes, std::span<const std::int32_t> ids, const std::function<void()>& poll = [] {});
+
+  /// The same without a list of boxes: `boxOf(i)` is the i-th, called by any thread; all must lie inside `bounds`.
+  template <class BoxOf>
+  void build(
+      const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf,
+      const std::function<void()>& poll = [] {}) {
+    setFrame(bounds);
+    const auto items = std::make_unique_for_overwrite<TreeItem[]>(ids.size());
+    forRanges(ids.size(), kParallelSize, [&](std::size_t first, std::size_t last) {
+      poll();
+      for (std::size_t i = first; i < last; ++i) {
+        const Box box = boxOf(i);
+        for (int k = 0; k < 3; ++k) {
+          items[i].lower[k] = inFrame(box.lower[k], k);
+          items[i].upper[k] = inFrame(box.upper[k], k);
+        }
+        items[i].id = ids[i];
+        items[i].unused = 0;
+      }
+    });
+    grow({items.get(), ids.size()}, poll);
+  }
+
+  /// Calls visit(id) for every box that overlaps `query`, and perhaps for some that nearly do, in an order that depends
+  /// on the tree alone. visit returns false to stop. `stack` is working memory, to be used again by the next call.
+  template <class Visit>
+  void visitOverlapping(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
+    if (empty()) return;
+    if (stack.size() < kStackSize) stack.resize(kStackSize);
+    std::array<Float4, 3> lower, upper;
+    for (int k = 0; k < 3; ++k) {
+      lower[k] = Float4{} + inFrame(query.lower[k], k);
+      upper[k] = Float4{} + inFrame(query.upper[k], k);
+    }
+    const Node* const nodes = &nodes_[0];
+    std::int32_t* const bottom = stack.data();
+    std::int32_t* top = bottom;
+    *top++ = 0;
+    while (top != bottom) {
+      const Node& node = nodes[*--top];
+      const auto hit = (node.lower[0] <= upper[0]) & (node.upper[0] >= lower[0]) & (node.lower[1] <= upper[1]) &
+                       (node.upper[1] >= lower[1]) & (node.lower[2] <= upper[2]) & (node.upper[2] >= lower[2]);
+      for (unsigned hits = maskOf(hit); hits != 0; hits &= hits - 1) {
+        const std::int32_t child = node.children[std::countr_zero(hits)];
+        if (child >= 0)
+          *top++ = child;
+        else if (!visit(~child))
+          return;
+      }
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return nodes_.size() == 0; }
+
+ private:
+  friend class TriangleTreeBuilder;
+  using Int4 = std::int32_t __attribute__((vector_size(16)));
+
+  struct Node {
+    std::array<Float4, 3> lower;  ///< by axis, then child; above every upper bound where there is no child
+    std::array<Float4, 3> upper;
+    std::array<std::int32_t, 4> children;  ///< a node's index, or ~id of a box
+  };
+
+  static constexpr std::size_t kParallelSize = 8192;  ///< fewer boxes are not worth a second thread
+  static constexpr float kFar = 4;                    ///< all boxes lie within 2 in the frame
+  static constexpr std::size_t kStackSize = 192;      ///< more than the builder's depth can need
+
+  static unsigned maskOf(Int4 lanes) {
+#ifdef __SSE2__
+    return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));
+#else
+    return (lanes[0] & 1U) | (lanes[1] & 2U) | (lanes[2] & 4U) | (lanes[3] & 8U);
+#endif
+  }
+
+  [[nodiscard]] float inFrame(double x, int axis) const {
+    return static_cast<float>(std::clamp<double>((x - origin_[axis]) * scale_, -kFar, kFar));
+  }
+
+  void setFrame(const Box& bounds);
+  void grow(std::span<TreeItem> items, const std::function<void()>& poll);
+
+  std::array<double, 3> origin_{};
+  double scale_ = 1;
+  UnfilledArray<Node> nodes_;
+};
+
+}  // namespace footfall::detail

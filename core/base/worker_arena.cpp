@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/worker_arena.hpp"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace footfall::detail {
+namespace {
+
+using Arena = oneapi::tbb::task_arena;
+
+// Arenas are kept from one use to the next: a new one that begins where another has just ended may get no workers for a
+// long time (TBB 2021.8), and loading, running and running again follow each other at once. Never destroyed, because a
+// run may last longer than static objects.
+class KeptArena {
+ public:
+  explicit KeptArena(int workers) : workers_(workers) {
+    Idle& kept = idle();
+    const std::lock_guard lock(kept.mutex);
+    auto& arenas = kept.arenas[workers];
+    if (arenas.empty()) {
+      arena_ = std::make_unique<Arena>(workers);
+    } else {
+      arena_ = std::move(arenas.back());
+      arenas.pop_back();
+    }
+  }
+  ~KeptArena() {
+    Idle& kept = idle();
+    try {
+      const std::lock_guard lock(kept.mutex);
+      kept.arenas[workers_].push_back(std::move(arena_));
+    } catch (const std::exception&) {  // no memory to keep it
+    }
+  }
+  KeptArena(const KeptArena&) = delete;
+  KeptArena& operator=(const KeptArena&) = delete;
+
+  Arena& operator*() { return *arena_; }
+
+ private:
+  struct Idle {
+    std::mutex mutex;
+    std::map<int, std::vector<std::unique_ptr<Arena>>> arenas;  // by number of workers
+  };
+  static Idle& idle() {
+    static auto* const kept = new Idle;
+    return *kept;
+  }
+
+  int workers_;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace
+
+void runOnThreads(int threads, const std::function<void(int)>& work) {
+  const int workers = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
+  // The arena bounds this work, however many others there are; the control lets it have more threads than processors.
+  const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
+                                            static_cast<std::size_t>(workers));
+  KeptArena arena(workers);
+  (*arena).execute([&] { work(workers); });
+}
+
+}  // namespace footfall::detail

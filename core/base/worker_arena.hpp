@@ -1,0 +1,23 @@
+// How many threads work on something.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <type_traits>
+
+namespace footfall::detail {
+
+/// Calls `work(n)` where parallel loops use at most n threads: `threads`, or as many as the machine has when that is 0.
+/// More than the machine has are made. Exceptions pass through. Thread-safe.
+void runOnThreads(int threads, const std::function<void(int)>& work);
+
+/// The same for work that returns something.
+template <class Work>
+auto onThreads(int threads, Work&& work) {
+  std::optional<std::invoke_result_t<Work, int>> result;
+  runOnThreads(threads, [&](int workers) { result.emplace(work(workers)); });
+  return std::move(*result);
+}
+
+}  // namespace footfall::detail

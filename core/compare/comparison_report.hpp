@@ -1,0 +1,26 @@
+// A comparison as a table and as JSON (docs/compare.md explains both).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "core/compare/mesh_comparison.hpp"
+#include "core/io/navigation_mesh_reader.hpp"
+
+namespace footfall::detail {
+
+struct ComparisonTimes {
+  double loadMs = 0;
+  double compareMs = 0;
+};
+
+/// For people to read.
+std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, const MeshComparison& comparison,
+                             const ComparisonTimes& times);
+
+/// One JSON object; keys are stable.
+std::string formatComparisonJson(const std::array<NavigationMeshFile, 2>& files, const MeshComparison& comparison,
+                                 const ComparisonTimes& times);
+
+}  // namespace footfall::detail

@@ -1,0 +1,50 @@
+// The difference of two surfaces as sets of points in space, exactly.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/compare/comparison_cover.hpp"
+#include "core/compare/comparison_surface.hpp"
+
+namespace footfall::detail::comparison {
+
+struct Areas {
+  double surface = 0;  ///< in space
+  double plan = 0;     ///< seen from above
+};
+
+struct SetDifference {
+  /// By CoverPart: what is only in A, only in B and in both. Whether there is anything is exact; areas are correct to
+  /// 14 digits.
+  std::array<bool, 3> hasArea{};
+  std::array<Areas, 3> areas;
+  /// Of the triangles of A and of B.
+  std::array<std::vector<Areas>, 2> triangleAreas;
+  /// For each triangle whether it is known to lie in the other set. Others may as well.
+  std::array<std::vector<char>, 2> covered;
+};
+
+/// A plane in which one set has area that the other has not.
+struct DifferentPlane {
+  /// a x + b y + c z = d, in units of the grid; `axis` is the one that it is seen along (0, 1, 2), with a factor that
+  /// is not 0. Its pieces have the next two coordinates after `axis` as x and y.
+  std::array<double, 4> numbers{};
+  std::size_t axis = 2;
+  /// Numbers of positions by the points of the pieces.
+  std::vector<std::uint32_t> positions;
+  std::vector<CoverPiece> borders;
+};
+
+/// What is in one set only, as planes with borders, and as triangles that are alone in their plane.
+struct DifferenceBorders {
+  std::vector<DifferentPlane> planes;
+  std::array<std::vector<std::uint32_t>, 2> triangles;  ///< of the surfaces, rising
+};
+
+/// Surfaces have common area only where triangles lie in exactly one plane, so each plane is looked at by itself.
+/// `borders` (may be null) receives where the differences are.
+SetDifference subtractSets(const ComparedSurfaces& surfaces, RunContext& context, DifferenceBorders* borders = nullptr);
+
+}  // namespace footfall::detail::comparison

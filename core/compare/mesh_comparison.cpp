@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/mesh_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/disjoint_sets.hpp"
+#include "core/compare/comparison_plan.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using comparison::Areas;
+using comparison::ComparedSurfaces;
+
+using Edge = std::array<std::uint32_t, 2>;
+
+double length(const NavigationMesh& mesh, const std::vector<Edge>& edges) {
+  long double sum = 0;
+  for (const Edge& edge : edges) {
+    const Vec3 &a = mesh.vertices[edge[0]], &b = mesh.vertices[edge[1]];
+    sum += std::hypot(b.x - a.x, b.y - a.y, b.z - a.z);
+  }
+  return static_cast<double>(sum);
+}
+
+/// Components of each layer; everything is layer 0 where `layered` is false.
+std::vector<std::size_t> countComponents(const NavigationMesh& mesh, bool layered) {
+  std::vector<std::size_t> counts(layered ? mesh.layerCount : 1, 0);
+  std::vector<std::pair<std::array<std::uint32_t, 3>, Index>> sides;  // layer and edge
+  sides.reserve(3 * mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t layer = layered ? mesh.layers[i] : 0;
+    ++counts[layer];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = mesh.triangles[i][k], b = mesh.triangles[i][(k + 1) % 3];
+      sides.push_back({{layer, std::min(a, b), std::max(a, b)}, static_cast<Index>(i)});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  DisjointSets sets(mesh.triangles.size());
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    if (sides[i].first != sides[i - 1].first) continue;
+    const Index a = sets.find(sides[i - 1].second), b = sets.find(sides[i].second);
+    if (a == b) continue;
+    sets.unite(a, b);
+    --counts[sides[i].first[0]];
+  }
+  return counts;
+}
+
+/// Adds up in more digits than the result has.
+struct AreaSum {
+  long double surface = 0, plan = 0;
+  void add(const Areas& areas) {
+    surface += areas.surface;
+    plan += areas.plan;
+  }
+  [[nodiscard]] Areas total() const { return {static_cast<double>(surface), static_cast<double>(plan)}; }
+};
+
+struct PartSums {
+  std::size_t triangles = 0, proper = 0;
+  AreaSum areas, uncovered;
+  void addTo(MeshPart& part) const {
+    part.triangles = triangles;
+    part.degenerate = triangles - proper;
+    part.areas = areas.total();
+    part.uncovered = uncovered.total();
+  }
+};
+
+MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& surface,
+                         const std::vector<Areas>& areas, const std::vector<Areas>& uncovered, RunContext& context) {
+  MeshDescription description;
+  description.vertices = mesh.vertices.size();
+  description.positions = surface.positions.size();
+  description.connections = mesh.connections.size();
+  description.connectionLength = length(mesh, mesh.connections);
+  description.obstacleEdges = mesh.obstacleEdges.size();
+  description.obstacleEdgeLength = length(mesh, mesh.obstacleEdges);
+
+  PartSums whole;
+  std::vector<PartSums> layers(mesh.layers.empty() ? 0 : mesh.layerCount);
+  const auto forPartsOf = [&](std::size_t triangle, const auto& change) {
+    change(whole);
+    if (!layers.empty()) change(layers[mesh.layers[triangle]]);
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) forPartsOf(i, [](PartSums& part) { ++part.triangles; });
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    forPartsOf(surface.numbers[i], [&](PartSums& part) {
+      ++part.proper;
+      part.areas.add(areas[i]);
+      part.uncovered.add(uncovered[i]);
+    });
+  }
+  context.checkCancelled();
+  whole.addTo(description.whole);
+  description.whole.components = countComponents(mesh, false)[0];
+  if (layers.empty()) return description;
+  context.checkCancelled();
+  const std::vector<std::size_t> components = countComponents(mesh, true);
+  for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
+    MeshPart& part = description.layers.emplace_back();
+    part.name = "layer_" + std::to_string(layer);
+    layers[layer].addTo(part);
+    part.components = components[layer];
+  }
+  return description;
+}
+
+/// The largest coordinate, and the diagonal of the box around both meshes, in doubles.
+struct Extent {
+  double largest = 0, diagonal = 0;
+};
+
+Extent extentOf(const NavigationMesh& a, const NavigationMesh& b) {
+  Extent extent;
+  std::array<double, 3> low{}, high{};
+  bool first = true;
+  for (const NavigationMesh* mesh : {&a, &b}) {
+    for (const Triangle& triangle : mesh->triangles) {
+      for (const std::uint32_t v : triangle) {
+        const std::array<double, 3> p = {mesh->vertices[v].x, mesh->vertices[v].y, mesh->vertices[v].z};
+        for (std::size_t k = 0; k < 3; ++k) {
+          extent.largest = std::max(extent.largest, std::fabs(p[k]));
+          low[k] = first ? p[k] : std::min(low[k], p[k]);
+          high[k] = first ? p[k] : std::max(high[k], p[k]);
+        }
+        first = false;
+      }
+    }
+  }
+  extent.diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  return extent;
+}
+
+/// The power of two at or below x, so that a height of x costs no digits; 0 for 0.
+double powerOfTwo(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return x > 0 ? std::ldexp(1.0, exponent - 1) : 0;
+}
+
+/// A bound of the distance from each triangle to the other surface. A triangle shrunk by a factor f towards one of its
+/// points lies inside it, within f diameters of that point. When the part that is not covered is smaller than the
+/// shrunk triangle, so is a covered point within that distance, and the other surface within the height of it.
+std::vector<double> knownDistances(const ComparedSurfaces& surfaces, std::size_t set,
+                                   const comparison::SetDifference& sets, const std::vector<Areas>& uncovered,
+                                   double height) {
+  constexpr double kRounding = 1 + 0x1p-20;  // far more than the few operations below need
+  const auto& places = surfaces.positions.places;
+  std::vector<double> known(uncovered.size(), 0);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (sets.covered[set][i] != 0) continue;
+    double diameter = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = places[surfaces.surfaces[set].triangles[i][k]],
+                 &b = places[surfaces.surfaces[set].triangles[i][(k + 1) % 3]];
+      diameter = std::max(diameter, std::hypot(b.x - a.x, b.y - a.y, b.z - a.z));
+    }
+    // The second summand is for corners that were rounded to 2^-192 of the extent, even where the triangle is so thin
+    // that its height is 2^-90 of that.
+    const double share = uncovered[i].surface / sets.triangleAreas[set][i].surface + 0x1p-100;
+    known[i] = share < 1 && sets.triangleAreas[set][i].plan > 0 ? kRounding * (height + diameter * std::sqrt(share))
+                                                                : std::numeric_limits<double>::infinity();
+  }
+  return known;
+}
+
+}  // namespace
+
+double MeshComparison::covered() const {
+  const MeshPart& a = meshes[0].whole;
+  return a.areas.surface > 0 ? std::max(0.0, 1 - a.uncovered.surface / a.areas.surface) : 1;
+}
+
+std::optional<double> MeshComparison::areaRatio() const {
+  if (!(meshes[0].whole.areas.surface > 0)) return std::nullopt;
+  return meshes[1].whole.areas.surface / meshes[0].whole.areas.surface;
+}
+
+MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, const ComparisonOptions& options,
+                             RunContext& context) {
+  const Extent extent = extentOf(a, b);
+  MeshComparison result;
+  result.height = options.height.value_or(powerOfTwo(extent.largest * 0x1p-30));
+  result.error = options.error.value_or(extent.diagonal / 1000);
+  if (!(std::isfinite(result.height) && result.height >= 0 && result.height <= 1e100))
+    throw InputError(FOOTFALL_TEXT("--height: must be a length in the file's units; give 0 or more"));
+  if (!(std::isfinite(result.error) && (result.error > 0 || !options.error)))
+    throw InputError(FOOTFALL_TEXT("--error: must be a length in the file's units; give a number above 0"));
+
+  context.beginStep(0, "reading positions");
+  const ComparedSurfaces surfaces = comparison::makeSurfaces(a, b, result.height, context);
+  context.endStep();
+  context.beginStep(1, "exact sets");
+  result.sets = comparison::subtractSets(surfaces, context);
+  context.endStep();
+  context.beginStep(2, "plan");
+  const auto uncovered = comparison::findUncovered(surfaces, result.sets, result.height, context);
+  std::array<std::vector<double>, 2> known;
+  for (const std::size_t set : {0, 1}) {
+    known[set] = knownDistances(surfaces, set, result.sets, uncovered[set], result.height);
+    result.meshes[set] =
+        describe(set == 0 ? a : b, surfaces.surfaces[set], result.sets.triangleAreas[set], uncovered[set], context);
+  }
+  context.endStep();
+  context.beginStep(3, "distances");
+  if (!surfaces.surfaces[0].triangles.empty() && !surfaces.surfaces[1].triangles.empty())
+    result.distances = comparison::measureDistances(surfaces, known, result.error, context);
+  context.endStep();
+  return result;
+}
+
+}  // namespace footfall::detail

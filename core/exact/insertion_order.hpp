@@ -1,0 +1,17 @@
+// An order of points on one face that depends on nothing but the points: along a Hilbert curve, so that each lies near
+// its predecessor.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/exact/face_geometry.hpp"
+
+namespace footfall::detail {
+
+/// Sorts points of the geometry, whose face has an area in the plan. Where rounded places are too close to tell, what
+/// the points are decides.
+void sortAlongCurve(const FaceGeometry& geometry, std::vector<Index>& points);
+
+}  // namespace footfall::detail

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/clearance/clearance_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace footfall::detail {
+namespace {
+
+int next(int k) { return k == 2 ? 0 : k + 1; }
+
+// A difference of numbers of `bits` bits has bits + 1, and so on: while the largest sum of a predicate keeps within the
+// 53 bits of a double, every step of it is exact, whatever the order, and so is its sign.
+constexpr int kDoubleBits = 53;
+bool areOrientationsExact(int bits) { return 2 * (bits + 1) + 1 <= kDoubleBits; }
+// A component of a normal has 2 (bits + 1) + 1 bits; three products with a difference and one with the height are
+// added.
+bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
+
+}  // namespace
+
+Box clearanceBox(const SourceMesh& mesh, Index face, double height) {
+  Box box = boxOf(mesh, face);
+  box.upper[2] = std::nextafter(box.upper[2] + height, std::numeric_limits<double>::infinity());
+  return box;
+}
+
+ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
+                                         std::function<void()> poll)
+    : kernel_(kernel),
+      mesh_(kernel.mesh()),
+      isFloor_(std::move(isFloor)),
+      level_(level),
+      height_(kernel.heights()[level - 1]),
+      scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
+      poll_(std::move(poll)) {
+  Grid grid = mesh_.grid;
+  exactOrientations_ = !grid.empty() && areOrientationsExact(grid.top - grid.low) && kernel.sign().zeroValid;
+  grid.include(height_);
+  exactHeights_ = areHeightsExact(grid.top - grid.low) && kernel.sign().zeroValid;
+}
+
+void ClearanceCandidates::begin(Index face) {
+  face_ = face;
+  dependsOnFloors_ = false;
+  candidates_.clear();
+  box_ = clearanceBox(mesh_, face, height_);
+  const auto& f = mesh_.triangles[face];
+  const auto& n = mesh_.normals[face];
+  nx_ = n[0].value, ny_ = n[1].value, nz_ = n[2].value;
+  ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
+  floorZ_ = mesh_.vertices[f[0]].z;
+  isLevel_ = mesh_.vertices[f[1]].z == floorZ_ && mesh_.vertices[f[2]].z == floorZ_;
+}
+
+std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face) {
+  begin(face);
+  search(box_);
+  return candidates_;
+}
+
+std::span<const ClearanceCandidate> ClearanceCandidates::findWithin(Index face, const Box& box) {
+  begin(face);
+  Box part = box_;
+  for (int axis = 0; axis < 2; ++axis) {
+    part.lower[axis] = std::max(part.lower[axis], box.lower[axis]);
+    part.upper[axis] = std::min(part.upper[axis], box.upper[axis]);
+  }
+  search(part);
+  return candidates_;
+}
+
+// What is not known and overlaps a level floor in the plan begins above the known clearance. Above other floors its
+// corners can be anywhere.
+std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const std::vector<Index>& known,
+                                                              double knownHeight) {
+  begin(face);
+  if (knownHeight < height_ && !isLevel_) {
+    search(box_);
+    return candidates_;
+  }
+  for (const Index obstacle : known) consider(obstacle);
+  if (knownHeight >= height_) {
+    sort();
+    return candidates_;
+  }
+  Box box = box_;
+  box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
+  search(box);
+  const auto isSame = [](const ClearanceCandidate& x, const ClearanceCandidate& y) { return x.obstacle == y.obstacle; };
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end(), isSame), candidates_.end());
+  return candidates_;
+}
+
+void ClearanceCandidates::search(const Box& box) {
+  mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
+    consider(obstacle);
+    return true;
+  });
+  sort();
+}
+
+// Points and lines are numbered as they come, so the order of the tree must not show.
+void ClearanceCandidates::sort() {
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const ClearanceCandidate& x, const ClearanceCandidate& y) { return x.obstacle < y.obstacle; });
+}
+
+void ClearanceCandidates::consider(Index obstacle) {
+  if ((++polls_ & 255) == 0) poll_();
+  if (obstacle == face_ || (mesh_.facing[obstacle] != 0 && onlyTouchesBox(obstacle))) return;
+  ClearanceCandidate candidate;
+  candidate.obstacle = obstacle;
+  if (!findHeights(candidate)) return;
+  if (candidate.coplanar) {
+    if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || !findOverlap(candidate)) return;
+    dependsOnFloors_ = true;
+    if (!isFloor_(obstacle)) return;
+  } else if (!findOverlap(candidate)) {
+    return;
+  }
+  candidates_.push_back(candidate);
+}
+
+// Exact: a rounded difference on one side of the clearance is on that side before rounding, as the clearance is a
+// double; when they are equal, the residual tells.
+int ClearanceCandidates::compareToCeiling(double z) const {
+  const double difference = z - floorZ_;
+  if (difference != height_) return difference > height_ ? 1 : -1;
+  const double part = difference - z;
+  const double residual = (z - (difference - part)) - (floorZ_ + part);
+  return residual > 0 ? 1 : residual < 0 ? -1 : 0;
+}
+
+bool ClearanceCandidates::findHeights(ClearanceCandidate& candidate) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  bool above = false, below = false, on = true;
+  const auto note = [&](int j, int floor, int ceiling) {
+    candidate.floor[j] = static_cast<std::int8_t>(floor);
+    candidate.ceiling[j] = static_cast<std::int8_t>(ceiling);
+    above = above || floor > 0;
+    below = below || ceiling < 0;
+    on = on && floor == 0;
+  };
+  if (isLevel_) {
+    const std::array<double, 3> z{mesh_.vertices[o[0]].z, mesh_.vertices[o[1]].z, mesh_.vertices[o[2]].z};
+    const auto [lowest, highest] = std::minmax({z[0], z[1], z[2]});
+    candidate.coplanar = lowest == floorZ_ && highest == floorZ_;
+    if (!candidate.coplanar && (highest <= floorZ_ || (lowest > floorZ_ && compareToCeiling(lowest) >= 0)))
+      return false;
+    for (int j = 0; j < 3; ++j) {
+      const int floor = z[j] > floorZ_ ? 1 : z[j] < floorZ_ ? -1 : 0;
+      note(j, floor, floor > 0 ? compareToCeiling(z[j]) : -1);
+    }
+    return true;
+  }
+  const Vec3& base = mesh_.scaled[f[0]];
+  const double slack = kernel_.sign().slack;
+  for (int j = 0; j < 3; ++j) {
+    const Index v = o[j];
+    if (v == f[0] || v == f[1] || v == f[2]) {
+      note(j, 0, -1);
+      continue;
+    }
+    const Vec3& p = mesh_.scaled[v];
+    const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
+    const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
+    const double value = tx + ty + tz;
+    if (exactHeights_) {
+      const double over = value - th;
+      note(j, value > 0 ? 1 : value < 0 ? -1 : 0, over > 0 ? 1 : over < 0 ? -1 : 0);
+      continue;
+    }
+    // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
+    const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
+                          ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
+                             kInflate +
+                         slack;
+    const int floor = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, fallbacks);
+    int ceiling = -1;
+    if (floor > 0)
+      ceiling = value - th > bound ? 1 : value - th < -bound ? -1 : kernel_.heightSign(face_, v, level_, fallbacks);
+    note(j, floor, ceiling);
+  }
+  candidate.coplanar = on;
+  return on || (above && below);
+}
+
+// The kernel's orientation of a, b and p, which doubles decide at once on a grid of few bits. A point above one of the
+// ends is on the line.
+int ClearanceCandidates::sideOf(Index a, Index b, Index p) {
+  const Vec3 &from = mesh_.scaled[a], &to = mesh_.scaled[b], &at = mesh_.scaled[p];
+  const double left = (to.x - from.x) * (at.y - from.y), right = (to.y - from.y) * (at.x - from.x);
+  const double value = left - right;
+  // As in PlanKernel::orientation.
+  const double bound =
+      exactOrientations_ ? 0 : (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + kernel_.sign().slack;
+  if (value > bound) return 1;
+  if (value < -bound) return -1;
+  if (exactOrientations_ || mesh_.planIds[p] == mesh_.planIds[a] || mesh_.planIds[p] == mesh_.planIds[b]) return 0;
+  return kernel_.orientation(a, b, p, fallbacks);
+}
+
+bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
+  const Index obstacle = candidate.obstacle;
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[obstacle];
+  const bool isWall = mesh_.facing[obstacle] == 0;
+  // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
+  for (int k = 0; k < 3; ++k) {
+    auto& sides = candidate.sides[k];
+    int most = -1, zeros = 0;
+    for (int j = 0; j < 3; ++j) {
+      const int side = sideOf(f[k], f[next(k)], o[j]);
+      sides[j] = static_cast<std::int8_t>(side);
+      most = std::max(most, side);
+      zeros += side == 0;
+    }
+    if (most <= 0 && !(isWall && zeros >= 2)) return false;
+  }
+  return !isSeparated(obstacle);
+}
+
+// Most neighbours of a floor meet it along an edge at most.
+bool ClearanceCandidates::onlyTouchesBox(Index obstacle) const {
+  const auto& o = mesh_.triangles[obstacle];
+  const Vec3 &a = mesh_.vertices[o[0]], &b = mesh_.vertices[o[1]], &c = mesh_.vertices[o[2]];
+  return std::max({a.x, b.x, c.x}) <= box_.lower[0] || std::min({a.x, b.x, c.x}) >= box_.upper[0] ||
+         std::max({a.y, b.y, c.y}) <= box_.lower[1] || std::min({a.y, b.y, c.y}) >= box_.upper[1];
+}
+
+// Whether an edge of the obstacle, or the line of a wall, has the whole face on its outer side.
+bool ClearanceCandidates::isSeparated(Index obstacle) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[obstacle];
+  const int facing = mesh_.facing[obstacle];
+  if (facing != 0) {
+    for (int k = 0; k < 3; ++k) {
+      const Index a = facing > 0 ? o[k] : o[next(k)];
+      const Index b = facing > 0 ? o[next(k)] : o[k];
+      if (sideOf(a, b, f[0]) <= 0 && sideOf(a, b, f[1]) <= 0 && sideOf(a, b, f[2]) <= 0) return true;
+    }
+    return false;
+  }
+  // A wall must not have the whole face strictly on one side, nor touch it in a corner only.
+  Index a = -1, b = -1;
+  for (int k = 0; k < 3 && a < 0; ++k)
+    if (mesh_.planIds[o[k]] != mesh_.planIds[o[next(k)]]) a = o[k], b = o[next(k)];
+  int left = 0, right = 0;
+  for (int j = 0; j < 3; ++j) {
+    const int s = sideOf(a, b, f[j]);
+    left += s > 0;
+    right += s < 0;
+  }
+  return left == 3 || right == 3 || (left == 2 && right == 0) || (right == 2 && left == 0);
+}
+
+}  // namespace footfall::detail

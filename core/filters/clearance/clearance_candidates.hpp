@@ -1,0 +1,88 @@
+// Finds everything that stands in the clearance above one floor triangle.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/exact/plan_kernel.hpp"
+#include "footfall/statistics.hpp"
+
+namespace footfall::detail {
+
+/// The box of a face and of the clearance above it.
+[[nodiscard]] Box clearanceBox(const SourceMesh& mesh, Index face, double height);
+
+/// A triangle that stands in the clearance above a face, and what was found out about it.
+struct ClearanceCandidate {
+  using Signs = std::array<std::int8_t, 3>;
+  Index obstacle = -1;
+  Signs floor{}, ceiling{};      ///< for each corner of the obstacle: its height against the floor and the clearance
+  std::array<Signs, 3> sides{};  ///< [edge of the face][corner of the obstacle]: +1 inside
+  bool coplanar = false;
+};
+
+/// One for each thread; reused from face to face.
+class ClearanceCandidates {
+ public:
+  /// `isFloor(t)`: triangle t takes part as a floor (coplanar floors are kept once). `level` is the clearance's level
+  /// in the kernel. `poll` is called now and then and may throw to cancel.
+  ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
+                      std::function<void()> poll);
+
+  /// All triangles that reach into the clearance and overlap the face in the plan, and of those in its plane the floors
+  /// that come before it; in the order of the triangles. Good until the next call.
+  std::span<const ClearanceCandidate> find(Index face);
+
+  /// The same, when all that may stand above the face in the plan within `knownHeight` is known.
+  std::span<const ClearanceCandidate> find(Index face, const std::vector<Index>& known, double knownHeight);
+
+  /// The same as the first, of what overlaps `box` in the plan.
+  std::span<const ClearanceCandidate> findWithin(Index face, const Box& box);
+
+  [[nodiscard]] std::span<const ClearanceCandidate> found() const { return candidates_; }
+  /// Whether some other triangle in the face's plane would be among them if it was a floor, or is because it is one.
+  [[nodiscard]] bool dependsOnFloors() const { return dependsOnFloors_; }
+
+  ExactFallbacks fallbacks;
+
+ private:
+  void begin(Index face);
+  void search(const Box& box);
+  void sort();
+  void consider(Index obstacle);
+  /// False when nothing of the obstacle is strictly within the clearance, nor coplanar.
+  bool findHeights(ClearanceCandidate& candidate);
+  [[nodiscard]] int compareToCeiling(double z) const;
+  /// False when obstacle and face do not overlap in the plan; finds the sides.
+  bool findOverlap(ClearanceCandidate& candidate);
+  /// Side of the line from a to b on which p lies in the plan; source vertices.
+  [[nodiscard]] int sideOf(Index a, Index b, Index p);
+  [[nodiscard]] bool onlyTouchesBox(Index obstacle) const;
+  bool isSeparated(Index obstacle);
+
+  const PlanKernel& kernel_;
+  const SourceMesh& mesh_;
+  std::function<bool(Index)> isFloor_;
+  Index level_;
+  double height_;
+  double scaledHeight_;
+  std::function<void()> poll_;
+  std::uint32_t polls_ = 0;
+  bool exactOrientations_ = false, exactHeights_ = false;
+
+  Index face_ = -1;
+  Box box_;  ///< of the face and the clearance above it
+  // the floor's plane in doubles
+  double nx_ = 0, ny_ = 0, nz_ = 0, ex_ = 0, ey_ = 0, ez_ = 0;
+  bool isLevel_ = false;  ///< all corners of the floor have the same z
+  double floorZ_ = 0;     ///< ... which is this one
+  bool dependsOnFloors_ = false;
+  std::vector<ClearanceCandidate> candidates_;
+  std::vector<std::int32_t> stack_;
+};
+
+}  // namespace footfall::detail

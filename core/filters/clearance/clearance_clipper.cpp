@@ -1,0 +1,574 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/clearance/clearance_clipper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+
+#include "core/exact/insertion_order.hpp"
+#include "core/filters/clearance/covered_obstacles.hpp"
+
+namespace footfall::detail {
+namespace {
+
+int next(int k) { return k == 2 ? 0 : k + 1; }
+
+}  // namespace
+
+ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
+                                   std::function<void()> poll)
+    : mesh_(kernel.mesh()),
+      level_(level),
+      poll_(poll),
+      geometry_(kernel),
+      candidates_(kernel, std::move(isFloor), level, poll) {}
+
+FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
+  begin(face);
+  if (earlier != nullptr) {
+    if (earlier->removed) return *earlier;
+    edgeWalls_ |= earlier->edgeWalls;
+    std::vector<Index> points, lines;
+    if (!earlier->segments.empty()) addCuts(*earlier, points, lines);
+  }
+  return cut(candidates_.find(face));
+}
+
+FaceCuts ClearanceClipper::clip(Index face, const std::vector<Index>& known, double knownHeight) {
+  begin(face);
+  return cut(candidates_.find(face, known, knownHeight));
+}
+
+FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> sides) {
+  begin(face);
+  sides_ = sides;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box box{{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+  for (const auto& [border, keep] : sides) {
+    const double coordinate = geometry_.kernel().borderCoordinate(border);
+    (keep > 0 ? box.lower : box.upper)[border.a] = coordinate;
+  }
+  FaceShare share;
+  share.removed = !clipAll(candidates_.findWithin(face, box), {});
+  if (!share.removed) {
+    cancelSegments();
+    collect(share);
+  }
+  share.edgeWalls = edgeWalls_;
+  share.dependsOnFloors = candidates_.dependsOnFloors();
+  share.candidates = candidates();
+  sides_ = {};
+  return share;
+}
+
+FaceCuts ClearanceClipper::joinShares(Index face, std::span<const FaceShare> shares) {
+  begin(face);
+  FaceCuts cuts;
+  for (const FaceShare& share : shares) {
+    cuts.removed = cuts.removed || share.removed;
+    cuts.dependsOnFloors = cuts.dependsOnFloors || share.dependsOnFloors;
+    edgeWalls_ |= share.edgeWalls;
+  }
+  if (cuts.removed) return cuts;
+  std::vector<FaceShare::Piece> pieces;
+  std::vector<Index> points, lines;
+  for (const FaceShare& share : shares) {
+    poll_();
+    if (share.segments.empty() && share.pieces.empty()) continue;
+    addCuts(share, points, lines);
+    for (FaceShare::Piece piece : share.pieces) {
+      CutSegment& s = piece.segment;
+      if (s.from >= 0) s.from = points[s.from];
+      if (s.to >= 0) s.to = points[s.to];
+      s.line = lines[s.line];
+      pieces.push_back(piece);
+    }
+  }
+  const auto isSame = [](const FaceShare::Piece& x, const FaceShare::Piece& y) {
+    return x.obstacle == y.obstacle && x.segment.line == y.segment.line;
+  };
+  std::sort(pieces.begin(), pieces.end(), [](const FaceShare::Piece& x, const FaceShare::Piece& y) {
+    return x.obstacle != y.obstacle ? x.obstacle < y.obstacle : x.segment.line < y.segment.line;
+  });
+  for (std::size_t i = 0, j = 0; i < pieces.size(); i = j) {
+    CutSegment whole = pieces[i].segment;
+    for (j = i; j < pieces.size() && isSame(pieces[i], pieces[j]); ++j) {
+      if (pieces[j].segment.from >= 0) whole.from = pieces[j].segment.from;
+      if (pieces[j].segment.to >= 0) whole.to = pieces[j].segment.to;
+    }
+    if (whole.from < 0 || whole.to < 0) throw std::logic_error("a segment lost an end between two cells");
+    addSegment(whole.from, whole.to, whole.line, 1, whole.winding, whole.wall);
+  }
+  cancelSegments();
+  collect(cuts);
+  cuts.edgeWalls = edgeWalls_;
+  return cuts;
+}
+
+std::vector<Index> ClearanceClipper::candidates() const {
+  std::vector<Index> result;
+  result.reserve(candidates_.found().size());
+  for (const ClearanceCandidate& c : candidates_.found()) result.push_back(c.obstacle);
+  return result;
+}
+
+ExactFallbacks ClearanceClipper::fallbacks() const {
+  ExactFallbacks sum = geometry_.fallbacks;
+  sum += candidates_.fallbacks;
+  return sum;
+}
+
+void ClearanceClipper::begin(Index face) {
+  face_ = face;
+  started_ = false;
+  segments_.clear();
+  pieces_.clear();
+  cellBorders_.clear();
+  edgeWalls_ = 0;
+  const auto& f = mesh_.triangles[face];
+  for (int k = 0; k < 3; ++k)
+    if (mesh_.hasObstacleEdge(f[k], f[next(k)])) edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
+}
+
+void ClearanceClipper::startGeometry() {
+  if (started_) return;
+  started_ = true;
+  geometry_.start(face_);
+  sideLines_.clear();
+  for (const CellSide& side : sides_) sideLines_.push_back(geometry_.line(side.border));
+}
+
+bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates, const std::vector<char>& leftOut) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if ((++polls_ & 255) == 0) poll_();
+    const ClearanceCandidate& candidate = candidates[i];
+    const bool isWall = mesh_.facing[candidate.obstacle] == 0;
+    if ((isWall && isWallOfEdge(candidate)) || (!leftOut.empty() && leftOut[i] != 0)) continue;
+    startGeometry();
+    obstacle_ = candidate.obstacle;
+    if (isWall)
+      addWall(candidate);
+    else if (addArea(candidate))
+      return false;
+  }
+  return true;
+}
+
+FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
+  FaceCuts cuts;
+  Crowding crowding(mesh_, face_);
+  for (const ClearanceCandidate& candidate : candidates) crowding.add(candidate.obstacle);
+  std::vector<char> leftOut;
+  if (crowding.isCrowd()) leftOut = findCovered(geometry_.kernel(), face_, candidates, poll_);
+  cuts.removed = !clipAll(candidates, leftOut);
+  if (!cuts.removed) {
+    cancelSegments();
+    collect(cuts);
+    cuts.edgeWalls = edgeWalls_;
+  }
+  cuts.dependsOnFloors = candidates_.dependsOnFloors();
+  return cuts;
+}
+
+bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
+  const Index obstacle = candidate.obstacle;
+  const auto& o = mesh_.triangles[obstacle];
+  const auto& plan = mesh_.planIds;
+  const bool up = mesh_.facing[obstacle] > 0;
+  Polygon polygon;
+  for (int j = 0; j < 3; ++j) {  // counter-clockwise in the plan
+    const int i = up ? j : 2 - j;
+    const int i2 = up ? next(j) : (4 - j) % 3;
+    const Index a = plan[o[i]], b = plan[o[i2]];
+    polygon.push({geometry_.point({PlanPoint::Source, a}), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
+                  candidate.ceiling[i]});
+  }
+  if (!candidate.coplanar) {
+    clipToLevel(polygon, obstacle, false);
+    if (polygon.size > 0) clipToLevel(polygon, obstacle, true);
+  }
+  for (int k = 0; k < 3 && polygon.size > 0; ++k) {
+    const auto& s = candidate.sides[k];
+    if (s[0] >= 0 && s[1] >= 0 && s[2] >= 0) {
+      // inside already; only remember what lies on the edge
+      const int zeros = (s[0] == 0) + (s[1] == 0) + (s[2] == 0);
+      for (int i = 0; i < polygon.size; ++i) {
+        const Index p = polygon.corners[i].point;
+        if (zeros >= 2) {
+          geometry_.sideOfEdge(k, p);
+        } else if (zeros == 1 && geometry_[p].kind == PlanPoint::Source) {
+          for (int j = 0; j < 3; ++j)
+            if (s[j] == 0 && geometry_[p].a == plan[o[j]]) geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
+        }
+      }
+      continue;
+    }
+    clipToEdge(polygon, k);
+  }
+  if (polygon.size < 3) return false;
+  if (polygon.size == 3) {
+    int corners = 0;
+    for (int i = 0; i < 3; ++i) corners += polygon.corners[i].point < 3;  // the face's corners are points 0, 1, 2
+    if (corners == 3) return true;
+  }
+  for (std::size_t side = 0; side < sides_.size() && polygon.size > 0; ++side)
+    if (!isInside(side, obstacle)) clipToSide(polygon, side);
+  for (int i = 0; i < polygon.size; ++i) {
+    const Corner &c = polygon.corners[i], &d = polygon.corners[(i + 1) % polygon.size];
+    addSegment(c.point, d.point, c.line, c.direction, 1, false, c.cut, d.cut);
+  }
+  return false;
+}
+
+// Keeps what is above the floor, or below the clearance.
+void ClearanceClipper::clipToLevel(Polygon& polygon, Index obstacle, bool ceiling) {
+  const int keep = ceiling ? -1 : 1;
+  const auto value = [&](const Corner& c) { return (ceiling ? c.ceiling : c.floor) * keep; };
+  bool needed = false, any = false;
+  for (int i = 0; i < polygon.size; ++i) {
+    needed = needed || value(polygon.corners[i]) < 0;
+    any = any || value(polygon.corners[i]) > 0;
+  }
+  if (!any) polygon.size = 0;
+  if (!any || !needed) return;
+
+  const Index level = ceiling ? level_ : 0;
+  const Index trace = geometry_.line({PlanLine::Trace, obstacle, level});
+  const auto& o = mesh_.triangles[obstacle];
+  const auto crossingOf = [&](Index line) {
+    const PlanLine l = geometry_.lineAt(line);
+    for (int j = 0; j < 3; ++j) {
+      const Index u = o[j], v = o[next(j)];
+      const Index a = mesh_.planIds[u], b = mesh_.planIds[v];
+      if (std::min(a, b) == l.a && std::max(a, b) == l.b)
+        return geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
+    }
+    return geometry_.crossing(line, trace);
+  };
+  Polygon result;
+  for (int i = 0; i < polygon.size; ++i) {
+    const Corner& c = polygon.corners[i];
+    const int a = value(c), b = value(polygon.corners[(i + 1) % polygon.size]);
+    if (a == 0 && b < 0)
+      result.push({c.point, trace, keep, c.floor, c.ceiling});
+    else if (a >= 0)
+      result.push(c);
+    if (a * b < 0) {
+      Corner cut{crossingOf(c.line), c.line, c.direction, ceiling ? 1 : 0, ceiling ? 0 : -1};
+      if (a > 0) {
+        cut.line = trace;
+        cut.direction = keep;
+      }
+      result.push(cut);
+    }
+  }
+  polygon = result;
+}
+
+template <class Crossing>
+void ClearanceClipper::keepPositive(Polygon& polygon, const std::array<int, 12>& signs, const Corner& made,
+                                    const Crossing& crossingOf) {
+  bool any = false;
+  for (int i = 0; i < polygon.size; ++i) any = any || signs[i] > 0;
+  if (!any) {
+    polygon.size = 0;
+    return;
+  }
+  Polygon result;
+  for (int i = 0; i < polygon.size; ++i) {
+    const Corner& c = polygon.corners[i];
+    const int a = signs[i], b = signs[(i + 1) % polygon.size];
+    const auto turn = [&](Corner corner) {
+      corner.line = made.line;
+      corner.direction = made.direction;
+      return corner;
+    };
+    if (a >= 0) result.push(a == 0 && b < 0 ? turn(c) : c);
+    if (a * b >= 0) continue;
+    Corner corner = c;
+    corner.point = crossingOf(c.line);
+    corner.cut = made.cut;
+    result.push(a > 0 ? turn(corner) : corner);
+  }
+  polygon = result;
+}
+
+void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
+  std::array<int, 12> signs{};
+  for (int i = 0; i < polygon.size; ++i) signs[i] = geometry_.sideOfEdge(k, polygon.corners[i].point);
+  Corner made;
+  made.line = k;  // FaceGeometry: the face's edges are the lines 0, 1, 2
+  made.direction = geometry_.edgeDirection(k);
+  keepPositive(polygon, signs, made, [&](Index line) {
+    const Index point = geometry_.crossing(line, k);
+    geometry_.addBorder(point, static_cast<std::uint8_t>(1 << k));
+    return point;
+  });
+}
+
+int ClearanceClipper::sideOfCell(std::size_t side, Index point) {
+  const int s = geometry_.side(sideLines_[side], point) * sides_[side].keep;
+  if (s == 0) {
+    if (cellBorders_.size() <= static_cast<std::size_t>(point)) cellBorders_.resize(geometry_.pointCount(), 0);
+    cellBorders_[point] |= static_cast<std::uint8_t>(1U << side);
+  }
+  return s;
+}
+
+bool ClearanceClipper::isInside(std::size_t side, Index triangle) const {
+  const auto& [border, keep] = sides_[side];
+  const double coordinate = geometry_.kernel().borderCoordinate(border);
+  for (const Index v : mesh_.triangles[triangle]) {
+    const double c = border.a == 0 ? mesh_.vertices[v].x : mesh_.vertices[v].y;
+    if (keep > 0 ? c <= coordinate : c >= coordinate) return false;
+  }
+  return true;
+}
+
+void ClearanceClipper::clipToSide(Polygon& polygon, std::size_t side) {
+  std::array<int, 12> signs{};
+  for (int i = 0; i < polygon.size; ++i) signs[i] = sideOfCell(side, polygon.corners[i].point);
+  Corner made;
+  made.line = sideLines_[side];
+  made.direction = 1;
+  made.cut = true;
+  keepPositive(polygon, signs, made, [&](Index line) { return geometry_.crossing(line, sideLines_[side]); });
+}
+
+std::uint8_t ClearanceClipper::cellBorders(Index point) const {
+  return static_cast<std::size_t>(point) < cellBorders_.size() ? cellBorders_[point] : std::uint8_t{0};
+}
+
+// The most common wall stands on a whole edge of the face: between its ends, and in the clearance at both.
+bool ClearanceClipper::isWallOfEdge(const ClearanceCandidate& candidate) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  const auto& plan = mesh_.planIds;
+  for (int k = 0; k < 3; ++k) {
+    if (candidate.sides[k] != ClearanceCandidate::Signs{0, 0, 0}) continue;
+    const Index from = plan[f[k]], to = plan[f[next(k)]];
+    bool atFrom = false, atTo = false;
+    for (int j = 0; j < 3; ++j) {
+      const Index at = plan[o[j]];
+      if (at != from && at != to) return false;
+      bool reaches = candidate.floor[j] >= 0 && candidate.ceiling[j] <= 0;
+      const int i = next(j);
+      if (plan[o[i]] == at)  // an upright edge
+        reaches =
+            reaches || candidate.floor[j] * candidate.floor[i] < 0 || candidate.ceiling[j] * candidate.ceiling[i] < 0;
+      (at == from ? atFrom : atTo) |= reaches;
+    }
+    if (!atFrom || !atTo) return false;
+    edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
+    return true;
+  }
+  return false;
+}
+
+void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  const auto& plan = mesh_.planIds;
+  // Where the wall reaches into the clearance: its corners there, and where its edges pass floor and ceiling.
+  std::array<Index, 12> points{};
+  int count = 0;
+  Index line = -1;
+  for (int k = 0; k < 3; ++k) {
+    const Index u = o[k], v = o[next(k)];
+    const bool upright = plan[u] == plan[v];
+    if (!upright && line < 0) line = geometry_.edgeLine(plan[u], plan[v]);
+    if (candidate.floor[k] >= 0 && candidate.ceiling[k] <= 0)
+      points[count++] = geometry_.point({PlanPoint::Source, plan[u]});
+    const auto addCrossing = [&](Index level) {
+      points[count++] = upright ? geometry_.point({PlanPoint::Source, plan[u]})
+                                : geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
+    };
+    if (candidate.floor[k] * candidate.floor[next(k)] < 0) addCrossing(0);
+    if (candidate.ceiling[k] * candidate.ceiling[next(k)] < 0) addCrossing(level_);
+  }
+  const PlanLine l = geometry_.lineAt(line);
+  const Vec3 &start = mesh_.vertices[l.a], &end = mesh_.vertices[l.b];
+  const double dx = end.x - start.x, dy = end.y - start.y;
+  const int axis = std::fabs(dx) > std::fabs(dy) ? 0 : 1;
+  const int along = (axis == 0 ? end.x > start.x : end.y > start.y) ? 1 : -1;
+  Index first = points[0], last = points[0];
+  for (int i = 1; i < count; ++i) {
+    if (geometry_.compare(points[i], first, axis) * along < 0) first = points[i];
+    if (geometry_.compare(points[i], last, axis) * along > 0) last = points[i];
+  }
+  if (geometry_.compare(first, last, axis) == 0) return;
+  for (int k = 0; k < 3; ++k) {
+    const int a = geometry_.sideOfEdge(k, first), b = geometry_.sideOfEdge(k, last);
+    if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return;
+    if (a * b >= 0) continue;
+    const Index p = geometry_.crossing(line, k);
+    geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
+    (a < 0 ? first : last) = p;
+  }
+  if (first == last) return;
+  for (int k = 0; k < 3; ++k) {
+    if ((first == k && last == next(k)) || (last == k && first == next(k))) {
+      edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
+      return;
+    }
+  }
+  bool cutFirst = false, cutLast = false;
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
+    const int a = sideOfCell(side, first), b = sideOfCell(side, last);
+    if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return;
+    if (a * b >= 0) continue;
+    (a < 0 ? first : last) = geometry_.crossing(line, sideLines_[side]);
+    (a < 0 ? cutFirst : cutLast) = true;
+  }
+  addSegment(first, last, line, 1, 0, true, cutFirst, cutLast);
+}
+
+void ClearanceClipper::addSegment(Index from, Index to, Index line, int direction, int winding, bool wall, bool cutFrom,
+                                  bool cutTo) {
+  if (from == to || (!sides_.empty() && geometry_.lineAt(line).kind == PlanLine::Border)) return;  // or a seam
+  CutSegment s{from, to, line, static_cast<std::int8_t>(direction), winding, wall};
+  const auto turn = [&s] {
+    std::swap(s.from, s.to);
+    s.direction = static_cast<std::int8_t>(-s.direction);
+    s.winding = -s.winding;
+  };
+  if (cutFrom || cutTo) {
+    if (cutFrom) s.from = -1;
+    if (cutTo) s.to = -1;
+    if (direction < 0) turn();
+    pieces_.push_back({obstacle_, s});
+    return;
+  }
+  if (s.from > s.to) turn();
+  segments_.push_back(s);
+}
+
+/// Adds the segments of FaceCuts or of a FaceShare, and tells what its points and lines are called here.
+template <class Cuts>
+void ClearanceClipper::addCuts(const Cuts& cuts, std::vector<Index>& points, std::vector<Index>& lines) {
+  startGeometry();
+  points.clear();
+  lines.clear();
+  for (std::size_t i = 0; i < cuts.points.size(); ++i) {
+    points.push_back(geometry_.point(cuts.points[i]));
+    geometry_.addBorder(points.back(), cuts.borders[i]);
+  }
+  for (const PlanLine& l : cuts.lines) lines.push_back(geometry_.line(l));
+  for (const CutSegment& s : cuts.segments)
+    addSegment(points[s.from], points[s.to], lines[s.line], s.direction, s.winding, s.wall);
+}
+
+bool ClearanceClipper::precedes(Index line, Index other) const {
+  const PlanLine l = geometry_.lineAt(line), m = geometry_.lineAt(other);
+  return std::tie(l.kind, l.a, l.b) < std::tie(m.kind, m.a, m.b);
+}
+
+// Two obstacles that share an edge and lie on either side of it in the plan cover it: their windings cancel.
+// What lies on a cell's border may meet its opposite in another cell, so it is kept there.
+void ClearanceClipper::cancelSegments() {
+  sortSegments();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < segments_.size();) {
+    CutSegment sum = segments_[i];
+    std::size_t j = i + 1;
+    for (; j < segments_.size() && segments_[j].from == sum.from && segments_[j].to == sum.to; ++j) {
+      if (segments_[j].line != sum.line && precedes(segments_[j].line, sum.line)) {
+        sum.line = segments_[j].line;
+        sum.direction = segments_[j].direction;
+      }
+      sum.winding += segments_[j].winding;
+      sum.wall = sum.wall || segments_[j].wall;
+    }
+    if (sum.winding != 0 || sum.wall || (cellBorders(sum.from) & cellBorders(sum.to)) != 0) segments_[kept++] = sum;
+    i = j;
+  }
+  segments_.resize(kept);
+}
+
+// By their ends. Giants have tens of thousands of segments: those are counted into place, by one end and then the
+// other.
+void ClearanceClipper::sortSegments() {
+  constexpr std::size_t kFewSegments = 256;
+  if (segments_.size() < kFewSegments) {
+    std::sort(segments_.begin(), segments_.end(), [](const CutSegment& a, const CutSegment& b) {
+      return a.from != b.from ? a.from < b.from : a.to < b.to;
+    });
+    return;
+  }
+  sorted_.resize(segments_.size());
+  for (const auto end : {&CutSegment::to, &CutSegment::from}) {
+    poll_();
+    counts_.assign(geometry_.pointCount() + 1, 0);
+    for (const CutSegment& s : segments_) ++counts_[s.*end + 1];
+    std::partial_sum(counts_.begin(), counts_.end(), counts_.begin());
+    for (const CutSegment& s : segments_) sorted_[counts_[s.*end]++] = s;
+    segments_.swap(sorted_);
+  }
+}
+
+// In an order that depends on nothing but what they are: points along a curve, segments by their points, lines as they
+// come.
+template <class Cuts>
+void ClearanceClipper::collect(Cuts& cuts) {
+  if (segments_.empty() && pieces_.empty()) return;
+  const std::size_t lineSlots = geometry_.pointCount();
+  numbers_.assign(lineSlots + geometry_.lineCount(), -1);
+  std::vector<Index> order;
+  const auto need = [&](Index point) {
+    if (numbers_[point] >= 0) return;
+    numbers_[point] = 0;
+    order.push_back(point);
+  };
+  for (const CutSegment& s : segments_) {
+    need(s.from);
+    need(s.to);
+  }
+  constexpr bool kIsShare = std::is_same_v<Cuts, FaceShare>;
+  if constexpr (kIsShare) {
+    for (const FaceShare::Piece& piece : pieces_)
+      for (const Index end : {piece.segment.from, piece.segment.to})
+        if (end >= 0) need(end);
+  } else {
+    sortAlongCurve(geometry_, order);
+  }
+  cuts.points.reserve(order.size());
+  cuts.borders.reserve(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    numbers_[order[i]] = static_cast<Index>(i);
+    cuts.points.push_back(geometry_[order[i]]);
+    cuts.borders.push_back(geometry_.border(order[i]));
+  }
+  for (CutSegment& s : segments_) {
+    s.from = numbers_[s.from];
+    s.to = numbers_[s.to];
+    if (s.from < s.to) continue;
+    std::swap(s.from, s.to);
+    s.direction = static_cast<std::int8_t>(-s.direction);
+    s.winding = -s.winding;
+  }
+  if (!kIsShare) sortSegments();
+  const auto numberLine = [&](Index& line) {
+    Index& number = numbers_[lineSlots + line];
+    if (number < 0) {
+      number = static_cast<Index>(cuts.lines.size());
+      cuts.lines.push_back(geometry_.lineAt(line));
+    }
+    line = number;
+  };
+  for (CutSegment& s : segments_) numberLine(s.line);
+  cuts.segments.assign(segments_.begin(), segments_.end());
+  if constexpr (kIsShare) {
+    for (FaceShare::Piece& piece : pieces_) {
+      for (Index* end : {&piece.segment.from, &piece.segment.to})
+        if (*end >= 0) *end = numbers_[*end];
+      numberLine(piece.segment.line);
+    }
+    cuts.pieces = std::move(pieces_);
+    pieces_.clear();
+  }
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/clearance/clearance_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/assembly/dropped_parts.hpp"
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/base/number_text.hpp"
+#include "core/filters/clearance/covered_obstacles.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+std::shared_ptr<const PlanKernel> kernelWithHeight(const std::shared_ptr<const PlanKernel>& kernel, double height) {
+  if (kernel->levelOf(height)) return kernel;
+  std::vector<double> heights = kernel->heights();
+  heights.push_back(height);
+  return std::make_shared<PlanKernel>(kernel->sharedMesh(), std::move(heights));
+}
+
+double largestCoordinate(const SourceMesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.vertices) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  return largest;
+}
+
+// A height above the whole extent in z lets no obstacle escape, and neither does any other: the smallest power of two
+// above it stands for all of them, and does not stretch the grid on which doubles can decide.
+double sufficientHeight(const SourceMesh& mesh, double height) {
+  if (mesh.vertices.empty()) return height;
+  const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                               [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+  const double extent = high->z - low->z;
+  if (!std::isfinite(extent) || mesh.grid.empty()) return height;
+  // Any would do: one that makes no number wider.
+  if (extent == 0) return std::clamp(height, std::ldexp(1.0, mesh.grid.low), std::ldexp(1.0, mesh.grid.top));
+  int exponent = 0;
+  std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
+  return std::min(height, std::ldexp(1.0, exponent));
+}
+
+// Beside large coordinates a tiny height makes every number as wide as what lies between them. On slanted floors there
+// is no height that makes no difference; but one below the coordinates' common step, and beyond the digits that
+// decisions are quick with, is a slip of the hand or a wrong scale.
+void checkHeight(const SourceMesh& mesh, double height) {
+  Grid grid = mesh.grid;
+  grid.include(height);
+  constexpr int kMostAdded = 64;  // bits: a double of about the coordinates' step has 53
+  if (mesh.grid.empty() || grid.width() <= std::max(kWidestFixedGrid, mesh.grid.width() + kMostAdded)) return;
+  const auto shown = [](double x) {
+    std::string text;
+    appendNumber(text, x);
+    return text;
+  };
+  constexpr int kDigits = std::numeric_limits<double>::digits;
+  throw InputError(
+      FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or "
+                    "check the scale and the largest coordinates"),
+      shown(height), shown(largestCoordinate(mesh)),
+      shown(std::ldexp(1.0, std::min(mesh.grid.top - kWidestFixedGrid, mesh.grid.low - kMostAdded) + kDigits)));
+}
+
+}  // namespace
+
+ClearancePass::Worker::Worker(const ClearancePass& pass, RunContext& context)
+    : floors(pass.state_->walkable, pass.tests_),
+      clipper_(
+          *pass.result_->kernel, [this](Index face) { return floors.isFloor(face); }, pass.level_,
+          [&context] { context.checkCancelled(); }),
+      mesher_(*pass.result_->kernel, [&context] { context.checkCancelled(); }),
+      copies_(makeCopyMemory()) {}
+
+ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<FaceTest> tests,
+                             const BorderCoordinates& borders, const Recall& recall, RunContext& context)
+    : state_(state),
+      context_(context),
+      large_(state->walkable.size() >= kLargeRelease),
+      tests_(std::move(tests)),
+      result_(std::make_shared<WalkableState>(*state)) {
+  const double height = sufficientHeight(state->kernel->mesh(), given);
+  checkHeight(state->kernel->mesh(), height);
+  result_->kernel = kernelWithHeight(state->kernel, height);
+  const PlanKernel& kernel = *result_->kernel;
+  level_ = *kernel.levelOf(height);
+  borderKernel_ = borders[0].empty() && borders[1].empty()
+                      ? result_->kernel
+                      : std::make_shared<PlanKernel>(kernel.sharedMesh(), kernel.heights(), borders);
+  const std::size_t count = kernel.mesh().triangles.size();
+
+  // Only a first clearance filter can be taken over or remembered: later ones add to the cuts of others.
+  if (!state->cuts && recall.keep) {
+    memory_ = std::make_shared<AssemblyMemory>();
+    large_.hold(memory_);
+    memory_->candidates.resize(count);
+    memory_->clearance = height;
+    if (recall.before && recall.before->memory) earlier_ = EarlierResult::relate(recall.before, kernel);
+  }
+  known_.emplace(earlier_, *result_, height);
+  cuts_ = std::make_shared<CutTable>(count);
+  large_.hold(cuts_);
+  meshes_ = std::make_shared<FaceMeshes>(count);
+  large_.hold(meshes_);
+  isChanged_.assign(count, 0);
+  crowded_ = std::vector<std::atomic<std::int8_t>>(count);
+  for (std::atomic<std::int8_t>& crowded : crowded_) crowded = -1;
+}
+
+ClearancePass::Worker& ClearancePass::worker() {
+  auto& worker = workers_.local();
+  if (!worker) worker = std::make_unique<Worker>(*this, context_);
+  return *worker;
+}
+
+bool ClearancePass::canShare(Index face) const {
+  return !state_->cuts && known_->before(face) < 0 && !mayBeCrowded(face);
+}
+
+// Of everything in the box, which is never less than what stands in the clearance: so a face that is shared is none of
+// which the clipper would leave out anything.
+bool ClearancePass::mayBeCrowded(Index face) const {
+  std::atomic<std::int8_t>& crowded = crowded_[static_cast<std::size_t>(face)];
+  if (crowded >= 0) return crowded > 0;
+  const SourceMesh& mesh = result_->kernel->mesh();
+  Crowding crowding(mesh, face);
+  std::vector<std::int32_t> stack;
+  mesh.tree.visitOverlapping(clearanceBox(mesh, face, result_->kernel->heights()[level_ - 1]), stack,
+                             [&](Index obstacle) {
+                               if (obstacle != face) crowding.add(obstacle);
+                               return !crowding.isCrowd();
+                             });
+  crowded = crowding.isCrowd() ? 1 : 0;
+  return crowded > 0;
+}
+
+void ClearancePass::clip(Index face, Worker& own) {
+  const Index then = known_->before(face);
+  if (then >= 0 && known_->sameClearance() && !known_->isTouched(face)) {
+    cuts_->set(face, earlier_->cuts(then, own.copies_));
+    memory_->candidates[face] = earlier_->candidates(then, own.copies_);
+    return;
+  }
+  isChanged_[face] = 1;
+  cuts_->set(face, known_->knowsAll(then)
+                       ? own.clipper_.clip(face, known_->standing(then, own.copies_), known_->clearance())
+                       : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr));
+  if (memory_) keepCandidates(face, own.clipper_.candidates());
+}
+
+void ClearancePass::keepCandidates(Index face, std::vector<Index> found) {
+  if (!found.empty())
+    memory_->candidates[face] = std::make_shared<const std::pmr::vector<Index>>(found.begin(), found.end());
+}
+
+FaceShare ClearancePass::clipShare(Index face, std::span<const CellSide> sides, Worker& own) {
+  if (!own.shareClipper_)
+    own.shareClipper_ = std::make_unique<ClearanceClipper>(
+        *borderKernel_, [&own](Index f) { return own.floors.isFloor(f); }, level_,
+        [this] { context_.checkCancelled(); });
+  return own.shareClipper_->clipShare(face, sides);
+}
+
+void ClearancePass::joinShares(Index face, std::span<const FaceShare> shares, Worker& own) {
+  isChanged_[face] = 1;
+  cuts_->set(face, own.clipper_.joinShares(face, shares));
+  if (!memory_) return;
+  std::vector<Index> found;
+  for (const FaceShare& share : shares) found.insert(found.end(), share.candidates.begin(), share.candidates.end());
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keepCandidates(face, std::move(found));
+}
+
+std::size_t ClearancePass::mesh(Index face, Worker& own) {
+  if (!cuts_->shared(face)) return 1;
+  if (cuts_->isRemoved(face)) return 0;
+  auto& mesh = (*meshes_)[face];
+  const bool isKnown = earlier_ && known_->sameClearance() && isChanged_[face] == 0;
+  if (isKnown)
+    mesh = earlier_->mesh(earlier_->faceBefore(face), own.copies_);
+  else if (!(*cuts_)[face].segments.empty())
+    mesh = std::make_shared<const FaceMesh>(own.mesher_.mesh(face, &(*cuts_)[face]));
+  return mesh ? mesh->cells.size() : 1;
+}
+
+std::shared_ptr<const NavigationMesh> ClearancePass::preview(std::span<const Index> faces) const {
+  return previewOfFaces(*result_->kernel, *cuts_, *meshes_, faces, context_);
+}
+
+FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char> removed, bool isMeshed) {
+  FilterOutcome outcome;
+  for (const auto& worker : workers_) {
+    outcome.fallbacks += worker->clipper_.fallbacks();
+    outcome.fallbacks += worker->mesher_.fallbacks();
+    outcome.fallbacks += worker->floors.fallbacks;
+    if (worker->shareClipper_) outcome.fallbacks += worker->shareClipper_->fallbacks();
+  }
+  result_->walkable = std::move(walkable);
+  result_->removed = std::move(removed);
+  result_->cuts = cuts_;
+  const bool partly = earlier_ && known_->sameClearance();
+  std::vector<Index> changed;
+  for (Index t = 0; t < static_cast<Index>(isChanged_.size()) && partly; ++t)
+    if (isChanged_[t] != 0) changed.push_back(t);
+  const EarlierResult* earlier = partly ? &*earlier_ : nullptr;
+  if (!isMeshed) meshFaces(*result_, earlier, changed, *meshes_, context_, outcome.fallbacks);
+  result_->mesh = joinFaces(*result_, earlier, changed, meshes_, memory_.get(), context_, outcome.fallbacks);
+  result_->simplified = false;
+  result_->memory = memory_;
+  if (result_->dropped)
+    result_->mesh = withoutDropped(*result_->kernel, *result_->mesh, *result_->dropped, context_, outcome.fallbacks);
+  outcome.state = std::move(result_);
+  return outcome;
+}
+
+}  // namespace footfall::detail

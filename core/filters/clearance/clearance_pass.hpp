@@ -1,0 +1,92 @@
+// One run of VerticalClearanceFilter, face by face in any order and on any threads: over the whole environment, or cell
+// by cell in a parallel block.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/background_release.hpp"
+#include "core/filters/clearance/clearance_clipper.hpp"
+#include "core/filters/clearance/known_cuts.hpp"
+#include "core/filters/face_filter.hpp"
+#include "core/filters/filter.hpp"
+
+namespace footfall::detail {
+
+/// Faces that are given to clip() or mesh() at the same time must be different ones.
+class ClearancePass {
+ public:
+  /// What one thread works with.
+  class Worker {
+   public:
+    Worker(const ClearancePass& pass, RunContext& context);
+
+    FloorFlags floors;
+
+   private:
+    friend ClearancePass;
+    ClearanceClipper clipper_;
+    std::unique_ptr<ClearanceClipper> shareClipper_;  ///< on the kernel with borders; made when needed
+    FaceMesher mesher_;
+    CopyMemory copies_;
+  };
+
+  /// `tests` are filters that come before, not yet in the state's flags (none when there is something to recall).
+  /// `borders` are those between cells that share faces.
+  ClearancePass(const StatePtr& state, double height, std::vector<FaceTest> tests, const BorderCoordinates& borders,
+                const Recall& recall, RunContext& context);
+
+  /// The calling thread's own, for as long as the pass.
+  Worker& worker();
+  /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance, or known ones, and not when
+  /// there is such a crowd above it that only a look at all of it tells what counts.
+  [[nodiscard]] bool canShare(Index face) const;
+
+  /// Finds the cuts of a floor.
+  void clip(Index face, Worker& own);
+  /// The part of a floor's cuts that one cell finds.
+  FaceShare clipShare(Index face, std::span<const CellSide> sides, Worker& own);
+  /// All parts of a floor's cuts.
+  void joinShares(Index face, std::span<const FaceShare> shares, Worker& own);
+  /// How many segments a clipped floor has to be triangulated with; 0: it stays whole or is covered.
+  [[nodiscard]] std::size_t segments(Index face) const {
+    return cuts_->isRemoved(face) ? 0 : (*cuts_)[face].segments.size();
+  }
+  /// Triangulates what the cuts of a floor leave, to be taken by finish(). Returns its number of triangles.
+  std::size_t mesh(Index face, Worker& own);
+  /// What the floors have become, for display.
+  [[nodiscard]] std::shared_ptr<const NavigationMesh> preview(std::span<const Index> faces) const;
+
+  /// The filter's outcome, when every floor is clipped. `isMeshed`: mesh() was called for every floor, too. `walkable`
+  /// and `removed`: the flags after the filters before.
+  FilterOutcome finish(std::vector<char> walkable, std::vector<char> removed, bool isMeshed);
+
+ private:
+  [[nodiscard]] bool mayBeCrowded(Index face) const;
+  void keepCandidates(Index face, std::vector<Index> found);
+
+  StatePtr state_;
+  RunContext& context_;
+  ReleaseOnException large_;
+  std::vector<FaceTest> tests_;
+  std::shared_ptr<WalkableState> result_;
+  std::shared_ptr<const PlanKernel> borderKernel_;
+  Index level_ = -1;
+  std::shared_ptr<AssemblyMemory> memory_;
+  std::optional<EarlierResult> earlier_;
+  std::optional<KnownCuts> known_;
+  std::shared_ptr<CutTable> cuts_;
+  std::shared_ptr<FaceMeshes> meshes_;  ///< made by mesh()
+  std::vector<char> isChanged_;
+  mutable std::vector<std::atomic<std::int8_t>> crowded_;  ///< -1: not known yet
+  tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
+};
+
+}  // namespace footfall::detail

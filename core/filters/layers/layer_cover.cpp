@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/layers/layer_cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/exact/face_geometry.hpp"
+
+namespace footfall::detail {
+namespace {
+
+// Scaled coordinates are below 2^37, so corners of all cells are doubles.
+constexpr double kHalfSide = 0x1p37;
+constexpr int kDeepest = 24;
+constexpr std::size_t kCellsOfPiece = 4;
+constexpr std::size_t kMostFew = 64;
+
+}  // namespace
+
+LayerCover::LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
+    : kernel_(kernel), mesh_(mesh), context_(context), geometry_(kernel, mesh.vertices) {}
+
+void LayerCover::Runs::insert(std::uint32_t number) {
+  auto next = runs_.upper_bound(number);
+  if (next != runs_.begin()) {
+    const auto before = std::prev(next);
+    if (number < before->second) return;
+    if (number == before->second) {
+      ++before->second;
+      if (next != runs_.end() && next->first == before->second) {
+        before->second = next->second;
+        runs_.erase(next);
+      }
+      return;
+    }
+  }
+  std::uint32_t end = number + 1;
+  if (next != runs_.end() && next->first == end) {
+    end = next->second;
+    runs_.erase(next);
+  }
+  runs_.emplace(number, end);
+}
+
+std::uint32_t LayerCover::Runs::firstMissing(std::uint32_t number) const {
+  const auto next = runs_.upper_bound(number);
+  if (next == runs_.begin()) return number;
+  return std::max(number, std::prev(next)->second);
+}
+
+std::uint64_t LayerCover::keyOf(const Cell& cell) {
+  return static_cast<std::uint64_t>(cell.level) << 56 | static_cast<std::uint64_t>(cell.x) << 28 | cell.y;
+}
+
+LayerCover::Tree::Bounds LayerCover::boundsOf(Index triangle) const {
+  const PlanTriangle p = planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(triangle)]);
+  return {{std::min({p.x[0], p.x[1], p.x[2]}) - p.error, std::min({p.y[0], p.y[1], p.y[2]}) - p.error},
+          {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
+}
+
+// By rounded coordinates with their bounds: false says nothing.
+bool LayerCover::isInside(const Cell& cell, const PlanTriangle& t) const {
+  const double side = std::ldexp(2 * kHalfSide, -cell.level);
+  const double left = -kHalfSide + side * cell.x, bottom = -kHalfSide + side * cell.y;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t n = (k + 1) % 3;
+    for (const double x : {left, left + side})
+      for (const double y : {bottom, bottom + side})
+        if (filteredOrientation({t.x[k], t.y[k], t.error}, {t.x[n], t.y[n], t.error}, {x, y, 0},
+                                kernel_.sign().slack) != 1)
+          return false;
+  }
+  return true;
+}
+
+LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
+  Piece piece{triangles, {}};
+  std::vector<std::pair<double, Index>> largest;
+  for (const Index t : triangles) {
+    const Tree::Bounds b = boundsOf(t);
+    const double size = std::min(b.upper[0] - b.lower[0], b.upper[1] - b.lower[1]);
+    if (!std::isfinite(size)) continue;
+    largest.emplace_back(-size, t);
+    std::push_heap(largest.begin(), largest.end());
+    if (largest.size() <= kCellsOfPiece) continue;
+    std::pop_heap(largest.begin(), largest.end());
+    largest.pop_back();
+  }
+  for (const auto& [size, t] : largest) {
+    const PlanTriangle p = planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(t)]);
+    const double x = (p.x[0] + p.x[1] + p.x[2]) / 3 + kHalfSide, y = (p.y[0] + p.y[1] + p.y[2]) / 3 + kHalfSide;
+    if (!(x >= 0 && y >= 0 && x < 2 * kHalfSide && y < 2 * kHalfSide)) continue;
+    for (int level = 0; level <= kDeepest; ++level) {
+      const double side = std::ldexp(2 * kHalfSide, -level);
+      const Cell cell{level, static_cast<std::uint32_t>(x / side), static_cast<std::uint32_t>(y / side)};
+      if (side > -size || !isInside(cell, p)) continue;
+      piece.inside.push_back(cell);
+      break;
+    }
+  }
+  return piece;
+}
+
+std::vector<const LayerCover::Runs*> LayerCover::knownFor(const Piece& piece) const {
+  std::vector<const Runs*> known;
+  for (const Cell& cell : piece.inside) {
+    if (const auto node = nodes_.find(keyOf(cell)); node != nodes_.end()) known.push_back(&node->second.within);
+    for (Cell at = cell; at.level >= 0; at = {at.level - 1, at.x / 2, at.y / 2})
+      if (const auto node = nodes_.find(keyOf(at)); node != nodes_.end()) known.push_back(&node->second.around);
+  }
+  return known;
+}
+
+std::uint32_t LayerCover::firstInDoubt(const std::vector<const Runs*>& known, std::uint32_t layer) const {
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const Runs* runs : known) {
+      const std::uint32_t next = runs->firstMissing(layer);
+      moved = moved || next != layer;
+      layer = next;
+    }
+  }
+  return layer;
+}
+
+bool LayerCover::overlaps(const Piece& piece, const Layer& layer) {
+  bool found = false;
+  for (const Index t : piece.triangles) {
+    context_.checkCancelled();
+    const PlanTriangle own = planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(t)]);
+    const Tree::Bounds bounds = boundsOf(t);
+    const auto test = [&](Index o) {
+      context_.checkCancelled();
+      found =
+          found || geometry_.overlap(own, planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(o)]));
+    };
+    for (const Tree& tree : layer.trees)
+      if (!found) tree.visitOverlapping(bounds, test);
+    for (const Index o : layer.few) {
+      if (found) break;
+      const Tree::Bounds b = boundsOf(o);
+      if (b.lower[0] <= bounds.upper[0] && b.upper[0] >= bounds.lower[0] && b.lower[1] <= bounds.upper[1] &&
+          b.upper[1] >= bounds.lower[1])
+        test(o);
+    }
+    if (found) return true;
+  }
+  return false;
+}
+
+bool LayerCover::isFree(const Piece& piece, std::uint32_t layer) {
+  return firstInDoubt(knownFor(piece), layer) == layer && !overlaps(piece, layers_[layer]);
+}
+
+std::uint32_t LayerCover::firstFree(const Piece& piece) {
+  const std::vector<const Runs*> known = knownFor(piece);
+  for (std::uint32_t layer = firstInDoubt(known, 0); layer < layerCount(); layer = firstInDoubt(known, layer + 1))
+    if (!overlaps(piece, layers_[layer])) return layer;
+  return layerCount();
+}
+
+void LayerCover::add(const Piece& piece, std::uint32_t layer) {
+  if (layer == layerCount()) layers_.emplace_back();
+  for (const Cell& cell : piece.inside) {
+    nodes_[keyOf(cell)].around.insert(layer);
+    for (Cell at = cell; --at.level >= 0;) {
+      at.x /= 2;
+      at.y /= 2;
+      nodes_[keyOf(at)].within.insert(layer);
+    }
+  }
+  auto& [trees, few] = layers_[layer];
+  few.insert(few.end(), piece.triangles.begin(), piece.triangles.end());
+  if (few.size() <= kMostFew) return;
+  std::vector<Index> together;
+  together.swap(few);
+  while (!trees.empty() && static_cast<std::size_t>(trees.back().size()) <= 2 * together.size()) {
+    for (Index place = 0; place < trees.back().size(); ++place) together.push_back(trees.back().idAt(place));
+    trees.pop_back();
+  }
+  trees.emplace_back();
+  trees.back().build(
+      together, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
+}
+
+}  // namespace footfall::detail

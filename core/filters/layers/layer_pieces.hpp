@@ -1,0 +1,40 @@
+// Dividing one region of the walkable area that lies above itself into pieces that do not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The minimum number of connections is NP-hard to find (Hillebrand et al. 2016). Here: pieces grow from the lowest
+// triangle upwards (their height heuristic), taking what overlaps nothing in the piece; neighbouring pieces that do not
+// overlap are merged; and a local search moves triangles across the cuts while that saves connections.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/exact/source_mesh.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// For each triangle (or piece) a list of others, one after another.
+struct IndexLists {
+  std::vector<Index> first;  ///< for each, and one more at the end
+  std::vector<Index> items;
+
+  [[nodiscard]] std::span<const Index> operator[](Index t) const {
+    return {items.data() + first[t], static_cast<std::size_t>(first[t + 1] - first[t])};
+  }
+};
+
+/// What subdividing a region needs to know; shared by all threads.
+struct LayerInput {
+  std::vector<double> lowest;  ///< for each triangle the height of its lowest corner; decides the order of growth
+  IndexLists neighbors;        ///< across edges that are not obstacle edges; only within regions that are subdivided
+  IndexLists overlaps;         ///< triangles of the same region that overlap it in the plan
+};
+
+/// Numbers the pieces of the region of `triangles` (ascending) from 0 and writes the numbers to `piece[t]`, other
+/// elements of which are left alone. Returns for each number the triangle from which the piece grew; a number may have
+/// no triangles any more. A smaller number has the lower first triangle.
+std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles, std::vector<Index>& piece,
+                                   RunContext& context);
+
+}  // namespace footfall::detail

@@ -1,0 +1,319 @@
+// LayerSubdivisionFilter (the thesis's PEELFilter): splits the walkable triangles into layers that do not overlap in
+// the plan, with few connections (design section 2, thesis 3.2). SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
+// into as few layers as a greedy pass finds. For that, all overlapping pairs of triangles are listed, unless there are
+// far more of them than triangles, as in a tower of thousands of floors: then pairs are listed within regions only, and
+// layers are asked whether they have room for a piece (layer_cover.hpp). The result is the same.
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/base/counted_text.hpp"
+#include "core/filters/filter_registry.hpp"
+#include "core/filters/layers/layer_cover.hpp"
+#include "core/filters/layers/layer_pieces.hpp"
+#include "core/filters/layers/plan_overlaps.hpp"
+#include "core/mesh/mesh_topology.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr Index kTrianglesPerTask = 8192;
+
+using Pair = std::array<Index, 2>;
+
+// The lists of both members of each pair.
+IndexLists listsOf(const std::vector<Pair>& pairs, Index count) {
+  IndexLists lists;
+  lists.first.assign(count + 1, 0);
+  for (const auto& [s, t] : pairs) {
+    ++lists.first[s + 1];
+    ++lists.first[t + 1];
+  }
+  for (Index t = 0; t < count; ++t) lists.first[t + 1] += lists.first[t];
+  lists.items.resize(lists.first.back());
+  std::vector<Index> next(lists.first.begin(), lists.first.end() - 1);
+  for (const auto& [s, t] : pairs) {
+    lists.items[next[s]++] = t;
+    lists.items[next[t]++] = s;
+  }
+  return lists;
+}
+
+class LayerSubdivision {
+ public:
+  LayerSubdivision(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology,
+                   RunContext& context)
+      : kernel_(kernel),
+        mesh_(mesh),
+        topology_(topology),
+        context_(context),
+        count_(static_cast<Index>(mesh.triangles.size())) {}
+
+  std::vector<std::uint32_t> run(const StatePtr& before) {
+    tbb::parallel_invoke([&] { findOverlaps(before); },
+                         [&] {
+                           region_ = findRegions(mesh_, topology_, regionCount_);
+                           findLowest();
+                         });
+    context_.checkCancelled();
+    if (!knowsAllOverlaps_)
+      overlaps_ = findPlanOverlapsWithin(region_, regionCount_, kernel_, mesh_, topology_, context_, fallbacks_);
+    subdivideRegions();
+    context_.progress(kShareOfPieces);
+    return knowsAllOverlaps_ ? colourPieces() : placePieces();
+  }
+
+  /// All pairs for the next run, or null where there are too many.
+  std::shared_ptr<const std::vector<Pair>> takeOverlaps() {
+    return knowsAllOverlaps_ ? std::make_shared<const std::vector<Pair>>(std::move(overlaps_)) : nullptr;
+  }
+
+  [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
+
+ private:
+  void findOverlaps(const StatePtr& before) {
+    const auto earlier = EarlierResult::relate(before, kernel_);
+    if (earlier && before->overlaps) {
+      const MeshRelation relation = relateMeshes(*earlier, *before->mesh, mesh_);
+      context_.checkCancelled();
+      if (relation.related > count_ / 2) {
+        overlaps_ = updatePlanOverlaps(*before->overlaps, relation, kernel_, mesh_, context_, fallbacks_);
+        return;
+      }
+    }
+    const std::size_t most = kMostPairs + kMostPairsOfTriangle * static_cast<std::size_t>(count_);
+    auto found = findPlanOverlaps(kernel_, mesh_, topology_, most, context_, fallbacks_);
+    knowsAllOverlaps_ = found.has_value();
+    if (found) overlaps_ = std::move(*found);
+  }
+
+  void findLowest() {
+    input_.lowest.resize(count_);
+    tbb::parallel_for(tbb::blocked_range<Index>(0, count_, kTrianglesPerTask), [&](const auto& range) {
+      context_.checkCancelled();
+      for (Index t = range.begin(); t != range.end(); ++t) {
+        const auto& c = mesh_.triangles[t].corners;
+        input_.lowest[t] = std::min({mesh_.vertices[c[0]].z, mesh_.vertices[c[1]].z, mesh_.vertices[c[2]].z});
+      }
+    });
+  }
+
+  void findNeighbors(const std::vector<char>& divided) {
+    std::vector<Pair> pairs;
+    for (Index e = 0; e < topology_.edgeCount(); ++e) {
+      const auto sides = topology_.sidesOf(e);
+      if (sides.size() < 2 || divided[region_[sides[0] / 3]] == 0 || isObstacle(mesh_.triangles, sides)) continue;
+      for (std::size_t i = 0; i < sides.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) pairs.push_back({sides[i] / 3, sides[j] / 3});
+    }
+    input_.neighbors = listsOf(pairs, count_);
+  }
+
+  // Numbers all pieces by the height of the triangles from which they grew.
+  void subdivideRegions() {
+    std::vector<char> divided(regionCount_, 0);
+    std::vector<Pair> within;
+    for (const auto& pair : overlaps_) {
+      if (region_[pair[0]] != region_[pair[1]]) continue;
+      divided[region_[pair[0]]] = 1;
+      within.push_back(pair);
+    }
+    tbb::parallel_invoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); });
+    context_.checkCancelled();
+
+    std::vector<Index> number(regionCount_, -1), regions, first{0};
+    for (Index r = 0; r < regionCount_; ++r) {
+      if (divided[r] == 0) continue;
+      number[r] = static_cast<Index>(regions.size());
+      regions.push_back(r);
+    }
+    first.resize(regions.size() + 1, 0);
+    for (const Index r : region_)
+      if (number[r] >= 0) ++first[number[r] + 1];
+    for (std::size_t i = 0; i < regions.size(); ++i) first[i + 1] += first[i];
+    std::vector<Index> triangles(first.back()), next = first;
+    for (Index t = 0; t < count_; ++t)
+      if (const Index n = number[region_[t]]; n >= 0) triangles[next[n]++] = t;
+
+    piece_.assign(count_, 0);
+    std::vector<std::vector<Index>> seeds(regionCount_);
+    tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+      context_.checkCancelled();
+      seeds[regions[i]] =
+          subdivideRegion(input_, {triangles.data() + first[i], triangles.data() + first[i + 1]}, piece_, context_);
+    });
+    context_.checkCancelled();
+    for (Index t = 0; t < count_; ++t) {
+      if (divided[region_[t]] != 0) continue;
+      auto& seed = seeds[region_[t]];
+      if (seed.empty())
+        seed.push_back(t);
+      else if (input_.lowest[t] < input_.lowest[seed[0]])
+        seed[0] = t;
+    }
+    numberPieces(seeds);
+  }
+
+  void numberPieces(const std::vector<std::vector<Index>>& seeds) {
+    std::vector<Index> order;
+    std::vector<Index> firstPiece(regionCount_ + 1, 0);
+    for (Index r = 0; r < regionCount_; ++r) {
+      order.insert(order.end(), seeds[r].begin(), seeds[r].end());
+      firstPiece[r + 1] = static_cast<Index>(order.size());
+    }
+    pieceCount_ = static_cast<Index>(order.size());
+    std::vector<Index> bySeed(count_, -1);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+      return input_.lowest[a] != input_.lowest[b] ? input_.lowest[a] < input_.lowest[b] : a < b;
+    });
+    for (Index p = 0; p < pieceCount_; ++p) bySeed[order[p]] = p;
+    for (Index t = 0; t < count_; ++t) piece_[t] = bySeed[seeds[region_[t]][piece_[t]]];
+  }
+
+  // Each piece, lowest first, goes to the layer without overlap with which it shares most edges, else the first one.
+  std::vector<std::uint32_t> colourPieces() {
+    // Pieces above and beside each other, once for each pair of triangles.
+    std::vector<Pair> above, beside;
+    for (const auto& [s, t] : overlaps_) above.push_back({piece_[s], piece_[t]});
+    for (Index t = 0; t < count_; ++t)
+      for (const Index n : input_.neighbors[t])
+        if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
+    context_.checkCancelled();
+    IndexLists conflicts, shared;
+    tbb::parallel_invoke([&] { conflicts = listsOf(above, pieceCount_); },
+                         [&] { shared = listsOf(beside, pieceCount_); });
+    context_.checkCancelled();
+    std::vector<char> used(pieceCount_, 0);
+    for (const Index p : piece_) used[p] = 1;
+    constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
+    std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced);
+    std::vector<Index> blockedFor;  // for each layer the last piece that could not go there
+    std::vector<int> edges;         // with each layer; zero between pieces
+    for (Index p = 0; p < pieceCount_; ++p) {
+      if (used[p] == 0) continue;
+      if (p % 1024 == 0) context_.checkCancelled();
+      for (const Index other : conflicts[p])
+        if (layerOf[other] != kUnplaced) blockedFor[layerOf[other]] = p;
+      std::uint32_t best = 0;
+      while (best < blockedFor.size() && blockedFor[best] == p) ++best;
+      if (best == blockedFor.size()) {
+        blockedFor.push_back(-1);
+        edges.push_back(0);
+      } else {
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) ++edges[layerOf[other]];
+        for (const Index other : shared[p]) {
+          const std::uint32_t l = layerOf[other];
+          if (l == kUnplaced || blockedFor[l] == p) continue;
+          if (edges[l] > edges[best] || (edges[l] == edges[best] && l < best)) best = l;
+        }
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) edges[layerOf[other]] = 0;
+      }
+      layerOf[p] = best;
+    }
+    std::vector<std::uint32_t> layers(count_);
+    for (Index t = 0; t < count_; ++t) layers[t] = layerOf[piece_[t]];
+    return layers;
+  }
+
+  // The same without the pairs: the layers tell whether a piece overlaps them.
+  std::vector<std::uint32_t> placePieces() {
+    std::vector<Index> first(pieceCount_ + 1, 0), triangles(count_);
+    for (const Index p : piece_) ++first[p + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Index> next(first.begin(), first.end() - 1);
+    for (Index t = 0; t < count_; ++t) triangles[next[piece_[t]]++] = t;
+    std::vector<Pair> beside;
+    for (Index t = 0; t < count_; ++t)
+      for (const Index n : input_.neighbors[t])
+        if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
+    const IndexLists shared = listsOf(beside, pieceCount_);
+
+    LayerCover cover(kernel_, mesh_, context_);
+    constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
+    std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced), layers(count_);
+    for (Index p = 0; p < pieceCount_; ++p) {
+      const std::span<const Index> own(triangles.data() + first[p], static_cast<std::size_t>(first[p + 1] - first[p]));
+      if (own.empty()) continue;
+      if (p % 64 == 0) {
+        context_.checkCancelled();
+        context_.progress(kShareOfPieces + (1 - kShareOfPieces) * p / pieceCount_);
+      }
+      const LayerCover::Piece piece = cover.pieceOf(own);
+      std::uint32_t best = cover.firstFree(piece);
+      if (best < cover.layerCount()) {
+        std::map<std::uint32_t, int> edges;
+        for (const Index other : shared[p])
+          if (layerOf[other] != kUnplaced) ++edges[layerOf[other]];
+        const auto edgesWith = [&](std::uint32_t l) { return edges.contains(l) ? edges.at(l) : 0; };
+        int most = edgesWith(best);
+        for (const auto& [l, count] : edges) {
+          if (count < most || (count == most && l >= best) || !cover.isFree(piece, l)) continue;
+          best = l;
+          most = count;
+        }
+      }
+      cover.add(piece, best);
+      layerOf[p] = best;
+      for (const Index t : own) layers[t] = best;
+    }
+    fallbacks_ += cover.fallbacks();
+    return layers;
+  }
+
+  static constexpr double kShareOfPieces = 0.5;  // of the time, at a guess
+  static constexpr std::size_t kMostPairs = std::size_t{1} << 20;
+  static constexpr std::size_t kMostPairsOfTriangle = 64;
+
+  const PlanKernel& kernel_;
+  const WalkableMesh& mesh_;
+  const MeshTopology& topology_;
+  RunContext& context_;
+  Index count_;
+  std::vector<Pair> overlaps_;
+  bool knowsAllOverlaps_ = true;  ///< else overlaps_ are those within regions
+  std::vector<Index> region_;
+  Index regionCount_ = 0;
+  LayerInput input_;
+  std::vector<Index> piece_;
+  Index pieceCount_ = 0;
+  ExactFallbacks fallbacks_;
+};
+
+}  // namespace
+
+FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall, RunContext& context) {
+  FilterOutcome outcome;
+  const StatePtr state = withMesh(given, context, outcome.fallbacks);
+  const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
+  LayerSubdivision subdivision(*state->kernel, *state->mesh, *topology, context);
+  std::shared_ptr<WalkableMesh> mesh;
+  std::vector<std::uint32_t> layers;
+  tbb::parallel_invoke([&] { layers = subdivision.run(recall.before); },
+                       [&] { mesh = std::make_shared<WalkableMesh>(*state->mesh); });
+  mesh->layers = std::move(layers);
+  mesh->layerCount = 0;
+  for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);
+  outcome.fallbacks += subdivision.fallbacks();
+
+  outcome.note = Text(
+      Pattern{"%1, %2"}, countedText(mesh->layerCount, FOOTFALL_TEXT("1 layer"), FOOTFALL_TEXT("%1 layers")),
+      countedText(countConnections(*mesh, *topology), FOOTFALL_TEXT("1 connection"), FOOTFALL_TEXT("%1 connections")));
+  auto result = std::make_shared<WalkableState>(*state);
+  result->topology = topology;
+  result->topologyOwner = mesh;
+  result->mesh = std::move(mesh);
+  result->overlaps = recall.keep ? subdivision.takeOverlaps() : nullptr;
+  outcome.state = std::move(result);
+  return outcome;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/rounding/generation.hpp"
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <memory>
+
+#include "core/assembly/face_mesh.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using VertexNumber = std::uint32_t;
+
+constexpr std::size_t kFacesPerTask = 8;
+constexpr std::size_t kPointsPerTask = 256;
+constexpr Index kPolled = 1 << 14;
+
+class SoupBuilder {
+ public:
+  explicit SoupBuilder(const WalkableState& state) : state_(state), source_(state.kernel->mesh()) {}
+
+  GenerationSoup build(RunContext& context, ExactFallbacks& fallbacks) {
+    if (state_.mesh) addWalkable(context);
+    addSourceTriangles(context, fallbacks);
+    if (state_.dropped) addDropped(context);
+    return std::move(result_);
+  }
+
+ private:
+  VertexNumber addVertex(const Vec3& place) {
+    result_.soup.vertices.push_back(place);
+    return static_cast<VertexNumber>(result_.soup.vertices.size()) - 1;
+  }
+  void addTriangle(const Triangle& t, Index face, bool walkable) {
+    result_.soup.triangles.push_back(t);
+    result_.soup.inputTriangles.push_back(source_.inputTriangles[face]);
+    result_.walkable.push_back(static_cast<char>(walkable));
+  }
+
+  void addWalkable(RunContext& context) {
+    RoundedMesh rounded;
+    std::vector<char> exact;
+    rounded.vertices = roundVertices(*state_.kernel, state_.mesh->vertices, exact, context);
+    rounded.triangles = state_.mesh->triangles;
+    const auto poll = [&context] { context.checkCancelled(); };
+    auto topology = topologyOf(state_, poll);
+    markBorders(rounded, *topology);
+    result_.cases = repairRounding(rounded, exact, context);
+    if (result_.cases.anyBroken())
+      topology = std::make_shared<MeshTopology>(findEdges(rounded.triangles, rounded.vertices.size(), poll));
+    settleBorders(rounded, *topology);
+    markClosedSlivers(rounded, *topology, {}, context);
+    for (const Vec3& v : rounded.vertices) addVertex(v);
+    for (const MeshTriangle& t : rounded.triangles) {
+      Triangle corners{};
+      for (int k = 0; k < 3; ++k) corners[k] = static_cast<VertexNumber>(t.corners[k]);
+      addTriangle(corners, t.face, true);
+      for (int k = 0; k < 3; ++k)
+        if ((t.obstacleEdges >> k & 1) != 0) result_.soup.obstacleEdges.push_back({corners[k], corners[(k + 1) % 3]});
+    }
+  }
+
+  /// What a floor's cuts cover, or all of a triangle that no cut divides.
+  struct CoveredParts {
+    Index face = -1;
+    std::vector<Vec3> places;
+    std::pmr::vector<FaceMesh::Cell> cells;
+  };
+
+  [[nodiscard]] const FaceCuts* cutsOf(Index t) const {
+    return state_.walkable[t] != 0 && state_.cuts ? &(*state_.cuts)[t] : nullptr;
+  }
+  [[nodiscard]] bool isDivided(Index t) const {
+    const FaceCuts* cuts = cutsOf(t);
+    return state_.removed[t] == 0 && cuts != nullptr && !cuts->removed && !cuts->segments.empty();
+  }
+
+  // In the order of the faces.
+  std::vector<CoveredParts> findCoveredParts(RunContext& context, ExactFallbacks& fallbacks) const {
+    std::vector<CoveredParts> parts;
+    for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t)
+      if (isDivided(t)) parts.push_back({t, {}, {}});
+    const auto poll = [&context] { context.checkCancelled(); };
+    tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), kFacesPerTask), [&](const auto& range) {
+      auto& mesher = meshers.local();
+      if (!mesher) mesher = std::make_unique<FaceMesher>(*state_.kernel, poll);
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        poll();
+        const Index face = parts[i].face;
+        FaceMesh mesh = mesher->mesh(face, cutsOf(face), true);
+        parts[i].cells = std::move(mesh.cells);
+        parts[i].places.resize(mesh.points.size());
+        // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this
+        // one's.
+        tbb::this_task_arena::isolate([&] {
+          tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.points.size(), kPointsPerTask),
+                            [&](const auto& points) {
+                              poll();
+                              for (std::size_t p = points.begin(); p != points.end(); ++p)
+                                parts[i].places[p] = state_.kernel->roundedPosition(mesh.points[p], face);
+                            });
+        });
+      }
+    });
+    for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
+    return parts;
+  }
+
+  void addSourceTriangles(RunContext& context, ExactFallbacks& fallbacks) {
+    std::vector<CoveredParts> divided = findCoveredParts(context, fallbacks);
+    auto parts = divided.begin();
+    for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t) {
+      if (t % kPolled == 0) context.checkCancelled();
+      if (state_.removed[t] != 0) continue;
+      if (parts != divided.end() && parts->face == t) {
+        const auto base = static_cast<VertexNumber>(result_.soup.vertices.size());
+        result_.soup.vertices.insert(result_.soup.vertices.end(), parts->places.begin(), parts->places.end());
+        for (const FaceMesh::Cell& c : parts->cells)
+          addTriangle({base + static_cast<VertexNumber>(c.corners[0]), base + static_cast<VertexNumber>(c.corners[1]),
+                       base + static_cast<VertexNumber>(c.corners[2])},
+                      t, false);
+        *parts++ = {};
+        continue;
+      }
+      const bool floor = state_.walkable[t] != 0;
+      const FaceCuts* cuts = cutsOf(t);
+      const bool covered = cuts != nullptr && cuts->removed;
+      if (floor && !covered && state_.mesh) continue;  // in the mesh
+      const auto& f = source_.triangles[t];
+      addTriangle(
+          {addVertex(source_.vertices[f[0]]), addVertex(source_.vertices[f[1]]), addVertex(source_.vertices[f[2]])}, t,
+          floor && !covered);
+    }
+    for (const auto& [a, b] : source_.obstacleEdges)
+      result_.soup.obstacleEdges.push_back({addVertex(source_.vertices[a]), addVertex(source_.vertices[b])});
+  }
+
+  void addDropped(RunContext& context) {
+    std::vector<char> exact;
+    const std::vector<Vec3> places = roundVertices(*state_.kernel, state_.dropped->vertices, exact, context);
+    for (const MeshTriangle& t : state_.dropped->triangles)
+      addTriangle({addVertex(places[t.corners[0]]), addVertex(places[t.corners[1]]), addVertex(places[t.corners[2]])},
+                  t.face, false);
+  }
+
+  const WalkableState& state_;
+  const SourceMesh& source_;
+  GenerationSoup result_;
+};
+
+}  // namespace
+
+GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& context, ExactFallbacks& fallbacks) {
+  return SoupBuilder(state).build(context, fallbacks);
+}
+
+StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context) {
+  std::vector<std::uint32_t> order;
+  auto mesh = std::make_shared<SourceMesh>(
+      makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, [&context] { context.checkCancelled(); }));
+  auto state = std::make_shared<WalkableState>();
+  state->environment = earlier.environment;
+  state->removed.assign(order.size(), 0);
+  state->walkable.resize(order.size());
+  for (std::size_t t = 0; t < order.size(); ++t)
+    state->walkable[t] = static_cast<char>(soup.walkable[order[t]] != 0 && mesh->facing[t] > 0);
+  state->kernel = std::make_shared<PlanKernel>(std::move(mesh), std::vector<double>{});
+  return state;
+}
+
+bool hasConstructedVertices(const WalkableState& state) {
+  if (!state.mesh) return false;
+  for (const MeshVertex& v : state.mesh->vertices)
+    if (v.source < 0) return true;
+  return false;
+}
+
+}  // namespace footfall::detail

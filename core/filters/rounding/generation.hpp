@@ -1,0 +1,32 @@
+// A new generation: the whole environment with double coordinates again, so that constructions never nest (design,
+// section 2).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/assembly/walkable_state.hpp"
+#include "core/filters/filter.hpp"
+#include "core/filters/rounding/rounded_mesh.hpp"
+
+namespace footfall::detail {
+
+/// Walkable and rejected triangles of a state as one soup of doubles.
+struct GenerationSoup {
+  SourceSoup soup;
+  std::vector<char> walkable;  ///< for each triangle of the soup
+  RoundingCases cases;         ///< what rounding met among the walkable triangles
+};
+
+/// Rounds the state's mesh (if it has one) and repairs it. Everything that is no floor (any more) is in the soup as an
+/// obstacle: rejected triangles, covered parts of floors, and what AreaFilter took away.
+GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& context, ExactFallbacks& fallbacks);
+
+/// The state that starts from a soup. Floors that are degenerate or do not face up any more are rejected.
+StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context);
+
+/// True when the state has vertices that are not the environment's own.
+bool hasConstructedVertices(const WalkableState& state);
+
+}  // namespace footfall::detail

@@ -1,0 +1,188 @@
+// From the last state to the product: split along obstacle edges, rounded, repaired, with connections.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/assembly/obstacle_split.hpp"
+#include "core/filters/filter.hpp"
+#include "core/filters/rounding/rounded_mesh.hpp"
+
+namespace footfall::detail {
+namespace {
+
+int next(int k) { return k == 2 ? 0 : k + 1; }
+
+using Place = std::tuple<double, double, double>;
+Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+// Each once, whatever its sides: sorted by the places of their ends, as the first side in the order of the result.
+void addObstacleEdges(const RoundedMesh& mesh, const std::vector<Index>& order, const std::vector<Index>& renumbered,
+                      NavigationMesh& result) {
+  std::vector<std::tuple<std::array<Place, 2>, std::size_t, int>> edges;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const MeshTriangle& t = mesh.triangles[order[i]];
+    for (int k = 0; k < 3; ++k) {
+      if ((t.obstacleEdges >> k & 1) == 0) continue;
+      const Place a = placeOf(mesh.vertices[t.corners[k]]), b = placeOf(mesh.vertices[t.corners[next(k)]]);
+      edges.push_back({{std::min(a, b), std::max(a, b)}, i, k});
+    }
+  }
+  tbb::parallel_sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i > 0 && std::get<0>(edges[i]) == std::get<0>(edges[i - 1])) continue;
+    const auto& [places, place, k] = edges[i];
+    const auto& corners = mesh.triangles[order[place]].corners;
+    result.obstacleEdges.push_back(
+        {static_cast<std::uint32_t>(renumbered[corners[k]]), static_cast<std::uint32_t>(renumbered[corners[next(k)]])});
+  }
+}
+
+// Sorted by the numbers of their vertices.
+void addConnections(const RoundedMesh& mesh, const MeshTopology& topology, const std::vector<Index>& renumbered,
+                    NavigationMesh& result) {
+  if (mesh.layers.empty()) return;
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    const std::uint32_t layer = mesh.layers[sides[0] / 3];
+    if (std::all_of(sides.begin(), sides.end(), [&](Index s) { return mesh.layers[s / 3] == layer; })) continue;
+    const MeshTriangle& t = mesh.triangles[sides[0] / 3];
+    const auto a = static_cast<std::uint32_t>(renumbered[t.corners[sides[0] % 3]]);
+    const auto b = static_cast<std::uint32_t>(renumbered[t.corners[next(sides[0] % 3)]]);
+    result.connections.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(result.connections.begin(), result.connections.end());
+}
+
+Vec3 middleOf(const Vec3& a, const Vec3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
+
+// The split mesh of the state with rounded places, and its edges.
+RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<char>& sturdy, MeshTopology& topology,
+                           RunContext& context) {
+  const auto poll = [&context] { context.checkCancelled(); };
+  std::vector<char> exact;
+  std::vector<Vec3> places;
+  SplitMesh split;
+  tbb::parallel_invoke([&] { places = roundVertices(*state.kernel, state.mesh->vertices, exact, context); },
+                       [&] {
+                         split = splitAtObstacleEdges(*state.mesh, *topologyOf(state, poll), poll);
+                         topology = findEdges(split.triangles, split.origins.size(), poll);
+                       });
+  RoundedMesh rounded;
+  rounded.triangles = std::move(split.triangles);
+  rounded.layers = std::move(split.layers);
+  rounded.vertices.reserve(split.origins.size());
+  sturdy.reserve(split.origins.size());
+  for (std::size_t v = 0; v < split.origins.size(); ++v) {
+    if (split.origins[v] >= 0) {
+      rounded.vertices.push_back(places[split.origins[v]]);
+      sturdy.push_back(exact[split.origins[v]]);
+    } else {
+      rounded.vertices.push_back(middleOf(places[split.middles[v][0]], places[split.middles[v][1]]));
+      sturdy.push_back(0);
+    }
+  }
+  return rounded;
+}
+
+// Vertices that rounding moved, and ends of obstacle edges.
+std::vector<char> suspectsOf(const RoundedMesh& mesh, const std::vector<char>& sturdy) {
+  std::vector<char> suspects(sturdy.size());
+  std::transform(sturdy.begin(), sturdy.end(), suspects.begin(), [](char s) { return static_cast<char>(s == 0); });
+  for (const MeshTriangle& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k)
+      if ((t.obstacleEdges >> k & 1) != 0) suspects[t.corners[k]] = suspects[t.corners[next(k)]] = 1;
+  return suspects;
+}
+
+// Repairs can bring the two sides of an obstacle together: give each its own vertices once more.
+void splitAgain(RoundedMesh& mesh, const MeshTopology& topology) {
+  WalkableMesh joined;
+  joined.vertices.resize(mesh.vertices.size());
+  joined.triangles = std::move(mesh.triangles);
+  joined.layers = std::move(mesh.layers);
+  SplitMesh split = splitAtObstacleEdges(joined, topology);
+  std::vector<Vec3> vertices;
+  for (std::size_t v = 0; v < split.origins.size(); ++v)
+    vertices.push_back(split.origins[v] >= 0
+                           ? mesh.vertices[split.origins[v]]
+                           : middleOf(mesh.vertices[split.middles[v][0]], mesh.vertices[split.middles[v][1]]));
+  mesh = {std::move(vertices), std::move(split.triangles), std::move(split.layers)};
+}
+
+// Stable, by counting.
+std::vector<Index> orderByLayer(const RoundedMesh& mesh) {
+  std::vector<Index> order(mesh.triangles.size());
+  std::vector<Index> start{0};
+  for (const std::uint32_t layer : mesh.layers) {
+    if (start.size() < layer + 2) start.resize(layer + 2, 0);
+    ++start[layer + 1];
+  }
+  for (std::size_t l = 1; l < start.size(); ++l) start[l] += start[l - 1];
+  for (std::size_t t = 0; t < order.size(); ++t)
+    order[mesh.layers.empty() ? t : start[mesh.layers[t]]++] = static_cast<Index>(t);
+  return order;
+}
+
+}  // namespace
+
+std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, RunContext& context) {
+  ExactFallbacks fallbacks;
+  const StatePtr state = withMesh(given, context, fallbacks);
+  const SourceMesh& source = state->kernel->mesh();
+  const auto poll = [&context] { context.checkCancelled(); };
+  std::vector<char> sturdy;
+  MeshTopology topology;
+  RoundedMesh rounded = roundSplitMesh(*state, sturdy, topology, context);
+  context.checkCancelled();
+  const auto edgesOf = [&] { return findEdges(rounded.triangles, rounded.vertices.size(), poll); };
+  std::vector<char> suspects = suspectsOf(rounded, sturdy);
+  markBorders(rounded, topology);
+  if (repairRounding(rounded, sturdy, context).anyBroken()) {
+    topology = edgesOf();
+    suspects.clear();
+  }
+  context.checkCancelled();
+  if (settleBorders(rounded, topology)) {
+    splitAgain(rounded, topology);
+    topology = edgesOf();
+    suspects.clear();
+  }
+  context.checkCancelled();
+  if (markClosedSlivers(rounded, topology, suspects, context)) topology = edgesOf();
+  context.checkCancelled();
+
+  // Triangles by layer, then in the order of the mesh; vertices in the order of their first use.
+  const std::vector<Index> order = orderByLayer(rounded);
+  auto result = std::make_shared<NavigationMesh>();
+  result->triangles.reserve(order.size());
+  result->sourceTriangles.reserve(order.size());
+  result->layers.reserve(rounded.layers.size());
+  std::vector<Index> renumbered(rounded.vertices.size(), -1);
+  for (const Index i : order) {
+    const MeshTriangle& t = rounded.triangles[i];
+    Triangle corners{};
+    for (int k = 0; k < 3; ++k) {
+      Index& number = renumbered[t.corners[k]];
+      if (number < 0) {
+        number = static_cast<Index>(result->vertices.size());
+        result->vertices.push_back(rounded.vertices[t.corners[k]]);
+      }
+      corners[k] = static_cast<std::uint32_t>(number);
+    }
+    result->triangles.push_back(corners);
+    result->sourceTriangles.push_back(source.inputTriangles[t.face]);
+    if (!rounded.layers.empty()) result->layers.push_back(rounded.layers[i]);
+  }
+  context.checkCancelled();
+  result->layerCount = state->mesh->layerCount;
+  addObstacleEdges(rounded, order, renumbered, *result);
+  addConnections(rounded, topology, renumbered, *result);
+  return result;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "core/base/box_tree.hpp"
+#include "core/exact/source_predicates.hpp"
+#include "core/filters/rounding/rounded_mesh.hpp"
+#include "core/mesh/triangle_split.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::size_t kBordersPerTask = 256;
+
+int next(int k) { return k == 2 ? 0 : k + 1; }
+
+using Place = std::tuple<double, double, double>;
+Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// An edge with a triangle on one side only.
+struct Border {
+  Index from = -1, to = -1;
+  Index triangle = -1;
+  int k = 0;
+};
+
+std::vector<Border> findBorders(const RoundedMesh& mesh, const MeshTopology& topology) {
+  std::vector<Border> borders;
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    if (sides.size() > 1) continue;
+    const Index t = sides[0] / 3;
+    const int k = sides[0] % 3;
+    borders.push_back({mesh.triangles[t].corners[k], mesh.triangles[t].corners[next(k)], t, k});
+  }
+  return borders;
+}
+
+// p lies strictly between a and b, which differ; all three are known to be collinear.
+bool isBetween(const Vec3& a, const Vec3& p, const Vec3& b) {
+  const Place pa = placeOf(a), pp = placeOf(p), pb = placeOf(b);
+  return (pa < pp && pp < pb) || (pb < pp && pp < pa);  // order along a line is the order of x, then y, then z
+}
+
+/// What borders have in common with others that run the opposite way.
+struct Contacts {
+  std::vector<Index> closed;                       ///< borders that coincide with another one
+  std::vector<std::pair<Index, Place>> innerEnds;  ///< borders, and ends of others strictly inside them
+};
+
+Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& borders, const std::vector<char>& suspects,
+                      RunContext& context) {
+  using Tree = BoxTree<3>;
+  const auto boundsOf = [&](Index i) {
+    const Vec3 &a = mesh.vertices[borders[i].from], &b = mesh.vertices[borders[i].to];
+    return Tree::Bounds{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                        {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
+  };
+  std::vector<Index> all(borders.size()), queries;
+  for (Index i = 0; i < static_cast<Index>(borders.size()); ++i) {
+    all[i] = i;
+    if (suspects.empty() || suspects[borders[i].from] != 0 || suspects[borders[i].to] != 0) queries.push_back(i);
+  }
+  Contacts result;
+  if (queries.empty()) return result;
+  Tree tree;
+  tree.build(all, boundsOf, [&context] { context.checkCancelled(); });
+
+  tbb::enumerable_thread_specific<Contacts> locals;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), kBordersPerTask), [&](const auto& range) {
+    context.checkCancelled();
+    Contacts& local = locals.local();
+    for (std::size_t q = range.begin(); q != range.end(); ++q) {
+      const Index i = queries[q];
+      const Vec3 &v = mesh.vertices[borders[i].from], &w = mesh.vertices[borders[i].to];
+      tree.visitOverlapping(boundsOf(i), [&](Index o) {
+        const Vec3 &a = mesh.vertices[borders[o].from], &b = mesh.vertices[borders[o].to];
+        if (a == w && b == v) {
+          local.closed.insert(local.closed.end(), {i, o});
+          return;
+        }
+        const double along = (w.x - v.x) * (b.x - a.x) + (w.y - v.y) * (b.y - a.y) + (w.z - v.z) * (b.z - a.z);
+        if (along >= 0 || !isDegenerate(a, b, v) || !isDegenerate(a, b, w)) return;  // only opposite ones meet
+        for (const Vec3* p : {&v, &w})
+          if (isBetween(a, *p, b)) local.innerEnds.emplace_back(o, placeOf(*p));
+        for (const Vec3* p : {&a, &b})
+          if (isBetween(v, *p, w)) local.innerEnds.emplace_back(i, placeOf(*p));
+      });
+    }
+  });
+  for (const Contacts& local : locals) {
+    result.closed.insert(result.closed.end(), local.closed.begin(), local.closed.end());
+    result.innerEnds.insert(result.innerEnds.end(), local.innerEnds.begin(), local.innerEnds.end());
+  }
+  return result;
+}
+
+void splitBorders(RoundedMesh& mesh, const std::vector<Border>& borders,
+                  std::vector<std::pair<Index, Place>>& innerEnds) {
+  std::sort(innerEnds.begin(), innerEnds.end());
+  innerEnds.erase(std::unique(innerEnds.begin(), innerEnds.end()), innerEnds.end());
+  std::map<Index, std::array<std::vector<Index>, 3>> splits;
+  for (auto first = innerEnds.begin(); first != innerEnds.end();) {
+    const Index number = first->first;
+    const auto last = std::find_if(first, innerEnds.end(), [&](const auto& end) { return end.first != number; });
+    const Border& e = borders[number];
+    if (placeOf(mesh.vertices[e.to]) < placeOf(mesh.vertices[e.from])) std::reverse(first, last);
+    for (; first != last; ++first) {
+      const auto& [x, y, z] = first->second;
+      splits[e.triangle][e.k].push_back(static_cast<Index>(mesh.vertices.size()));
+      mesh.vertices.push_back({x, y, z});
+    }
+  }
+  std::vector<MeshTriangle> triangles;
+  std::vector<std::uint32_t> layers;
+  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
+    if (const auto it = splits.find(t); it != splits.end())
+      splitTriangle(mesh.triangles[t], {&it->second[0], &it->second[1], &it->second[2]}, triangles);
+    else
+      triangles.push_back(mesh.triangles[t]);
+    if (!mesh.layers.empty()) layers.resize(triangles.size(), mesh.layers[t]);
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.layers = std::move(layers);
+}
+
+}  // namespace
+
+void markBorders(RoundedMesh& mesh, const MeshTopology& topology) {
+  for (const Border& e : findBorders(mesh, topology))
+    mesh.triangles[e.triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << e.k);
+}
+
+bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology) {
+  bool shared = false;
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    const bool flagged = isObstacle(mesh.triangles, sides);
+    if (!flagged) continue;
+    const bool obstacle = sides.size() > 1;
+    shared = shared || obstacle;
+    for (const Index s : sides) {
+      std::uint8_t& flags = mesh.triangles[s / 3].obstacleEdges;
+      const auto bit = static_cast<std::uint8_t>(1 << (s % 3));
+      flags = static_cast<std::uint8_t>(obstacle ? flags | bit : flags & ~bit);
+    }
+  }
+  return shared;
+}
+
+bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const std::vector<char>& suspects,
+                       RunContext& context) {
+  std::vector<Border> borders = findBorders(mesh, topology);
+  Contacts contacts = findContacts(mesh, borders, suspects, context);
+  const bool split = !contacts.innerEnds.empty();
+  if (split) {
+    // Now no border ends inside another one.
+    splitBorders(mesh, borders, contacts.innerEnds);
+    borders =
+        findBorders(mesh, findEdges(mesh.triangles, mesh.vertices.size(), [&context] { context.checkCancelled(); }));
+    contacts = findContacts(mesh, borders, {}, context);
+  }
+  for (const Index i : contacts.closed)
+    mesh.triangles[borders[i].triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << borders[i].k);
+  return split;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,62 @@
+// The one place where coordinates are rounded, and where what rounding can break is repaired (design section 3, thesis
+// 4.4.2).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/assembly/walkable_state.hpp"
+#include "core/mesh/mesh_topology.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// How many triangles of each geometry case rounding met.
+struct RoundingCases {
+  std::uint64_t exact = 0;      ///< case 1: all corners are doubles already
+  std::uint64_t edge = 0;       ///< case 2: two corners fell together
+  std::uint64_t point = 0;      ///< case 3: all corners fell together
+  std::uint64_t collinear = 0;  ///< case 4
+  std::uint64_t flipped = 0;    ///< case 5
+
+  /// Something had to be repaired.
+  [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped != 0; }
+};
+
+struct RoundedMesh {
+  std::vector<Vec3> vertices;  ///< environment units
+  std::vector<MeshTriangle> triangles;
+  std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
+};
+
+/// Positions of all vertices, each coordinate the nearest double to the exact one. `exact[v]` tells what was exact.
+std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices,
+                                std::vector<char>& exact, RunContext& context);
+
+/// Removes every triangle that is degenerate or turned over, by collapsing edges as short as rounding errors, by
+/// handing a corner that fell onto (or beyond) the opposite edge to the neighbour there, or, at the border, by dropping
+/// it; obstacle flags move to the neighbours (algorithm 3). Afterwards every triangle faces up, exactly. `sturdy[v]`:
+/// prefer to keep this vertex's place.
+RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
+
+/// Sets the obstacle flag of every edge with a triangle on one side only, so that repairs carry along what is a border.
+void markBorders(RoundedMesh& mesh, const MeshTopology& topology);
+
+/// After the repairs: borders lose that flag again; where repairs brought a border together with another edge by index,
+/// it is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.
+bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology);
+
+/// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
+/// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
+/// only are split where the common part ends; then the result is true, and the topology has changed.
+///
+/// `suspects` (one for each vertex, or empty for all): a border can only coincide with another when an end of one of
+/// the two is a suspect. In a mesh that is as it was assembled, those are the vertices that rounding moved and the ends
+/// of obstacle edges: before rounding the mesh is conforming, so borders that have a piece in common are one edge
+/// there, or the two sides of an obstacle edge; and if no end of two borders moved, they have in common what they had
+/// before.
+bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const std::vector<char>& suspects,
+                       RunContext& context);
+
+}  // namespace footfall::detail

@@ -1,0 +1,26 @@
+// RoundingFilter: vertices become doubles; what that breaks is repaired and counted (design section 2, thesis 4.4.2 and
+// 5.1.1).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/filters/filter_registry.hpp"
+#include "core/filters/rounding/generation.hpp"
+
+namespace footfall::detail {
+
+FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
+  FilterOutcome outcome;
+  if (!hasConstructedVertices(*state)) {
+    outcome.state = state;
+    outcome.note = FOOTFALL_TEXT("all vertices are exact already");
+    return outcome;
+  }
+  const GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
+  outcome.state = withMesh(startGeneration(*state, soup, context), context, outcome.fallbacks);
+  if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
+  const RoundingCases& c = soup.cases;
+  outcome.note = Text(FOOTFALL_TEXT("case 1: %1, case 2: %2, case 3: %3, case 4: %4, case 5: %5"), c.exact, c.edge,
+                      c.point, c.collinear, c.flipped);
+  return outcome;
+}
+
+}  // namespace footfall::detail

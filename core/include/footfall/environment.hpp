@@ -1,0 +1,84 @@
+// The loaded environment: a polygon soup in double precision, exactly as the file gave it, with Z up.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "footfall/geometry.hpp"
+
+namespace footfall {
+
+/// The axis of a file that points up, along it or against it; names and turns: core/environment/up_axis.hpp.
+enum class UpAxis { Y, Z, X, NegativeY, NegativeZ, NegativeX };
+
+/// What the user may say about a file; what is left empty is guessed from the format and reported.
+struct ImportOptions {
+  std::optional<UpAxis> up;
+  /// Metres per unit of the file. Never applied to coordinates (they stay exact): it only turns metres into the
+  /// environment's units in the default pipeline and in what is shown.
+  std::optional<double> metresPerUnit;
+  /// Treat both sides of every triangle as its upper side, for soups with unreliable winding.
+  bool bothSides = false;
+};
+
+enum class SkipReason : std::uint8_t {
+  TooFewCorners,    ///< one or two corners
+  RepeatedCorners,  ///< three corners or more, but fewer than three distinct vertices
+  FreeForm          ///< a curved surface, which is not read
+};
+
+/// A polygon of the file that import left out (core/environment/skipped_polygons.hpp has it in words).
+struct SkippedPolygon {
+  SkipReason reason = SkipReason::TooFewCorners;
+  std::size_t cornerCount = 0;  ///< that the file gives it; 0 where it says nothing
+  std::uint64_t line = 0;       ///< of the file, from 1; 0 where the format has no lines
+  std::uint64_t face = 0;       ///< without a line: its number in the mesh, from 1
+  std::string mesh;             ///< without a line: the mesh's name, which may be empty
+  /// Its distinct corners, two at most: where it is. Empty where it has none.
+  std::vector<Vec3> corners;
+  bool operator==(const SkippedPolygon&) const = default;
+};
+
+/// What import left out, for the user to see.
+struct SkippedElements {
+  static constexpr std::size_t kMostListed = 1000;
+  std::uint64_t points = 0;    ///< point elements
+  std::uint64_t lines = 0;     ///< line elements
+  std::uint64_t polygons = 0;  ///< faces with fewer than three distinct corners, and curved surfaces
+  /// The first of the polygons in the order of the file, kMostListed at most.
+  std::vector<SkippedPolygon> listed;
+};
+
+/// One mesh with one material, as the file names them; either may be empty.
+struct EnvironmentPart {
+  std::string mesh, material;
+  bool operator==(const EnvironmentPart&) const = default;
+};
+
+struct EnvironmentEdit;  // footfall/edit.hpp
+
+/// A triangle soup. Coordinates are the file's own doubles; a file whose up axis is another is turned to Z up (a Y-up
+/// file by (x, y, z) -> (x, -z, y)), which is exact and is undone on export.
+struct Environment {
+  std::string source;  ///< path as given by the user, for messages and export comments
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;  ///< counter-clockwise seen from the front; indices into `vertices`
+  UpAxis up = UpAxis::Z;            ///< the file's up axis
+  bool upGuessed = true;
+  double metresPerUnit = 1;
+  bool scaleGuessed = true;
+  bool bothSides = false;
+  SkippedElements skipped;
+  std::vector<EnvironmentPart> parts;      ///< in the order of their first triangles
+  std::vector<std::uint32_t> partOf;       ///< part of each triangle; empty when the file tells no parts apart
+  std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
+  /// What it was made of, when it is another environment with something changed; else null.
+  std::shared_ptr<const EnvironmentEdit> edit;
+};
+
+}  // namespace footfall

@@ -1,0 +1,27 @@
+// The product as other programs see it: rounded vertices, shared by index exactly where an agent can cross.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "footfall/geometry.hpp"
+
+namespace footfall {
+
+struct NavigationMesh {
+  std::vector<Vec3> vertices;       ///< Z up, the environment's units
+  std::vector<Triangle> triangles;  ///< counter-clockwise seen from above
+  /// Layer of each triangle, 0-based; empty when no layer filter ran.
+  std::vector<std::uint32_t> layers;
+  std::uint32_t layerCount = 0;
+  /// For each triangle an input triangle (index into Environment::triangles) whose plane it lies in.
+  std::vector<std::uint32_t> sourceTriangles;
+  /// Obstacle edges, each once, as vertex pairs of one of its sides (the other side has vertices of its own).
+  std::vector<std::array<std::uint32_t, 2>> obstacleEdges;
+  /// Edges on which two layers meet, as vertex pairs.
+  std::vector<std::array<std::uint32_t, 2>> connections;
+};
+
+}  // namespace footfall

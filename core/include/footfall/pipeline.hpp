@@ -1,0 +1,51 @@
+// A pipeline: an ordered list of filters with parameters, and its text form (the thesis's files, 5.4).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "footfall/environment.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/text.hpp"
+
+namespace footfall {
+
+struct PipelineStep {
+  const FilterDescriptor* filter = nullptr;
+  std::vector<double> values;  ///< one for each parameter of the descriptor
+  bool enabled = true;         ///< the editor can switch a step off; in text a disabled step is a comment
+  int line = 0;                ///< where it stood in a file, 1-based; 0 when it came from elsewhere
+  bool operator==(const PipelineStep& o) const {
+    return filter == o.filter && values == o.values && enabled == o.enabled;
+  }
+};
+
+struct Pipeline {
+  std::vector<PipelineStep> steps;
+  bool operator==(const Pipeline&) const = default;
+};
+
+/// Parses a pipeline: one filter a line, name then parameters, `#` comments. `source` names the text in messages.
+/// Throws InputError "SOURCE:LINE:COLUMN: what; what to do" on an unknown name, a wrong number of parameters, a value
+/// out of range, a global filter inside a parallel block, or a strategy and Collapse that do not match.
+Pipeline parsePipeline(std::string_view text, const std::string& source);
+
+/// Reads and parses a file. Throws InputError.
+Pipeline readPipelineFile(const std::string& path);
+
+/// The text form; parsePipeline gives the same pipeline back. Values are the shortest text that reads back equal.
+std::string formatPipeline(const Pipeline& pipeline);
+std::string formatStep(const PipelineStep& step);
+
+/// A step with default values, lengths and areas converted from metres to the environment's units.
+PipelineStep defaultStep(const FilterDescriptor& filter, double metresPerUnit);
+
+/// Checks values against the descriptor; returns an empty text when valid, else what is wrong and what to do.
+Text checkValue(const ParameterDescriptor& parameter, double value);
+
+/// Duplication 0, degeneracy, slope 45, clearance 2 m, area, simplification, layers, in the environment's units.
+Pipeline defaultPipeline(const Environment& environment);
+
+}  // namespace footfall

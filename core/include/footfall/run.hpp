@@ -1,0 +1,60 @@
+// Runs a pipeline over an environment, step by step, with cached steps, timings and counts.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "footfall/environment.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run_context.hpp"
+#include "footfall/statistics.hpp"
+
+namespace footfall {
+
+namespace detail {
+class PrefixCache;
+}
+
+struct RunResult {
+  std::vector<StepStatistics> steps;  ///< enabled steps only
+  std::shared_ptr<const NavigationMesh> mesh;
+  StateSummary summary;
+  double startMs = 0;   ///< making the first state from the environment; 0 when cached
+  double finishMs = 0;  ///< making the navigation mesh from the last state
+  double totalMs = 0;
+  double cpuMs = 0;  ///< of the whole process during the run
+  int threads = 1;
+  std::vector<BlockReport> blocks;  ///< that ran, in order; none from the cache
+  RunTimes times;
+};
+
+/// States of earlier runs by environment, filters and parameters: changing the last filter re-runs only the last.
+/// Thread-safe. Keeps the states of the most recent runs only (least recently used go first): `capacity` of them, and
+/// fewer when they hold more than about `bytes`, but never fewer than a run of a usual pipeline makes. 0 bytes: an
+/// eighth of the machine's memory.
+class ResultCache {
+ public:
+  explicit ResultCache(std::size_t capacity = 32, std::size_t bytes = 0);
+  ~ResultCache();
+  ResultCache(const ResultCache&) = delete;
+  ResultCache& operator=(const ResultCache&) = delete;
+  void clear();
+
+  /// For the library's own use.
+  [[nodiscard]] detail::PrefixCache& inside() const { return *inside_; }
+
+ private:
+  std::unique_ptr<detail::PrefixCache> inside_;
+};
+
+/// Runs the enabled steps. `threads` limits the worker threads (0: as many as the machine has). Throws Cancelled,
+/// InputError (steps that do not run yet) or RunError; the cache keeps what was finished. Events count the enabled
+/// steps only, as RunResult::steps does, and steps from the cache are announced like others. Progress that is published
+/// after the last step has finished belongs to making the navigation mesh.
+RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                      ResultCache* cache = nullptr, int threads = 0);
+
+}  // namespace footfall

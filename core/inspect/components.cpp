@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/inspect/components.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/mesh/mesh_topology.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::size_t kPolled = 1 << 16;
+
+double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+  return 0.5 * std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+}
+
+void include(Component& component, const Vec3& p) {
+  Vec3 &lower = component.lower, &upper = component.upper;
+  lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+  upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+}
+
+// Sums relative to the component's first vertex, so that a small component far from the origin keeps its digits.
+void addTriangle(Component& component, const NavigationMesh& mesh, std::size_t t) {
+  const Triangle& triangle = mesh.triangles[t];
+  const Vec3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
+  if (component.triangles == 0) {
+    component.firstTriangle = static_cast<std::uint32_t>(t);
+    component.lower = component.upper = a;
+  }
+  for (const Vec3& p : {a, b, c}) include(component, p);
+  const Vec3& origin = mesh.vertices[mesh.triangles[component.firstTriangle][0]];
+  const double area = areaOf(a, b, c);
+  const auto middle = [](double p, double q, double r, double o) { return ((p - o) + (q - o) + (r - o)) / 3; };
+  component.centre.x += area * middle(a.x, b.x, c.x, origin.x);
+  component.centre.y += area * middle(a.y, b.y, c.y, origin.y);
+  component.centre.z += area * middle(a.z, b.z, c.z, origin.z);
+  component.area += area;
+  ++component.triangles;
+}
+
+void finishCentre(Component& component, const NavigationMesh& mesh) {
+  const Vec3& origin = mesh.vertices[mesh.triangles[component.firstTriangle][0]];
+  Vec3& centre = component.centre;
+  if (component.area > 0)
+    centre = {origin.x + centre.x / component.area, origin.y + centre.y / component.area,
+              origin.z + centre.z / component.area};
+  else
+    centre = origin;
+}
+
+}  // namespace
+
+double Components::totalArea() const {
+  return std::accumulate(list.begin(), list.end(), 0.0,
+                         [](double sum, const Component& component) { return sum + component.area; });
+}
+
+Components findComponents(const NavigationMesh& mesh, const std::function<void()>& poll) {
+  WalkableMesh triangles;  // corners alone: findRegions looks at nothing else
+  triangles.triangles.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    triangles.triangles.push_back({{static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2])}});
+  poll();
+  Index count = 0;
+  const std::vector<Index> region =
+      findRegions(triangles, findEdges(triangles.triangles, mesh.vertices.size(), poll), count);
+  poll();
+
+  std::vector<Component> found(static_cast<std::size_t>(count));
+  for (std::size_t t = 0; t < region.size(); ++t) {
+    if (t % kPolled == 0) poll();
+    addTriangle(found[region[t]], mesh, t);
+    // Triangles come by layer.
+    auto& layers = found[region[t]].layers;
+    if (!mesh.layers.empty() && (layers.empty() || layers.back() != mesh.layers[t])) layers.push_back(mesh.layers[t]);
+  }
+  for (Component& component : found) {
+    finishCentre(component, mesh);
+    std::sort(component.layers.begin(), component.layers.end());
+    component.layers.erase(std::unique(component.layers.begin(), component.layers.end()), component.layers.end());
+  }
+
+  std::vector<std::uint32_t> order(found.size()), rank(found.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (found[a].area != found[b].area) return found[a].area > found[b].area;
+    return found[a].firstTriangle < found[b].firstTriangle;
+  });
+  Components components;
+  components.list.reserve(found.size());
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    rank[order[place]] = static_cast<std::uint32_t>(place);
+    components.list.push_back(std::move(found[order[place]]));
+  }
+  components.ofTriangle.reserve(region.size());
+  for (const Index r : region) components.ofTriangle.push_back(rank[r]);
+  return components;
+}
+
+}  // namespace footfall::detail

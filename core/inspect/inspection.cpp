@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/inspect/inspection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/assembly/walkable_state.hpp"
+#include "core/inspect/place_cover.hpp"
+#include "core/mesh/mesh_topology.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+// Of the environment's diagonal: typed coordinates are rounded. It chooses which place is meant, and decides nothing
+// about it.
+constexpr double kTypedReach = 1e-6;
+
+double slopeOf(const SourceMesh& mesh, Index face) {
+  const auto& n = mesh.normals[face];
+  return std::atan2(std::hypot(n[0].value, n[1].value), n[2].value) * (180 / std::numbers::pi);
+}
+
+/// The exact place of a point of a triangle, moved into it where rounding has put it beside.
+GenericPlace placeIn(const std::array<ExactPoint, 3>& corners, const Vec3& point) {
+  const mpq_class middleX = (corners[0][0] + corners[1][0] + corners[2][0]) / 3;
+  const mpq_class middleY = (corners[0][1] + corners[1][1] + corners[2][1]) / 3;
+  const mpq_class x(point.x), y(point.y);
+  // Ever larger parts of the way to the middle, so that the place hardly moves where that is enough.
+  for (const double part : {0.0, 0x1p-50, 0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-4}) {
+    const mpq_class p(part);
+    GenericPlace place(x + p * (middleX - x), y + p * (middleY - y), middleX, middleY);
+    if (place.isInside(corners)) return place;
+  }
+  return {middleX, middleY, middleX, middleY};
+}
+
+PlaceVerdict verdictOf(const FilterDescriptor& filter) {
+  if (filter.name == "DegeneracyFilter") return PlaceVerdict::NoArea;
+  if (filter.name == "SlopeFilter") return PlaceVerdict::TooSteep;
+  if (filter.name == "VerticalClearanceFilter") return PlaceVerdict::TooLow;
+  if (filter.name == "AreaFilter") return PlaceVerdict::RegionTooSmall;
+  return PlaceVerdict::Moved;
+}
+
+std::optional<TriangleAbove> aboveIn(const SourceMesh& mesh, const std::vector<ColumnFace>& column,
+                                     const GenericNumber& height) {
+  const ColumnFace* lowest = lowestAbove(mesh, column, height);
+  if (lowest == nullptr) return std::nullopt;
+  return TriangleAbove{mesh.inputTriangles[lowest->face], mpq_class(lowest->height.value - height.value).get_d()};
+}
+
+double areaOf(const WalkableMesh& mesh, const MeshTriangle& t) {
+  const MeshVertex &a = mesh.vertices[t.corners[0]], &b = mesh.vertices[t.corners[1]], &c = mesh.vertices[t.corners[2]];
+  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+  return 0.5 * std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+}
+
+/// Of the region around a place, as AreaFilter saw it.
+double regionAreaAt(const StatePtr& before, PlaceFollower follower, const PipelineStep& step, RunContext& context) {
+  ExactFallbacks fallbacks;
+  const StatePtr state = withMesh(before, context, fallbacks);
+  const auto cover = follower.follow(*state, step);
+  if (!cover) return 0;
+  const auto poll = [&context] { context.checkCancelled(); };
+  Index count = 0;
+  const std::vector<Index> region = findRegions(*state->mesh, *topologyOf(*state, poll), count);
+  context.checkCancelled();
+  double area = 0;
+  for (std::size_t t = 0; t < region.size(); ++t)
+    if (region[t] == region[cover->triangle]) area += areaOf(*state->mesh, state->mesh->triangles[t]);
+  return std::ldexp(area, -2 * state->kernel->mesh().grid.scaleExponent());
+}
+
+/// The square of the distance between a point and a triangle, in doubles; for choosing among neighbours.
+double squaredDistance(const Vec3& p, const std::array<Vec3, 3>& t) {
+  const auto minus = [](const Vec3& a, const Vec3& b) { return Vec3{a.x - b.x, a.y - b.y, a.z - b.z}; };
+  const auto dot = [](const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+  const auto toSegment = [&](const Vec3& a, const Vec3& b) {
+    const Vec3 ab = minus(b, a), ap = minus(p, a);
+    const double length = dot(ab, ab);
+    const double along = length > 0 ? std::clamp(dot(ap, ab) / length, 0.0, 1.0) : 0;
+    const Vec3 rest{ap.x - along * ab.x, ap.y - along * ab.y, ap.z - along * ab.z};
+    return dot(rest, rest);
+  };
+  const Vec3 u = minus(t[1], t[0]), v = minus(t[2], t[0]), w = minus(p, t[0]);
+  const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double nn = dot(n, n);
+  if (nn > 0) {
+    const auto share = [&](const Vec3& a, const Vec3& b) {
+      return (a.y * b.z - a.z * b.y) * n.x + (a.z * b.x - a.x * b.z) * n.y + (a.x * b.y - a.y * b.x) * n.z;
+    };
+    const double second = share(w, v), third = share(u, w);
+    if (second >= 0 && third >= 0 && second + third <= nn) return dot(w, n) * dot(w, n) / nn;
+  }
+  return std::min({toSegment(t[0], t[1]), toSegment(t[1], t[2]), toSegment(t[2], t[0])});
+}
+
+}  // namespace
+
+Inspector::Inspector(std::shared_ptr<const Environment> environment, Pipeline pipeline, std::vector<StatePtr> states,
+                     std::shared_ptr<const NavigationMesh> product, RunContext& context)
+    : environment_(std::move(environment)),
+      pipeline_(std::move(pipeline)),
+      states_(std::move(states)),
+      product_(std::move(product)),
+      components_(findComponents(*product_, [&context] { context.checkCancelled(); })) {
+  for (std::size_t i = 0; i < pipeline_.steps.size(); ++i)
+    if (pipeline_.steps[i].enabled) steps_.push_back(i);
+  if (states_.size() != steps_.size() + 1) throw std::logic_error("the states are those of another pipeline");
+  const auto& inputs = states_.front()->kernel->mesh().inputTriangles;
+  faceOf_.assign(environment_->triangles.size(), -1);
+  for (std::size_t face = 0; face < inputs.size(); ++face) faceOf_[inputs[face]] = static_cast<std::int32_t>(face);
+}
+
+PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext& context) const {
+  if (picked.triangle >= faceOf_.size())
+    throw InputError(FOOTFALL_TEXT("triangle %1 does not exist; the environment has %2"), picked.triangle,
+                     faceOf_.size());
+  const Vec3& point = picked.point;
+  if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+    throw InputError(FOOTFALL_TEXT("the place has a coordinate that is not finite; give three numbers"));
+  context.checkCancelled();
+
+  PlaceExplanation result;
+  result.place = picked;
+  const SourceMesh& mesh = states_.front()->kernel->mesh();
+  const Index face = faceOf_[picked.triangle];
+  if (mesh.degenerate[face] != 0) {
+    result.verdict = PlaceVerdict::NoArea;
+    const auto removes = [&](std::size_t i) { return pipeline_.steps[i].filter->name == "DegeneracyFilter"; };
+    const auto step = std::find_if(steps_.begin(), steps_.end(), removes);
+    if (step != steps_.end()) result.step = *step;
+    return result;
+  }
+  result.slope = slopeOf(mesh, face);
+  if (mesh.facing[face] == 0) {
+    result.verdict = PlaceVerdict::Vertical;
+    return result;
+  }
+
+  const auto corners = cornersOf(mesh, face);
+  PlaceFollower follower(mesh, face, placeIn(corners, point));
+  const GenericPlace& place = follower.place();
+  const GenericNumber height = follower.height();
+  result.place.point = {place.x().get_d(), place.y().get_d(), height.value.get_d()};
+  result.above = aboveIn(mesh, facesAt(mesh, place), height);
+  double clearance = 0;
+  for (const std::size_t i : steps_)
+    if (pipeline_.steps[i].filter->name == "VerticalClearanceFilter")
+      clearance = std::max(clearance, pipeline_.steps[i].values[0]);
+  if (clearance > 0)
+    for (const Index wall : wallsAt(mesh, place.x(), place.y(), corners, mpq_class(clearance)))
+      result.walls.push_back(mesh.inputTriangles[wall]);
+  std::sort(result.walls.begin(), result.walls.end());
+
+  std::optional<PlaceCover> cover = follower.begin(*states_.front());
+  if (!cover) {
+    result.verdict = mesh.facing[face] < 0 ? PlaceVerdict::FacesDown : PlaceVerdict::NeverFloor;
+    return result;
+  }
+  if (cover->face != face) result.floor = mesh.inputTriangles[cover->face];
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    context.checkCancelled();
+    const PipelineStep& step = pipeline_.steps[steps_[s]];
+    const PlaceFollower before = follower;
+    cover = follower.follow(*states_[s + 1], step);
+    if (cover) continue;
+    result.verdict = verdictOf(*step.filter);
+    result.step = steps_[s];
+    if (!step.values.empty()) result.limit = step.values[0];
+    if (result.verdict == PlaceVerdict::TooSteep && &before.mesh() != &mesh)
+      result.movedSlope = slopeOf(before.mesh(), before.face());
+    if (result.verdict == PlaceVerdict::TooLow)
+      result.obstacle = aboveIn(before.mesh(), facesAt(before.mesh(), place), before.height());
+    if (result.verdict == PlaceVerdict::RegionTooSmall)
+      result.regionArea = regionAreaAt(states_[s], before, step, context);
+    return result;
+  }
+  const WalkableState& last = *states_.back();
+  if (cover->triangle >= 0 && !last.mesh->layers.empty()) result.layer = last.mesh->layers[cover->triangle];
+  findProductPlace(result);
+  return result;
+}
+
+// Rounding and its repairs moved the product by a hair: the triangle that is nearest to the place.
+void Inspector::findProductPlace(PlaceExplanation& explanation) const {
+  const NavigationMesh& mesh = *product_;
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<std::size_t> nearest;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (explanation.layer && !mesh.layers.empty() && mesh.layers[t] != *explanation.layer) continue;
+    const Triangle& triangle = mesh.triangles[t];
+    const double distance = squaredDistance(
+        explanation.place.point, {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
+    if (distance >= least) continue;
+    least = distance;
+    nearest = t;
+  }
+  if (!nearest) return;
+  explanation.component = components_.ofTriangle[*nearest];
+  explanation.componentArea = components_.list[explanation.component].area;
+}
+
+std::optional<PickedPlace> Inspector::placeBelow(const Vec3& point) const {
+  const SourceMesh& mesh = states_.front()->kernel->mesh();
+  if (mesh.vertices.empty() || !std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+    return std::nullopt;
+  Vec3 low = mesh.vertices.front(), high = low;
+  for (const Vec3& v : mesh.vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
+  const double reach = kTypedReach * std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  const std::vector<Index> found = highestBelow(mesh, point, std::isfinite(reach) ? reach : 0);
+  if (found.empty()) return std::nullopt;
+  const auto order = [&](Index a, Index b) {
+    if (mesh.facing[a] != mesh.facing[b]) return mesh.facing[a] > mesh.facing[b];
+    return mesh.inputTriangles[a] < mesh.inputTriangles[b];
+  };
+  const Index face = *std::min_element(found.begin(), found.end(), order);
+  const mpq_class x(point.x), y(point.y);
+  const auto height = GenericPlace(x, y, x, y).heightOf(cornersOf(mesh, face));
+  return PickedPlace{mesh.inputTriangles[face], {point.x, point.y, height->value.get_d()}};
+}
+
+std::optional<PickedPlace> Inspector::placeNear(const Vec3& point) const {
+  std::optional<PickedPlace> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < environment_->triangles.size(); ++t) {
+    const Triangle& triangle = environment_->triangles[t];
+    const auto& vertices = environment_->vertices;
+    const double distance =
+        squaredDistance(point, {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]});
+    if (!(distance < least)) continue;  // nor NaN
+    least = distance;
+    nearest = PickedPlace{static_cast<std::uint32_t>(t), point};
+  }
+  return nearest;
+}
+
+}  // namespace footfall::detail

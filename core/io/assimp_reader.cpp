@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/assimp_reader.hpp"
+
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+#include "core/base/counted_text.hpp"
+#include "core/environment/part_names.hpp"
+#include "core/environment/skipped_polygons.hpp"
+#include "core/environment/up_axis.hpp"
+#include "core/io/collada_asset.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/polygon_triangulation.hpp"
+#include "core/io/truncation_check.hpp"
+
+namespace footfall::detail {
+namespace {
+
+/// The upper three rows of an affine transform.
+using Affine = std::array<std::array<double, 4>, 3>;
+
+constexpr Affine kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+/// Undoes the turn from Z up to Y up that Assimp gives the root of a 3DS file.
+constexpr Affine kYUpToZUp{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
+
+Affine toAffine(const aiMatrix4x4& m) {
+  return {{{m.a1, m.a2, m.a3, m.a4}, {m.b1, m.b2, m.b3, m.b4}, {m.c1, m.c2, m.c3, m.c4}}};
+}
+
+Affine operator*(const Affine& a, const Affine& b) {
+  Affine product;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      product[row][column] = a[row][0] * b[0][column] + a[row][1] * b[1][column] + a[row][2] * b[2][column] +
+                             (column == 3 ? a[row][3] : 0.0);
+    }
+  }
+  return product;
+}
+
+Vec3 operator*(const Affine& m, const aiVector3D& p) {
+  const double x = p.x, y = p.y, z = p.z;
+  return {m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3], m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
+          m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3]};
+}
+
+double determinant(const Affine& m) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+class SceneReader {
+ public:
+  SceneReader(const std::string& path, const aiScene& scene, Environment& environment, RunContext* context)
+      : path_(path), scene_(scene), environment_(environment), context_(context), parts_(environment.parts) {}
+
+  /// Depth first with a stack of our own: a file may nest its nodes deeper than the call stack is.
+  void read(const Affine& rootTransform) {
+    std::vector<std::pair<const aiNode*, Affine>> stack{{scene_.mRootNode, rootTransform}};
+    while (!stack.empty()) {
+      const auto [node, world] = stack.back();
+      stack.pop_back();
+      for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+        if (node->mMeshes[i] >= scene_.mNumMeshes) {
+          failInput(path_, 0, Text(FOOTFALL_TEXT("node '%1' refers to a mesh that is not there"), node->mName.C_Str()),
+                    FOOTFALL_TEXT("export the file again"));
+        }
+        const aiMesh& shape = *scene_.mMeshes[node->mMeshes[i]];
+        mesh(shape, world);
+        if (environment_.partOf.size() < environment_.triangles.size())
+          environment_.partOf.resize(environment_.triangles.size(), partOf(*node, shape));
+      }
+      for (unsigned i = node->mNumChildren; i-- > 0;) {
+        const aiNode* child = node->mChildren[i];
+        stack.emplace_back(child, world * toAffine(child->mTransformation));
+      }
+    }
+    dropUnnamedPart(environment_);
+  }
+
+ private:
+  void poll(std::size_t work = 1) {
+    work_ += work;
+    if (work_ < 4096) return;
+    work_ = 0;
+    if (context_ != nullptr) context_->checkCancelled();
+  }
+
+  /// Named by the node, which is what users see as an object in their editors, else by the mesh. What Assimp makes up
+  /// where a file has no names is none.
+  std::uint32_t partOf(const aiNode& node, const aiMesh& mesh) {
+    const auto given = [](const aiString& name) {
+      const std::string_view text(name.C_Str());
+      const bool isMadeUp = text.starts_with('<') && text.ends_with('>');
+      return isMadeUp ? std::string_view() : text;
+    };
+    std::string_view meshName = given(node.mName);
+    if (meshName.empty()) meshName = given(mesh.mName);
+    aiString material;
+    if (mesh.mMaterialIndex < scene_.mNumMaterials)
+      scene_.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, material);
+    const std::string_view materialName = given(material);
+    return parts_.numberOf(meshName, materialName == AI_DEFAULT_MATERIAL_NAME ? std::string_view() : materialName);
+  }
+
+  void mesh(const aiMesh& mesh, const Affine& world) {
+    const std::size_t first = environment_.vertices.size();
+    if (first + mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
+      failInput(path_, 0, FOOTFALL_TEXT("more than 4294967295 vertices"), FOOTFALL_TEXT("split the file"));
+    }
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      poll();
+      const Vec3 p = world * mesh.mVertices[i];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        failInput(path_, 0,
+                  Text(FOOTFALL_TEXT("vertex %1 of mesh '%2' has a coordinate that is not finite or too large"), i,
+                       mesh.mName.C_Str()),
+                  FOOTFALL_TEXT("correct it or export the file again"));
+      }
+      environment_.vertices.push_back(p);
+    }
+    const bool mirrored = determinant(world) < 0;
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+      poll(1 + 8 * std::size_t{mesh.mFaces[i].mNumIndices});
+      face(mesh, i, static_cast<std::uint32_t>(first), mirrored);
+    }
+  }
+
+  void face(const aiMesh& mesh, unsigned number, std::uint32_t first, bool mirrored) {
+    const aiFace& face = mesh.mFaces[number];
+    corners_.clear();
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      if (face.mIndices[i] >= mesh.mNumVertices) {
+        failInput(path_, 0,
+                  Text(FOOTFALL_TEXT("vertex index %1 in mesh '%2' is out of range: it has %3"), face.mIndices[i],
+                       mesh.mName.C_Str(),
+                       countedText(mesh.mNumVertices, FOOTFALL_TEXT("1 vertex"), FOOTFALL_TEXT("%1 vertices"))),
+                  FOOTFALL_TEXT("export the file again"));
+      }
+      corners_.push_back(first + face.mIndices[i]);
+    }
+    if (corners_.size() <= 2) {
+      ++(corners_.size() == 2 ? environment_.skipped.lines : environment_.skipped.points);
+      return;
+    }
+    if (mirrored) std::reverse(corners_.begin() + 1, corners_.end());
+    const auto poll = [this] {
+      if (context_ != nullptr) context_->checkCancelled();
+    };
+    if (triangulatePolygon(corners_, environment_.vertices, environment_.triangles, poll)) return;
+    SkippedPolygon skipped = skippedPolygon(corners_, environment_.vertices);
+    skipped.face = std::uint64_t{number} + 1;
+    skipped.mesh = cleanName(mesh.mName.C_Str());
+    addSkipped(environment_.skipped, std::move(skipped));
+  }
+
+  const std::string& path_;
+  const aiScene& scene_;
+  Environment& environment_;
+  RunContext* context_;
+  PartList parts_;
+  std::vector<std::uint32_t> corners_;
+  std::size_t work_ = 0;  ///< since the last look at the context
+};
+
+UpAxis axisOf(char letter, bool downwards) {
+  const std::array<char, 2> name{'-', letter};
+  const std::string_view whole(name.data(), name.size());
+  return upAxisFrom(whole.substr(downwards ? 0 : 1)).value_or(UpAxis::Y);
+}
+
+/// FBX says which axis is up (0, 1, 2), along it or against it, and how many centimetres a unit has.
+FileFrame fbxFrame(const aiMetadata* metadata) {
+  FileFrame frame;
+  if (metadata == nullptr) return frame;
+  std::int32_t axis = 1, sign = 1;
+  metadata->Get("UpAxisSign", sign);
+  if (metadata->Get("UpAxis", axis)) frame.up = axisOf(axis == 0 ? 'X' : axis == 2 ? 'Z' : 'Y', sign < 0);
+  double centimetres = 0;
+  float narrow = 0;
+  if (!metadata->Get("UnitScaleFactor", centimetres) && metadata->Get("UnitScaleFactor", narrow)) {
+    // the double that the file's text meant: 2.54, not the float next to it
+    char text[32];
+    std::from_chars(text, std::to_chars(text, text + sizeof text, narrow).ptr, centimetres);
+  }
+  if (std::isfinite(centimetres) && centimetres > 0) frame.metresPerUnit = centimetres / 100;
+  return frame;
+}
+
+/// Assimp scales the root of a Collada scene to metres, but coordinates shall stay in the file's unit.
+Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
+  const auto unit = static_cast<ai_real>(asset.metresPerUnit.value_or(1));
+  const aiMatrix4x4 scale(unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1);
+  return root == scale ? kIdentity : toAffine(root);
+}
+
+/// The first few bytes of a file, in lower case.
+std::string lowerStart(const std::string& path) {
+  std::string start(5, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  std::transform(start.begin(), start.end(), start.begin(), [](unsigned char c) { return std::tolower(c); });
+  return start;
+}
+
+}  // namespace
+
+FileFrame readWithAssimp(const std::string& path, Environment& environment, RunContext* context) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+
+  // Assimp goes by the content where the name says something else.
+  const std::string start = lowerStart(path);
+  if (extension == ".ply" || start.starts_with("ply")) rejectTruncatedPly(path, readInputFile(path, context));
+  if (extension == ".stl" || start.starts_with("solid")) rejectTruncatedStl(path, readInputFile(path, context));
+
+  Assimp::Importer importer;
+  // A skeleton alone is no environment: without this Assimp makes up a mesh for it.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  // We turn axes ourselves, so that the export can turn them back.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, extension == ".dae");
+
+  const aiScene* scene = nullptr;
+  std::string problem;
+  try {
+    scene = importer.ReadFile(path, 0);
+    problem = importer.GetErrorString();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  if (context != nullptr) context->checkCancelled();
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    const Text reason = problem.empty() ? Text(FOOTFALL_TEXT("unknown content")) : Text(problem);
+    failInput(path, 0, Text(FOOTFALL_TEXT("cannot be read (%1)"), reason),
+              FOOTFALL_TEXT("check that the file is complete and of the format that its extension says"));
+  }
+
+  FileFrame frame;
+  Affine root = toAffine(scene->mRootNode->mTransformation);
+  if (extension == ".fbx") {
+    frame = fbxFrame(scene->mMetaData);
+  } else if (extension == ".3ds") {
+    root = kYUpToZUp * root;
+  } else if (extension == ".dae") {
+    const ColladaAsset asset = readColladaAsset(readInputFile(path, context));
+    frame.up = axisOf(asset.upAxis, false);
+    frame.metresPerUnit = asset.metresPerUnit;
+    root = colladaRoot(scene->mRootNode->mTransformation, asset);
+  } else if (extension == ".gltf" || extension == ".glb" || extension == ".ifc") {
+    frame.metresPerUnit = 1;  // glTF 2.0, section 3.4: metres; Assimp turns an IFC file's own unit into metres
+  }
+  SceneReader(path, *scene, environment, context).read(root);
+  return frame;
+}
+
+std::vector<std::string> assimpExtensions() {
+  aiString list;  // "*.3ds;*.dae;..."
+  Assimp::Importer().GetExtensionList(list);
+  std::vector<std::string> extensions;
+  std::string_view rest(list.C_Str());
+  while (!rest.empty()) {
+    const std::size_t stop = std::min(rest.find(';'), rest.size());
+    const std::string_view entry = rest.substr(0, stop);
+    if (entry.substr(0, 2) == "*.") extensions.emplace_back(entry.substr(2));
+    rest.remove_prefix(std::min(stop + 1, rest.size()));
+  }
+  return extensions;
+}
+
+}  // namespace footfall::detail

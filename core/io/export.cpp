@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/export.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "core/io/obj_text.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
+  std::string counts;
+  appendNumber(counts, mesh.vertices.size());
+  counts += " vertices, ";
+  appendNumber(counts, mesh.triangles.size());
+  counts += " triangles, ";
+  appendNumber(counts, options.layers ? mesh.layerCount : 0);
+  counts += " layers, ";
+  appendNumber(counts, options.connections ? mesh.connections.size() : 0);
+  counts += " connections, ";
+  appendNumber(counts, options.obstacleEdges ? mesh.obstacleEdges.size() : 0);
+  return counts + " obstacle edges";
+}
+
+/// The frame that is written: coordinates times s are in units of 1/s of those before.
+Environment frameOf(const Environment& environment, const ExportOptions& options) {
+  Environment frame;
+  frame.source = environment.source;
+  frame.up = options.up.value_or(environment.up);
+  frame.metresPerUnit = options.scale == 1 ? environment.metresPerUnit : environment.metresPerUnit / options.scale;
+  return frame;
+}
+
+void appendVertices(std::string& text, const std::vector<Vec3>& vertices, UpAxis up, double scale) {
+  for (const Vec3& p : vertices) appendVertex(text, scale == 1 ? p : Vec3{p.x * scale, p.y * scale, p.z * scale}, up);
+}
+
+void appendTriangles(std::string& text, const NavigationMesh& mesh, bool byLayers) {
+  if (mesh.layers.empty() || !byLayers) {
+    text += "g walkable\n";
+    for (const Triangle& triangle : mesh.triangles) appendElement(text, 'f', triangle);
+    return;
+  }
+  std::vector<std::vector<std::size_t>> members(mesh.layerCount);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) members.at(mesh.layers[i]).push_back(i);
+  for (std::size_t layer = 0; layer < members.size(); ++layer) {
+    text += "g layer_";
+    appendNumber(text, layer);
+    text += '\n';
+    for (const std::size_t i : members[layer]) appendElement(text, 'f', mesh.triangles[i]);
+  }
+}
+
+void appendLines(std::string& text, const char* group, const std::vector<std::array<std::uint32_t, 2>>& lines) {
+  if (lines.empty()) return;
+  text.append("g ").append(group).append("\n");
+  for (const auto& line : lines) appendElement(text, 'l', line);
+}
+
+/// A name that every reader takes for one word.
+std::string groupName(const std::string& name) {
+  std::string word = "placed_";
+  for (const char c : name) word += static_cast<unsigned char>(c) <= 0x20 || c == '\\' ? '_' : c;
+  return word;
+}
+
+/// Behind everything, with vertices of their own.
+void appendExtras(std::string& text, std::span<const ExportExtra> extras, std::uint32_t vertex, UpAxis up,
+                  double scale) {
+  for (const ExportExtra& extra : extras) {
+    text += "g " + groupName(extra.name) + '\n';
+    appendVertices(text, extra.soup.vertices, up, scale);
+    for (const Triangle& t : extra.soup.triangles)
+      appendElement(text, 'f', Triangle{t[0] + vertex, t[1] + vertex, t[2] + vertex});
+    vertex += static_cast<std::uint32_t>(extra.soup.vertices.size());
+  }
+}
+
+}  // namespace
+
+void checkScale(const ExportOptions& options, const NavigationMesh& mesh) {
+  if (!(options.scale > 0 && std::isfinite(options.scale)))
+    throw InputError(FOOTFALL_TEXT("the scale of the export must be a number above 0; 1 keeps the file's units"));
+  for (const Vec3& p : mesh.vertices)
+    for (const double x : {p.x, p.y, p.z})
+      if (!std::isfinite(x * options.scale))
+        throw InputError(FOOTFALL_TEXT("the scale of the export makes coordinates infinite; choose a smaller one"));
+}
+
+std::string formatObj(const NavigationMesh& mesh, const Environment& environment, const ExportHeader& header,
+                      const ExportOptions& options, std::span<const ExportExtra> extras) {
+  checkScale(options, mesh);
+  const Environment frame = frameOf(environment, options);
+  std::string text;
+  text.reserve(1024 + 64 * mesh.vertices.size() + 28 * mesh.triangles.size() +
+               20 * (mesh.connections.size() + mesh.obstacleEdges.size()));
+  ExportHeader head = header;
+  if (options.scale != 1) {
+    if (!head.note.empty()) head.note += '\n';
+    head.note += "coordinates are those of the source times ";
+    appendNumber(head.note, options.scale);
+    head.note += "; pipeline and agent are in units of the source";
+  }
+  appendHeader(text, "Walkable area", frame, head, countsOf(mesh, options));
+  appendVertices(text, mesh.vertices, frame.up, options.scale);
+  appendTriangles(text, mesh, options.layers);
+  if (options.connections) appendLines(text, "connections", mesh.connections);
+  if (options.obstacleEdges) appendLines(text, "obstacle_edges", mesh.obstacleEdges);
+  appendExtras(text, extras, static_cast<std::uint32_t>(mesh.vertices.size()), frame.up, options.scale);
+  return text;
+}
+
+void writeObj(const std::string& path, const NavigationMesh& mesh, const Environment& environment,
+              const ExportHeader& header, const ExportOptions& options, std::span<const ExportExtra> extras) {
+  writeFileSafely(path, formatObj(mesh, environment, header, options, extras));
+}
+
+}  // namespace footfall::detail

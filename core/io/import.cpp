@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/import.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include "core/base/counted_text.hpp"
+#include "core/environment/up_axis.hpp"
+#include "core/io/assimp_reader.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/obj_reader.hpp"
+
+namespace footfall::detail {
+namespace {
+
+std::string lowerExtension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+/// By format where the file does not say. Game and web formats have Y up, or Assimp turns them so; formats of
+/// scanning, printing and building have Z up, as does 3DS.
+UpAxis usualUpAxis(const std::string& extension) {
+  for (const std::string_view zUp : {"stl", "ply", "3ds", "off", "dxf", "3mf", "amf"}) {
+    if (extension == zUp) return UpAxis::Z;
+  }
+  return UpAxis::Y;
+}
+
+/// Formats for printing count in millimetres; all others have or suggest metres.
+double usualMetresPerUnit(const std::string& extension) {
+  if (extension == "3mf" || extension == "amf") return 0.001;
+  if (extension == "fbx") return 0.01;
+  return 1;
+}
+
+}  // namespace
+
+std::shared_ptr<const Environment> importEnvironment(const std::string& path, const ImportOptions& options,
+                                                     RunContext* context) {
+  if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
+    throw InputError(
+        FOOTFALL_TEXT("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres"));
+  }
+  checkInputFile(path);
+  const std::string extension = lowerExtension(path);
+  auto environment = std::make_shared<Environment>();
+  environment->source = path;
+
+  FileFrame frame;
+  if (extension == "obj") {
+    readObj(path, readInputFile(path, context), *environment, context);
+  } else {
+    const std::vector<std::string> known = importableExtensions();
+    if (std::find(known.begin(), known.end(), extension) == known.end()) {
+      failInput(path, 0,
+                extension.empty() ? Text(FOOTFALL_TEXT("has no extension"))
+                                  : Text(FOOTFALL_TEXT("unknown extension '.%1'"), extension),
+                FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
+    }
+    frame = readWithAssimp(path, *environment, context);
+  }
+  if (environment->triangles.empty()) {
+    const SkippedElements& skipped = environment->skipped;
+    failInput(path, 0,
+              Text(FOOTFALL_TEXT("no triangles in it (skipped: %1, %2, %3)"),
+                   countedText(skipped.polygons, FOOTFALL_TEXT("1 polygon"), FOOTFALL_TEXT("%1 polygons")),
+                   countedText(skipped.lines, FOOTFALL_TEXT("1 line"), FOOTFALL_TEXT("%1 lines")),
+                   countedText(skipped.points, FOOTFALL_TEXT("1 point"), FOOTFALL_TEXT("%1 points"))),
+              FOOTFALL_TEXT("choose a file that has faces"));
+  }
+
+  environment->upGuessed = !options.up;
+  environment->up = options.up.value_or(frame.up.value_or(usualUpAxis(extension)));
+  environment->scaleGuessed = !options.metresPerUnit && !frame.metresPerUnit;
+  environment->metresPerUnit =
+      options.metresPerUnit.value_or(frame.metresPerUnit.value_or(usualMetresPerUnit(extension)));
+  environment->bothSides = options.bothSides;
+  for (Vec3& p : environment->vertices) p = fromFileFrame(p, environment->up);
+  for (SkippedPolygon& polygon : environment->skipped.listed)
+    for (Vec3& p : polygon.corners) p = fromFileFrame(p, environment->up);
+  return environment;
+}
+
+std::vector<std::string> importableExtensions() {
+  std::vector<std::string> extensions = assimpExtensions();
+  extensions.push_back("obj");
+  std::sort(extensions.begin(), extensions.end());
+  extensions.erase(std::unique(extensions.begin(), extensions.end()), extensions.end());
+  return extensions;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,23 @@
+// Reading a whole input file, with messages for everything that can be wrong with a path.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// Throws InputError "PATH: what; what to do", or "PATH:LINE: what; what to do" when `line` is not 0. Line breaks and
+/// other control characters in the texts are replaced, so that the message is always one line.
+[[noreturn]] void failInput(const std::string& path, std::size_t line, const Text& what, const Text& todo);
+
+/// Throws InputError unless `path` is a readable, non-empty regular file.
+void checkInputFile(const std::string& path);
+
+/// The bytes of a file. Throws InputError as checkInputFile() does and when reading fails; Cancelled when `context`
+/// (may be null) was cancelled.
+std::string readInputFile(const std::string& path, RunContext* context);
+
+}  // namespace footfall::detail

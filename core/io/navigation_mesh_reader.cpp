@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/navigation_mesh_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "core/environment/up_axis.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/obj_reader.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kLargestCoordinate = 1e100;
+constexpr std::uint64_t kMostLayers = 1'000'000;
+
+/// What the comments of an export say about it (core/io/export.cpp writes them).
+struct StatedContent {
+  bool isExport = false;
+  std::optional<UpAxis> up;
+  std::optional<double> metresPerUnit;
+  std::optional<std::uint64_t> vertices, triangles, layers, connections, obstacleEdges;
+};
+
+template <class Number>
+std::optional<Number> leadingNumber(std::string_view text) {
+  Number number{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+bool removePrefix(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+void readFrame(std::string_view line, StatedContent& content) {
+  if (const std::size_t space = line.find(" up"); space != std::string_view::npos)
+    content.up = upAxisFrom(line.substr(0, space));
+  if (const std::size_t comma = line.find(", "); comma != std::string_view::npos)
+    content.metresPerUnit = leadingNumber<double>(line.substr(comma + 2));
+}
+
+/// "N vertices, N triangles, N layers, N connections, N obstacle edges".
+void readCounts(std::string_view line, StatedContent& content) {
+  while (!line.empty()) {
+    const std::size_t comma = line.find(", ");
+    const std::string_view part = line.substr(0, comma);
+    const auto count = leadingNumber<std::uint64_t>(part);
+    if (part.ends_with(" vertices")) content.vertices = count;
+    if (part.ends_with(" triangles")) content.triangles = count;
+    if (part.ends_with(" layers")) content.layers = count;
+    if (part.ends_with(" connections")) content.connections = count;
+    if (part.ends_with(" obstacle edges")) content.obstacleEdges = count;
+    line = comma == std::string_view::npos ? std::string_view() : line.substr(comma + 2);
+  }
+}
+
+StatedContent readComments(std::string_view text) {
+  StatedContent content;
+  while (removePrefix(text, "# ")) {
+    const std::size_t stop = text.find('\n');
+    std::string_view line = text.substr(0, stop);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with("Walkable area by Footfall")) content.isExport = true;
+    if (!content.isExport) break;
+    if (removePrefix(line, "frame: ")) {
+      readFrame(line, content);
+    } else if (removePrefix(line, "content: ")) {
+      readCounts(line, content);
+      break;
+    }
+    if (stop == std::string_view::npos) break;
+    text.remove_prefix(stop + 1);
+  }
+  return content;
+}
+
+std::optional<std::uint32_t> layerNumber(std::string_view name) {
+  if (!removePrefix(name, "layer_")) return std::nullopt;
+  std::uint32_t number = 0;
+  const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool whole = error == std::errc() && stop == name.data() + name.size() && number < kMostLayers;
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+/// Calls take(name, group's range of triangles, group's range of segments); what precedes the first group has no name.
+template <class Take>
+void forGroups(const ObjGroups& all, std::size_t triangles, const Take& take) {
+  const auto& groups = all.groups;
+  const std::size_t count = groups.size();
+  if (count == 0 || groups[0].firstTriangle > 0 || groups[0].firstSegment > 0) {
+    take(std::string(), std::array{std::size_t{0}, count == 0 ? triangles : groups[0].firstTriangle},
+         std::array{std::size_t{0}, count == 0 ? all.segments.size() : groups[0].firstSegment});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool last = i + 1 == count;
+    take(groups[i].name, std::array{groups[i].firstTriangle, last ? triangles : groups[i + 1].firstTriangle},
+         std::array{groups[i].firstSegment, last ? all.segments.size() : groups[i + 1].firstSegment});
+  }
+}
+
+/// Layers only where every face is in a group of a layer; other tools have groups of their own.
+void takeGroups(const ObjGroups& all, NavigationMeshFile& file) {
+  NavigationMesh& mesh = file.mesh;
+  std::vector<std::uint32_t> layers(mesh.triangles.size(), 0);
+  bool layered = !mesh.triangles.empty();
+  forGroups(all, mesh.triangles.size(), [&](const std::string& name, const auto& triangles, const auto& segments) {
+    const auto layer = layerNumber(name);
+    if (triangles[0] < triangles[1] && !layer) layered = false;
+    if (layer) mesh.layerCount = std::max(mesh.layerCount, *layer + 1);
+    std::fill(layers.begin() + static_cast<std::ptrdiff_t>(triangles[0]),
+              layers.begin() + static_cast<std::ptrdiff_t>(triangles[1]), layer.value_or(0));
+    auto* lines = name == "connections" ? &mesh.connections : name == "obstacle_edges" ? &mesh.obstacleEdges : nullptr;
+    if (lines == nullptr) return;
+    lines->insert(lines->end(), all.segments.begin() + static_cast<std::ptrdiff_t>(segments[0]),
+                  all.segments.begin() + static_cast<std::ptrdiff_t>(segments[1]));
+  });
+  if (layered) {
+    mesh.layers = std::move(layers);
+    for (std::uint32_t i = 0; i < mesh.layerCount; ++i) file.layerNames.push_back("layer_" + std::to_string(i));
+  } else {
+    mesh.layerCount = 0;
+    file.layerNames = {file.isExport ? "walkable" : "all"};
+  }
+}
+
+/// Obstacles that an export shows beside the walkable area stand behind it, with vertices of their own.
+void dropExtras(ObjGroups& groups, Environment& soup, const StatedContent& stated) {
+  const auto first = std::find_if(groups.groups.begin(), groups.groups.end(),
+                                  [](const auto& group) { return group.name.starts_with("placed_"); });
+  if (!stated.isExport || !stated.vertices || first == groups.groups.end()) return;
+  if (*stated.vertices > soup.vertices.size()) return;  // cut off: the counts tell
+  soup.triangles.resize(first->firstTriangle);
+  groups.segments.resize(first->firstSegment);
+  soup.vertices.resize(*stated.vertices);
+  groups.groups.erase(first, groups.groups.end());
+}
+
+void checkCount(const std::string& path, std::optional<std::uint64_t> stated, std::size_t found, Pattern counts) {
+  if (!stated || *stated == found) return;
+  failInput(path, 0, Text(counts, *stated, found), FOOTFALL_TEXT("it was cut off or changed by hand: export it again"));
+}
+
+void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
+  const NavigationMesh& mesh = file.mesh;
+  checkCount(file.path, stated.vertices, mesh.vertices.size(),
+             FOOTFALL_TEXT("vertices: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.triangles, mesh.triangles.size(),
+             FOOTFALL_TEXT("triangles: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.layers, mesh.layerCount, FOOTFALL_TEXT("layers: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.connections, mesh.connections.size(),
+             FOOTFALL_TEXT("connections: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.obstacleEdges, mesh.obstacleEdges.size(),
+             FOOTFALL_TEXT("obstacle edges: its comments count %1, but it has %2"));
+  if (mesh.triangles.empty() && !(stated.isExport && stated.triangles)) {
+    failInput(file.path, 0, FOOTFALL_TEXT("no triangles in it"), FOOTFALL_TEXT("choose a file that has faces"));
+  }
+  for (const Vec3& v : mesh.vertices) {
+    if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > kLargestCoordinate)
+      failInput(file.path, 0, FOOTFALL_TEXT("a coordinate above 1e100"),
+                FOOTFALL_TEXT("areas and distances would overflow: choose another unit"));
+  }
+}
+
+}  // namespace
+
+NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpAxis> up, UpAxis usualUp,
+                                      RunContext* context) {
+  std::string text = readInputFile(path, context);
+  const StatedContent stated = readComments(text);
+  Environment soup;
+  ObjGroups groups;
+  readObj(path, std::move(text), soup, context, &groups);
+  dropExtras(groups, soup, stated);
+
+  NavigationMeshFile file;
+  file.path = path;
+  file.isExport = stated.isExport;
+  file.statedUp = stated.up;
+  file.up = up.value_or(stated.up.value_or(usualUp));
+  file.metresPerUnit = stated.metresPerUnit;
+  file.skipped = soup.skipped;
+  file.mesh.vertices = std::move(soup.vertices);
+  file.mesh.triangles = std::move(soup.triangles);
+  takeGroups(groups, file);
+  checkContent(file, stated);
+  for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
+  return file;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/obj_text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/environment/up_axis.hpp"
+
+#ifndef FOOTFALL_VERSION
+#define FOOTFALL_VERSION "unknown"
+#endif
+
+namespace footfall::detail {
+namespace {
+
+/// One comment line for each line of `content`. A text of the user must neither end the comment early nor, by a
+/// backslash at its end, pull the next line into it.
+void appendComment(std::string& text, std::string_view label, std::string_view content) {
+  while (!content.empty()) {
+    const std::size_t stop = content.find('\n');
+    text.append("# ").append(label);
+    for (const char c : content.substr(0, stop)) text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (text.back() == '\\') text += ' ';
+    text += '\n';
+    content.remove_prefix(stop == std::string_view::npos ? content.size() : stop + 1);
+  }
+}
+
+}  // namespace
+
+void appendHeader(std::string& text, std::string_view title, const Environment& environment, const ExportHeader& header,
+                  std::string_view content) {
+  appendComment(text, "", std::string(title) + " by Footfall " FOOTFALL_VERSION);
+  // The name alone: the same file gives the same bytes wherever it lies.
+  std::string name = std::filesystem::path(environment.source).filename().string();
+  std::replace(name.begin(), name.end(), '\n', ' ');
+  appendComment(text, "source: ", name);
+  appendComment(text, "pipeline: ", header.pipeline);
+  appendComment(text, "agent: ", header.agent);
+  appendComment(text, "note: ", header.note);
+  std::string frame = shownName(environment.up) + " up, ";
+  appendNumber(frame, environment.metresPerUnit);
+  appendComment(text, "frame: ", frame + " metres per unit");
+  appendComment(text, "content: ", content);
+}
+
+void appendVertex(std::string& text, const Vec3& p, UpAxis up) {
+  const Vec3 place = inFileFrame(p, up);
+  text += "v ";
+  appendNumber(text, place.x);
+  text += ' ';
+  appendNumber(text, place.y);
+  text += ' ';
+  appendNumber(text, place.z);
+  text += '\n';
+}
+
+}  // namespace footfall::detail

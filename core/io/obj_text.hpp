@@ -1,0 +1,34 @@
+// The parts of which OBJ exports are made.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "core/base/number_text.hpp"
+#include "core/io/export.hpp"
+#include "footfall/environment.hpp"
+
+namespace footfall::detail {
+
+/// The comments at the top: what the file holds ("Walkable area"), of which environment, how it was made, and what it
+/// counts.
+void appendHeader(std::string& text, std::string_view title, const Environment& environment, const ExportHeader& header,
+                  std::string_view content);
+
+/// A vertex in the frame of the environment's file.
+void appendVertex(std::string& text, const Vec3& p, UpAxis up);
+
+/// A statement with vertex indices; OBJ counts from 1.
+template <std::size_t Count>
+void appendElement(std::string& text, char statement, const std::array<std::uint32_t, Count>& indices) {
+  text += statement;
+  for (const std::uint32_t index : indices) {
+    text += ' ';
+    appendNumber(text, std::uint64_t{index} + 1);
+  }
+  text += '\n';
+}
+
+}  // namespace footfall::detail

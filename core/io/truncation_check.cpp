@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/truncation_check.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <limits>
+#include <system_error>
+#include <vector>
+
+#include "core/io/input_file.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr Pattern kTruncated = FOOTFALL_TEXT("it is truncated: copy or export it again");
+
+std::string_view takeLine(std::string_view& text) {
+  const std::size_t stop = text.find('\n');
+  std::string_view line = text.substr(0, stop);
+  text.remove_prefix(stop == std::string_view::npos ? text.size() : stop + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+/// Whatever the case of the text: Assimp does not mind it either.
+bool startsWith(std::string_view text, std::string_view lower) {
+  return text.size() >= lower.size() && std::equal(lower.begin(), lower.end(), text.begin(), [](char l, char c) {
+           return l == (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+         });
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+  std::vector<std::string_view> result;
+  for (std::size_t start = 0; (start = line.find_first_not_of(" \t\r", start)) != std::string_view::npos;) {
+    const std::size_t stop = std::min(line.find_first_of(" \t\r", start), line.size());
+    result.push_back(line.substr(start, stop - start));
+    start = stop;
+  }
+  return result;
+}
+
+/// A count that no integer holds is larger than any file.
+std::uint64_t toCount(std::string_view word) {
+  std::uint64_t count = 0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), count);
+  return read.ec == std::errc::result_out_of_range ? std::numeric_limits<std::uint64_t>::max() : count;
+}
+
+/// 0 for what is no type of PLY.
+std::uint64_t plyTypeSize(std::string_view type) {
+  const auto isOneOf = [&](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), type) != names.end();
+  };
+  if (isOneOf({"char", "uchar", "int8", "uint8"})) return 1;
+  if (isOneOf({"short", "ushort", "int16", "uint16"})) return 2;
+  if (isOneOf({"int", "uint", "int32", "uint32", "float", "float32"})) return 4;
+  return isOneOf({"double", "float64"}) ? 8 : 0;
+}
+
+struct PlyProperty {
+  std::uint64_t size = 0;      ///< in a binary file; of a list its count's
+  std::uint64_t itemSize = 0;  ///< 0: no list
+  bool isSigned = false;       ///< of a list: its count's type
+};
+
+struct PlyElement {
+  std::uint64_t count = 0;
+  std::uint64_t leastBytes = 0;  ///< of one element in a binary file
+  std::size_t leastWords = 0;    ///< of one element in an ASCII file
+  bool firstIsList = false;
+  bool hasLists = false;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  bool ascii = true;
+  bool bigEndian = false;
+  bool complete = false;
+  std::vector<PlyElement> elements;
+};
+
+/// One line of the header; false when it is none.
+bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& header) {
+  const std::string_view keyword = line[0];
+  if (keyword == "comment" || keyword == "obj_info") return true;
+  if (keyword == "end_header") return header.complete = line.size() == 1;
+  if (keyword == "format") {
+    if (line.size() != 3) return false;
+    header.ascii = line[1] == "ascii";
+    header.bigEndian = line[1] == "binary_big_endian";
+    return header.ascii || header.bigEndian || line[1] == "binary_little_endian";
+  }
+  if (keyword == "element") {
+    if (line.size() != 3 || line[2].find_first_not_of("0123456789") != std::string_view::npos) return false;
+    header.elements.emplace_back().count = toCount(line[2]);
+    return true;
+  }
+  const bool list = line.size() == 5 && line[1] == "list";
+  if (keyword != "property" || (!list && line.size() != 3) || header.elements.empty()) return false;
+  const std::uint64_t size = plyTypeSize(list ? line[2] : line[1]);
+  PlyElement& element = header.elements.back();
+  if (element.leastWords == 0) element.firstIsList = list;
+  element.leastBytes += size;
+  ++element.leastWords;
+  element.hasLists = element.hasLists || list;
+  element.properties.push_back({size, list ? plyTypeSize(line[3]) : 0, list && line[2][0] != 'u'});
+  const bool isFraction = list && (line[2][0] == 'f' || line[2][0] == 'd');  // no count
+  return size > 0 && !isFraction && (!list || plyTypeSize(line[3]) > 0);
+}
+
+/// Leaves `text` behind the header.
+PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
+  PlyHeader header;
+  takeLine(text);  // "ply"
+  for (std::size_t number = 2; !text.empty() && !header.complete; ++number) {
+    const std::vector<std::string_view> line = words(takeLine(text));
+    if (line.empty() || takePlyHeaderLine(line, header)) continue;
+    if (text.empty()) break;  // cut inside the line
+    failInput(
+        path, 0,
+        Text(FOOTFALL_TEXT("line %1 of the PLY header, '%2 ...', is not understood"), number, line[0].substr(0, 24)),
+        FOOTFALL_TEXT("correct it or export the file again"));
+  }
+  return header;
+}
+
+[[noreturn]] void failShortPly(const std::string& path) {
+  failInput(path, 0, FOOTFALL_TEXT("the file ends before the elements that its header announces"), kTruncated);
+}
+
+/// Each element has a line of its own; the last line may itself be cut.
+void checkAsciiPly(const std::string& path, const PlyHeader& header, std::string_view text) {
+  for (const PlyElement& element : header.elements) {
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      std::string_view line;
+      while (line.empty() && !text.empty()) line = takeLine(text);
+      if (line.empty()) failShortPly(path);
+      if (!text.empty()) continue;
+      const std::vector<std::string_view> last = words(line);
+      const std::uint64_t listed = element.firstIsList && !last.empty() ? toCount(last[0]) : 0;
+      if (last.size() < element.leastWords + listed) failShortPly(path);
+    }
+  }
+}
+
+/// The number of entries of a list, taken from the front of `text`.
+std::uint64_t takeListCount(const std::string& path, const PlyProperty& list, bool bigEndian, std::string_view& text) {
+  std::uint64_t count = 0;
+  for (std::uint64_t i = 0; i < list.size; ++i) {
+    const auto byte = static_cast<unsigned char>(text[bigEndian ? i : list.size - 1 - i]);
+    count = count << 8 | byte;
+  }
+  text.remove_prefix(list.size);
+  if (list.isSigned && (count >> (8 * list.size - 1)) != 0)
+    failInput(path, 0, FOOTFALL_TEXT("a list in the PLY file has fewer than no entries"),
+              FOOTFALL_TEXT("correct it or export the file again"));
+  return count;
+}
+
+void checkBinaryPly(const std::string& path, const PlyHeader& header, std::string_view text) {
+  for (const PlyElement& element : header.elements) {
+    if (element.leastBytes == 0) continue;
+    if (element.count > text.size() / element.leastBytes) failShortPly(path);
+    if (!element.hasLists) {
+      text.remove_prefix(element.count * element.leastBytes);
+      continue;
+    }
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (const PlyProperty& property : element.properties) {
+        if (property.size > text.size()) failShortPly(path);
+        if (property.itemSize == 0) {
+          text.remove_prefix(property.size);
+          continue;
+        }
+        const std::uint64_t count = takeListCount(path, property, header.bigEndian, text);
+        if (count > text.size() / property.itemSize) failShortPly(path);
+        text.remove_prefix(count * property.itemSize);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void rejectTruncatedPly(const std::string& path, std::string_view text) {
+  if (!startsWith(text, "ply")) return;  // Assimp says that it is no PLY
+  const PlyHeader header = takePlyHeader(path, text);
+  if (!header.complete) failInput(path, 0, FOOTFALL_TEXT("the PLY header has no end_header"), kTruncated);
+  header.ascii ? checkAsciiPly(path, header, text) : checkBinaryPly(path, header, text);
+}
+
+void rejectTruncatedStl(const std::string& path, std::string_view text) {
+  constexpr std::size_t kBinaryHeader = 84, kBinaryFacet = 50;
+  if (!startsWith(text, "solid")) return;
+  if (text.size() >= kBinaryHeader) {  // some binary files begin with "solid" too
+    std::uint32_t facets = 0;
+    std::memcpy(&facets, text.data() + kBinaryHeader - sizeof facets, sizeof facets);
+    if (text.size() == kBinaryHeader + kBinaryFacet * std::uint64_t{facets}) return;
+  }
+  const std::size_t facet = text.rfind("facet"), end = text.rfind("endsolid");
+  if (end == std::string_view::npos || (facet != std::string_view::npos && facet > end)) {
+    failInput(path, 0, FOOTFALL_TEXT("the ASCII STL file does not end with endsolid"), kTruncated);
+  }
+}
+
+}  // namespace footfall::detail

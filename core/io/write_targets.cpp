@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/write_targets.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+
+#include "core/io/export.hpp"
+#include "core/io/import.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool exists(const std::string& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+}  // namespace
+
+bool sameFile(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code error;
+  if (a == b || fs::equivalent(a, b, error)) return true;
+  if (exists(a) || exists(b)) return false;
+  // Two files to be: the same name in the same folder.
+  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+  const fs::path second = fs::weakly_canonical(fs::absolute(b, error), error);
+  return first == second ||
+         (first.filename() == second.filename() && fs::equivalent(first.parent_path(), second.parent_path(), error));
+}
+
+void WriteTargets::protect(const std::string& path, const Text& what) {
+  if (!path.empty()) protected_.push_back({path, what});
+}
+
+void WriteTargets::protectEnvironment(const std::string& path) {
+  protect(path, FOOTFALL_TEXT("the environment"));
+  unread_.push_back(path);
+}
+
+void WriteTargets::protectEnvironment(const std::string& path, const std::vector<std::string>& companions) {
+  protect(path, FOOTFALL_TEXT("the environment"));
+  for (const std::string& companion : companions) protect(companion, FOOTFALL_TEXT("a file that the environment uses"));
+}
+
+void WriteTargets::check(const std::string& target) const {
+  const auto refuse = [&](const Text& what) {
+    throw InputError(FOOTFALL_TEXT("%1: would be overwritten, and is %2; give another file to write to"), target, what);
+  };
+  for (const NamedFile& file : protected_)
+    if (sameFile(target, file.path)) refuse(file.what);
+  if (target.empty() || !exists(target)) return;
+  for (const std::string& environment : unread_)
+    for (const std::string& companion : companionFiles(environment))
+      if (sameFile(target, companion)) refuse(FOOTFALL_TEXT("a file that the environment uses"));
+}
+
+void WriteTargets::add(const std::string& target, const Text& what) {
+  if (target.empty()) return;
+  check(target);
+  checkWritable(target);
+  for (const NamedFile& other : targets_) {
+    if (sameFile(target, other.path))
+      throw InputError(FOOTFALL_TEXT("%1: cannot hold both %2 and %3; give two files"), target, other.what, what);
+  }
+  targets_.push_back({target, what});
+}
+
+void checkEnding(const std::string& target, const std::string& option, const std::string& allowed) {
+  std::string ending = fs::path(target).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending.empty() || ending == allowed) return;
+  const std::vector<std::string> formats = importableExtensions();
+  if (ending == ".bin" || std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end())
+    throw InputError(FOOTFALL_TEXT("%1: %2 writes %3 files; give a name that ends so"), target, option, allowed);
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/mesh_geometry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/exact/face_geometry.hpp"
+
+namespace footfall::detail {
+
+PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle) {
+  PlanTriangle result{triangle.corners, {}, {}, 0};
+  for (int k = 0; k < 3; ++k) {
+    const MeshVertex& v = vertices[triangle.corners[k]];
+    result.x[k] = v.x;
+    result.y[k] = v.y;
+    result.error = std::max(result.error, v.error);
+  }
+  return result;
+}
+
+Index MeshGeometry::origin(Index vertex) const { return kernel_.mesh().triangles[vertices_[vertex].face][0]; }
+
+int MeshGeometry::filtered(Index a, Index b, Index c) const {
+  const MeshVertex &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
+  return filteredOrientation({p.x, p.y, p.error}, {q.x, q.y, q.error}, {r.x, r.y, r.error}, kernel_.sign().slack);
+}
+
+int MeshGeometry::orientation(Index a, Index b, Index c) {
+  if (a == b || b == c || a == c) return 0;
+  const int sign = filtered(a, b, c);
+  return sign != kUnknownSign ? sign : doubtfulOrientation(a, b, c);
+}
+
+// By what the points are, else by their values.
+int MeshGeometry::doubtfulOrientation(Index a, Index b, Index c) {
+  const MeshVertex &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
+  if (p.source >= 0 && q.source >= 0 && r.source >= 0)
+    return kernel_.orientation(p.source, q.source, r.source, fallbacks);
+  const auto areOnLineOf = [&](const PlanPoint& x, const PlanPoint& y, const PlanPoint& z) {
+    if (x.kind == PlanPoint::EdgePlane) {
+      const PlanLine line = edgeOf(x);
+      return isKnownOn(line, x.face, y) && isKnownOn(line, x.face, z);
+    }
+    if (x.kind != PlanPoint::Crossing) return false;
+    const PlanLine first = x.firstLine(), second = x.secondLine();
+    return (isKnownOn(first, x.face, y) && isKnownOn(first, x.face, z)) ||
+           (isKnownOn(second, x.face, y) && isKnownOn(second, x.face, z));
+  };
+  if (areOnLineOf(p.point, q.point, r.point) || areOnLineOf(q.point, r.point, p.point) ||
+      areOnLineOf(r.point, p.point, q.point))
+    return 0;
+  return kernel_.orientation(p.point, q.point, r.point, origin(b), fallbacks);
+}
+
+PlanLine MeshGeometry::edgeOf(const PlanPoint& p) const {
+  const Index a = kernel_.mesh().planIds[p.a], b = kernel_.mesh().planIds[p.b];
+  return {PlanLine::Edge, std::min(a, b), std::max(a, b)};
+}
+
+// Traces are the same line only on the same face.
+bool MeshGeometry::isKnownOn(const PlanLine& line, Index face, const PlanPoint& p) const {
+  if (p.kind == PlanPoint::Crossing)
+    return (line.kind == PlanLine::Edge || p.face == face) && (p.firstLine() == line || p.secondLine() == line);
+  if (line.kind != PlanLine::Edge) return false;
+  if (p.kind == PlanPoint::Source) return p.a == line.a || p.a == line.b;
+  return edgeOf(p) == line;
+}
+
+int MeshGeometry::compare(Index a, Index b, int axis) {
+  const MeshVertex &p = vertices_[a], &q = vertices_[b];
+  const double u = axis == 0 ? p.x : p.y, v = axis == 0 ? q.x : q.y;
+  const double bound = (p.error + q.error + (std::fabs(u) + std::fabs(v)) * 0x1p-52) * kInflate;
+  if (u - v > bound) return 1;
+  if (u - v < -bound) return -1;
+  return kernel_.compare(p.point, q.point, axis, origin(a), fallbacks);
+}
+
+bool MeshGeometry::isBetween(Index u, Index v, Index w) {
+  if (orientation(u, v, w) != 0) return false;
+  for (const int axis : {0, 1}) {
+    const int first = compare(u, v, axis);
+    if (first != 0) return compare(v, w, axis) == first;
+  }
+  return false;
+}
+
+// Two triangles are apart when an edge of one has all corners of the other on its outer side. What doubles tell about
+// all six edges comes first: only where none of them separates for sure are the doubtful ones decided exactly.
+//
+// One bound serves all doubles, u = 2^-53: relative to one corner, coordinates are at most d in size, and each is off
+// by at most e + u d, e being the vertices' own error. Differences of two are at most 2 d and off by f = 2 e + 4 u d.
+// The difference of two products of them is then off by at most 2 (4 d f + f^2 + 4 u d^2) + 8 u d^2 (1 + u), and what
+// these roundings themselves lose is covered by 32 in place of 16 and by kInflate.
+bool MeshGeometry::overlap(const PlanTriangle& s, const PlanTriangle& t) {
+  std::array<std::array<double, 3>, 2> x, y;
+  double size = 0;
+  for (int m = 0; m < 2; ++m)
+    for (int k = 0; k < 3; ++k) {
+      const PlanTriangle& own = m == 0 ? s : t;
+      x[m][k] = own.x[k] - s.x[0];
+      y[m][k] = own.y[k] - s.y[0];
+      size = std::max({size, std::fabs(x[m][k]), std::fabs(y[m][k])});
+    }
+  const double error = std::max(s.error, t.error);
+  const double f = 2 * error + 4 * 0x1p-53 * size;
+  const double bound = (8 * size * f + 2 * f * f + 32 * 0x1p-53 * size * size) * kInflate + kernel_.sign().slack;
+  enum { kSeparates, kDoubtful, kDoesNot };
+  std::array<int, 6> verdicts{};
+  for (int edge = 0; edge < 6; ++edge) {
+    const int m = edge / 3, n = 1 - m, i = edge % 3, j = (i + 1) % 3;
+    const auto& others = (m == 0 ? t : s).corners;
+    const auto& own = (m == 0 ? s : t).corners;
+    const double ux = x[m][j] - x[m][i], uy = y[m][j] - y[m][i];
+    verdicts[edge] = kSeparates;
+    for (int k = 0; k < 3; ++k) {
+      if (others[k] == own[i] || others[k] == own[j]) continue;
+      const double side = ux * (y[n][k] - y[m][i]) - uy * (x[n][k] - x[m][i]);
+      if (side > bound) {
+        verdicts[edge] = kDoesNot;
+        break;
+      }
+      if (!(side < -bound)) verdicts[edge] = kDoubtful;
+    }
+    if (verdicts[edge] == kSeparates) return false;
+  }
+  for (int edge = 0; edge < 6; ++edge) {
+    if (verdicts[edge] == kDoesNot) continue;
+    const auto& own = (edge < 3 ? s : t).corners;
+    const auto& others = (edge < 3 ? t : s).corners;
+    const Index a = own[edge % 3], b = own[(edge + 1) % 3];
+    if (std::all_of(others.begin(), others.end(), [&](Index c) { return orientation(a, b, c) <= 0; })) return false;
+  }
+  return true;
+}
+
+}  // namespace footfall::detail

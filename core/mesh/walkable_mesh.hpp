@@ -1,0 +1,38 @@
+// A mesh of walkable parts with exact vertices.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/exact/plan_kernel.hpp"
+
+namespace footfall::detail {
+
+/// A vertex is a plan point lifted to the plane of a face; its rounded place serves filters and display.
+struct MeshVertex {
+  PlanPoint point;
+  Index face = -1;    ///< a source triangle whose plane holds the vertex
+  Index source = -1;  ///< the source vertex that it is, or -1 for a constructed one
+  /// Scaled coordinates (SourceMesh::scaled), each within `error` of the exact ones.
+  double x = 0, y = 0, z = 0;
+  double error = 0;
+};
+
+struct MeshTriangle {
+  std::array<Index, 3> corners{};  ///< counter-clockwise from above
+  Index face = -1;                 ///< a source triangle in whose plane it lies
+  std::uint8_t obstacleEdges = 0;  ///< bit k: an obstacle stands on the edge from corner k to k + 1
+};
+
+/// The walkable area, conforming: triangles that meet share whole edges, by vertex index. Both sides of an obstacle
+/// edge still have the same vertices here; they are told apart by the flag and split when the product is made.
+struct WalkableMesh {
+  std::vector<MeshVertex> vertices;
+  std::vector<MeshTriangle> triangles;
+  std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
+  std::uint32_t layerCount = 0;
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/export_header.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/filters/descriptor_text.hpp"
+
+namespace footfall::detail {
+
+std::string describeAgent(const Pipeline& pipeline) {
+  std::string slope = "slope any";
+  std::string height = "height any";
+  std::optional<double> smallestSlope, largestHeight;
+  for (const PipelineStep& step : pipeline.steps) {
+    if (!step.enabled || step.values.empty()) continue;
+    const ParameterDescriptor& parameter = step.filter->parameters.front();
+    if (step.filter->name == "SlopeFilter") {
+      smallestSlope = std::min(smallestSlope.value_or(step.values[0]), step.values[0]);
+      slope = "slope " + formatValue(parameter, *smallestSlope) + " degrees";
+    } else if (step.filter->name == "VerticalClearanceFilter") {
+      largestHeight = std::max(largestHeight.value_or(step.values[0]), step.values[0]);
+      height = "height " + formatValue(parameter, *largestHeight);
+    }
+  }
+  return slope + ", " + height;
+}
+
+ExportHeader makeExportHeader(const Pipeline& pipeline) {
+  Pipeline enabled = pipeline;
+  std::erase_if(enabled.steps, [](const PipelineStep& step) { return !step.enabled; });
+  return {formatPipeline(enabled), describeAgent(enabled)};
+}
+
+}  // namespace footfall::detail

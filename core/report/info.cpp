@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/info.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "core/base/counted_text.hpp"
+#include "core/base/number_text.hpp"
+#include "core/environment/part_names.hpp"
+#include "core/environment/skipped_polygons.hpp"
+#include "core/environment/up_axis.hpp"
+#include "core/exact/source_predicates.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::size_t kSkippedShown = 20;
+
+/// For each vertex a number that it shares with exactly the vertices at the same position.
+std::vector<std::uint32_t> numberPositions(const std::vector<Vec3>& vertices) {
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 &p = vertices[a], &q = vertices[b];
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  });
+  std::vector<std::uint32_t> position(vertices.size());
+  std::uint32_t current = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i > 0 && vertices[order[i]] != vertices[order[i - 1]]) ++current;
+    position[order[i]] = current;
+  }
+  return position;
+}
+
+/// Calls `visit` with the length of each run of equal elements.
+template <class T, class Visit>
+void forEachRun(std::vector<T>& elements, Visit visit) {
+  std::sort(elements.begin(), elements.end());
+  for (std::size_t start = 0, stop = 0; start < elements.size(); start = stop) {
+    while (stop < elements.size() && elements[stop] == elements[start]) ++stop;
+    visit(stop - start);
+  }
+}
+
+void countEdges(const std::vector<Triangle>& byPosition, EnvironmentInfo& info) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(3 * byPosition.size());
+  for (const Triangle& t : byPosition) {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;  // folded onto itself: bounds nothing
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax({t[i], t[(i + 1) % 3]}));
+  }
+  forEachRun(edges, [&](std::size_t triangles) {
+    if (triangles == 1) ++info.openEdges;
+    if (triangles > 2) ++info.nonManifoldEdges;
+  });
+}
+
+void appendLine(std::string& text, const char* label, const std::string& value) {
+  constexpr std::size_t kLabelWidth = 24;
+  std::string padded(label);
+  padded.resize(kLabelWidth, ' ');
+  text += padded + value + "\n";
+}
+
+std::string number(auto value) {
+  std::string text;
+  appendNumber(text, value);
+  return text;
+}
+
+}  // namespace
+
+EnvironmentInfo inspectEnvironment(const Environment& environment) {
+  EnvironmentInfo info;
+  info.triangles = environment.triangles.size();
+  info.vertices = environment.vertices.size();
+  if (!environment.vertices.empty()) info.lower = info.upper = environment.vertices.front();
+  for (const Vec3& p : environment.vertices) {
+    info.lower = {std::min(info.lower.x, p.x), std::min(info.lower.y, p.y), std::min(info.lower.z, p.z)};
+    info.upper = {std::max(info.upper.x, p.x), std::max(info.upper.y, p.y), std::max(info.upper.z, p.z)};
+  }
+
+  constexpr double kSlope = 45;
+  for (std::size_t i = 0; i < environment.triangles.size(); ++i) {
+    const Triangle& t = environment.triangles[i];
+    const bool isNoFloor = !environment.obstacleOnly.empty() && environment.obstacleOnly[i] != 0;
+    const Vec3 &a = environment.vertices[t[0]], &b = environment.vertices[t[1]], &c = environment.vertices[t[2]];
+    if (isDegenerate(a, b, c)) {
+      ++info.degenerate;
+    } else if (!isNoFloor &&
+               (isWithinSlope(a, b, c, kSlope) || (environment.bothSides && isWithinSlope(a, c, b, kSlope)))) {
+      ++info.walkable45;
+    }
+  }
+
+  info.partTriangles = countPartTriangles(environment);
+  const std::vector<std::uint32_t> position = numberPositions(environment.vertices);
+  std::vector<Triangle> byPosition = environment.triangles;
+  for (Triangle& t : byPosition) {
+    for (std::uint32_t& corner : t) corner = position[corner];
+    std::sort(t.begin(), t.end());
+  }
+  countEdges(byPosition, info);
+  forEachRun(byPosition, [&](std::size_t copies) { info.duplicate += copies - 1; });
+  return info;
+}
+
+std::string formatInfo(const Environment& environment, const EnvironmentInfo& info) {
+  std::string text;
+  const auto range = [&](double low, double high) { return number(low) + " to " + number(high); };
+  appendLine(text, "environment", environment.source);
+  appendLine(text, "triangles", number(info.triangles));
+  appendLine(text, "vertices", number(info.vertices));
+  appendLine(text, "bounds (Z up)",
+             "x " + range(info.lower.x, info.upper.x) + ", y " + range(info.lower.y, info.upper.y) + ", z " +
+                 range(info.lower.z, info.upper.z));
+  appendLine(text, "up axis of the file",
+             shownName(environment.up) + (environment.upGuessed ? " (guessed)" : " (given)"));
+  appendLine(text, "metres per unit",
+             number(environment.metresPerUnit) + (environment.scaleGuessed ? " (guessed)" : " (given)"));
+  appendLine(text, "upper sides", environment.bothSides ? "both (given)" : "front");
+  appendLine(text, "degenerate", number(info.degenerate));
+  appendLine(text, "duplicate", number(info.duplicate));
+  appendLine(text, "walkable at 45 degrees", number(info.walkable45));
+  appendLine(text, "open edges", number(info.openEdges));
+  appendLine(text, "non-manifold edges", number(info.nonManifoldEdges));
+  appendLine(text, "skipped",
+             counted(environment.skipped.points, "point", "points") + ", " +
+                 counted(environment.skipped.lines, "line", "lines") + ", " +
+                 counted(environment.skipped.polygons, "polygon", "polygons"));
+  text += formatSkipped(environment.skipped, environment.up, kSkippedShown);
+  if (environment.parts.empty()) return text;
+  appendLine(text, "parts (MESH/MATERIAL)", number(environment.parts.size()));
+  for (std::size_t p = 0; p < environment.parts.size(); ++p)
+    text += "  " + partLabel(environment.parts[p]).str() + ": " +
+            counted(info.partTriangles[p], "triangle", "triangles") + '\n';
+  return text;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,30 @@
+// What `footfall info` tells about an environment.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "footfall/environment.hpp"
+
+namespace footfall::detail {
+
+struct EnvironmentInfo {
+  std::uint64_t triangles = 0;
+  std::uint64_t vertices = 0;
+  Vec3 lower, upper;             ///< bounds, Z up
+  std::uint64_t degenerate = 0;  ///< triangles of zero area, exactly
+  std::uint64_t duplicate = 0;   ///< triangles with the same three positions as an earlier one, in any order
+  std::uint64_t walkable45 = 0;  ///< triangles that SlopeFilter 45 keeps, exactly
+  std::vector<std::uint64_t> partTriangles;  ///< for each of Environment::parts
+  std::uint64_t openEdges = 0;               ///< edges (by position) with one triangle
+  std::uint64_t nonManifoldEdges = 0;        ///< edges (by position) with more than two triangles
+};
+
+EnvironmentInfo inspectEnvironment(const Environment& environment);
+
+/// The lines that `footfall info` prints.
+std::string formatInfo(const Environment& environment, const EnvironmentInfo& info);
+
+}  // namespace footfall::detail

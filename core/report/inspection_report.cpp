@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/inspection_report.hpp"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/environment/up_axis.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value, int digits = 6) {
+  std::array<char, 400> buffer;
+  std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value + 0.0);
+  return buffer.data();
+}
+
+std::string coordinates(const Vec3& place) {
+  return number(place.x, 9) + ' ' + number(place.y, 9) + ' ' + number(place.z, 9);
+}
+
+const EnvironmentPart* partOf(const Environment& environment, std::uint32_t triangle) {
+  return triangle < environment.partOf.size() ? &environment.parts.at(environment.partOf[triangle]) : nullptr;
+}
+
+/// "triangle 12 (mesh door, material wood)"
+std::string triangleText(const Environment& environment, std::uint32_t triangle) {
+  std::string text = "triangle " + std::to_string(triangle);
+  const EnvironmentPart* part = partOf(environment, triangle);
+  if (part == nullptr || (part->mesh.empty() && part->material.empty())) return text;
+  text += " (";
+  if (!part->mesh.empty()) text += "mesh " + part->mesh;
+  if (!part->material.empty()) text += std::string(part->mesh.empty() ? "" : ", ") + "material " + part->material;
+  return text + ')';
+}
+
+std::string list(const Environment& environment, const std::vector<std::uint32_t>& triangles) {
+  std::string text;
+  for (const std::uint32_t t : triangles) text += (text.empty() ? "" : ", ") + triangleText(environment, t);
+  return text;
+}
+
+std::string verdictText(const Inspector& inspector, const PlaceExplanation& told) {
+  const Environment& environment = inspector.environment();
+  switch (told.verdict) {
+    case PlaceVerdict::Walkable: {
+      std::string text = "walkable";
+      if (told.layer) text += ", layer " + std::to_string(*told.layer);
+      return text + ", component " + std::to_string(told.component + 1) + " of " +
+             std::to_string(inspector.components().list.size()) + " with an area of " + number(told.componentArea);
+    }
+    case PlaceVerdict::NoArea:
+      return "not walkable: the triangle has no area";
+    case PlaceVerdict::Vertical:
+      return "not walkable: the triangle is a vertical wall";
+    case PlaceVerdict::FacesDown:
+      return "not walkable: the triangle faces down";
+    case PlaceVerdict::NeverFloor:
+      return "not walkable: the triangle counts as an obstacle only";
+    case PlaceVerdict::TooSteep:
+      return "not walkable: too steep, " + textBeside(told.movedSlope.value_or(told.slope), told.limit) +
+             " degrees where at most " + number(told.limit) + " are allowed";
+    case PlaceVerdict::TooLow:
+      if (!told.obstacle) return "not walkable: something is above it within the clearance";
+      return "not walkable: too low, " + triangleText(environment, told.obstacle->triangle) + " is " +
+             textBeside(told.obstacle->height, told.limit) + " above where " + number(told.limit) + " are needed";
+    case PlaceVerdict::RegionTooSmall:
+      return "not walkable: its region has an area of " + number(told.regionArea) + ", and must have more than " +
+             number(told.limit);
+    case PlaceVerdict::Moved:
+      return "not walkable: the filter moved vertices, and no triangle is here any more";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view verdictWord(PlaceVerdict verdict) {
+  switch (verdict) {
+    case PlaceVerdict::Walkable:
+      return "walkable";
+    case PlaceVerdict::NoArea:
+      return "no_area";
+    case PlaceVerdict::Vertical:
+      return "vertical";
+    case PlaceVerdict::FacesDown:
+      return "faces_down";
+    case PlaceVerdict::NeverFloor:
+      return "obstacle_only";
+    case PlaceVerdict::TooSteep:
+      return "too_steep";
+    case PlaceVerdict::TooLow:
+      return "too_low";
+    case PlaceVerdict::RegionTooSmall:
+      return "region_too_small";
+    case PlaceVerdict::Moved:
+      return "moved";
+  }
+  return {};
+}
+
+std::string textBeside(double value, double limit) {
+  std::string text;
+  for (const int digits : {6, 9, 17}) {
+    text = number(value, digits);
+    if (text != number(limit, digits)) break;
+  }
+  return text;
+}
+
+std::string formatExplanation(const Inspector& inspector, const PlaceExplanation& told) {
+  const Environment& environment = inspector.environment();
+  std::string text = coordinates(inFileFrame(told.place.point, environment.up)) + " on " +
+                     triangleText(environment, told.place.triangle) + '\n';
+  text += verdictText(inspector, told) + '\n';
+  if (told.step) {
+    text += "rejected by step " + std::to_string(*told.step + 1) + ": " +
+            formatStep(inspector.pipeline().steps[*told.step]) + '\n';
+  }
+  if (told.floor)
+    text += "the floor here is " + triangleText(environment, *told.floor) + ", which lies in the same plane\n";
+  if (told.verdict != PlaceVerdict::NoArea) text += "slope: " + number(told.slope) + " degrees\n";
+  if (told.verdict != PlaceVerdict::NoArea && told.verdict != PlaceVerdict::Vertical) {
+    text += "free height: ";
+    if (told.above)
+      text += number(told.above->height) + ", below " + triangleText(environment, told.above->triangle) + '\n';
+    else
+      text += "unlimited, nothing is above\n";
+  }
+  if (!told.walls.empty())
+    text += "on an obstacle edge: " + list(environment, told.walls) +
+            (told.walls.size() == 1 ? " stands here\n" : " stand here\n");
+  return text;
+}
+
+std::string formatExplanationJson(const Inspector& inspector, const PlaceExplanation& told) {
+  const Environment& environment = inspector.environment();
+  const auto orNull = [](const auto& value) { return value ? Json(*value) : Json(); };
+  const Vec3 point = inFileFrame(told.place.point, environment.up);
+  const EnvironmentPart* part = partOf(environment, told.place.triangle);
+  const bool walkable = told.verdict == PlaceVerdict::Walkable;
+  Json json;
+  json["point"] = {point.x, point.y, point.z};
+  json["triangle"] = told.place.triangle;
+  json["mesh"] = part != nullptr ? Json(part->mesh) : Json();
+  json["material"] = part != nullptr ? Json(part->material) : Json();
+  json["slope"] = told.verdict == PlaceVerdict::NoArea ? Json() : Json(told.slope);
+  json["headroom"] = told.above ? Json(told.above->height) : Json();
+  json["above"] = told.above ? Json(told.above->triangle) : Json();
+  json["walkable"] = walkable;
+  json["verdict"] = verdictWord(told.verdict);
+  json["step"] = told.step ? Json(*told.step + 1) : Json();
+  json["filter"] = told.step ? Json(inspector.pipeline().steps[*told.step].filter->name) : Json();
+  json["limit"] = told.step && told.limit != 0 ? Json(told.limit) : Json();
+  json["obstacle"] = told.obstacle ? Json(told.obstacle->triangle) : Json();
+  json["obstacle_height"] = told.obstacle ? Json(told.obstacle->height) : Json();
+  json["region_area"] = told.verdict == PlaceVerdict::RegionTooSmall ? Json(told.regionArea) : Json();
+  json["walls"] = told.walls;
+  json["floor"] = orNull(told.floor);
+  json["layer"] = orNull(told.layer);
+  json["component"] = walkable ? Json(told.component + 1) : Json();
+  json["component_area"] = walkable ? Json(told.componentArea) : Json();
+  // Names in files are bytes; what is no UTF-8 must not lose the rest.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace footfall::detail

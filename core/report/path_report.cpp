@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/path_report.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/counted_text.hpp"
+#include "core/base/number_text.hpp"
+#include "core/environment/up_axis.hpp"
+#include "core/io/obj_text.hpp"
+#include "core/navigation/separation_text.hpp"
+
+namespace footfall::detail {
+namespace {
+
+/// Six digits are more than enough to read.
+std::string shown(double x) {
+  std::string text;
+  appendNumber(text, std::fabs(x) < 1e9 ? std::round(x * 1e6) / 1e6 : x);
+  return text;
+}
+
+std::string place(const SurfacePlace& p, UpAxis up) {
+  const Vec3 q = inFileFrame(p.position, up);
+  return shown(q.x) + ' ' + shown(q.y) + ' ' + shown(q.z);
+}
+
+nlohmann::ordered_json pointJson(const Vec3& p, UpAxis up) {
+  const Vec3 q = inFileFrame(p, up);
+  return {q.x + 0.0, q.y + 0.0, q.z + 0.0};
+}
+
+std::string barrierSentence(const Separation& separation, UpAxis up) {
+  const BorderLink& link = separation.barrier();
+  const Vec3 p = inFileFrame(link.from, up);
+  std::string text = "the parts are nearest at " + shown(p.x) + ' ' + shown(p.y) + ' ' + shown(p.z) + ": " +
+                     barrierText(link, shown).str();
+  if (separation.links.size() > 1)
+    text += " (the largest of " + std::to_string(separation.links.size()) + " obstacles on the way)";
+  return text;
+}
+
+nlohmann::ordered_json separationJson(const std::optional<Separation>& separation, UpAxis up) {
+  if (!separation) return nullptr;
+  nlohmann::ordered_json json;
+  json["largest"] = separation->largest;
+  json["links"] = nlohmann::ordered_json::array();
+  for (const BorderLink& link : separation->links) {
+    nlohmann::ordered_json entry;
+    entry["kind"] = linkWord(link.kind);
+    entry["from"] = pointJson(link.from, up);
+    entry["to"] = pointJson(link.to, up);
+    entry["gap"] = link.gap;
+    entry["rise"] = link.rise;
+    entry["obstacle"] = link.kind == LinkKind::Obstacle ? nlohmann::ordered_json(link.obstacle) : nullptr;
+    entry["headroom"] = link.kind == LinkKind::LowCeiling ? nlohmann::ordered_json(link.headroom) : nullptr;
+    json["links"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+nlohmann::ordered_json placeJson(const NavigationMesh& mesh, const std::optional<SurfacePlace>& p, UpAxis up) {
+  if (!p) return nullptr;
+  nlohmann::ordered_json json;
+  json["position"] = pointJson(p->position, up);
+  json["distance"] = p->distance;
+  json["layer"] = mesh.layers.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(mesh.layers[p->triangle]);
+  return json;
+}
+
+const char* statusName(PathStatus status) {
+  switch (status) {
+    case PathStatus::Found:
+      return "found";
+    case PathStatus::StartNotWalkable:
+      return "start_not_walkable";
+    case PathStatus::TargetNotWalkable:
+      return "target_not_walkable";
+    case PathStatus::NotConnected:
+      return "not_connected";
+    case PathStatus::NothingWalkable:
+      break;
+  }
+  return "nothing_walkable";
+}
+
+}  // namespace
+
+std::string formatPlace(const Vec3& p, UpAxis up) {
+  const Vec3 q = inFileFrame(p, up);
+  std::string text;
+  appendNumber(text, q.x);
+  text += ' ';
+  appendNumber(text, q.y);
+  text += ' ';
+  appendNumber(text, q.z);
+  return text;
+}
+
+std::string formatFailure(const PathResult& path, UpAxis up) {
+  const std::string text = describeFailure(path);
+  return path.separation ? text + "; " + barrierSentence(*path.separation, up) : text;
+}
+
+std::string formatPath(const Environment& environment, const PathResult& path) {
+  std::string text;
+  if (path.start)
+    text += (path.status == PathStatus::StartNotWalkable ? "nearest  " : "start    ") +
+            place(*path.start, environment.up) + '\n';
+  if (path.end && path.hasPath())
+    text += (path.reached() ? "end      " : "fails at ") + place(*path.end, environment.up) + '\n';
+  if (path.hasPath()) {
+    text += "length   " + shown(path.length) + " (" + shown(path.planLength) + " in the plan), " +
+            counted(path.bends.size(), "bend", "bends") + '\n';
+    if (!path.layers.empty()) {
+      text += "layers   ";
+      for (std::size_t i = 0; i < path.layers.size(); ++i)
+        text += (i == 0 ? "" : " > ") + std::to_string(path.layers[i]);
+      text += ", " + counted(path.connections, "connection", "connections") + '\n';
+    }
+    text += "slope    " + shown(path.maxSlopeDegrees) + " degrees at most; climbs or falls at " +
+            shown(path.maxInclineDegrees) + " degrees at most\n";
+  }
+  return text;
+}
+
+std::string formatPathJson(const NavigationMesh& mesh, const Environment& environment, const PathResult& path) {
+  const UpAxis up = environment.up;
+  nlohmann::ordered_json json;
+  json["status"] = statusName(path.status);
+  json["message"] = formatFailure(path, up);
+  json["from"] = pointJson(path.from, up);
+  json["to"] = pointJson(path.to, up);
+  json["start"] = placeJson(mesh, path.start, up);
+  json["end"] = path.status == PathStatus::StartNotWalkable ? nullptr : placeJson(mesh, path.end, up);
+  json["length"] = path.length;
+  json["plan_length"] = path.planLength;
+  json["layers"] = path.layers;
+  json["connections"] = path.connections;
+  json["max_slope_degrees"] = path.maxSlopeDegrees;
+  json["max_incline_degrees"] = path.maxInclineDegrees;
+  json["bends"] = nlohmann::ordered_json::array();
+  for (const std::size_t i : path.bends) json["bends"].push_back(pointJson(path.points[i], up));
+  json["points"] = nlohmann::ordered_json::array();
+  for (const Vec3& p : path.points) json["points"].push_back(pointJson(p, up));
+  json["separation"] = separationJson(path.separation, up);
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::string formatPathObj(const Environment& environment, const ExportHeader& header, const PathResult& path) {
+  std::string text;
+  appendHeader(text, "Shortest path", environment, header,
+               counted(path.points.size(), "point", "points") + ", length " + shown(path.length) + ", in the plan " +
+                   shown(path.planLength));
+  for (const Vec3& p : path.points) appendVertex(text, p, environment.up);
+  text += "g path\n";
+  if (path.points.size() > 1) {
+    text += 'l';
+    for (std::size_t i = 1; i <= path.points.size(); ++i) {
+      text += ' ';
+      appendNumber(text, i);
+    }
+    text += '\n';
+  } else if (!path.points.empty()) {
+    text += "p 1\n";
+  }
+  return text;
+}
+
+}  // namespace footfall::detail

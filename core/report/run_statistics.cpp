@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/run_statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/base/counted_text.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/environment/skipped_polygons.hpp"
+#include "core/environment/up_axis.hpp"
+#include "core/filters/descriptor_text.hpp"
+#include "core/report/text_table.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parametersJson(const StepStatistics& step) {
+  Json parameters = Json::object();
+  const FilterDescriptor* filter = findFilter(step.name);
+  if (filter == nullptr) return parameters;
+  for (std::size_t i = 0; i < std::min(filter->parameters.size(), step.parameters.size()); ++i) {
+    const ParameterDescriptor& parameter = filter->parameters[i];
+    Json& value = parameters[std::string(parameter.name)];
+    switch (parameter.type) {
+      case ParameterType::Boolean:
+        value = step.parameters[i] != 0;
+        break;
+      case ParameterType::Integer:
+        value = static_cast<std::int64_t>(step.parameters[i]);
+        break;
+      case ParameterType::Real:
+        value = step.parameters[i];
+        break;
+    }
+  }
+  return parameters;
+}
+
+Json boundJson(const std::array<double, 3>& bound) {
+  Json json = Json::array();
+  for (const double c : bound) json.push_back(std::isfinite(c) ? Json(c) : Json(nullptr));
+  return json;
+}
+
+Json spanJson(const CellSpan& span) {
+  return {{"filter", span.filter}, {"thread", span.thread}, {"start_ms", span.startMs}, {"end_ms", span.endMs}};
+}
+
+Json cellJson(const CellReport& cell) {
+  Json filters = Json::object(), spans = Json::array();
+  for (const CellSpan& span : cell.spans) {
+    Json& sum = filters[span.filter];
+    sum = (sum.is_null() ? 0 : sum.get<double>()) + span.endMs - span.startMs;
+    spans.push_back(spanJson(span));
+  }
+  return {{"lower", boundJson(cell.bounds.lower)},
+          {"upper", boundJson(cell.bounds.upper)},
+          {"cost", cell.cost},
+          {"triangles_in", cell.trianglesIn},
+          {"triangles_out", cell.trianglesOut},
+          {"thread", cell.thread},
+          {"start_ms", cell.startMs},
+          {"end_ms", cell.endMs},
+          {"work_ms", cell.workMs()},
+          {"filters", filters},
+          {"spans", spans}};
+}
+
+Json blockJson(const BlockReport& block, int threads) {
+  Json cells = Json::array(), shared = Json::array();
+  for (const CellReport& cell : block.cells) cells.push_back(cellJson(cell));
+  for (const CellSpan& span : block.shared) shared.push_back(spanJson(span));
+  return {{"first_step", block.firstStep},
+          {"last_step", block.lastStep},
+          {"strategy", block.strategy},
+          {"reason", block.reason.str()},
+          {"start_ms", block.startMs},
+          {"partitioning_ms", block.partitioningMs},
+          {"parallel_ms", block.parallelMs},
+          {"merging_ms", block.mergingMs},
+          {"imbalance", block.imbalance(threads)},
+          {"busy_ms", block.busyMs(threads)},
+          {"shared", shared},
+          {"cells", cells}};
+}
+
+Json timesJson(const RunTimes& times) {
+  return {{"preprocessing_ms", times.preprocessing},
+          {"partitioning_ms", times.partitioning},
+          {"parallel_ms", times.parallel},
+          {"merging_ms", times.merging},
+          {"postprocessing_ms", times.postprocessing},
+          {"overhead_ms", times.overhead},
+          {"total_ms", times.total}};
+}
+
+Json speedUpJson(const std::optional<SpeedUp>& speedUp, int threads) {
+  if (!speedUp) return nullptr;
+  return {{"one_thread_ms", speedUp->oneThreadMs},
+          {"parallel_ms", speedUp->parallelMs},
+          {"speed_up", speedUp->speedUp()},
+          {"efficiency", speedUp->efficiency(threads)}};
+}
+
+ExactFallbacks sumFallbacks(const RunResult& result) {
+  ExactFallbacks sum;
+  for (const StepStatistics& step : result.steps) {
+    sum += step.fallbacks;
+  }
+  return sum;
+}
+
+std::string number(double value, const char* format = "%.1f") { return formatted(value, format); }
+
+std::string stepText(const StepStatistics& step) {
+  const FilterDescriptor* filter = findFilter(step.name);
+  return filter == nullptr ? step.name : formatStep({filter, step.parameters, true, 0});
+}
+
+/// What import left out, in a few lines; empty where it is nothing of area.
+std::string skippedLines(const Environment& environment) {
+  constexpr std::size_t kShown = 3;
+  const std::uint64_t polygons = environment.skipped.polygons;
+  if (polygons == 0) return {};
+  return "skipped " + counted(polygons, "polygon", "polygons") + " of the file:\n" +
+         formatSkipped(environment.skipped, environment.up, kShown);
+}
+
+Json skippedJson(const SkippedElements& skipped) {
+  Json listed = Json::array();
+  for (const SkippedPolygon& polygon : skipped.listed) {
+    Json entry = Json::object();
+    entry["line"] = polygon.line > 0 ? Json(polygon.line) : Json(nullptr);
+    entry["face"] = polygon.line > 0 ? Json(nullptr) : Json(polygon.face);
+    entry["mesh"] = polygon.mesh;
+    entry["reason"] = skippedReason(polygon).str();
+    listed.push_back(std::move(entry));
+  }
+  return {{"points", skipped.points}, {"lines", skipped.lines}, {"polygons", skipped.polygons}, {"listed", listed}};
+}
+
+}  // namespace
+
+std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
+  Json json;
+  json["environment"] = {{"source", environment.source},
+                         {"triangles", environment.triangles.size()},
+                         {"vertices", environment.vertices.size()},
+                         {"up", nameOf(environment.up)},
+                         {"up_guessed", environment.upGuessed},
+                         {"metres_per_unit", environment.metresPerUnit},
+                         {"scale_guessed", environment.scaleGuessed},
+                         {"both_sides", environment.bothSides},
+                         {"skipped", skippedJson(environment.skipped)}};
+  json["steps"] = Json::array();
+  for (const StepStatistics& step : result.steps) {
+    json["steps"].push_back({{"name", step.name},
+                             {"parameters", parametersJson(step)},
+                             {"start_ms", step.startMs},
+                             {"wall_ms", step.wallMs},
+                             {"cpu_ms", step.cpuMs},
+                             {"triangles_in", step.in.triangles},
+                             {"triangles_out", step.out.triangles},
+                             {"area_in", step.in.area},
+                             {"area_out", step.out.area},
+                             {"note", step.note.str()}});
+  }
+  json["load_ms"] = times.loadMs;
+  json["start_ms"] = result.startMs;
+  json["finish_ms"] = result.finishMs;
+  json["export_ms"] = times.exportMs;
+  json["total_ms"] = times.totalMs;
+  json["run_ms"] = result.totalMs;
+  json["cpu_ms"] = result.cpuMs;
+  json["threads"] = result.threads;
+  json["peak_rss_bytes"] = peakRssBytes();
+  json["triangles"] = result.mesh ? result.mesh->triangles.size() : result.summary.triangles;
+  json["area"] = result.summary.area;
+  json["layers"] = result.mesh ? result.mesh->layerCount : result.summary.layers;
+  json["connections"] = result.mesh ? result.mesh->connections.size() : result.summary.connections;
+  json["obstacle_edges"] = result.mesh ? result.mesh->obstacleEdges.size() : result.summary.obstacleEdges;
+  const ExactFallbacks fallbacks = sumFallbacks(result);
+  json["exact_fallbacks"] = fallbacks.total();
+  json["exact_fallbacks_by_kind"] = {
+      {"slope", fallbacks.slope}, {"height", fallbacks.height}, {"orientation", fallbacks.orientation},
+      {"side", fallbacks.side},   {"order", fallbacks.order},   {"area", fallbacks.area}};
+  json["times"] = timesJson(result.times);
+  json["speed_up"] = speedUpJson(times.speedUp, result.threads);
+  json["speed_up_estimate"] = result.totalMs > 0 ? result.cpuMs / result.totalMs : 1;
+  json["blocks"] = Json::array();
+  for (const BlockReport& block : result.blocks) json["blocks"].push_back(blockJson(block, result.threads));
+  // File names are bytes; what is no UTF-8 must not lose the statistics.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string formatSummary(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
+  std::vector<std::vector<std::string>> rows = {{"step", "wall ms", "cpu ms", "triangles", "area", "note"}};
+  if (!result.steps.empty()) {
+    const StateSummary& first = result.steps.front().in;
+    rows.push_back(
+        {"(start)", number(result.startMs), "", std::to_string(first.triangles), number(first.area, "%.6g"), ""});
+  }
+  for (const StepStatistics& step : result.steps) {
+    rows.push_back({stepText(step), number(step.wallMs), number(step.cpuMs), std::to_string(step.out.triangles),
+                    number(step.out.area, "%.6g"), step.note.str()});
+  }
+  rows.push_back({"(navigation mesh)", number(result.finishMs), "",
+                  std::to_string(result.mesh ? result.mesh->triangles.size() : result.summary.triangles), "", ""});
+  std::string text = environment.source + ": " + counted(environment.triangles.size(), "triangle", "triangles") + ", " +
+                     shownName(environment.up) + " up" + (environment.upGuessed ? " (guessed)" : "") + ", " +
+                     number(environment.metresPerUnit, "%.6g") + " m per unit" +
+                     (environment.scaleGuessed ? " (guessed)" : "") + '\n' + skippedLines(environment) + '\n' +
+                     formatTable(rows) + '\n';
+  const StateSummary& summary = result.summary;
+  text += counted(result.mesh ? result.mesh->layerCount : summary.layers, "layer", "layers") + ", " +
+          counted(result.mesh ? result.mesh->connections.size() : summary.connections, "connection", "connections") +
+          ", " +
+          counted(result.mesh ? result.mesh->obstacleEdges.size() : summary.obstacleEdges, "obstacle edge",
+                  "obstacle edges") +
+          '\n';
+  for (const BlockReport& block : result.blocks) {
+    text += "block of " + counted(block.cells.size(), "cell", "cells") + ": partitioning " +
+            number(block.partitioningMs) + " ms, parallel " + number(block.parallelMs) + " ms, merging " +
+            number(block.mergingMs) + " ms; the busiest thread did " + number(block.imbalance(result.threads), "%.2f") +
+            " times the mean\n";
+  }
+  if (times.speedUp) {
+    text += "speed-up " + number(times.speedUp->speedUp(), "%.2f") + ", efficiency " +
+            number(times.speedUp->efficiency(result.threads), "%.2f") + ": " + number(times.speedUp->oneThreadMs) +
+            " ms on one thread without blocks, " + number(times.speedUp->parallelMs) + " ms as given (medians)\n";
+  }
+  text += "load " + number(times.loadMs) + " ms, run " + number(result.totalMs) + " ms on " +
+          counted(static_cast<std::uint64_t>(result.threads), "thread", "threads") + ", export " +
+          number(times.exportMs) + " ms\n";
+  return text;
+}
+
+}  // namespace footfall::detail

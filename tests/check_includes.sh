@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# check_includes.sh [--counts]: fails, naming the lines, when a file of core/, ui/ or app/ includes one of a folder that
+# comes after its own in the order of docs/architecture.md. With --counts: how often each folder includes which others,
+# and the order, for docs/make_architecture.sh.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+
+# Each folder may use those before it, and itself. A public header belongs to the folder that implements it.
+core="base exact mesh environment io assembly filters partitioning pipeline navigation inspect compare report"
+ui="base document view run level agents filters cells inspect path window"
+# Features still get the window where they should get what they need of it.
+pending="ui/window/editor_window.hpp"
+public="text:base errors:base geometry:base statistics:base run_context:base navigation_mesh:mesh
+  environment:environment edit:environment filter:filters pipeline:pipeline run:pipeline"
+
+grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${core}" -v ui="${ui}" -v public="${public}" -v counts="${1:-}" -v pending="${pending}" '
+  BEGIN {
+    count = split(core, names, " ")
+    for (i = 1; i <= count; ++i) rank["core/" names[i]] = ++ranks
+    count = split(public, names, " ")
+    for (i = 1; i <= count; ++i) { split(names[i], pair, ":"); home[pair[1] ".hpp"] = "core/" pair[2] }
+    count = split(ui, names, " ")
+    for (i = 1; i <= count; ++i) rank["ui/" names[i]] = ++ranks
+    rank["app"] = ++ranks
+  }
+  function folderOf(path,    parts) {
+    split(path, parts, "/")
+    if (parts[1] == "app") return "app"
+    if (parts[1] == "footfall") return home[parts[2]]
+    if (path ~ /^core\/include\//) return home[parts[4]]
+    return parts[1] "/" parts[2]
+  }
+  {
+    colon = index($0, ":")
+    file = substr($0, 1, colon - 1)
+    match($0, /"[^"]*"/)
+    target = substr($0, RSTART + 1, RLENGTH - 2)
+    from = folderOf(file); to = folderOf(target)
+    ++seen
+    if (from != to) ++uses[from " " to]
+    if (!(from in rank) || !(to in rank)) { print $0 ": a folder that the order does not have"; ++wrong }
+    else if (rank[to] > rank[from] && target != pending) { print $0 ": " from " comes before " to; ++wrong }
+  }
+  END {
+    if (counts != "") {
+      for (folder in rank) print "folder", rank[folder], folder
+      for (use in uses) print "uses", use, uses[use]
+    }
+    if (seen == 0) { print "no includes found"; exit 1 }
+    if (wrong > 0) { print wrong " of " seen " includes run against the order of the folders"; exit 1 }
+    print seen " includes, all in the order of the folders"
+  }'

@@ -1,0 +1,243 @@
+// What is edited, without a window: undo, sessions, numbers, the background queue.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+
+#include "core/environment/up_axis.hpp"
+#include "core/pipeline/pipeline_fragment.hpp"
+#include "tests/editor/editor_driver.hpp"
+#include "ui/agents/agent_edits.hpp"
+#include "ui/base/background_queue.hpp"
+#include "ui/base/number_text.hpp"
+#include "ui/base/time_estimate.hpp"
+#include "ui/filters/filter_edits.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+class TestDocument : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void everyEditCanBeUndone() {
+    Document document;
+    const Pipeline start = parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 1\n", "test");
+    document.reset(start, {});
+    const auto id = [&](std::size_t row) { return document.filters()[row].id; };
+    document.addFilter(*findFilter("LayerSubdivisionFilter"), 1);
+    document.moveFilter(id(0), 2);
+    document.setEnabled(id(1), false);
+    document.setValue(id(2), 0, 30, 1);
+    document.removeFilter(id(0));
+    ImportOptions options;
+    options.up = UpAxis::Z;
+    document.setImportAndPipeline(options, document.pipeline(), "import");
+    const Pipeline end = document.pipeline();
+    QCOMPARE(document.undoStack()->count(), 6);
+    while (document.undoStack()->canUndo()) document.undoStack()->undo();
+    QCOMPARE(document.pipeline(), start);
+    QVERIFY(!document.state().import.up.has_value());
+    while (document.undoStack()->canRedo()) document.undoStack()->redo();
+    QCOMPARE(document.pipeline(), end);
+    QVERIFY(document.state().import.up == UpAxis::Z);
+  }
+
+  void typingIsOneEditAndTypingBackIsNone() {
+    Document document;
+    document.reset(parsePipeline("SlopeFilter 45\n", "test"), {});
+    const int id = document.filters()[0].id;
+    for (const double value : {4.0, 40.0, 40.5}) document.setValue(id, 0, value, 7);
+    QCOMPARE(document.undoStack()->count(), 1);
+    document.setValue(id, 0, 45, 7);
+    QCOMPARE(document.undoStack()->count(), 0);
+    document.setValue(id, 0, 45, 8);  // the value that it has
+    QCOMPARE(document.undoStack()->count(), 0);
+    document.setValue(id, 0, 30, 8);
+    document.setValue(id, 0, 20, 9);  // left and entered again
+    QCOMPARE(document.undoStack()->count(), 2);
+  }
+
+  void editsHaveNames() {
+    Document document;
+    document.reset(parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nSimplificationFilter\n", "test"), {});
+    const auto id = [&](std::size_t row) { return document.filters()[row].id; };
+    const auto text = [&] { return document.undoStack()->undoText(); };
+    for (const double value : {4.0, 40.0, 50.0}) document.setValue(id(0), 0, value, 1);
+    QCOMPARE(text(), QString::fromUtf8("Change maximum slope 45° → 50°"));  // the first and the last
+    document.setValue(id(1), 0, 1.8, 2);
+    QCOMPARE(text(), QString::fromUtf8("Change clearance 2 → 1.8"));
+    document.setValue(id(2), 0, 1, -1);
+    QCOMPARE(text(), QString::fromUtf8("Change approximate no → yes"));
+    document.moveFilter(id(1), 0);
+    QCOMPARE(text(), QString("Move Vertical clearance up"));
+    document.moveFilter(id(0), 2);
+    QCOMPARE(text(), QString("Move Vertical clearance down"));
+    document.setEnabled(id(0), false);
+    QCOMPARE(text(), QString("Switch off Slope"));
+    document.removeFilter(id(0));
+    QCOMPARE(text(), QString("Remove Slope"));
+    duplicateFilters(document, {id(0)});
+    QCOMPARE(text(), QString("Duplicate Simplification"));
+  }
+
+  void agentsDriveFiltersInOneEdit() {
+    Document document;
+    document.reset(parsePipeline("SlopeFilter 45\n#off SlopeFilter 60\nVerticalClearanceFilter 2\n", "test"), {});
+    const auto value = [&](std::size_t row) { return document.filters()[row].step.values[0]; };
+    const int id = addAgent(document, {0, "Cart", 1.2, 10});
+    QCOMPARE(value(0), 10.0);
+    QCOMPARE(value(1), 10.0);
+    QCOMPARE(value(2), 1.2);
+    resizeAgent(document, id, AgentSize::Height, 1.3);
+    QCOMPARE(value(2), 1.3);
+    QCOMPARE(document.undoStack()->undoText(), QString::fromUtf8("Change height of Cart 1.2 → 1.3"));
+    QCOMPARE(addAgent(document, {0, "Cart", 1, 20}), 2);
+    QCOMPARE(document.state().agents[1].name, std::string("Cart 2"));
+    QCOMPARE(pipelineFor(document.state(), id).steps[2].values[0], 1.3);
+    QCOMPARE(value(2), 1.0);
+    renameAgent(document, id, "  ");
+    renameAgent(document, id, "Cart 2");  // taken
+    QCOMPARE(document.state().agents[0].name, std::string("Cart 2 2"));
+    removeAgent(document, 2);
+    QCOMPARE(document.state().agent, 0);
+    QCOMPARE(value(2), 1.0);
+    QCOMPARE(document.undoStack()->count(), 5);
+    while (document.undoStack()->canUndo()) document.undoStack()->undo();
+    QCOMPARE(value(1), 60.0);
+    QVERIFY(document.state().agents.empty());
+  }
+
+  void fragmentsNeedNotBeWhole() {
+    QCOMPARE(parsePipelineFragment("GridStrategy 1 1\nSlopeFilter 45\n", "clipboard").steps.size(), std::size_t{2});
+    QCOMPARE(parsePipelineFragment("Collapse\r\n#off AreaFilter 2", "clipboard").steps.size(), std::size_t{2});
+    QVERIFY_THROWS_EXCEPTION(InputError, parsePipelineFragment("SlopeFilter 45\nSlopeFilter x", "clipboard"));
+    QVERIFY_THROWS_EXCEPTION(InputError, parsePipeline("Collapse\n", "file"));
+  }
+
+  void timesLeftFollowWhatIsKnown() {
+    QVERIFY(!remainingMs({{std::nullopt, 0, 0, false}}).has_value());
+    // As before: 100 of 300 are gone.
+    QCOMPARE(*remainingMs({{100, 100, 1, true}, {200, 0, 0, false}}), 200.0);
+    // By its own pace: a quarter took 50.
+    QCOMPARE(*remainingMs({{std::nullopt, 50, 0.25, false}}), 150.0);
+    // Slower than before: at half of it, half of each.
+    QCOMPARE(*remainingMs({{100, 100, 0.5, false}}), 50.0);
+    // What never ran is as long as the others on average.
+    QCOMPARE(*remainingMs({{100, 100, 1, true}, {std::nullopt, 0, 0, false}}), 100.0);
+    QCOMPARE(expectedMs({{100, 0, 0, false}, {std::nullopt, 0, 0, false}}), 100.0);
+  }
+
+  void onlyDefaultsFollowTheScale() {
+    const Pipeline pipeline =
+        parsePipeline("VerticalClearanceFilter 2\nVerticalClearanceFilter 1.8\nAreaFilter 1\n", "test");
+    const Pipeline rescaled = rescaleDefaults(pipeline, 1, 0.05);
+    QCOMPARE(rescaled.steps[0].values[0], 40.0);
+    QCOMPARE(rescaled.steps[1].values[0], 1.8);
+    QCOMPARE(rescaled.steps[2].values[0], 400.0);
+    QCOMPARE(rescaleDefaults(rescaled, 0.05, 1), pipeline);
+  }
+
+  void numbersAreTakenAsTyped() {
+    QCOMPARE(parseNumber("0.1").value(), 0.1);
+    QCOMPARE(parseNumber(" 1e-3 ").value(), 1e-3);
+    QCOMPARE(parseNumber("+5").value(), 5.0);
+    QCOMPARE(parseNumber("122000.123456789").value(), 122000.123456789);
+    for (const char* text : {"", "abc", "1,5", "1.5m", "0x10", "--1", "+-1"}) QVERIFY2(!parseNumber(text), text);
+  }
+
+  void sessionsKeepEveryNumber() {
+    const QTemporaryDir folder;
+    Session session;
+    session.environment = folder.filePath("level.obj").toStdString();
+    session.import.up = UpAxis::Y;
+    session.import.metresPerUnit = 0.1;
+    session.import.bothSides = true;
+    session.pipeline = parsePipeline("#off SlopeFilter 44.99999999999999\nSimplificationFilter true 1e-7\n", "test");
+    session.camera = CameraPose{{122000.123, 487000.456, 7}, {1.0 / 3, 2, 3}, {0, 0.6, 0, 0.8}, true};
+    const std::string path = folder.filePath("a.footfall").toStdString();
+    const std::string text = formatSession(session, path);
+    writeFile(folder, "a.footfall", QByteArray::fromStdString(text));
+    QVERIFY(isSessionFile(path));
+    const Session back = readSession(path);
+    QCOMPARE(back.environment, session.environment);
+    QVERIFY(sameImport(back.import, session.import));
+    QCOMPARE(back.pipeline, session.pipeline);
+    QVERIFY(back.camera->position == session.camera->position && back.camera->pivot == session.camera->pivot);
+    QCOMPARE(back.camera->orientation, session.camera->orientation);
+    QCOMPARE(formatSession(back, path), text);
+  }
+
+  void sessionsKeepEveryUpAxis() {
+    const QTemporaryDir folder;
+    for (const UpAxis up : kUpAxes) {
+      Session session;
+      session.import.up = up;
+      const std::string path = folder.filePath("a.footfall").toStdString();
+      writeFile(folder, "a.footfall", QByteArray::fromStdString(formatSession(session, path)));
+      QVERIFY(readSession(path).import.up == up);
+    }
+    const QByteArray wrong("{\"footfall_session\": 1, \"import\": {\"up\": \"w\"}, \"pipeline\": []}");
+    const std::string path = writeFile(folder, "bad.footfall", wrong).toStdString();
+    QVERIFY_EXCEPTION_THROWN(readSession(path), InputError);
+  }
+
+  void badSessionsAreOneLineWithTheFile_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("broken") << QByteArray("{\"footfall_session\": 1,");
+    QTest::newRow("no session") << QByteArray("{}");
+    QTest::newRow("newer") << QByteArray("{\"footfall_session\": 2, \"pipeline\": []}");
+    QTest::newRow("no pipeline") << QByteArray("{\"footfall_session\": 1}");
+    QTest::newRow("unknown filter") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"NoFilter\"}]}");
+    QTest::newRow("out of range") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"SlopeFilter\", \"parameters\": {\"max_slope\": "
+        "90}}]}");
+    QTest::newRow("wrong type") << QByteArray("{\"footfall_session\": 1, \"pipeline\": 3}");
+    QTest::newRow("bad scale") << QByteArray(
+        "{\"footfall_session\": 1, \"import\": {\"metres_per_unit\": 0}, \"pipeline\": []}");
+  }
+  void badSessionsAreOneLineWithTheFile() {
+    QFETCH(QByteArray, content);
+    const QTemporaryDir folder;
+    const std::string path = writeFile(folder, "bad.footfall", content).toStdString();
+    try {
+      readSession(path);
+      QFAIL("a bad session was read");
+    } catch (const InputError& error) {
+      const QString message = error.what();
+      QVERIFY2(message.startsWith(QString::fromStdString(path)), error.what());
+      QVERIFY(!message.contains('\n'));
+      QVERIFY2(message.contains("; "), error.what());
+    }
+  }
+
+  void queuesDropOrFinishWhatIsLeft() {
+    for (const auto atEnd : {BackgroundQueue::AtEnd::DropJobs, BackgroundQueue::AtEnd::FinishJobs}) {
+      std::atomic<bool> go{false};
+      std::atomic<int> done{0};
+      std::thread opener;
+      {
+        BackgroundQueue queue(atEnd);
+        std::atomic<bool> begun{false};
+        queue.post([&] {
+          begun = true;
+          while (!go) std::this_thread::yield();
+          ++done;
+        });
+        for (int i = 0; i < 5; ++i) queue.post([&] { ++done; });
+        while (!begun) std::this_thread::yield();
+        opener = std::thread([&] {
+          std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          go = true;
+        });
+      }
+      opener.join();
+      QCOMPARE(done.load(), atEnd == BackgroundQueue::AtEnd::FinishJobs ? 6 : 1);
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(TestDocument)
+#include "test_document.moc"

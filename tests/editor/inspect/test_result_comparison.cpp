@@ -1,0 +1,154 @@
+// Two results compared in the real window: with the one before an edit, and with an export.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDockWidget>
+#include <QLabel>
+#include <cmath>
+
+#include "tests/editor/editor_driver.hpp"
+#include "ui/inspect/compare_feature.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+/// Of the table: its top is 1 above the floor, and what lies beneath is too low for 2.
+constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+
+}  // namespace
+
+class TestCompare : public QObject {
+  Q_OBJECT
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = std::make_unique<EditorWindow>();
+    window_->setRemembering(false);
+    window_->resize(1280, 800);
+    QVERIFY(showWindow(*window_));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline));
+    feature_ = window_->findChild<CompareFeature*>();
+    QVERIFY(feature_);
+  }
+  void cleanup() {
+    window_.reset();
+    folder_.reset();
+  }
+
+  void theLastEdit() {
+    QAction* command = window_->commands().find("view.compareEdit");
+    command->trigger();
+    QVERIFY(command->isChecked());
+    QVERIFY(feature_->panel().isVisible());
+    QVERIFY2(feature_->panel().summary().contains("Nothing was edited yet"), qPrintable(feature_->panel().summary()));
+    // Half a metre under the table is enough now: 4 square metres appear.
+    setClearance(0.5);
+    QVERIFY(waitForDifference());
+    QCOMPARE(difference().areas[1].surface, 4.0);
+    QVERIFY(!difference().hasArea[0]);
+    QVERIFY2(feature_->panel().summary().startsWith("Appeared: 4.00 units"), qPrintable(feature_->panel().summary()));
+    QVERIFY(feature_->panel().summary().contains("Went: nothing"));
+    QVERIFY(legend().contains("Appeared: 4.00 units") && legend().contains("Went: nothing"));
+    QCOMPARE(feature_->panel().table()->rowCount(), 1);
+    shoot("compare-appeared");
+
+    // A click goes there.
+    const CameraPose pose = window_->view().cameraPose();
+    QTableWidget* table = feature_->panel().table();
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->item(0, 0)).center());
+    QTRY_VERIFY(!(window_->view().cameraPose().position == pose.position));
+    shoot("compare-framed");
+
+    // Undo is an edit, too: they go again.
+    window_->document().undoStack()->undo();
+    QTRY_VERIFY(waitUntilIdle(*window_) && feature_->watch().difference() && difference().hasArea[0]);
+    QVERIFY(!difference().hasArea[1]);
+    QCOMPARE(difference().areas[0].surface, 4.0);
+    QTRY_COMPARE(table->item(0, 0)->text(), QString("went"));
+
+    command->trigger();
+    QVERIFY(!feature_->watch().difference());
+    QVERIFY(legend().isEmpty());
+    QCOMPARE(table->rowCount(), 0);
+  }
+
+  void resultsOfOneDragAreOneEdit() {
+    window_->commands().find("view.compareEdit")->trigger();
+    const int id = clearanceId();
+    for (const double height : {1.9, 1.5, 0.9, 0.5}) {
+      window_->document().setValue(id, 0, height, 7);  // one session of the field
+      QVERIFY(waitUntilIdle(*window_));
+    }
+    QVERIFY(waitForDifference());
+    QCOMPARE(difference().areas[1].surface, 4.0);
+    window_->document().setValue(id, 0, 0.4, 8);
+    QTRY_VERIFY(waitUntilIdle(*window_) && !feature_->watch().busy() && difference().empty());
+    QTRY_VERIFY(feature_->panel().summary().contains("cover the same area"));
+  }
+
+  void aSavedResult() {
+    const QString saved = folder_->filePath("saved.obj");
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    window_->exportResult(saved);
+    QTRY_COMPARE(written.count(), 1);
+    feature_->openSaved(saved);
+    QVERIFY(waitForDifference());
+    QVERIFY(difference().empty());
+    QTRY_VERIFY(feature_->panel().summary().contains("cover the same area"));
+    setClearance(0.5);
+    QVERIFY(waitForDifference());
+    QTRY_COMPARE(difference().areas[1].surface, 4.0);
+    setClearance(0.4);  // still against the file
+    QTRY_VERIFY(waitUntilIdle(*window_) && !feature_->watch().busy());
+    QCOMPARE(difference().areas[1].surface, 4.0);
+    QVERIFY(feature_->panel().choiceBox()->currentText().contains("saved.obj"));
+  }
+
+  void whatIsNoResultIsSaid() {
+    feature_->openSaved(writeFile(*folder_, "bad.obj", "v 0 0\n"));
+    QTRY_VERIFY(window_->messageBar().isVisible());
+    QCOMPARE(feature_->watch().with(), CompareWith::Nothing);
+    QCOMPARE(feature_->panel().choiceBox()->currentIndex(), int(ComparePanel::Nothing));
+  }
+
+  void anotherLevelEndsIt() {
+    window_->commands().find("view.compareEdit")->trigger();
+    setClearance(0.5);
+    QVERIFY(waitForDifference());
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "floor.obj", floorObj()), kPipeline));
+    QVERIFY(!feature_->watch().difference());
+    QVERIFY(legend().isEmpty());
+  }
+
+ private:
+  [[nodiscard]] const SurfaceDifference& difference() const { return *feature_->watch().difference(); }
+  [[nodiscard]] QString legend() const {
+    auto* notes = window_->legend().findChild<QLabel*>("legendNotes");
+    return notes->isHidden() ? QString() : notes->text();
+  }
+  [[nodiscard]] int clearanceId() const {
+    for (const FilterEntry& entry : window_->document().filters())
+      if (entry.step.filter->name == "VerticalClearanceFilter") return entry.id;
+    return 0;
+  }
+  void setClearance(double height) {
+    window_->document().setValue(clearanceId(), 0, height, -1);
+    QVERIFY(waitUntilIdle(*window_));
+  }
+  bool waitForDifference() {
+    return QTest::qWaitFor([&] { return !feature_->watch().busy() && feature_->watch().difference(); }, 20000);
+  }
+  void shoot(const QString& name) {
+    const QString folder = qEnvironmentVariable("FOOTFALL_SHOTS");
+    if (!folder.isEmpty()) window_->grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<EditorWindow> window_;
+  CompareFeature* feature_ = nullptr;
+};
+
+FOOTFALL_EDITOR_SUITE(TestCompare)
+#include "test_result_comparison.moc"

@@ -1,0 +1,270 @@
+// "Try it" in the real window: by mouse, by keyboard, while dragging and while the result changes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <cmath>
+
+#include "tests/editor/editor_driver.hpp"
+#include "ui/path/path_feature.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\nLayerSubdivisionFilter\n";
+
+/// The floor with a thin wall across it that leaves a gap of 1, and a piece of floor that nothing leads to.
+QByteArray roomObj() {
+  return floorObj() +
+         "v 0 -4 0\nv 0 3 0\nv 0 3 1\nv 0 -4 1\nf 5 6 7 8\n"
+         "v 6 -2 0\nv 8 -2 0\nv 8 2 0\nv 6 2 0\nf 9 10 11 12\n";
+}
+
+}  // namespace
+
+class TestPathTool : public QObject {
+  Q_OBJECT
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = std::make_unique<EditorWindow>();
+    window_->setRemembering(false);
+    window_->resize(1280, 800);
+    QVERIFY(showWindow(*window_));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "room.obj", roomObj()), kPipeline));
+    feature_ = window_->findChild<PathFeature*>();
+    QVERIFY(feature_);
+  }
+  void cleanup() {
+    window_.reset();
+    folder_.reset();
+  }
+
+  void twoClicksShowThePath() {
+    startTool();
+    click({-2, -2, 0});
+    QVERIFY(model().start() && !model().target());
+    click({2, -2, 0});
+    QVERIFY(waitForResult(PathStatus::Found));
+    // The view picks with the precision of its floats.
+    QVERIFY(std::fabs(model().result()->planLength - 2 * std::hypot(2, 5)) < 0.05);
+    QCOMPARE(model().result()->bends.size(), 1U);
+    QVERIFY(text("pathText").startsWith("Length 10.7"));
+    QVERIFY2(text("pathText").contains("7.7 s at 1.4 m/s"), qPrintable(text("pathText")));
+    shoot("path-found");
+    // One more click begins another path.
+    click({-3, 3, 0});
+    QVERIFY(model().start() && !model().target() && !model().result());
+  }
+
+  void whereItFailsIsShown() {
+    startTool();
+    click({2, 0, 0});
+    click({7, 0, 0});
+    QVERIFY(waitForResult(PathStatus::NotConnected));
+    QVERIFY(std::fabs(model().result()->points.back().x - 4) < 1e-9);
+    QVERIFY2(text("rowError", "pathPanel").contains("separate parts"), qPrintable(text("rowError", "pathPanel")));
+    // Beside it, a little later: what keeps them apart.
+    QTRY_VERIFY(model().result()->separation);
+    QCOMPARE(model().result()->separation->barrier().gap, 2.0);
+    QVERIFY2(text("pathSeparation").contains("nearest at x 4, y 0, z 0 units: a gap of 2 units."),
+             qPrintable(text("pathSeparation")));
+    shoot("path-fails");
+    const CameraPose pose = window_->view().cameraPose();
+    press("pathShowSeparation");
+    QTRY_VERIFY(!(window_->view().cameraPose().position == pose.position));
+    QVERIFY(window_->view().project({5, 0, 0}));
+    shoot("path-separation");
+    // Dragging to another place of the same part needs no new search; a way that leads there has none.
+    model().setTarget(Vec3{7.5, 1, 0});
+    QTRY_VERIFY(model().result()->to == (Vec3{7.5, 1, 0}));
+    QVERIFY(model().result()->separation);
+    model().setTarget(Vec3{-2, -2, 0});
+    QVERIFY(waitForResult(PathStatus::Found));
+    QVERIFY(text("pathSeparation").isEmpty());
+  }
+
+  void anEndIsDragged() {
+    startTool();
+    click({-2, -2, 0});
+    click({-2, 2, 0});
+    QVERIFY(waitForResult(PathStatus::Found));
+    const double before = model().result()->planLength;
+    const CameraPose pose = window_->view().cameraPose();
+    QSignalSpy results(&model(), &PathModel::resultChanged);
+    QTest::mousePress(&window_->view(), Qt::LeftButton, {}, at({-2, 2, 0}));
+    for (int i = 0; i <= 8; ++i) {
+      QTest::mouseMove(&window_->view(), at({-2 + 0.5 * i, 2, 0}));
+      QTest::qWait(20);
+    }
+    QVERIFY(results.count() > 1);  // while it is dragged
+    QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, at({2, 2, 0}));
+    QVERIFY(waitForResult(PathStatus::Found));
+    QVERIFY(std::fabs(model().target()->x - 2) < 0.05);
+    QVERIFY(model().result()->planLength > before + 1);
+    // The camera stayed where it was.
+    QVERIFY(window_->view().cameraPose().position == pose.position);
+  }
+
+  void bothPlacesCanBeTyped() {
+    window_->commands().find("panel.path")->trigger();
+    type("pathStart", {"-2", "-2", "0"});
+    QVERIFY(model().start());
+    type("pathTarget", {"2", "-2", "0"});
+    QVERIFY(waitForResult(PathStatus::Found));
+    QCOMPARE(model().result()->planLength, 2 * std::hypot(2, 5));
+    // What is no number is marked, and the last place stays.
+    QLineEdit* x = field("pathStartX");
+    x->setFocus();
+    QTest::keyClick(x, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(x, "1e");
+    QVERIFY(x->property("invalid").toBool());
+    QCOMPARE(model().start()->x, 1.0);  // what "1" said
+    QTest::keyClicks(x, "0");
+    QVERIFY(!x->property("invalid").toBool());
+
+    auto* speed = field("pathSpeed");
+    speed->setFocus();
+    QTest::keyClick(speed, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(speed, "0.5");
+    QTRY_VERIFY(text("pathText").contains("at 0.5 m/s"));
+    press("pathSwap");
+    QCOMPARE(model().start()->x, 2.0);
+    press("pathCopy");
+    const QString copied = QApplication::clipboard()->text();
+    QVERIFY2(copied.startsWith("Start x 2, y -2, z 0 units\nTarget x 1, y -2, z 0 units\nPlaces are"),
+             qPrintable(copied));
+    press("pathClear");
+    QVERIFY(!model().start() && !model().target() && !model().result());
+    QVERIFY(field("pathTargetZ")->text().isEmpty());
+    QVERIFY(!button("pathSwap")->isEnabled());
+  }
+
+  void fieldsAreReachedByTab() {
+    window_->commands().find("panel.path")->trigger();
+    field("pathStartX")->setFocus();
+    QStringList order;
+    for (int i = 0; i < 7; ++i) {
+      order << QApplication::focusWidget()->objectName();
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    QCOMPARE(order, (QStringList{"pathStartX", "pathStartY", "pathStartZ", "pathTargetX", "pathTargetY", "pathTargetZ",
+                                 "pathSpeed"}));
+    for (const char* name : {"pathStartX", "pathTargetZ", "pathSpeed"})
+      QVERIFY(!field(name)->accessibleName().isEmpty() && !field(name)->toolTip().isEmpty());
+  }
+
+  void followsTheResult() {
+    startTool();
+    click({-2, -2, 0});
+    click({2, -2, 0});
+    QVERIFY(waitForResult(PathStatus::Found));
+    DocumentState next = window_->document().state();
+    std::erase_if(next.filters, [](const FilterEntry& e) { return e.step.filter->name == "VerticalClearanceFilter"; });
+    window_->document().edit(next, "remove the clearance");
+    QVERIFY(waitUntilIdle(*window_));
+    QTRY_VERIFY(model().result() && model().result()->bends.empty());  // nothing stands in the way
+    window_->document().undoStack()->undo();
+    QVERIFY(waitUntilIdle(*window_));
+    QTRY_VERIFY(model().result() && model().result()->bends.size() == 1);
+  }
+
+  void escapeEndsAndKeysTakeBack() {
+    startTool();
+    click({-2, -2, 0});
+    click({2, -2, 0});
+    QTest::keyClick(&window_->view(), Qt::Key_Backspace);
+    QVERIFY(model().start() && !model().target());
+    QTest::keyClick(&window_->view(), Qt::Key_Backspace);
+    QVERIFY(!model().start());
+    QTest::keyClick(&window_->view(), Qt::Key_Escape);
+    QCOMPARE(window_->view().tool(), nullptr);
+    QVERIFY(!window_->commands().find("tools.path")->isChecked());
+    click({-2, -2, 0});
+    QVERIFY(!model().start());
+  }
+
+  void sessionsKeepIt() {
+    startTool();
+    click({-2, -2, 0});
+    click({2, -2, 0});
+    const auto start = model().start(), target = model().target();
+    const QString path = folder_->filePath("room.footfall");
+    window_->saveSession(path);
+    QVERIFY(waitUntilIdle(*window_));
+    press("pathClear");
+    window_->open(path);
+    QVERIFY(QTest::qWaitFor([&] { return model().target().has_value(); }));
+    QVERIFY(model().start() == start && model().target() == target);
+    // Another environment has other places.
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "floor.obj", floorObj()), kPipeline));
+    QVERIFY(!model().start() && !model().target());
+  }
+
+  void nothingIsWalkable() {
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "floor.obj", floorObj()), "SlopeFilter 45\nAreaFilter 1000\n"));
+    startTool();
+    click({-2, -2, 0});
+    click({2, -2, 0});
+    QVERIFY(waitForResult(PathStatus::NothingWalkable));
+    QCOMPARE(text("rowError", "pathPanel"), QString("Nothing is walkable here."));
+  }
+
+  void emptyWindow() {
+    EditorWindow empty;
+    empty.setRemembering(false);
+    empty.commands().find("tools.path")->trigger();
+    QVERIFY(empty.findChild<QLabel*>("pathText")->text().contains("Open an environment"));
+  }
+
+ private:
+  PathModel& model() { return feature_->model(); }
+  void startTool() {
+    window_->view().viewFromTop();
+    QTest::keyClick(window_.get(), Qt::Key_P);
+    QVERIFY(window_->commands().find("tools.path")->isChecked());
+    QVERIFY(window_->findChild<QDockWidget*>("panel.path")->isVisible());
+    QTest::qWait(50);  // the panel takes its place from the view
+  }
+  QPoint at(const Vec3& place) { return window_->view().project(place)->toPoint(); }
+  void click(const Vec3& place) { QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, at(place)); }
+  bool waitForResult(PathStatus status) {
+    return QTest::qWaitFor([&] { return !model().busy() && model().result() && model().result()->status == status; });
+  }
+  QString text(const char* name, const char* parent = "pathPanel") {
+    return window_->findChild<QWidget*>(parent)->findChild<QLabel*>(name)->text();
+  }
+  QLineEdit* field(const char* name) { return window_->findChild<QLineEdit*>(name); }
+  QPushButton* button(const char* name) { return window_->findChild<QPushButton*>(name); }
+  void press(const char* name) {
+    button(name)->setFocus();
+    QTest::keyClick(button(name), Qt::Key_Space);
+  }
+  void type(const QString& id, const QStringList& values) {
+    for (int i = 0; i < 3; ++i) {
+      auto* edit = window_->findChild<QLineEdit*>(id + QStringList{"X", "Y", "Z"}[i]);
+      edit->setFocus();
+      QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+      QTest::keyClicks(edit, values[i]);
+    }
+  }
+  /// Pictures to look at, where a folder for them is named.
+  void shoot(const char* name) {
+    const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
+    if (folder.isEmpty()) return;
+    QTest::qWait(200);
+    window_->view().grabFramebuffer();  // all of it drawn
+    QVERIFY(window_->grab().save(folder + '/' + name + ".png"));
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<EditorWindow> window_;
+  PathFeature* feature_ = nullptr;
+};
+
+FOOTFALL_EDITOR_SUITE(TestPathTool)
+#include "test_path_tool.moc"

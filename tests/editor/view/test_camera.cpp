@@ -1,0 +1,325 @@
+// Where one looks from, and how mouse, keys, trackpad and commands change it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QNativeGestureEvent>
+#include <QTabletEvent>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "tests/editor/editor_driver.hpp"
+#include "ui/view/camera_tools.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+
+double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+}  // namespace
+
+Q_DECLARE_METATYPE(footfall::Vec3)
+
+class TestCamera : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() { level_ = writeFile(folder_, "table.obj", tableObj()); }
+  void init() {
+    window_ = std::make_unique<EditorWindow>();
+    window_->resize(1100, 800);
+    QVERIFY(showWindow(*window_));
+    QVERIFY(openZUp(*window_, level_, kPipeline));
+  }
+  void cleanup() { window_.reset(); }
+
+  void framesABoxFromWhereOneLooks() {
+    LevelView& view = window_->view();
+    const CameraPose before = view.cameraPose();
+    const Vec3 lower{-1, -1, 0.5};
+    const Vec3 upper{1, 1, 1};
+    view.frame(lower, upper);
+    QCOMPARE(view.cameraPose().orientation, before.orientation);
+    double widest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = view.project(
+          {corner & 1 ? lower.x : upper.x, corner & 2 ? lower.y : upper.y, corner & 4 ? lower.z : upper.z});
+      QVERIFY(at);
+      QVERIFY(QRectF(view.rect()).contains(*at));
+      widest = std::max({widest, std::abs(at->x() - view.width() / 2.0) / view.width(),
+                         std::abs(at->y() - view.height() / 2.0) / view.height()});
+    }
+    QVERIFY2(widest > 0.4, qPrintable(QString::number(widest)));  // it fills the view
+    // A point is shown with what is around it.
+    view.frame({0, 0, 1}, {0, 0, 1});
+    QVERIFY(distance(view.cameraPose().position, {0, 0, 1}) > 0.01);
+  }
+
+  void looksAtAPlace() {
+    LevelView& view = window_->view();
+    const CameraPose before = view.cameraPose();
+    view.lookAt({3, 3, 0});
+    const auto at = view.project({3, 3, 0});
+    QVERIFY(at);
+    QVERIFY((*at - QRectF(view.rect()).center()).manhattanLength() < 3);
+    QCOMPARE(view.cameraPose().orientation, before.orientation);
+    QVERIFY(std::abs(distance(view.cameraPose().position, {3, 3, 0}) - distance(before.position, before.pivot)) < 1e-6);
+  }
+
+  void framesTheSelectionOrWhatTheMousePointsAt() {
+    LevelView& view = window_->view();
+    view.setSelectionBounds("tool", SceneBox{{5, -2, 0}, {6, 2, 1.7}});
+    view.setCovered({});  // beside what lies over the view it is not in the middle: test_view_overlays
+    view.frameSelection();
+    const auto middle = view.project({5.5, 0, 0.85});
+    QVERIFY(middle);
+    QVERIFY((*middle - QRectF(view.rect()).center()).manhattanLength() < 0.2 * view.width());
+    view.setSelectionBounds("tool", std::nullopt);
+    view.fit();
+    const auto table = view.project({0.5, 0.5, 1});
+    QVERIFY(table);
+    const double before = distance(view.cameraPose().position, {0.5, 0.5, 1});
+    QCursor::setPos(view.mapToGlobal(table->toPoint()));
+    QVERIFY(QTest::qWaitFor([&] { return view.mapFromGlobal(QCursor::pos()) == table->toPoint(); }));
+    view.frameSelection();
+    QVERIFY(distance(view.cameraPose().position, {0.5, 0.5, 1}) < 0.6 * before);
+  }
+
+  void looksAlongTheAxes_data() {
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("modifiers");
+    QTest::addColumn<Vec3>("direction");
+    QTest::newRow("top") << int(Qt::Key_7) << int(Qt::NoModifier) << Vec3{0, 0, -1};
+    QTest::newRow("below") << int(Qt::Key_7) << int(Qt::ControlModifier) << Vec3{0, 0, 1};
+    QTest::newRow("front") << int(Qt::Key_1) << int(Qt::NoModifier) << Vec3{0, 1, 0};
+    QTest::newRow("back") << int(Qt::Key_1) << int(Qt::ControlModifier) << Vec3{0, -1, 0};
+    QTest::newRow("right") << int(Qt::Key_3) << int(Qt::NoModifier) << Vec3{-1, 0, 0};
+    QTest::newRow("left") << int(Qt::Key_3) << int(Qt::ControlModifier) << Vec3{1, 0, 0};
+  }
+  void looksAlongTheAxes() {
+    QFETCH(int, key);
+    QFETCH(int, modifiers);
+    QFETCH(Vec3, direction);
+    LevelView& view = window_->view();
+    view.setFocus();
+    QTest::keyClick(&view, static_cast<Qt::Key>(key), Qt::KeyboardModifiers(modifiers));
+    QVERIFY(distance(directionOf(view), direction) < 1e-6);
+    QVERIFY(view.cameraPose().orthographic);
+  }
+
+  void switchesTheProjection() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    const auto before = view.project(view.cameraPose().pivot);
+    const CameraPose pose = view.cameraPose();
+    QTest::keyClick(&view, Qt::Key_5);
+    QVERIFY(view.orthographic());
+    QCOMPARE(view.cameraPose().orientation, pose.orientation);
+    QVERIFY((*view.project(pose.pivot) - *before).manhattanLength() < 1);
+    QTest::keyClick(&view, Qt::Key_5);
+    QVERIFY(!view.orthographic());
+  }
+
+  void theWheelZoomsTowardsTheMouse() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    const Vec3 corner{3, 3, 0};
+    const QPointF place = *view.project(corner);
+    const double before = distance(view.cameraPose().position, corner);
+    wheel(place, {0, 240});
+    QVERIFY(distance(view.cameraPose().position, corner) < 0.8 * before);
+    QVERIFY((*view.project(corner) - place).manhattanLength() < 3);
+    // In a parallel projection too.
+    view.viewFromTop();
+    const QPointF there = *view.project(corner);
+    wheel(there, {0, -120});
+    QVERIFY((*view.project(corner) - there).manhattanLength() < 3);
+  }
+
+  void twoFingersTurnMoveAndPinch() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    const CameraPose start = view.cameraPose();
+    const QPointF middle = QRectF(view.rect()).center();
+    fingers(middle, {30, 0}, Qt::NoModifier);
+    QVERIFY(view.cameraPose().orientation != start.orientation);
+    QVERIFY(distance(view.cameraPose().pivot, start.pivot) < 1e-9);
+    const CameraPose turned = view.cameraPose();
+    fingers(middle, {30, 0}, Qt::ShiftModifier);
+    QCOMPARE(view.cameraPose().orientation, turned.orientation);
+    QVERIFY(distance(view.cameraPose().pivot, turned.pivot) > 0.01);
+    const double reach = distance(view.cameraPose().position, view.cameraPose().pivot);
+    QNativeGestureEvent pinch(Qt::ZoomNativeGesture, &touchpad(), 2, middle, middle, view.mapToGlobal(middle), 0.5, {});
+    QCoreApplication::sendEvent(&view, &pinch);
+    QVERIFY(distance(view.cameraPose().position, view.cameraPose().pivot) < 0.8 * reach);
+  }
+
+  void aPenDoesWhatTheMouseDoes() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    const CameraPose start = view.cameraPose();
+    // Qt makes mouse events of those of a tablet that nobody takes.
+    const QPointingDevice pen("pen", 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+                              QInputDevice::Capability::Position, 1, 1);
+    const QPointF place = QRectF(view.rect()).center();
+    QTabletEvent press(QEvent::TabletPress, &pen, place, view.mapToGlobal(place), 1, 0, 0, 0, 0, 0, Qt::NoModifier,
+                       Qt::LeftButton, Qt::LeftButton);
+    press.setAccepted(false);
+    QCoreApplication::sendEvent(&view, &press);
+    QVERIFY(!press.isAccepted());  // so that they follow
+    QCOMPARE(view.cameraPose().orientation, start.orientation);
+  }
+
+  void keysTurnAndNeverFlip() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    const CameraPose start = view.cameraPose();
+    QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier);
+    QVERIFY(view.cameraPose().orientation != start.orientation);
+    QVERIFY(distance(view.cameraPose().pivot, start.pivot) < 1e-9);
+    for (int i = 0; i < 40; ++i) QTest::keyClick(&view, Qt::Key_Up, Qt::ShiftModifier);
+    const Vec3 down = directionOf(view);
+    QVERIFY2(down.z < -0.99 && down.z > -1, qPrintable(QString::number(down.z)));
+    for (int i = 0; i < 40; ++i) QTest::keyClick(&view, Qt::Key_Down, Qt::ShiftModifier);
+    QVERIFY(directionOf(view).z > 0.99);
+  }
+
+  void flies() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_F, Qt::ShiftModifier);
+    auto* tools = window_->findChild<CameraTools*>();
+    QCOMPARE(view.tool(), static_cast<ViewTool*>(&tools->fly()));
+    QVERIFY(window_->commands().find("view.fly")->isChecked());
+    const CameraPose start = view.cameraPose();
+    const Vec3 ahead = directionOf(view);
+    QTest::keyPress(&view, Qt::Key_W);
+    QVERIFY(QTest::qWaitFor([&] { return distance(view.cameraPose().position, start.position) > 0.3; }));
+    QTest::keyRelease(&view, Qt::Key_W);
+    const CameraPose there = view.cameraPose();
+    const double way = distance(there.position, start.position);
+    QVERIFY(way > 0.2);
+    const Vec3 along{(there.position.x - start.position.x) / way, (there.position.y - start.position.y) / way,
+                     (there.position.z - start.position.z) / way};
+    QVERIFY(distance(along, ahead) < 1e-6);
+    QTest::qWait(60);
+    QVERIFY(distance(view.cameraPose().position, there.position) < 1e-9);  // it stands still again
+    // E rises, in the direction of Z.
+    QTest::keyPress(&view, Qt::Key_E);
+    QVERIFY(QTest::qWaitFor([&] { return view.cameraPose().position.z > there.position.z; }));
+    QTest::keyRelease(&view, Qt::Key_E);
+    QVERIFY(std::abs(view.cameraPose().position.x - there.position.x) < 1e-9);
+    // The mouse looks; the letter T does not look from the top.
+    const CameraPose before = view.cameraPose();
+    move(view.rect().center());
+    move(view.rect().center() + QPoint(40, 0));
+    QVERIFY(view.cameraPose().orientation != before.orientation);
+    QVERIFY(distance(view.cameraPose().position, before.position) < 1e-9);
+    const double speed = tools->fly().speed();
+    wheel(QRectF(view.rect()).center(), {0, 120});
+    QVERIFY(tools->fly().speed() > speed);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    QVERIFY(!view.tool());
+  }
+
+  void bookmarksComeBack() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    const CameraPose kept = view.cameraPose();
+    QTest::keyClick(&view, Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
+    auto* tools = window_->findChild<CameraTools*>();
+    QCOMPARE(tools->bookmarks().size(), std::size_t{1});
+    view.viewFromTop();
+    QTest::keyClick(&view, Qt::Key_3, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(distance(view.cameraPose().position, kept.position) < 1e-9);
+    QVERIFY(!view.cameraPose().orthographic);
+    // With a name, and in a session.
+    tools->keepBookmark(1, "The door");
+    const QString session = folder_.filePath("bookmarks.footfall");
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    window_->saveSession(session);
+    QVERIFY(written.wait());
+    tools->keepBookmark(2);
+    window_->open(session);
+    QVERIFY(QTest::qWaitFor([&] { return tools->bookmarks().size() == 2; }));
+    QCOMPARE(tools->bookmarks().at(1).name, QString("The door"));
+  }
+
+  void theGizmoLooksAlongItsAxes() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    AxisGizmo& gizmo = window_->findChild<CameraTools*>()->gizmo();
+    QVERIFY(gizmo.isVisible());
+    for (const AxisGizmo::End& end : gizmo.ends()) {
+      if (end.letter != "X") continue;
+      QTest::mouseClick(&gizmo, Qt::LeftButton, Qt::NoModifier, end.place.toPoint());
+    }
+    QVERIFY(distance(directionOf(view), {-1, 0, 0}) < 1e-6);
+    // Dragging turns.
+    const QPoint from = gizmo.rect().center();
+    QTest::mousePress(&gizmo, Qt::LeftButton, Qt::NoModifier, from);
+    for (const int x : {15, 30}) {
+      QMouseEvent move(QEvent::MouseMove, from + QPoint(x, 0), gizmo.mapToGlobal(from + QPoint(x, 0)), Qt::NoButton,
+                       Qt::LeftButton, Qt::NoModifier);
+      QCoreApplication::sendEvent(&gizmo, &move);
+    }
+    QTest::mouseRelease(&gizmo, Qt::LeftButton, Qt::NoModifier, from + QPoint(30, 0));
+    QVERIFY(distance(directionOf(view), {-1, 0, 0}) > 0.05);
+  }
+
+  void glidesWhereSomebodySits() {
+    LevelView& view = window_->view();
+    view.viewOblique();
+    window_->setInteractive(true);
+    const auto lookedAlong = [&] { return view.rayAt(view.rect().center()).direction; };
+    view.viewFrom(ViewSide::Front);
+    QVERIFY(distance(directionOf(view), {0, 1, 0}) < 1e-6);  // where it goes
+    QVERIFY(std::abs(lookedAlong().z) > 0.1);                // where it still is
+    QVERIFY(QTest::qWaitFor([&] { return view.orthographic(); }));
+    QVERIFY(std::abs(lookedAlong().z) < 1e-6);
+    // Who reduces motion, jumps.
+    window_->commands().find("view.animate")->setChecked(false);
+    view.viewOblique();
+    QVERIFY(!view.orthographic());
+    window_->commands().find("view.animate")->setChecked(true);
+  }
+
+ private:
+  static Vec3 directionOf(LevelView& view) {
+    const auto& q = view.cameraPose().orientation;
+    return {-2 * (q[0] * q[2] + q[3] * q[1]), -2 * (q[1] * q[2] - q[3] * q[0]), -(1 - 2 * (q[0] * q[0] + q[1] * q[1]))};
+  }
+  static QPointingDevice& touchpad() {
+    static QPointingDevice device("touchpad", 78, QInputDevice::DeviceType::TouchPad,
+                                  QPointingDevice::PointerType::Finger, QInputDevice::Capability::Position, 5, 0);
+    return device;
+  }
+  void wheel(const QPointF& place, const QPoint& angle) {
+    LevelView& view = window_->view();
+    QWheelEvent event(place, view.mapToGlobal(place), {}, angle, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QCoreApplication::sendEvent(&view, &event);
+  }
+  void fingers(const QPointF& place, const QPoint& pixels, Qt::KeyboardModifiers modifiers) {
+    LevelView& view = window_->view();
+    QWheelEvent event(place, view.mapToGlobal(place), pixels, pixels * 8, Qt::NoButton, modifiers, Qt::ScrollUpdate,
+                      false, Qt::MouseEventNotSynthesized, &touchpad());
+    QCoreApplication::sendEvent(&view, &event);
+  }
+  void move(const QPoint& place) {
+    LevelView& view = window_->view();
+    QMouseEvent event(QEvent::MouseMove, place, view.mapToGlobal(place), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &event);
+  }
+
+  QTemporaryDir folder_;
+  QString level_;
+  std::unique_ptr<EditorWindow> window_;
+};
+
+FOOTFALL_EDITOR_SUITE(TestCamera)
+#include "test_camera.moc"

@@ -1,0 +1,267 @@
+// Exports by mouse and keyboard in the real window: formats, options, pictures, reports, and what goes wrong.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+
+#include "core/environment/up_axis.hpp"
+#include "core/io/gltf_export.hpp"
+#include "core/report/export_header.hpp"
+#include "tests/editor/editor_driver.hpp"
+#include "ui/window/export_dialog.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\nLayerSubdivisionFilter\n";
+
+}  // namespace
+
+class TestExportDialog : public QObject {
+  Q_OBJECT
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    QSettings().clear();
+    window_ = std::make_unique<EditorWindow>();
+    window_->resize(1280, 800);
+    QVERIFY(showWindow(*window_));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline));
+  }
+  void cleanup() {
+    window_.reset();
+    folder_.reset();
+  }
+
+  void suggestsANameAndTellsWhatIsWritten() {
+    ExportDialog* dialog = openDialog();
+    QCOMPARE(dialog->path(), folder_->filePath("table-walkable.obj"));
+    const auto run = window_->controller().finishedRun();
+    const QString content = label("exportContent");
+    QVERIFY2(content.startsWith(QString::number(run->result.mesh->triangles.size()) + " triangles, 1 layer, "),
+             qPrintable(content));
+    const std::size_t size =
+        formatObj(*run->result.mesh, *window_->environment(), makeExportHeader(run->pipeline)).size();
+    QTRY_COMPARE(label("exportSize"), "Size: " + QLocale(QLocale::English).formattedDataSize(qint64(size)));
+    shoot("export-obj");
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QVERIFY(QTest::qWaitFor([&] { return QApplication::activeModalWidget() == nullptr; }));
+    QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), QStringList{"table.obj"});
+  }
+
+  void objWithOptions() {
+    openDialog();
+    for (const char* name : {"exportLayers", "exportConnections", "exportObstacleEdges"}) toggle(name);
+    box("exportUp")->setFocus();
+    QTest::keyClick(box("exportUp"), Qt::Key_Down);
+    auto* scale = dialog()->findChild<QLineEdit*>("exportScale");
+    scale->setFocus();
+    QTest::keyClick(scale, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(scale, "100");
+    const QByteArray text = accept("result.obj");
+    QVERIFY(text.contains("# frame: Y up, 0.01 metres per unit\n"));
+    QVERIFY(text.contains("g walkable\n") && !text.contains("layer_") && !text.contains("\nl "));
+  }
+
+  void everyUpAxis() {
+    for (int i = 0; i < 6; ++i) {
+      openDialog();
+      box("exportUp")->setFocus();
+      for (int k = 0; k <= i; ++k) QTest::keyClick(box("exportUp"), Qt::Key_Down);
+      const std::string name = shownName(kUpAxes[static_cast<std::size_t>(i)]);
+      QCOMPARE(box("exportUp")->currentText(), QString::fromStdString(name) + " up");
+      QVERIFY(accept(("up" + std::to_string(i) + ".obj").c_str()).contains(("# frame: " + name + " up, ").c_str()));
+    }
+  }
+
+  void gltfFollowsTheName() {
+    for (const char* name : {"result.gltf", "result.glb"}) {
+      openDialog();
+      const QByteArray bytes = accept(name);
+      const auto run = window_->controller().finishedRun();
+      const GltfFile expected = formatGltf(QString(name).endsWith("glb") ? GltfKind::Binary : GltfKind::Text,
+                                           *run->result.mesh, *window_->environment(), makeExportHeader(run->pipeline));
+      QCOMPARE(bytes, QByteArray::fromStdString(expected.bytes));
+    }
+    // The format is remembered, and the suggested name has its ending.
+    QVERIFY(openDialog()->path().endsWith("table-walkable.glb"));
+    QCOMPARE(box("exportUp")->isEnabled(), false);
+  }
+
+  void theNameFollowsTheFormat() {
+    ExportDialog* dialog = openDialog();
+    box("exportFormat")->setFocus();
+    QStringList endings;
+    for (int i = 0; i < 4; ++i) {
+      QTest::keyClick(box("exportFormat"), Qt::Key_Down);
+      endings << QFileInfo(dialog->path()).suffix();
+    }
+    QCOMPARE(endings, (QStringList{"gltf", "glb", "png", "html"}));
+    QVERIFY(!box("exportPictureSize")->isVisible());
+    shoot("export-html");
+  }
+
+  void picturesInAllSizes() {
+    const QSize view = window_->view().size();
+    const QList<QSize> sizes{view, view * 2, view * 4, QSize(3840, 2160)};
+    for (int i = 0; i < 4; ++i) {
+      openDialog();
+      name()->setFocus();
+      QTest::keyClick(name(), Qt::Key_A, Qt::ControlModifier);
+      QTest::keyClicks(name(), folder_->filePath(QString("picture%1.png").arg(i)));
+      QVERIFY(box("exportPictureSize")->isVisible());
+      box("exportPictureSize")->setFocus();
+      for (int k = 0; k < 4; ++k) QTest::keyClick(box("exportPictureSize"), Qt::Key_Up);
+      for (int k = 0; k < i; ++k) QTest::keyClick(box("exportPictureSize"), Qt::Key_Down);
+      press("exportAccept");
+      const QString file = folder_->filePath(QString("picture%1.png").arg(i));
+      QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file) && window_->idle(); }, 20000));
+      const QImage image(file);
+      QCOMPARE(image.size(), sizes[i] * (i < 3 ? window_->view().devicePixelRatioF() : 1));
+      // The middle of the picture shows the table; it looks the same in every size.
+      const QColor middle = image.pixelColor(image.width() / 2, image.height() / 2);
+      QVERIFY(middle.green() > middle.red());
+      QCOMPARE(window_->view().size(), view);
+      if (!qEnvironmentVariable("FOOTFALL_TEST_PICTURES").isEmpty())
+        QFile::copy(file, qEnvironmentVariable("FOOTFALL_TEST_PICTURES") + QString("/picture%1.png").arg(i));
+    }
+  }
+
+  void aReportWithPictures() {
+    window_->view().zoomBy(2);  // not one of the report's own
+    const CameraPose pose = window_->view().cameraPose();
+    openDialog();
+    const QByteArray html = accept("report.html");
+    QVERIFY(html.startsWith("<!DOCTYPE html>"));
+    QCOMPARE(html.count("<figure>"), 3);
+    QVERIFY(html.contains("From the top") && html.contains("VerticalClearanceFilter 2"));
+    const CameraPose after = window_->view().cameraPose();
+    QVERIFY(std::hypot(after.position.x - pose.position.x, after.position.y - pose.position.y) < 1e-6);
+    QCOMPARE(after.orthographic, pose.orthographic);
+    // Different pictures.
+    const QByteArrayList parts = html.mid(html.indexOf("<figure>")).split(',');
+    QSet<QByteArray> pictures;
+    for (const QByteArray& part : parts)
+      if (part.startsWith("iVBOR")) pictures << part.left(part.indexOf('"'));
+    QCOMPARE(pictures.size(), 3);
+    if (!qEnvironmentVariable("FOOTFALL_TEST_PICTURES").isEmpty())
+      QFile::copy(folder_->filePath("report.html"), qEnvironmentVariable("FOOTFALL_TEST_PICTURES") + "/report.html");
+
+    openDialog();
+    toggle("exportPictures");
+    QCOMPARE(accept("plain.html").count("data:image/png"), 0);
+  }
+
+  void whatCannotBeWrittenIsToldBeforehand() {
+    openDialog();
+    typeName("/no/such/folder/a.obj");
+    QVERIFY2(label("rowError").contains("does not exist"), qPrintable(label("rowError")));
+    QVERIFY(!button("exportAccept")->isEnabled());
+    typeName(folder_->filePath("a.fbx"));
+    QVERIFY(label("rowError").contains("no format that can be written"));
+    typeName("");
+    QVERIFY(label("rowError").contains("Give a name"));
+    typeName(folder_->path());
+    QVERIFY(label("rowError").contains("is a folder"));
+    typeName(folder_->filePath("a"));
+    QCOMPARE(label("rowError"), QString());
+    auto* scale = dialog()->findChild<QLineEdit*>("exportScale");
+    scale->setFocus();
+    QTest::keyClick(scale, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(scale, "-1");
+    QVERIFY(!button("exportAccept")->isEnabled());
+  }
+
+  void afterTheDialogTheBarTells() {
+    const QString full = folder_->filePath("full.glb");
+    QVERIFY(QFile::link("/dev/full", full));
+    window_->exportResult(full);
+    QTRY_VERIFY(window_->messageBar().text().contains("the disk is full"));
+    for (const char* ending : {"obj", "gltf", "png", "html"}) {
+      window_->messageBar().clear();
+      window_->exportResult(folder_->filePath(QString("no/such/folder/a.") + ending));
+      QTRY_VERIFY2(window_->messageBar().text().contains("its folder does not exist"), ending);
+    }
+    QVERIFY(waitUntilIdle(*window_));
+  }
+
+  void waitsForTheRun() {
+    DocumentState next = window_->document().state();
+    next.filters.front().step.values[0] = 80;  // the ramp is walkable now
+    window_->document().edit(next, "change the slope");
+    const QString target = folder_->filePath("late.obj");
+    window_->exportResult(target);
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(target) && window_->idle(); }, 20000));
+    QVERIFY(readFile(target).contains("# pipeline: SlopeFilter 80\n"));
+  }
+
+  void everythingIsReachedByTab() {
+    openDialog();
+    name()->setFocus();
+    QStringList order;
+    for (int i = 0; i < 12; ++i) {
+      order << dialog()->focusWidget()->objectName();
+      QTest::keyClick(dialog()->focusWidget(), Qt::Key_Tab);
+    }
+    for (const char* wanted : {"fileNameEdit", "exportBrowse", "exportFormat", "exportLayers", "exportConnections",
+                               "exportObstacleEdges", "exportUp", "exportScale", "exportAccept", "exportCancel"})
+      QVERIFY2(order.contains(wanted), qPrintable(wanted + QString(": ") + order.join(' ')));
+    QVERIFY(order.lastIndexOf("fileNameEdit") > 0);  // and around again
+  }
+
+ private:
+  ExportDialog* dialog() { return qobject_cast<ExportDialog*>(QApplication::activeModalWidget()); }
+  ExportDialog* openDialog() {
+    QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
+    if (!QTest::qWaitFor([&] { return dialog() != nullptr; })) qFatal("no dialog for exports");
+    dialog()->activateWindow();
+    if (!QTest::qWaitForWindowActive(dialog())) qFatal("the dialog does not get the focus");
+    return dialog();
+  }
+  QString label(const char* name) { return dialog()->findChild<QLabel*>(name)->text(); }
+  QComboBox* box(const char* name) { return dialog()->findChild<QComboBox*>(name); }
+  QPushButton* button(const char* name) { return dialog()->findChild<QPushButton*>(name); }
+  QLineEdit* name() { return dialog()->findChild<QLineEdit*>("fileNameEdit"); }
+  void toggle(const char* name) {
+    auto* box = dialog()->findChild<QCheckBox*>(name);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Space);
+  }
+  void press(const char* name) {
+    button(name)->setFocus();
+    QTest::keyClick(button(name), Qt::Key_Space);
+  }
+  void typeName(const QString& path) {
+    name()->setFocus();
+    QTest::keyClick(name(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(name(), Qt::Key_Delete);
+    QTest::keyClicks(name(), path);
+  }
+  /// Types the name, presses Return and gives what was written.
+  QByteArray accept(const QString& file) {
+    const QString path = folder_->filePath(file);
+    typeName(path);
+    QTest::keyClick(name(), Qt::Key_Return);
+    if (!QTest::qWaitFor([&] { return QFile::exists(path) && window_->idle(); }, 20000)) return {};
+    return readFile(path);
+  }
+  void shoot(const char* name) {
+    const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
+    if (folder.isEmpty()) return;
+    QTest::qWait(200);
+    QVERIFY(dialog()->grab().save(folder + '/' + name + ".png"));
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<EditorWindow> window_;
+};
+
+FOOTFALL_EDITOR_SUITE(TestExportDialog)
+#include "test_export_dialog.moc"

@@ -1,0 +1,460 @@
+// Nothing that is worked with is written over, nothing else without a question, and messages end with what they tell.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+
+#include "tests/editor/editor_driver.hpp"
+#include "ui/window/export_dialog.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+class TestFileSafety : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    QSettings().clear();
+    window_ = std::make_unique<EditorWindow>();
+    window_->resize(1100, 760);
+    QVERIFY(showWindow(*window_));
+    writeFile(*folder_, "table.mtl", "newmtl wood\nmap_Kd wood.png\n");
+    writeFile(*folder_, "wood.png", "no picture");
+    content_ = "mtllib table.mtl\n" + tableObj();
+    table_ = writeFile(*folder_, "table.obj", content_);
+    QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
+  }
+  void cleanup() {
+    window_.reset();
+    folder_.reset();
+  }
+
+  // --- The environment and what belongs to it
+
+  void anExportNeverReplacesTheEnvironment() {
+    QVERIFY(QFile::link(table_, folder_->filePath("link.obj")));
+    QCOMPARE(::link(qPrintable(table_), qPrintable(folder_->filePath("hard.obj"))), 0);
+    openExport();
+    for (const QString& name : {table_, folder_->filePath("link.obj"), folder_->filePath("hard.obj"),
+                                folder_->path() + "/./table.obj", folder_->filePath("wood.png")}) {
+      typeName(name);
+      QVERIFY2(problem().contains("would be overwritten"), qPrintable(name + ": " + problem()));
+      QTest::keyClick(nameField(), Qt::Key_Return);
+      QTest::qWait(50);
+      QVERIFY(exportDialog());  // nothing was exported
+    }
+    closeExport();
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(readFile(table_), content_);
+    QCOMPARE(readFile(folder_->filePath("wood.png")), QByteArray("no picture"));
+  }
+
+  void noOtherWayLeadsThere() {
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    const auto refused = [&](const QString& path) {
+      if (!window_->messageBar().text().startsWith(path + ": would be overwritten")) return false;
+      window_->messageBar().clear();
+      return true;
+    };
+    window_->exportResult(table_);
+    QVERIFY(refused(table_));
+    window_->saveSession(table_);
+    QVERIFY(refused(table_));
+    window_->savePipeline(folder_->filePath("table.mtl"));
+    QVERIFY(refused(folder_->filePath("table.mtl")));
+    choose("file.save");
+    answerFileDialog(table_);
+    QVERIFY(QTest::qWaitFor([&] { return refused(table_); }));
+    choose("pipeline.save");
+    answerFileDialog(table_);
+    QVERIFY(QTest::qWaitFor([&] { return refused(table_); }));
+    QCOMPARE(readFile(table_), content_);
+    QCOMPARE(written.count(), 0);
+  }
+
+  void sessionAndPipelineAreKeptFromOtherKinds() {
+    const QString session = folder_->filePath("work.footfall"), pipeline = folder_->filePath("work.pipeline");
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    window_->saveSession(session);
+    QVERIFY(written.wait());
+    window_->savePipeline(pipeline);
+    QVERIFY(written.wait());
+    const QByteArray before = readFile(session);
+    window_->savePipeline(session);
+    QVERIFY(window_->messageBar().text().contains("is the session that is open"));
+    window_->exportResult(pipeline);
+    QVERIFY(window_->messageBar().text().contains("is the pipeline that is open"));
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(readFile(session), before);
+    QCOMPARE(readFile(pipeline), QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2\n"));
+  }
+
+  // --- Other files
+
+  void anExportAsksBeforeItReplaces() {
+    const QString other = writeFile(*folder_, "other.obj", "kept");
+    openExport();
+    typeName(other);
+    QCOMPARE(problem(), QString());
+    QTest::keyClick(nameField(), Qt::Key_Return);
+    QVERIFY(QTest::qWaitFor([&] { return question() != nullptr; }));
+    QVERIFY(question()->text().contains("other.obj"));
+    QTest::keyClick(question(), Qt::Key_Return);  // a hasty one keeps the file
+    QVERIFY(QTest::qWaitFor([&] { return question() == nullptr; }));
+    QVERIFY(exportDialog() && window_->idle());
+    QCOMPARE(readFile(other), QByteArray("kept"));
+
+    QTest::keyClick(nameField(), Qt::Key_Return);
+    QVERIFY(QTest::qWaitFor([&] { return question() != nullptr; }));
+    shoot("replace-question");
+    QTest::mouseClick(question()->findChild<QPushButton*>("replaceAccept"), Qt::LeftButton);
+    QTRY_VERIFY(readFile(other).startsWith("# "));
+    QVERIFY(!exportDialog());
+  }
+
+  void aSessionAsksUnlessItIsTheOpenOne() {
+    const QString other = writeFile(*folder_, "other.footfall", "kept");
+    choose("file.save");
+    answerFileDialog(other);
+    QVERIFY(QTest::qWaitFor([&] { return question() != nullptr; }));
+    QTest::keyClick(question(), Qt::Key_Escape);
+    QVERIFY(QTest::qWaitFor([&] { return question() == nullptr; }));
+    QCOMPARE(readFile(other), QByteArray("kept"));
+
+    const QString own = folder_->filePath("own.footfall");
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    for (int i = 0; i < 2; ++i) {  // the second replaces the first, which is what saving means
+      choose("file.save");
+      answerFileDialog(own);
+      QVERIFY(written.wait());
+      QVERIFY(!question());
+    }
+  }
+
+  void aSaveThatIsTakenBackClosesNothing() {
+    const QString other = writeFile(*folder_, "other.footfall", "kept");
+    edit(50);
+    QVERIFY(!window_->close());
+    auto* unsaved = window_->findChild<QMessageBox*>("unsavedQuestion");
+    QVERIFY(unsaved);
+    QTest::mouseClick(unsaved->button(QMessageBox::Save), Qt::LeftButton);
+    answerFileDialog(other);
+    QVERIFY(QTest::qWaitFor([&] { return question() != nullptr; }));
+    QTest::keyClick(question(), Qt::Key_Escape);
+    QVERIFY(QTest::qWaitFor([&] { return question() == nullptr; }));
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    window_->saveSession(folder_->filePath("later.footfall"));
+    QVERIFY(written.wait());
+    QTest::qWait(100);
+    QVERIFY(window_->isVisible());
+    QCOMPARE(readFile(other), QByteArray("kept"));
+  }
+
+  void whatIsUnsavedIsCalledASession() {
+    edit(50);
+    QVERIFY(!window_->close());
+    auto* box = window_->findChild<QMessageBox*>("unsavedQuestion");
+    QVERIFY(box);
+    QCOMPARE(box->text(), QString("Save the changes as a session?"));
+    QVERIFY(box->informativeText().contains("The file table.obj itself stays as it is."));
+    shoot("unsaved-question");
+    QTest::keyClick(box, Qt::Key_Escape);
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    window_->saveSession(folder_->filePath("work.footfall"));
+    QVERIFY(written.wait());
+    edit(55);
+    QTRY_VERIFY(!window_->findChild<QMessageBox*>("unsavedQuestion"));
+    QVERIFY(!window_->close());
+    box = window_->findChild<QMessageBox*>("unsavedQuestion");
+    QVERIFY(box);
+    QCOMPARE(box->text(), QString("Save the changes to the session work.footfall?"));
+    QTest::keyClick(box, Qt::Key_Escape);
+  }
+
+  // --- Places that cannot be written
+
+  void whyAPlaceCannotBeWritten() {
+    QVERIFY(QDir(folder_->path()).mkdir("exp"));
+    openExport();
+    typeName(folder_->filePath("exp"));
+    QVERIFY(problem().startsWith(folder_->filePath("exp") + " is a folder"));
+    typeName(table_ + "/a.obj");
+    QVERIFY2(problem().contains(table_ + " is a file, not a folder"), qPrintable(problem()));
+    typeName(folder_->filePath(QString(300, 'x') + ".obj"));
+    QVERIFY2(problem().contains("too long"), qPrintable(problem()));
+    typeName(folder_->filePath("none/a.obj"));
+    QVERIFY2(problem().contains("its folder does not exist"), qPrintable(problem()));
+    closeExport();
+  }
+
+  // --- Messages end with what they are about
+
+  void loadingEndsWithAFailure() {
+    const QString before = status();
+    for (const auto& [name, content] : {std::pair<const char*, QByteArray>{"empty.obj", ""},
+                                        {"nothing.obj", "# nothing\n"},
+                                        {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+                                        {"cut.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n"},
+                                        {"text.gltf", "this is no mesh"},
+                                        {"bad.footfall", "{\"footfall_session\": 1, \"envir"}}) {
+      const QString path = writeFile(*folder_, name, content);
+      window_->open(path);
+      QVERIFY(waitUntilIdle(*window_));
+      QVERIFY2(window_->messageBar().text().contains(name), qPrintable(window_->messageBar().text()));
+      QCOMPARE(status(), before);
+      QVERIFY(window_->windowTitle().startsWith("table.obj"));
+      QVERIFY(!window_->progressDisplay().bar()->isVisible());
+      QVERIFY(!window_->cancelButton()->isVisible());
+    }
+    window_->open(folder_->filePath("gone.obj"));
+    QTRY_VERIFY(window_->messageBar().text().contains("no such file"));
+    // The next file that is opened replaces it.
+    window_->open(writeFile(*folder_, "floor.obj", floorObj()));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(!window_->messageBar().text().contains("no such file"));
+  }
+
+  void aPipelineThatCanBeReadEndsTheErrorOfOneThatCannot() {
+    const Pipeline before = window_->document().pipeline();
+    window_->openPipeline(writeFile(*folder_, "bad.pipeline", "SlopeFilter\n"));
+    QVERIFY(window_->messageBar().isVisible());
+    QCOMPARE(window_->document().pipeline(), before);
+    window_->openPipeline(writeFile(*folder_, "good.pipeline", "SlopeFilter 30\n"));
+    QVERIFY(!window_->messageBar().isVisible());
+  }
+
+  void aToolsHintEndsWithTheTool() {
+    const QString before = status();
+    QTest::keyClick(&window_->view(), Qt::Key_P);
+    QVERIFY(window_->view().tool());
+    QVERIFY(status() != before);
+    QTest::keyClick(&window_->view(), Qt::Key_Escape);
+    QVERIFY(!window_->view().tool());
+    QCOMPARE(status(), before);
+  }
+
+  void aWritingErrorEndsWithASuccess() {
+    window_->exportResult(folder_->filePath("none/a.obj"));
+    QTRY_VERIFY(window_->messageBar().isVisible());
+    window_->exportResult(folder_->filePath("a.obj"));
+    QTRY_VERIFY(QFile::exists(folder_->filePath("a.obj")) && window_->idle());
+    QVERIFY(!window_->messageBar().isVisible());
+    QVERIFY(status().startsWith("Wrote "));
+    // And what has been done is news for a while only.
+    window_->statusLine().setNoteDuration(1);
+    window_->say("news");
+    QTRY_VERIFY(status() != "news" && !status().startsWith("Wrote "));
+  }
+
+  void othersMessagesStay() {
+    window_->messageBar().showErrorOf(MessageSubject::Writing, "the disk is full");
+    edit(50);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(window_->messageBar().text(), QString("the disk is full"));
+  }
+
+  void aHintAboutFiltersEndsWhenTheyChange() {
+    edit(33);
+    window_->open(writeFile(*folder_, "floor.obj", floorObj()));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->messageBar().text().contains("filters were kept"));
+    edit(34);
+    QVERIFY(!window_->messageBar().isVisible());
+  }
+
+  // --- Errors name rows as the list does
+
+  void anErrorNamesTheRow() {
+    DocumentState next = window_->document().state();
+    next.filters.push_back(next.filters.front());
+    next.filters.back().id = window_->document().newFilterId();
+    next.filters.back().step = defaultStep(*findFilter("GridStrategy"), 1);
+    window_->document().edit(next, "a strategy without an end");
+    QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().isVisible(); }));
+    QVERIFY2(window_->messageBar().text().startsWith("step 3 (Grid strategy): "),
+             qPrintable(window_->messageBar().text()));
+    // Gone with the cause.
+    window_->document().undoStack()->undo();
+    QVERIFY(waitUntilIdle(*window_));
+    QTRY_VERIFY(!window_->messageBar().isVisible());
+  }
+
+  // --- Exports that wait
+
+  void everyExportThatWaitsIsWritten() {
+    edit(80);
+    for (const char* name : {"a.obj", "b.glb", "c.png", "d.html"}) window_->exportResult(folder_->filePath(name));
+    QVERIFY(!window_->idle());
+    QVERIFY(waitUntilIdle(*window_));
+    for (const char* name : {"a.obj", "b.glb", "c.png", "d.html"})
+      QVERIFY2(QFile::exists(folder_->filePath(name)), name);
+    QVERIFY(readFile(folder_->filePath("a.obj")).contains("SlopeFilter 80"));
+  }
+
+  void anExportThatWaitsIsNotOfTheNextEnvironment() {
+    const QString target = folder_->filePath("late.obj");
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(90)), "SlopeFilter 45\n"));
+    const auto before = window_->environment();
+    DocumentState next = window_->document().state();
+    for (const char* name : {"VerticalClearanceFilter", "LayerSubdivisionFilter"}) {  // work that takes a while
+      next.filters.push_back({window_->document().newFilterId(), defaultStep(*findFilter(name), 1)});
+    }
+    window_->document().edit(next, "more work");
+    window_->exportResult(target);
+    ImportOptions import;
+    import.up = UpAxis::Z;
+    window_->openWith(writeFile(*folder_, "floor.obj", floorObj()), std::nullopt, import);
+    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != before; }, 20000));
+    const QString told = window_->messageBar().text();
+    QVERIFY(waitUntilIdle(*window_));
+    // Where the run was faster than the file, it is of the environment that it was asked of.
+    if (QFile::exists(target)) {
+      QVERIFY(readFile(target).contains("waves.obj"));
+    } else {
+      QVERIFY2(told.startsWith(target + ": not written, as another environment was opened"), qPrintable(told));
+    }
+  }
+
+  void aCancelledRunTellsWhatIsNotWritten() {
+    const QString target = folder_->filePath("late.obj");
+    edit(80);
+    window_->exportResult(target);
+    window_->controller().cancel();
+    QTRY_VERIFY2(window_->messageBar().text().startsWith(target + ": not written"),
+                 qPrintable(window_->messageBar().text()));
+    QVERIFY(window_->idle());
+    QVERIFY(!QFile::exists(target));
+  }
+
+  void closingWaitsForWhatIsWritten() {
+    std::atomic<bool> go = false;
+    const QString target = folder_->filePath("slow.obj");
+    window_->writeInBackground(
+        [&] {
+          while (!go) QTest::qSleep(5);
+          throw RunError(Text("slow.obj: the disk is full"));
+        },
+        target);
+    QVERIFY(!window_->close());
+    QVERIFY(window_->isVisible());
+    go = true;
+    QTRY_VERIFY(window_->messageBar().text().contains("the disk is full"));
+    QVERIFY(window_->isVisible());  // somebody has to see it
+    go = false;
+    window_->writeInBackground(
+        [&] {
+          while (!go) QTest::qSleep(5);
+        },
+        target);
+    QVERIFY(!window_->close());
+    go = true;
+    QTRY_VERIFY(!window_->isVisible());
+  }
+
+  void closingAsksForWhatWaitsForTheRun() {
+    const QString target = folder_->filePath("late.obj");
+    edit(80);
+    window_->saveSession(folder_->filePath("work.footfall"));  // nothing is unsaved
+    window_->exportResult(target);
+    QVERIFY(QTest::qWaitFor([&] { return !window_->hasUnsavedChanges(); }));
+    if (QFile::exists(target)) QSKIP("the run was faster");
+    if (window_->close()) QSKIP("the run was faster");
+    auto* box = window_->findChild<QMessageBox*>("pendingQuestion");
+    if (box) QTest::keyClick(box, Qt::Key_Return);  // write, then close
+    QTRY_VERIFY(!window_->isVisible());
+    QVERIFY(readFile(target).contains("SlopeFilter 80"));
+  }
+
+  // --- Reports
+
+  void aReportsPicturesAreOfTheirCameras() {
+    window_->setInteractive(true);  // the camera glides
+    LevelView& view = window_->view();
+    view.zoomBy(1.5);
+    view.viewFrom(ViewSide::Front);
+    const QString target = folder_->filePath("report.html");
+    window_->exportResult(target);
+    QTRY_VERIFY(QFile::exists(target) && window_->idle());
+    const CameraPose after = view.cameraPose();
+    QVERIFY(after.orthographic && std::abs(after.orientation[0] - std::sqrt(0.5)) < 1e-6);  // along Y, as before
+
+    QList<QImage> pictures;
+    for (const QByteArray& part : readFile(target).split('"'))
+      if (part.startsWith("data:image/png;base64,"))
+        pictures << QImage::fromData(QByteArray::fromBase64(part.mid(22))).convertToFormat(QImage::Format_RGB32);
+    QVERIFY(pictures.size() > 3);
+    pictures = pictures.mid(pictures.size() - 3);  // behind the legend's
+    window_->setInteractive(false);
+    const QSize seen = view.size().scaled(1600, 1000, Qt::KeepAspectRatio);
+    QCOMPARE(pictures[0], view.picture(seen, 1.25));
+    QCOMPARE(pictures[1], view.picture({1600, 1000}, 1.25, PictureCamera::Top));
+    QCOMPARE(pictures[2], view.picture({1600, 1000}, 1.25, PictureCamera::Oblique));
+    QVERIFY(pictures[1] != pictures[2]);
+    // The level fills them, whatever the shape of the view.
+    const QSize whole = view.size();
+    view.setCovered({});  // over a picture there is nothing
+    view.viewFromTop();
+    const QImage jumped = view.picture(whole * view.devicePixelRatioF(), view.devicePixelRatioF());
+    QCOMPARE(jumped, view.picture(whole * view.devicePixelRatioF(), view.devicePixelRatioF(), PictureCamera::Top));
+  }
+
+  void aReportHasItsDateAndLegend() {
+    qputenv("SOURCE_DATE_EPOCH", "86400");
+    const QString target = folder_->filePath("report.html");
+    window_->exportResult(target);
+    QTRY_VERIFY(QFile::exists(target) && window_->idle());
+    qunsetenv("SOURCE_DATE_EPOCH");
+    const QByteArray html = readFile(target);
+    for (const char* text : {"on 1970-01-02 00:00 UTC", "Nothing was left out on import.", "Walkable</li>",
+                             "Not walkable: removed by SlopeFilter", "Walls, ceilings and the rest"})
+      QVERIFY2(html.contains(text), text);
+  }
+
+ private:
+  void edit(double slope) { window_->document().setValue(window_->document().filters()[0].id, 0, slope, -1); }
+  void choose(const char* command) { window_->commands().find(QLatin1String(command))->trigger(); }
+  QString status() { return window_->statusLine().text(); }
+  ExportDialog* exportDialog() { return window_->findChild<ExportDialog*>(); }
+  QLineEdit* nameField() { return exportDialog()->findChild<QLineEdit*>("fileNameEdit"); }
+  QString problem() { return exportDialog()->findChild<QLabel*>("rowError")->text(); }
+  QMessageBox* question() { return window_->findChild<QMessageBox*>("replaceQuestion"); }
+  void openExport() {
+    QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
+    if (!QTest::qWaitFor([&] { return exportDialog() != nullptr; })) qFatal("no dialog for exports");
+    exportDialog()->activateWindow();
+    if (!QTest::qWaitForWindowActive(exportDialog())) qFatal("the dialog does not get the focus");
+  }
+  void closeExport() {
+    QTest::keyClick(exportDialog(), Qt::Key_Escape);
+    QTRY_VERIFY(!exportDialog());
+  }
+  void typeName(const QString& path) {
+    nameField()->setFocus();
+    QTest::keyClick(nameField(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(nameField(), path);
+  }
+  static void shoot(const char* name) {
+    const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
+    if (folder.isEmpty()) return;
+    QTest::qWait(200);
+    QVERIFY(QApplication::activeWindow()->grab().save(folder + '/' + name + ".png"));
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<EditorWindow> window_;
+  QByteArray content_;
+  QString table_;
+};
+
+FOOTFALL_EDITOR_SUITE(TestFileSafety)
+#include "test_file_safety.moc"

@@ -1,0 +1,241 @@
+// Thousands of random events in the real window: no crash, memory that stays within bounds, and the result is still
+// right. The longest stretch in which the event loop could not answer is told, with what it was doing; only a freeze
+// fails, as drawing in software on a busy machine says little about a user's.
+// FOOTFALL_MONKEY_EVENTS and FOOTFALL_MONKEY_SEED choose other amounts and other events.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QRandomGenerator>
+#include <QWheelEvent>
+#include <array>
+#include <fstream>
+#include <string>
+
+#include "core/io/export.hpp"
+#include "core/pipeline/runner.hpp"
+#include "core/report/export_header.hpp"
+#include "tests/editor/editor_driver.hpp"
+#include "ui/base/frame_watchdog.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+int environmentNumber(const char* name, int otherwise) {
+  bool ok = false;
+  const int number = qEnvironmentVariableIntValue(name, &ok);
+  return ok ? number : otherwise;
+}
+
+double residentMegabytes() {
+  std::ifstream file("/proc/self/statm");
+  long pages = 0, resident = 0;
+  file >> pages >> resident;
+  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// What a person could do, at random.
+class Monkey {
+ public:
+  Monkey(EditorWindow& window, quint32 seed) : window_(window), random_(seed) {}
+
+  void step() {
+    closeDialogs();
+    switch (below(12)) {
+      case 0:
+      case 1:
+      case 2:
+        drag();
+        break;
+      case 3:
+        wheel(window_.view(), placeIn(window_.view()));
+        break;
+      case 4:
+        QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, placeIn(window_.view()));
+        break;
+      case 5:
+      case 6:
+        key(window_.view());
+        break;
+      case 7:
+      case 8:
+        command();
+        break;
+      case 9:
+      case 10:
+        widget();
+        break;
+      default:
+        for (int i = below(4); i >= 0; --i)
+          below(3) == 0 ? window_.document().undoStack()->redo() : window_.document().undoStack()->undo();
+    }
+    QTest::qWait(below(10) == 0 ? below(120) : below(8));
+  }
+
+  void closeDialogs() {
+    for (int i = 0; i < 5; ++i) {
+      QWidget* popup = QApplication::activePopupWidget();
+      QWidget* dialog = popup ? popup : QApplication::activeModalWidget();
+      if (!dialog) return;
+      last_ += QStringLiteral(" [closes ") + QString::fromLatin1(dialog->metaObject()->className()) + QLatin1Char(']');
+      dialog->close();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      QTest::qWait(1);
+    }
+  }
+
+  [[nodiscard]] const QString& last() const { return last_; }
+
+ private:
+  int below(int bound) { return static_cast<int>(random_.bounded(static_cast<quint32>(bound))); }
+
+  QPoint placeIn(const QWidget& widget) {
+    return {below(std::max(1, widget.width())), below(std::max(1, widget.height()))};
+  }
+
+  Qt::KeyboardModifiers modifiers() {
+    static constexpr std::array<Qt::KeyboardModifier, 4> kModifiers = {Qt::NoModifier, Qt::ShiftModifier,
+                                                                       Qt::ControlModifier, Qt::AltModifier};
+    return below(3) == 0 ? kModifiers.at(static_cast<std::size_t>(below(4))) : Qt::NoModifier;
+  }
+
+  void drag() {
+    static constexpr std::array<Qt::MouseButton, 3> kButtons = {Qt::LeftButton, Qt::RightButton, Qt::MiddleButton};
+    const Qt::MouseButton button = below(3) < 2 ? Qt::LeftButton : kButtons.at(static_cast<std::size_t>(below(3)));
+    const Qt::KeyboardModifiers held = modifiers();
+    last_ = QStringLiteral("drag with button %1").arg(button);
+    QWidget* view = &window_.view();
+    QTest::mousePress(view, button, held, placeIn(*view));
+    for (int i = below(5); i > 0; --i) QTest::mouseMove(view, placeIn(*view));
+    QTest::mouseRelease(view, button, held, placeIn(*view));
+  }
+
+  void wheel(QWidget& widget, const QPoint& place) {
+    last_ = QStringLiteral("wheel on ") + widget.objectName();
+    const QPoint turn(0, below(2) == 0 ? 120 : -120);
+    QWheelEvent event(place, widget.mapToGlobal(QPointF(place)), {}, turn, Qt::NoButton, modifiers(), Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&widget, &event);
+  }
+
+  void key(QWidget& widget) {
+    static constexpr std::array<int, 44> kKeys = {
+        Qt::Key_A,      Qt::Key_B,      Qt::Key_C,     Qt::Key_D,    Qt::Key_E,     Qt::Key_F,      Qt::Key_G,
+        Qt::Key_H,      Qt::Key_I,      Qt::Key_J,     Qt::Key_K,    Qt::Key_L,     Qt::Key_M,      Qt::Key_N,
+        Qt::Key_O,      Qt::Key_P,      Qt::Key_R,     Qt::Key_S,    Qt::Key_T,     Qt::Key_U,      Qt::Key_V,
+        Qt::Key_W,      Qt::Key_X,      Qt::Key_Y,     Qt::Key_Z,    Qt::Key_0,     Qt::Key_1,      Qt::Key_5,
+        Qt::Key_7,      Qt::Key_Left,   Qt::Key_Right, Qt::Key_Up,   Qt::Key_Down,  Qt::Key_PageUp, Qt::Key_PageDown,
+        Qt::Key_Home,   Qt::Key_Escape, Qt::Key_Tab,   Qt::Key_Plus, Qt::Key_Minus, Qt::Key_F1,     Qt::Key_F5,
+        Qt::Key_Return, Qt::Key_Delete};
+    const int chosen = kKeys.at(static_cast<std::size_t>(below(static_cast<int>(kKeys.size()))));
+    last_ = QStringLiteral("key %1 on %2").arg(QKeySequence(chosen).toString(), widget.objectName());
+    QTest::keyClick(&widget, static_cast<Qt::Key>(chosen), modifiers());
+  }
+
+  void command() {
+    const auto& entries = window_.commands().entries();
+    const auto& entry = entries.at(static_cast<std::size_t>(below(static_cast<int>(entries.size()))));
+    static const QStringList kNot = {QStringLiteral("file.quit"), QStringLiteral("file.recent")};
+    if (kNot.contains(entry.command.id) || !entry.action->isEnabled()) return;
+    last_ = QStringLiteral("command ") + entry.command.id;
+    entry.action->trigger();
+  }
+
+  void widget() {
+    QWidgetList candidates;
+    for (QWidget* child : window_.findChildren<QWidget*>()) {
+      if (child->isVisible() && child->isEnabled() && child->focusPolicy() != Qt::NoFocus && child != &window_.view())
+        candidates << child;
+    }
+    if (candidates.isEmpty()) return;
+    QWidget* chosen = candidates.at(below(static_cast<int>(candidates.size())));
+    last_ = QStringLiteral("%1 '%2'").arg(QString::fromLatin1(chosen->metaObject()->className()), chosen->objectName());
+    switch (below(4)) {
+      case 0:
+        // A menu that opens would wait for somebody to choose.
+        if (!qobject_cast<QToolButton*>(chosen) && !qobject_cast<QPushButton*>(chosen))
+          QTest::mouseClick(chosen, Qt::LeftButton, {}, placeIn(*chosen));
+        break;
+      case 1:
+        chosen->setFocus();
+        for (int i = below(4); i >= 0; --i) QTest::keyClick(chosen, static_cast<char>('0' + below(10)));
+        QTest::keyClick(chosen, Qt::Key_Return);
+        break;
+      case 2:
+        wheel(*chosen, placeIn(*chosen));
+        break;
+      default:
+        key(*chosen);
+    }
+  }
+
+  EditorWindow& window_;
+  QRandomGenerator random_;
+  QString last_;
+};
+
+}  // namespace
+
+class TestMonkey : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void randomEventsBreakNothing();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void TestMonkey::randomEventsBreakNothing() {
+  const int events = environmentNumber("FOOTFALL_MONKEY_EVENTS", 3000);
+  const auto seed = static_cast<quint32>(environmentNumber("FOOTFALL_MONKEY_SEED", 1));
+  qInfo("%d events, seed %u", events, seed);
+  EditorWindow window;
+  window.setRemembering(false);
+  window.resize(1280, 800);
+  QVERIFY(showWindow(window));
+  const QString level = QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/house/house.obj");
+  window.open(level);
+  QVERIFY(waitUntilIdle(window));
+
+  Monkey monkey(window, seed);
+  FrameWatchdog watchdog;
+  double megabytesEarly = 0;
+  watchdog.start();
+  for (int i = 0; i < events; ++i) {
+    monkey.step();
+    if (i == events / 4) megabytesEarly = residentMegabytes();
+  }
+  watchdog.stop();
+  monkey.closeDialogs();
+  QVERIFY2(waitUntilIdle(window), qPrintable(monkey.last()));
+
+  qInfo("longest stall %.0f ms (%s); %.0f MB after a quarter, %.0f MB at the end", watchdog.longestStallMs(),
+        qPrintable(watchdog.longestStall().during), megabytesEarly, residentMegabytes());
+
+  QVERIFY2(watchdog.longestStallMs() < 5000, "the window froze");
+  QVERIFY2(residentMegabytes() < megabytesEarly + 400, "memory grows");
+
+  // What is shown is what a run from nothing gives.
+  window.controller().runNow();
+  QVERIFY(waitUntilIdle(window));
+  if (!window.level()) return;
+  const auto shown = window.controller().finishedRun();
+  QVERIFY(shown);
+  RunContext context;
+  const RunResult fresh = runPipeline(window.level(), shown->pipeline, context);
+  const ExportHeader header = makeExportHeader(shown->pipeline);
+  QVERIFY(formatObj(*fresh.mesh, *window.level(), header) == formatObj(*shown->result.mesh, *window.level(), header));
+}
+
+FOOTFALL_EDITOR_SUITE(TestMonkey)
+#include "test_monkey.moc"

@@ -1,0 +1,306 @@
+// Whole stories, as a designer lives them, with mouse and keyboard in the real window. With FOOTFALL_PICTURES=FOLDER
+// the pictures of the user guide are written there on the way (docs/make_pictures.sh).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <memory>
+
+#include "core/inspect/components.hpp"
+#include "core/io/import.hpp"
+#include "core/io/navigation_mesh_reader.hpp"
+#include "tests/editor/editor_driver.hpp"
+#include "ui/base/command_palette.hpp"
+#include "ui/inspect/inspection_feature.hpp"
+#include "ui/level/obstacle_features.hpp"
+#include "ui/path/path_feature.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+const QString kSamples = QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/");
+
+// Of the sample "rooms", in metres.
+constexpr Vec3 kDoorway{8.875, 5.0, 0};
+constexpr Vec3 kLivingRoom{2, 5, 0};
+constexpr Vec3 kGallery{17, 8, 2.375};
+
+}  // namespace
+
+class TestStories : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void init();
+  void cleanup();
+  void aDoorwayIsClosed();
+  void aCrateIsMoved();
+  void severalAgents();
+  void aBuildingIsLookedInto();
+  void theEditorWelcomes();
+  void noTwoCommandsShareAKey();
+
+ private:
+  void open(const QString& sample);
+  void picture(const QString& name);
+  QAction* command(const char* id);
+  void panelOnly(const char* id);
+  void clickAt(const Vec3& place);
+  [[nodiscard]] FilterRow* row(const char* filter);
+  void setParameter(const char* filter, const char* value);
+
+  QTemporaryDir folder_;
+  QString pictures_;
+  std::unique_ptr<EditorWindow> window_;
+};
+
+void TestStories::initTestCase() {
+  pictures_ = qEnvironmentVariable("FOOTFALL_PICTURES");
+  QVERIFY(pictures_.isEmpty() || QDir(pictures_).exists());
+}
+
+void TestStories::init() {
+  window_ = std::make_unique<EditorWindow>();
+  window_->setRemembering(false);
+  window_->resize(1280, 800);
+  QVERIFY(showWindow(*window_));
+}
+
+void TestStories::cleanup() { window_.reset(); }
+
+void TestStories::open(const QString& sample) {
+  window_->openWith(kSamples + sample + '/' + sample + ".obj",
+                    readPipelineFile((kSamples + sample + '/' + sample + ".pipeline").toStdString()), {});
+  QVERIFY(waitUntilIdle(*window_));
+  QVERIFY(window_->controller().finishedRun() != nullptr);
+}
+
+void TestStories::picture(const QString& name) {
+  QVERIFY(waitUntilIdle(*window_));
+  QTest::qWait(400);  // transitions, and the whole frame after a hurried one
+  if (pictures_.isEmpty()) return;
+  window_->view().grabFramebuffer();  // all of it drawn
+  QVERIFY(window_->grab().save(pictures_ + '/' + name + ".png"));
+}
+
+QAction* TestStories::command(const char* id) {
+  QAction* found = window_->commands().find(QLatin1String(id));
+  if (!found) qFatal("no command %s", id);
+  return found;
+}
+
+// The dock of a command in front of those beside it.
+void TestStories::panelOnly(const char* id) {
+  QAction* action = command(id);
+  if (!action->isChecked()) action->trigger();
+  if (auto* dock = window_->findChild<QDockWidget*>(QLatin1String(id))) dock->raise();
+}
+
+void TestStories::clickAt(const Vec3& place) {
+  const std::optional<QPointF> at = window_->view().project(place);
+  QVERIFY(at.has_value());
+  QTest::mouseMove(&window_->view(), at->toPoint());
+  QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, at->toPoint());
+}
+
+FilterRow* TestStories::row(const char* filter) {
+  for (std::size_t i = 0; i < window_->filterList().rows().size(); ++i) {
+    if (window_->document().filters()[i].step.filter->name == filter) return window_->filterList().rows()[i];
+  }
+  return nullptr;
+}
+
+void TestStories::setParameter(const char* filter, const char* value) {
+  FilterRow* found = row(filter);
+  QVERIFY(found != nullptr);
+  QWidget* field = found->field(0);
+  field->setFocus();
+  QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(field, QLatin1String(value));
+  QTest::keyClick(field, Qt::Key_Return);
+  QVERIFY(waitUntilIdle(*window_));
+}
+
+// Open a level, find why a doorway is closed, change the clearance, walk through, export, and come back the next day.
+void TestStories::aDoorwayIsClosed() {
+  open(QStringLiteral("rooms"));
+  picture(QStringLiteral("guide-opened"));
+
+  // No way through: the path ends at the doorway.
+  auto* paths = window_->findChild<PathFeature*>();
+  QVERIFY(paths != nullptr);
+  command("view.top")->trigger();
+  QTest::keyClick(&window_->view(), Qt::Key_P);
+  clickAt(kLivingRoom);
+  clickAt(kGallery);
+  QTRY_VERIFY(paths->model().result().has_value());
+  QVERIFY(!paths->model().result()->reached());
+  picture(QStringLiteral("guide-no-path"));
+  QTest::keyClick(&window_->view(), Qt::Key_Escape);
+
+  // Why? The lintel is in the way of the eye as well: cut above 1.5 m.
+  auto* inspection = window_->findChild<InspectionFeature*>();
+  QVERIFY(inspection != nullptr);
+  window_->heightSlider().setRange({-1, 1.5});
+  QTest::keyClick(&window_->view(), Qt::Key_Y);
+  clickAt(kDoorway);
+  QTRY_VERIFY(!inspection->watch().busy() && inspection->watch().explanation().has_value());
+  const auto told = inspection->watch().explanation();
+  QVERIFY(told->obstacle.has_value());
+  QCOMPARE(told->obstacle->height, 1.890625);  // walls of the samples begin 1/64 above their floor
+  panelOnly("inspect.whyPanel");
+  picture(QStringLiteral("guide-why"));
+
+  // A smaller agent fits; the answer and the path follow.
+  setParameter("VerticalClearanceFilter", "1.8");
+  QCOMPARE(window_->document().undoStack()->count(), 1);
+  QTRY_VERIFY(paths->model().result() && paths->model().result()->reached());
+  window_->heightSlider().setRange({});
+  QTest::keyClick(&window_->view(), Qt::Key_Escape);
+  command("view.oblique")->trigger();
+  panelOnly("panel.path");
+  picture(QStringLiteral("guide-path"));
+
+  // Export, and read it back.
+  const QString exported = folder_.filePath(QStringLiteral("rooms-walkable.obj"));
+  window_->exportResult(exported);
+  QVERIFY(waitUntilIdle(*window_));
+  const NavigationMesh mesh = readNavigationMesh(exported.toStdString()).mesh;
+  QCOMPARE(mesh.triangles.size(), window_->controller().finishedRun()->result.mesh->triangles.size());
+
+  // Save the session, and come back.
+  const QString session = folder_.filePath(QStringLiteral("rooms.footfall"));
+  window_->saveSession(session);
+  QVERIFY(waitUntilIdle(*window_));
+  const Pipeline pipeline = window_->document().pipeline();
+  cleanup();
+  init();
+  window_->open(session);
+  QVERIFY(waitUntilIdle(*window_));
+  QVERIFY(window_->document().pipeline() == pipeline);
+  const auto again = window_->controller().finishedRun();
+  QVERIFY(again && again->result.mesh->triangles.size() == mesh.triangles.size());
+}
+
+// A crate in the doorway closes it; moved aside, it opens again, and undo brings it back.
+void TestStories::aCrateIsMoved() {
+  open(QStringLiteral("rooms"));
+  setParameter("VerticalClearanceFilter", "1.8");
+  // Parts of the walkable area that nobody can leave.
+  const auto regions = [&] {
+    const auto run = window_->controller().finishedRun();
+    return findComponents(*run->result.mesh).list.size();
+  };
+  QVERIFY(regions() > 0);
+  const std::size_t openRegions = regions();
+
+  window_->heightSlider().setRange({-1, 1.5});
+  command("view.top")->trigger();
+  command("obstacle.box")->trigger();
+  QVERIFY(window_->view().tool() != nullptr);
+  clickAt(kDoorway);
+  QTRY_COMPARE(window_->document().state().obstacles.size(), std::size_t{1});
+  QVERIFY(waitUntilIdle(*window_));
+  // Wide enough to fill the doorway, in numbers; its top is too small to be walkable.
+  DocumentState next = window_->document().state();
+  next.obstacles[0].size = {0.75, 1.3, 1};
+  next.obstacles[0].base = {8.875, 5.125, 0};
+  window_->document().edit(next, QStringLiteral("Resize Box 1"));
+  QVERIFY(waitUntilIdle(*window_));
+  QTRY_COMPARE(regions(), openRegions + 1);  // the rooms are apart
+  panelOnly("view.obstacles");
+  window_->heightSlider().setRange({});
+  command("view.oblique")->trigger();
+  picture(QStringLiteral("guide-crate"));
+
+  // Dragged by its body into the room.
+  window_->heightSlider().setRange({-1, 1.5});
+  command("view.top")->trigger();
+  if (!command("obstacle.select")->isChecked()) command("obstacle.select")->trigger();
+  const QPoint from = window_->view().project({8.875, 5.125, 1})->toPoint();
+  const QPoint to = window_->view().project({5, 5.125, 1})->toPoint();
+  clickAt({8.875, 5.125, 1});
+  QTest::mousePress(&window_->view(), Qt::LeftButton, {}, from + QPoint(0, 12));
+  for (int i = 1; i <= 8; ++i) {
+    QTest::mouseMove(&window_->view(), from + QPoint(0, 12) + (to - from) * i / 8);
+    QTest::qWait(30);
+  }
+  QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, to + QPoint(0, 12));
+  QVERIFY(waitUntilIdle(*window_));
+  QVERIFY(window_->document().state().obstacles[0].base.x < 7);
+  QTRY_COMPARE(regions(), openRegions);
+  QTest::keyClick(&window_->view(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(waitUntilIdle(*window_));
+  QTRY_COMPARE(regions(), openRegions + 1);
+}
+
+void TestStories::severalAgents() {
+  open(QStringLiteral("villa"));
+  panelOnly("panel.agents");
+  auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("panel.agents"));
+  QVERIFY(dock && dock->isVisible());
+  auto* add = dock->findChild<QToolButton*>(QStringLiteral("addAgent"));
+  QVERIFY(add && add->menu());
+  for (int i = 0; i < 3; ++i) {
+    add->menu()->actions().at(i)->trigger();
+    QVERIFY(waitUntilIdle(*window_));
+  }
+  QCOMPARE(window_->document().state().agents.size(), std::size_t{3});
+  const double tall = window_->document().state().agents[0].height;
+  const double small = window_->document().state().agents[1].height;
+  QVERIFY(tall != small);
+  command("agent.all")->trigger();
+  QTest::qWait(3000);
+  // From one to the other by key, and the filters follow.
+  window_->view().setFocus();
+  for (const auto& [key, height] : {std::pair{Qt::Key_1, tall}, std::pair{Qt::Key_2, small}}) {
+    QTest::keyClick(&window_->view(), key, Qt::AltModifier);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(window_->document().pipeline().steps[3].values[0], height);
+  }
+  picture(QStringLiteral("guide-agents"));
+}
+
+void TestStories::aBuildingIsLookedInto() {
+  open(QStringLiteral("villa"));
+  panelOnly("panel.layers");
+  picture(QStringLiteral("guide-layers"));
+  for (const char* mode : {"view.mode.slope", "view.mode.clearance", "view.mode.rejected", "view.mode.wireframe"}) {
+    if (!command(mode)->isEnabled()) QTRY_VERIFY(command(mode)->isEnabled());
+    command(mode)->trigger();
+    picture(QStringLiteral("guide-mode-") + QString::fromLatin1(mode).section('.', -1));
+  }
+}
+
+void TestStories::theEditorWelcomes() {
+  picture(QStringLiteral("guide-welcome"));
+  QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
+  QTRY_VERIFY(window_->commandPalette().isVisible());
+  QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("cl"));
+  QTest::qWait(100);
+  if (!pictures_.isEmpty()) QVERIFY(window_->commandPalette().grab().save(pictures_ + "/guide-palette.png"));
+  window_->commandPalette().close();
+}
+
+// Qt calls neither of two actions with the same key.
+void TestStories::noTwoCommandsShareAKey() {
+  QMap<QString, QStringList> owners;
+  for (const QAction* action : window_->findChildren<QAction*>()) {
+    if (action->shortcutContext() != Qt::WindowShortcut) continue;
+    for (const QKeySequence& keys : action->shortcuts()) owners[keys.toString()] << action->objectName();
+  }
+  QVERIFY(owners.size() > 30);
+  for (auto it = owners.cbegin(); it != owners.cend(); ++it) {
+    QVERIFY2(it->size() == 1, qPrintable(it.key() + QStringLiteral(": ") + it->join(QStringLiteral(", "))));
+  }
+}
+
+FOOTFALL_EDITOR_SUITE(TestStories)
+#include "test_stories.moc"

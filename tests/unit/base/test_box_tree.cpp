@@ -1,0 +1,101 @@
+// The tree over boxes of a mesh against looking at every box, and what depends on it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#undef emit  // Qt's word for nothing; the thread library has functions of this name
+#include "core/base/box_tree.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/soup.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::test;
+
+namespace {
+
+using Tree = BoxTree<2>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool overlaps(const Tree::Bounds& a, const Tree::Bounds& b) {
+  for (int k = 0; k < 2; ++k)
+    if (a.lower[k] > b.upper[k] || a.upper[k] < b.lower[k]) return false;
+  return true;
+}
+
+}  // namespace
+
+class TestBoxTree : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void noOverlapIsMissed_data() {
+    QTest::addColumn<double>("size");
+    QTest::addColumn<double>("infinite");  // share of the boxes
+    for (const double size : {1.0, 1e-310, 1e40, 1.7e308})
+      for (const double infinite : {0.0, 0.02, 1.0})
+        QTest::addRow("%g, %g infinite", size, infinite) << size << infinite;
+  }
+  void noOverlapIsMissed() {
+    QFETCH(double, size);
+    QFETCH(double, infinite);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (const Index count : {1, 2, 3, 5, 17, 700}) {
+      std::vector<Tree::Bounds> boxes(count);
+      std::vector<Index> ids(count);
+      for (Index i = 0; i < count; ++i) {
+        ids[i] = i;
+        for (int k = 0; k < 2; ++k) {
+          boxes[i].lower[k] = (share(random) * 1.9 - 1) * size;
+          boxes[i].upper[k] = boxes[i].lower[k] + share(random) * 0.1 * size;
+        }
+        if (share(random) < infinite) boxes[i] = {{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
+      }
+      Tree tree;
+      tree.build(
+          ids, [&](Index i) { return boxes[i]; }, [] {});
+      for (Index i = 0; i < count; ++i) {
+        std::vector<char> seen(count, 0);
+        tree.visitOverlapping(boxes[i], [&](Index o) {
+          QVERIFY(o >= 0 && o < count);
+          seen[o] = 1;
+        });
+        for (Index o = 0; o < count; ++o) QVERIFY(seen[o] != 0 || !overlaps(boxes[i], boxes[o]));
+      }
+    }
+  }
+
+  // Doubles cannot tell on which side of its long edge the sliver's third corner lies, so a cut on it has no place that
+  // they could bound. What lies above one another elsewhere is still found.
+  void sliverSpoilsNoLayers() {
+    const auto level =
+        Soup()
+            .triangle({0.56455938733252509, 0.48555748271869681, 0}, {1.2460526521838422, 0.96143186829115423, 0},
+                      {1.0149939543370208, 0.80008777064549763, 0})
+            .triangle({0.9594268771674086, -5, 1}, {9, -5, 1}, {0.9594268771674086, 9, 1})
+            .floor(20, 0, 24, 4, 0)
+            .floor(20, 0, 24, 4, 5)
+            .environment();
+    const auto mesh = navigationMesh(runFilters(level, minimalPipeline(2) + "LayerSubdivisionFilter\n"));
+    QCOMPARE(mesh.layerCount, 2U);
+  }
+
+  // Coordinates that no float holds.
+  void bordersOfGiants() {
+    const double s = 1e40;
+    const auto level = Soup()
+                           .triangle({-s, -s, -s}, {s, s, s}, {-s, s, 0})
+                           .triangle({s, s, s}, {-s, -s, -s}, {s, -s, 0})
+                           .triangle({-s, -s, -s / 2}, {s, s, 2 * s}, {s, s, 1.5 * s})
+                           .environment();
+    QCOMPARE(navigationMesh(runFilters(level, "VerticalClearanceFilter 3e40")).obstacleEdges.size(), std::size_t{1});
+  }
+};
+
+QTEST_GUILESS_MAIN(TestBoxTree)
+#include "test_box_tree.moc"

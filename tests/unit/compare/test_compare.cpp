@@ -1,0 +1,592 @@
+// Comparing meshes: exact sets against rationals, heights, distances, and what must not matter.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+
+#include "core/compare/mesh_comparison.hpp"
+#include "tests/reference/plan_geometry.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/run_with_threads.hpp"
+#include "tests/support/soup.hpp"
+#include "tests/support/soup_generators.hpp"
+#include "tests/unit/environment_files.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::test;
+
+namespace {
+
+constexpr double kTiny = 1e-13;  // relative, of areas
+
+NavigationMesh meshOf(const Soup& soup) {
+  const auto environment = soup.environment();
+  NavigationMesh mesh;
+  mesh.vertices = environment->vertices;
+  mesh.triangles = environment->triangles;
+  return mesh;
+}
+
+MeshComparison compare(const NavigationMesh& a, const NavigationMesh& b, std::optional<double> height = std::nullopt,
+                       std::optional<double> error = std::nullopt) {
+  RunContext context;
+  return compareMeshes(a, b, {height, error}, context);
+}
+
+MeshComparison compare(const Soup& a, const Soup& b, std::optional<double> height = std::nullopt,
+                       std::optional<double> error = std::nullopt) {
+  return compare(meshOf(a), meshOf(b), height, error);
+}
+
+bool isNear(double a, double b, double relative = kTiny) {
+  return std::fabs(a - b) <= relative * std::max(std::fabs(a), std::fabs(b));
+}
+
+/// Everything that must be exactly nothing between equal sets.
+bool isEqualInAll(const MeshComparison& c) {
+  bool none = c.equal() && c.covered() == 1;
+  for (const std::size_t side : {0, 1}) {
+    none = none && c.sets.areas[side].surface == 0 && c.meshes[side].whole.uncovered.surface == 0;
+    if (!c.distances) continue;
+    const auto& d = c.distances->at(side);
+    none = none && d.min == 0 && d.max == 0 && d.mean == 0 && d.rms == 0 && d.lower == 0 && d.upper == 0;
+  }
+  return none;
+}
+
+using Corners = std::array<Vec3, 3>;
+
+Vec3 mix(const Vec3& a, const Vec3& b, double t) {
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t};
+}
+
+/// The same triangle in pieces: halved at the middle of a side, or in three around a point inside; coordinates that are
+/// small whole numbers stay exact. Sides that other triangles share are halved on one side only: T-joints.
+void addPieces(const Corners& t, int depth, std::mt19937& random, std::vector<Corners>& pieces) {
+  const unsigned kind = depth == 0 ? 3 : random() % 4;
+  if (kind == 3) {
+    pieces.push_back(t);
+  } else if (kind == 2) {
+    const Vec3 inside = mix(mix(t[0], t[1], 0.5), t[2], 0.5);
+    for (std::size_t k = 0; k < 3; ++k) addPieces({t[k], t[(k + 1) % 3], inside}, depth - 1, random, pieces);
+  } else {
+    const std::size_t k = random() % 3;
+    const Vec3 point = mix(t[k], t[(k + 1) % 3], kind == 0 ? 0.5 : 0.25);
+    addPieces({t[k], point, t[(k + 2) % 3]}, depth - 1, random, pieces);
+    addPieces({point, t[(k + 1) % 3], t[(k + 2) % 3]}, depth - 1, random, pieces);
+  }
+}
+
+Soup retriangulated(const Soup& soup, std::mt19937& random) {
+  std::vector<Corners> pieces;
+  for (const Corners& t : soup.triangles()) addPieces(t, 4, random, pieces);
+  std::shuffle(pieces.begin(), pieces.end(), random);
+  Soup result;
+  for (Corners& piece : pieces) {
+    std::rotate(piece.begin(), piece.begin() + random() % 3, piece.end());
+    if (random() % 4 == 0) std::swap(piece[0], piece[1]);  // sets have no sides
+    result.triangle(piece[0], piece[1], piece[2]);
+  }
+  return result;
+}
+
+/// Planes whose points over whole numbers are doubles, one of them vertical.
+Vec3 inPlane(int plane, double x, double y) {
+  switch (plane % 4) {
+    case 0:
+      return {x, y, 1};
+    case 1:
+      return {x, y, x / 2 + y / 4 - 3};
+    case 2:
+      return {x, y, 1e6 - 3 * x + y};
+    default:
+      return {x + y, x + y, x - y};
+  }
+}
+
+using Numbers = std::vector<std::array<int, 7>>;
+
+rc::Gen<Numbers> planarTriangles(int count, int size) {
+  return upTo(count, rc::gen::map(numbersBelow<7>(1 << 20), [=](std::array<int, 7> n) {
+                for (std::size_t i = 1; i < 7; ++i) n[i] %= size;
+                return n;
+              }));
+}
+
+Soup inPlanes(const Numbers& numbers, int planes) {
+  Soup soup;
+  for (const auto& n : numbers) {
+    const int plane = n[0] % planes;
+    soup.triangle(inPlane(plane, n[1], n[2]), inPlane(plane, n[3], n[4]), inPlane(plane, n[5], n[6]));
+  }
+  return soup;
+}
+
+reference::Rational area(const std::vector<reference::Polygon>& pieces) {
+  reference::Rational sum = 0;
+  for (const auto& piece : pieces) sum += reference::twiceArea(piece) / 2;
+  return sum;
+}
+
+/// In the plan: the part of the polygons, each place once, outside of all holes.
+reference::Rational areaWithout(const std::vector<reference::Polygon>& polygons,
+                                const std::vector<reference::Polygon>& holes) {
+  reference::Rational sum = 0;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (polygons[i].empty()) continue;
+    std::vector<reference::Polygon> pieces = {polygons[i]};
+    for (std::size_t k = 0; k < i; ++k) pieces = reference::subtract(pieces, polygons[k]);
+    for (const auto& hole : holes) pieces = reference::subtract(pieces, hole);
+    sum += area(pieces);
+  }
+  return sum;
+}
+
+std::array<reference::Point3, 3> pointsOf(const Corners& t) {
+  return {reference::toPoint(t[0]), reference::toPoint(t[1]), reference::toPoint(t[2])};
+}
+
+std::vector<reference::Polygon> planTriangles(const Soup& soup) {
+  std::vector<reference::Polygon> result;
+  for (const Corners& t : soup.triangles())
+    if (auto polygon = reference::planTriangle(pointsOf(t)); !polygon.empty()) result.push_back(polygon);
+  return result;
+}
+
+/// The uncovered area in the plan, triangle by triangle, from the definition.
+reference::Rational uncoveredFromDefinition(const Soup& a, const Soup& b, const reference::Rational& height) {
+  reference::Rational sum = 0;
+  for (const Corners& t : a.triangles()) {
+    const auto polygon = reference::planTriangle(pointsOf(t));
+    if (polygon.empty()) continue;
+    const auto plane = reference::planeThrough(pointsOf(t));
+    std::vector<reference::Polygon> pieces = {polygon};
+    for (const Corners& other : b.triangles()) {
+      const auto shadow = reference::planTriangle(pointsOf(other));
+      if (shadow.empty()) continue;
+      const auto over = reference::planeThrough(pointsOf(other));
+      const reference::Linear above{over->a - plane->a, over->b - plane->b, over->c - plane->c};
+      const auto near = reference::clip(reference::clip(shadow, {-above.a, -above.b, height - above.c}),
+                                        {above.a, above.b, above.c + height});
+      if (!near.empty()) pieces = reference::subtract(pieces, near);
+    }
+    sum += area(pieces);
+  }
+  return sum;
+}
+
+}  // namespace
+
+class TestCompare : public QObject {
+  Q_OBJECT
+ private slots:
+  void equalWhateverTheTriangulation();
+  void equalWhereOneOverlapsItself();
+  void oneUlpWithinThePlane();
+  void oneUlpOutOfThePlane();
+  void areasAsRationalsSay();
+  void areasOnOddCoordinates();
+  void heightsAsRationalsSay();
+  void storeysDoNotCoverEachOther();
+  void layersOneByOne();
+  void degenerateTrianglesAreNoPartOfASet();
+  void emptyMeshes();
+  void extremeCoordinates();
+  void distancesOfKnownShapes();
+  void hausdorffBoundsHold();
+  void nearlyEqualSurfacesAreBoundedTightly();
+  void componentsByIndex();
+  void sameBitsWithAnyNumberOfThreads();
+  void wrongOptions();
+  void cancelled();
+  void ownProducts_data();
+  void ownProducts();
+  void approximateSimplification();
+};
+
+void TestCompare::equalWhateverTheTriangulation() {
+  QVERIFY(check("equal in other triangulations", 150, [](unsigned seed) {
+    std::mt19937 random(seed);
+    Soup soup;
+    for (int i = 0; i < 12; ++i) {
+      const int plane = static_cast<int>(random() % 4);
+      const double x = 16 * (random() % 5), y = 16 * (random() % 5), w = 16 + 16 * (random() % 2);
+      soup.quad(inPlane(plane, x, y), inPlane(plane, x + w, y), inPlane(plane, x + w, y + 16),
+                inPlane(plane, x, y + 16));
+    }
+    const auto c = compare(retriangulated(soup, random), retriangulated(soup, random));
+    RC_ASSERT(isEqualInAll(c));
+    RC_ASSERT(isNear(c.sets.areas[2].surface, compare(soup, soup).sets.areas[2].surface));
+  }));
+}
+
+void TestCompare::equalWhereOneOverlapsItself() {
+  const Soup once = Soup().floor(0, 0, 4, 4, 0);
+  const Soup twice = Soup().floor(0, 0, 3, 4, 0).floor(1, 0, 4, 4, 0).floor(1, 1, 2, 2, 0);
+  QVERIFY(isEqualInAll(compare(once, twice)));
+  QVERIFY(isEqualInAll(compare(twice, once)));
+  const auto c = compare(once, twice);
+  QCOMPARE(c.sets.areas[2].surface, 16.0);
+  QCOMPARE(c.meshes[1].whole.areas.surface, 25.0);  // triangles added up
+  QCOMPARE(*c.areaRatio(), 25.0 / 16);
+  // The piece that both have is not the reason that the rest is covered.
+  const auto hole = compare(Soup().floor(0, 0, 4, 4, 0).floor(0, 0, 1, 1, 0), Soup().floor(0, 0, 1, 1, 0));
+  QCOMPARE(hole.sets.areas[0].surface, 15.0);
+  QVERIFY(!hole.sets.hasArea[1]);
+}
+
+void TestCompare::oneUlpWithinThePlane() {
+  const double beyond = std::nextafter(1.0, 2.0);
+  const Soup square = Soup().quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  const Soup moved = Soup().quad({0, 0, 0}, {1, 0, 0}, {beyond, 1, 0}, {0, 1, 0});
+  const auto c = compare(square, moved);
+  QVERIFY(!c.equal() && !c.sets.hasArea[0] && c.sets.hasArea[1]);
+  QCOMPARE(c.sets.areas[0].surface, 0.0);
+  QVERIFY(isNear(c.sets.areas[1].surface, (beyond - 1) / 2));
+  QCOMPARE(c.sets.areas[2].surface, 1.0);
+  QCOMPARE(c.distances->at(0).max, 0.0);
+  QVERIFY(isNear(c.distances->at(1).max, beyond - 1, 0.01));
+}
+
+void TestCompare::oneUlpOutOfThePlane() {
+  const Soup square = Soup().quad({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
+  const Soup moved = Soup().quad({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, std::nextafter(1.0, 2.0)});
+  const auto exact = compare(square, moved, 0.0);
+  QVERIFY(exact.sets.hasArea[0] && exact.sets.hasArea[1]);
+  QCOMPARE(exact.sets.areas[0].surface, 0.5);
+  QCOMPARE(exact.meshes[0].whole.uncovered.plan, 0.5);
+  QVERIFY(isNear(exact.sets.areas[1].surface, 0.5));
+  // That is what the default height is for.
+  const auto usual = compare(square, moved);
+  QVERIFY(!usual.equal());
+  QCOMPARE(usual.meshes[0].whole.uncovered.plan, 0.0);
+  QCOMPARE(usual.meshes[1].whole.uncovered.plan, 0.0);
+  QCOMPARE(usual.covered(), 1.0);
+  QVERIFY(usual.distances->at(1).upper < 1e-8);
+}
+
+void TestCompare::areasAsRationalsSay() {
+  QVERIFY(check("areas of random triangles in one plane", 300, [] {
+    const Soup a = inPlanes(*planarTriangles(9, 8), 1), b = inPlanes(*planarTriangles(9, 8), 1);
+    const auto c = compare(a, b);
+    const auto planA = planTriangles(a), planB = planTriangles(b);
+    const auto onlyA = areaWithout(planA, planB), onlyB = areaWithout(planB, planA);
+    RC_ASSERT(c.sets.hasArea[0] == (onlyA > 0));
+    RC_ASSERT(c.sets.hasArea[1] == (onlyB > 0));
+    RC_ASSERT(isNear(c.sets.areas[0].surface, onlyA.get_d()));
+    RC_ASSERT(isNear(c.sets.areas[1].surface, onlyB.get_d()));
+    RC_ASSERT(isNear(c.sets.areas[2].plan, reference::Rational(areaWithout(planA, {}) - onlyA).get_d()));
+  }));
+  QVERIFY(check("several planes are several times one plane", 100, [] {
+    const Numbers a = *planarTriangles(12, 6), b = *planarTriangles(12, 6);
+    const auto together = compare(inPlanes(a, 4), inPlanes(b, 4));
+    double sum = 0;
+    for (int plane = 0; plane < 4; ++plane) {
+      Numbers partA, partB;
+      for (const auto& n : a)
+        if (n[0] % 4 == plane) partA.push_back({0, n[1], n[2], n[3], n[4], n[5], n[6]});
+      for (const auto& n : b)
+        if (n[0] % 4 == plane) partB.push_back({0, n[1], n[2], n[3], n[4], n[5], n[6]});
+      const double stretch = std::array{1.0, std::sqrt(21.0 / 16), std::sqrt(11.0), std::sqrt(8.0)}[plane];
+      sum += stretch * compare(inPlanes(partA, 1), inPlanes(partB, 1)).sets.areas[0].surface;
+    }
+    RC_ASSERT(isNear(together.sets.areas[0].surface, sum, 1e-12));
+  }));
+}
+
+void TestCompare::areasOnOddCoordinates() {
+  QVERIFY(check("areas of thin triangles on any doubles", 200, [](unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-1000, 1000), small(-1e-9, 1e-9);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 6; ++i) points.push_back({place(random), place(random), 0});
+    for (int i = 0; i < 6; ++i) points.push_back({points[i].x + small(random), points[i].y + small(random), 0});
+    Soup a, b;
+    for (int i = 0; i < 5; ++i) {
+      a.triangle(points[random() % 12], points[random() % 12], points[random() % 12]);
+      b.triangle(points[random() % 12], points[random() % 12], points[random() % 12]);
+    }
+    const auto c = compare(a, b);
+    const auto onlyA = areaWithout(planTriangles(a), planTriangles(b));
+    RC_ASSERT(c.sets.hasArea[0] == (onlyA > 0));
+    RC_ASSERT(isNear(c.sets.areas[0].surface, onlyA.get_d()));
+    RC_ASSERT(isNear(c.meshes[0].whole.uncovered.plan, uncoveredFromDefinition(a, b, 1).get_d(), 1e-12));
+  }));
+}
+
+void TestCompare::heightsAsRationalsSay() {
+  QVERIFY(check("what heights cover", 250, [] {
+    const Soup a = soupOf(*gridTriangles(6, 7, 4)), b = soupOf(*gridTriangles(6, 7, 4));
+    const double height = *rc::gen::elementOf(std::vector<double>{0, 0.5, 1, 1.3});
+    const auto c = compare(a, b, height);
+    const double expected = uncoveredFromDefinition(a, b, reference::Rational(height)).get_d();
+    RC_ASSERT(std::fabs(c.meshes[0].whole.uncovered.plan - expected) <= 1e-12);
+    if (expected == 0) RC_ASSERT(c.meshes[0].whole.uncovered.plan <= 1e-40);
+  }));
+}
+
+void TestCompare::storeysDoNotCoverEachOther() {
+  const Soup storeys = Soup().floor(0, 0, 8, 8, 0).floor(0, 0, 8, 8, 3).floor(0, 0, 8, 8, 6);
+  const Soup missing = Soup().floor(0, 0, 8, 8, 0).floor(0, 0, 4, 8, 3).floor(0, 0, 8, 8, 6.25);
+  const auto strict = compare(storeys, missing, 0.2);
+  QCOMPARE(strict.meshes[0].whole.uncovered.plan, 32.0 + 64);
+  QCOMPARE(strict.meshes[1].whole.uncovered.plan, 64.0);
+  const auto loose = compare(storeys, missing, 0.25);  // reached is covered
+  QCOMPARE(loose.meshes[0].whole.uncovered.plan, 32.0);
+  QCOMPARE(loose.meshes[1].whole.uncovered.plan, 0.0);
+  QCOMPARE(loose.covered(), 1 - 32.0 / 192);
+  // A ramp leaves its floor's height in the middle.
+  const auto ramp = compare(Soup().floor(0, 0, 8, 2, 0), Soup().ramp(0, 0, 8, 2, 0, 2), 1);
+  QCOMPARE(ramp.meshes[0].whole.uncovered.plan, 8.0);
+}
+
+void TestCompare::layersOneByOne() {
+  NavigationMesh a = meshOf(Soup().floor(0, 0, 4, 4, 0).floor(0, 0, 4, 4, 3));
+  a.layers = {0, 0, 1, 1};
+  a.layerCount = 2;
+  const auto c = compare(a, meshOf(Soup().floor(0, 0, 4, 4, 0).floor(0, 0, 4, 1, 3)));
+  QCOMPARE(c.meshes[0].layers.size(), std::size_t{2});
+  QCOMPARE(c.meshes[0].layers[0].uncovered.plan, 0.0);
+  QCOMPARE(c.meshes[0].layers[1].uncovered.plan, 12.0);
+  QCOMPARE(c.meshes[0].layers[1].areas.plan, 16.0);
+  QCOMPARE(c.meshes[0].layers[1].triangles, std::size_t{2});
+  QVERIFY(c.meshes[1].layers.empty());
+}
+
+void TestCompare::degenerateTrianglesAreNoPartOfASet() {
+  const Soup floor = Soup().floor(0, 0, 4, 4, 0);
+  Soup more = floor;
+  more.triangle({0, 0, 0}, {9, 9, 9}, {18, 18, 18}).triangle({1, 1, 1}, {1, 1, 1}, {5, 5, 1});
+  const auto c = compare(floor, more);
+  QVERIFY(isEqualInAll(c));
+  QCOMPARE(c.meshes[1].whole.degenerate, std::size_t{2});
+  QCOMPARE(c.meshes[1].whole.triangles, std::size_t{4});
+}
+
+void TestCompare::emptyMeshes() {
+  const Soup floor = Soup().floor(0, 0, 4, 4, 0);
+  const auto both = compare(Soup(), Soup());
+  QVERIFY(both.equal() && !both.distances && both.covered() == 1 && !both.areaRatio());
+  const auto one = compare(floor, Soup());
+  QVERIFY(!one.equal() && !one.distances);
+  QCOMPARE(one.sets.areas[0].surface, 16.0);
+  QCOMPARE(one.covered(), 0.0);
+  QCOMPARE(*one.areaRatio(), 0.0);
+  QCOMPARE(compare(Soup(), floor).covered(), 1.0);
+}
+
+void TestCompare::extremeCoordinates() {
+  for (const double unit : {0x1p-300, 0x1p300}) {
+    const auto c = compare(Soup().floor(0, 0, 4 * unit, 4 * unit, 0), Soup().floor(0, 0, 3 * unit, 4 * unit, 0));
+    QVERIFY(c.sets.hasArea[0] && !c.sets.hasArea[1]);
+    QCOMPARE(c.sets.areas[0].surface, 4 * unit * unit);
+    QVERIFY(isNear(c.distances->at(0).upper, unit, 0.01));
+  }
+  // Far apart and small: no digit is lost.
+  Soup a = Soup().floor(0, 0, 0x1p-60, 0x1p-60, 0).floor(0x1p40, 0, 0x1p41, 1, 0), b = a;
+  b.floor(0x1p-60, 0, 0x1.8p-60, 0x1p-60, 0);
+  QCOMPARE(compare(a, b).sets.areas[1].surface, 0x1p-121);
+}
+
+void TestCompare::distancesOfKnownShapes() {
+  const Soup floor = Soup().floor(0, 0, 4, 4, 0), above = Soup().floor(0, 0, 4, 4, 2);
+  const auto parallel = compare(floor, above);
+  for (const auto& d : *parallel.distances) {
+    QCOMPARE(d.samples, std::size_t{4});
+    QVERIFY(d.min == 2 && d.max == 2 && d.mean == 2 && d.rms == 2);
+    QVERIFY(d.lower <= 2 && d.lower >= 1.999 && d.upper >= 2 && d.upper <= 2.01);
+  }
+  // A pyramid's tip.
+  Soup pyramid;
+  const std::array<Vec3, 4> corners = {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}};
+  for (std::size_t k = 0; k < 4; ++k) pyramid.triangle(corners[k], corners[(k + 1) % 4], {2, 2, 3});
+  const auto tip = compare(pyramid, floor).distances->at(0);
+  QVERIFY(tip.min == 0 && tip.max == 3 && isNear(tip.mean, 0.6) && isNear(tip.rms, 3 / std::sqrt(5.0)));
+  QVERIFY(tip.farthest == (Vec3{2, 2, 3}));
+  // A hole that no vertex of A sees: its middle is 1 away from the rim.
+  const Soup frame = Soup().floor(0, 0, 4, 1, 0).floor(0, 3, 4, 4, 0).floor(0, 1, 1, 3, 0).floor(3, 1, 4, 3, 0);
+  const auto hole = compare(floor, frame, std::nullopt, 1e-3);
+  QCOMPARE(hole.distances->at(0).max, 0.0);
+  QVERIFY(hole.distances->at(0).lower <= 1 && hole.distances->at(0).upper >= 1);
+  QVERIFY(hole.distances->at(0).upper - hole.distances->at(0).lower <= 1.001e-3);
+  QVERIFY(hole.distances->at(0).boundReached);
+  QCOMPARE(hole.distances->at(1).upper, 0.0);
+}
+
+void TestCompare::hausdorffBoundsHold() {
+  QVERIFY(check("Hausdorff bounds", 60, [] {
+    const Soup a = soupOf(*gridTriangles(4, 9, 5)), b = soupOf(*gridTriangles(5, 9, 5));
+    const double error = 0.05;
+    const auto c = compare(a, b, std::nullopt, error);
+    if (!c.distances) return;
+    // Distances of many points of A to many of B are off by at most the width of either net.
+    constexpr int kNet = 40;
+    const auto forNet = [](const Corners& t, const auto& visit) {
+      for (int i = 0; i <= kNet; ++i)
+        for (int j = 0; i + j <= kNet; ++j)
+          visit(mix(mix(t[0], t[1], i == kNet ? 0 : double(j) / (kNet - i)), t[2], double(i) / kNet));
+    };
+    const auto hasArea = [](const Corners& t) {
+      return compare(Soup().triangle(t[0], t[1], t[2]), Soup()).sets.hasArea[0];
+    };
+    std::vector<Vec3> net;
+    for (const Corners& t : b.triangles())
+      if (hasArea(t)) forNet(t, [&](const Vec3& p) { net.push_back(p); });
+    double farthest = 0;
+    for (const Corners& t : a.triangles()) {
+      if (!hasArea(t)) continue;
+      int number = 0;
+      forNet(t, [&](const Vec3& p) {
+        if (number++ % 7 != 0) return;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Vec3& q : net) nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y, p.z - q.z));
+        farthest = std::max(farthest, nearest);
+      });
+    }
+    const double width = 2 * 12.1 / kNet;  // of a triangle's longest side
+    const auto& d = c.distances->at(0);
+    RC_ASSERT(d.lower <= d.upper);
+    RC_ASSERT(d.upper - d.lower <= error + 1e-9);
+    RC_ASSERT(d.max <= d.upper);
+    RC_ASSERT(farthest <= d.upper + width);
+    RC_ASSERT(d.lower <= farthest + 3 * width);
+  }));
+}
+
+void TestCompare::nearlyEqualSurfacesAreBoundedTightly() {
+  // A slope that rounding bends, in two triangulations.
+  Soup a, b;
+  const auto point = [](int i, int j) { return Vec3{i / 3.0, j / 3.0, i / 7.0 + j / 11.0}; };
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 20; ++j) a.quad(point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
+  }
+  b.quad(point(0, 0), point(20, 0), point(20, 20), point(0, 20));
+  const auto c = compare(a, b);
+  QVERIFY(!c.equal());
+  for (const std::size_t side : {0, 1}) {
+    QVERIFY(c.meshes[side].whole.uncovered.plan < 1e-13);
+    QVERIFY(c.distances->at(side).max < 1e-14);
+    QVERIFY(c.distances->at(side).upper < 1e-5);
+  }
+}
+
+void TestCompare::componentsByIndex() {
+  NavigationMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  NavigationMesh apart = mesh;
+  apart.triangles[1] = {4, 5, 6};
+  apart.obstacleEdges = {{0, 2}};
+  apart.connections = {{1, 2}};
+  const auto c = compare(mesh, apart);
+  QVERIFY(isEqualInAll(c));
+  QCOMPARE(c.meshes[0].whole.components, std::size_t{1});
+  QCOMPARE(c.meshes[1].whole.components, std::size_t{2});
+  QCOMPARE(c.meshes[1].obstacleEdges, std::size_t{1});
+  QVERIFY(isNear(c.meshes[1].obstacleEdgeLength, std::sqrt(2.0)));
+  QCOMPARE(c.meshes[1].connectionLength, 1.0);
+}
+
+void TestCompare::sameBitsWithAnyNumberOfThreads() {
+  std::mt19937 random(5);
+  Soup a, b;
+  for (int i = 0; i < 120; ++i) {
+    const auto corner = [&] { return Vec3{random() % 97 / 7.0, random() % 97 / 7.0, random() % 5 / 3.0}; };
+    const Vec3 p = corner(), q = corner(), r = corner();
+    a.triangle(p, q, r);
+    b.triangle(p, q, i % 3 == 0 ? corner() : r);
+  }
+  const NavigationMesh meshA = meshOf(a), meshB = meshOf(b);
+  std::vector<std::vector<double>> results;
+  for (const int threads : {1, 2, 5}) {
+    runWithThreads(threads, [&] {
+      const auto c = compare(meshA, meshB, 0.1, 0.05);
+      auto& numbers = results.emplace_back();
+      for (const std::size_t k : {0, 1}) {
+        const auto& d = c.distances->at(k);
+        numbers.insert(numbers.end(),
+                       {c.sets.areas[k].surface, c.meshes[k].whole.uncovered.plan, d.mean, d.rms, d.lower, d.upper});
+      }
+      numbers.push_back(c.sets.areas[2].surface);
+    });
+  }
+  QVERIFY(results[0] == results[1]);
+  QVERIFY(results[0] == results[2]);
+}
+
+void TestCompare::wrongOptions() {
+  const Soup floor = Soup().floor(0, 0, 4, 4, 0);
+  QVERIFY_EXCEPTION_THROWN(compare(floor, floor, -1), InputError);
+  QVERIFY_EXCEPTION_THROWN(compare(floor, floor, std::nan("")), InputError);
+  QVERIFY_EXCEPTION_THROWN(compare(floor, floor, 0, 0), InputError);
+  QVERIFY_EXCEPTION_THROWN(compare(floor, floor, 0, std::numeric_limits<double>::infinity()), InputError);
+}
+
+void TestCompare::cancelled() {
+  RunContext context;
+  context.cancel();
+  const NavigationMesh mesh = meshOf(Soup().floor(0, 0, 4, 4, 0));
+  QVERIFY_EXCEPTION_THROWN(compareMeshes(mesh, mesh, {}, context), Cancelled);
+}
+
+void TestCompare::ownProducts_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<double>("clearance");
+  for (const char* sample : {"house", "villa"}) {
+    QTest::newRow(sample) << QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(sample) << 2.0;
+  }
+  const QString shared = sharedEnvironments();
+  QTest::newRow("nav_test") << (shared.isEmpty() ? QString() : shared + "/nav_test.obj") << 2.0;
+  QTest::newRow("complex") << (shared.isEmpty() ? QString() : shared + "/complex.obj") << 40.0;
+}
+
+// The same walkable area, simplified or not: equal but for what rounding vertices to doubles moves.
+void TestCompare::ownProducts() {
+  QFETCH(QString, file);
+  QFETCH(double, clearance);
+  if (!QFile::exists(file)) QSKIP("there is no folder of real environments; set FOOTFALL_SHARED");
+  const auto environment = importEnvironment(file.toStdString());
+  const StatePtr walkable = runFilters(environment, minimalPipeline(clearance));
+  const NavigationMesh plain = navigationMesh(walkable);
+  const NavigationMesh simplified = navigationMesh(runFilters(walkable, "SimplificationFilter"));
+  const NavigationMesh layered = navigationMesh(runFilters(walkable, "LayerSubdivisionFilter"));
+  QVERIFY(simplified.triangles.size() < plain.triangles.size());
+  QVERIFY(isEqualInAll(compare(plain, layered)));
+
+  const auto c = compare(plain, simplified);
+  for (const std::size_t side : {0, 1}) {
+    const MeshPart& whole = c.meshes[side].whole;
+    QVERIFY2(whole.uncovered.surface <= 1e-12 * whole.areas.surface,
+             qPrintable(QString::number(whole.uncovered.surface)));
+    QVERIFY(c.distances->at(side).max <= 1e-9);
+    QVERIFY(c.distances->at(side).upper <= 1e-2);
+  }
+  QVERIFY(isNear(*c.areaRatio(), 1, 1e-11));
+  QVERIFY(c.covered() > 1 - 1e-12);
+}
+
+// The thesis's case (5.5): what it did to coordinates, seen from the exact result.
+void TestCompare::approximateSimplification() {
+  const auto environment = importEnvironment(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj");
+  const StatePtr walkable = runFilters(environment, minimalPipeline(2));
+  const double tolerance = 0.001;
+  const auto c =
+      compare(navigationMesh(walkable), navigationMesh(runFilters(walkable, "SimplificationFilter true 0.001")));
+  Vec3 low = environment->vertices[0], high = low;
+  for (const Vec3& v : environment->vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
+  const double diagonal = std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  QVERIFY(!c.equal() && c.covered() < 1 && c.covered() > 0.5);
+  const auto& d = c.distances->at(0);
+  QVERIFY(d.max > 0 && d.max <= 1.000001 * tolerance * diagonal);  // what the filter promises
+  QVERIFY(d.min == 0 && d.mean <= d.rms && d.rms <= d.max && d.max <= d.upper);
+  QVERIFY(isNear(*c.areaRatio(), 1, 0.01));
+}
+
+QTEST_GUILESS_MAIN(TestCompare)
+#include "test_compare.moc"

@@ -1,0 +1,235 @@
+// What keeps two parts apart: hand-made places with their answers, and all pairs of borders looked at one by one.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QElapsedTimer>
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/navigation/path_finder.hpp"
+#include "core/navigation/separation_text.hpp"
+#include "core/report/path_report.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/run_context.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/soup.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::test;
+
+namespace {
+
+constexpr double kHeight = 2;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using Random = std::mt19937_64;
+
+/// A level with all that a question needs.
+struct Level {
+  explicit Level(const Soup& soup)
+      : environment(soup.environment()),
+        mesh(std::make_shared<NavigationMesh>(navigationMesh(runFilters(environment, minimalPipeline(kHeight))))),
+        finder(mesh),
+        separations(*mesh, finder.topology(), environment, kHeight) {}
+
+  [[nodiscard]] PathResult path(const Vec3& from, const Vec3& to) const {
+    PathResult result = finder.find(from, to, kHeight * 0.999);
+    addSeparation(result, finder.topology(), separations);
+    return result;
+  }
+
+  std::shared_ptr<const Environment> environment;
+  std::shared_ptr<const NavigationMesh> mesh;
+  PathFinder finder;
+  SeparationFinder separations;
+};
+
+QString textOf(const BorderLink& link) {
+  return QString::fromStdString(
+      barrierText(link, [](double x) { return QString::number(x, 'g', 6).toStdString(); }).str());
+}
+
+/// The least largest value on the way from one of `count` nodes to another (Floyd and Warshall).
+double leastLargest(std::vector<std::vector<double>> way, std::size_t from, std::size_t to) {
+  const std::size_t count = way.size();
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j) way[i][j] = std::min(way[i][j], std::max(way[i][k], way[k][j]));
+  return way[from][to];
+}
+
+/// All pairs of borders: first as far as an agent is high, over what it could climb; then whatever is nearest.
+struct AllPairs {
+  explicit AllPairs(const Level& level) {
+    const std::vector<BorderEdge> borders = findBorders(*level.mesh, level.finder.topology());
+    const std::size_t count = level.finder.topology().componentCount;
+    open.assign(count, std::vector<double>(count, kInfinity));
+    any = open;
+    const LinkObstacles obstacles(level.environment, kHeight);
+    std::vector<std::int32_t> stack;
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+      for (std::size_t j = i + 1; j < borders.size(); ++j) {
+        const std::uint32_t a = borders[i].component, b = borders[j].component;
+        auto link = linkBetween(borders[i], borders[j]);
+        if (a == b || !link) continue;
+        any[a][b] = any[b][a] = std::min(any[a][b], link->size());
+        const bool crosses = obstacles.lookAt(*link, borders[i], borders[j], stack);
+        if (crosses && !link->isBlocked() && link->size() <= kHeight)
+          open[a][b] = open[b][a] = std::min(open[a][b], link->size());
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j)
+        if (i != j && leastLargest(open, i, j) < kInfinity) any[i][j] = 0;
+    }
+  }
+  std::vector<std::vector<double>> open, any;
+};
+
+QString chainError(const Level& level, std::uint32_t from, std::uint32_t to, int& far) {
+  const auto found = level.separations.find(from, to);
+  if (!found) return "nothing found";
+  std::uint32_t here = from;
+  for (const BorderLink& link : found->links) {
+    if (link.fromComponent != here) return "the chain is broken";
+    here = link.toComponent;
+  }
+  if (here != to) return "the chain ends elsewhere";
+  const AllPairs all(level);
+  const double open = leastLargest(all.open, from, to);
+  if (open < kInfinity) {
+    const double size = found->barrier().size();
+    return size == open ? QString() : QString("%1 instead of %2").arg(size, 0, 'g', 17).arg(open, 0, 'g', 17);
+  }
+  ++far;
+  double largest = 0;
+  for (const BorderLink& link : found->links)
+    if (leastLargest(all.open, link.fromComponent, link.toComponent) == kInfinity)
+      largest = std::max(largest, std::hypot(link.gap, 0) > std::fabs(link.rise) ? link.gap : std::fabs(link.rise));
+  const double expected = leastLargest(all.any, from, to);
+  return largest == expected ? QString() : QString("far: %1 instead of %2").arg(largest).arg(expected);
+}
+
+}  // namespace
+
+class TestSeparation : public QObject {
+  Q_OBJECT
+ private slots:
+  void saysWhatIsInTheWay_data() {
+    QTest::addColumn<QString>("expected");
+    QTest::addColumn<int>("links");
+    QTest::newRow("step up") << "a step of 0.43 up" << 1;
+    QTest::newRow("step down") << "a step of 0.43 down" << 1;
+    QTest::newRow("gap") << "a gap of 0.125" << 1;
+    QTest::newRow("gap and step") << "a gap of 0.125 and a step of 0.25 up" << 1;
+    QTest::newRow("stairs") << "a step of 0.5 up" << 3;
+    QTest::newRow("wall without thickness") << "an obstacle edge: a wall without thickness" << 1;
+    QTest::newRow("low wall without thickness") << "something 0.3 high to climb over" << 1;
+    QTest::newRow("thick wall") << "a wall; the parts are 0.25 apart" << 1;
+    QTest::newRow("low thick wall") << "something 0.75 high to climb over" << 1;
+    QTest::newRow("beam") << "a place with only 1.5 of free height" << 1;
+    QTest::newRow("corner") << "the parts only touch in a point, through which nobody fits" << 1;
+    QTest::newRow("beside a wall") << "a gap of 0.5" << 1;
+    QTest::newRow("wall of two panels") << "a wall; the parts are 0.25 apart" << 1;
+  }
+
+  /// From (1, 1) to (7, 1), whatever the height.
+  void saysWhatIsInTheWay() {
+    QFETCH(QString, expected);
+    QFETCH(int, links);
+    const QString name = QTest::currentDataTag();
+    const auto ground = [] { return Soup().floor(0, 0, 4, 2, 0); };
+    Soup soup = Soup().floor(0, 0, 8, 2, 0);
+    double height = 0;
+    if (name == "step up") soup = ground().box({4, 0, -1}, {8, 2, height = 0.43});
+    if (name == "step down") soup = ground().floor(4, 0, 8, 2, height = -0.43).wall(4, 0, 4, 2, -0.43, 0);
+    if (name == "gap") soup = ground().floor(4.125, 0, 8, 2, 0);
+    if (name == "gap and step") soup = ground().floor(4.125, 0, 8, 2, height = 0.25);
+    if (name == "stairs")
+      soup = Soup()
+                 .floor(0, 0, 2, 2, 0)
+                 .box({2, 0, -1}, {4, 2, 0.25})
+                 .box({4, 0, -1}, {6, 2, 0.75})
+                 .box({6, 0, -1}, {8, 2, height = 1});
+    if (name == "wall without thickness") soup.wall(4, 0, 4, 2, 0, 3);
+    if (name == "low wall without thickness") soup.wall(4, 0, 4, 2, 0, 0.3);
+    if (name == "thick wall") soup = ground().floor(4.25, 0, 8, 2, 0).box({4, 0, -1}, {4.25, 2, 3});
+    if (name == "low thick wall") soup.box({4, 0, -1}, {4.25, 2, 0.75});
+    if (name == "beam") soup.box({4, 0, 1.5}, {4.25, 2, 3});
+    if (name == "corner") soup = ground().floor(4, 2, 8, 4, 0);
+    // The parts are 0.25 apart where the wall stands, and 0.5 behind its end.
+    if (name == "beside a wall")
+      soup =
+          Soup().floor(0, 0, 4, 4, 0).floor(4.25, 0, 8, 2, 0).floor(4.5, 2, 8, 4, 0).box({4, -1, -1}, {4.25, 2.5, 3});
+    if (name == "wall of two panels")
+      soup = ground().floor(4.25, 0, 8, 2, 0).wall(4.125, 0, 4.125, 1, 0, 3).wall(4.125, 1, 4.125, 2, 0, 3);
+    const Level level(soup);
+    const Vec3 goal = name == "corner" ? Vec3{7, 3, height} : Vec3{7, 1, height};
+    const PathResult path = level.path({1, 1, 0}, goal);
+    QCOMPARE(path.status, PathStatus::NotConnected);
+    QVERIFY(path.separation);
+    QCOMPARE(textOf(path.separation->barrier()), expected);
+    QCOMPARE(static_cast<int>(path.separation->links.size()), links);
+    // The other way round it is the same, but for up and down.
+    const PathResult back = level.path(goal, {1, 1, 0});
+    QCOMPARE(back.separation->barrier().size(), path.separation->barrier().size());
+    QCOMPARE(back.separation->barrier().kind, path.separation->barrier().kind);
+  }
+
+  void theReportNamesThePlace() {
+    const Level level(Soup().floor(0, 0, 4, 2, 0).floor(4, 0, 8, 2, 0.43));
+    const PathResult path = level.path({1, 1, 0}, {7, 1, 0.43});
+    QCOMPARE(QString::fromStdString(formatFailure(path, UpAxis::Z)),
+             QString("no way leads from the start to the target; the nearest place that can be reached lies 3.031 from "
+                     "it; the parts are nearest at 4 1 0: a step of 0.43 up"));
+    const std::string json = formatPathJson(*level.mesh, *level.environment, path);
+    QVERIFY(json.find("\"kind\": \"open\"") != std::string::npos);
+    QVERIFY(json.find("\"rise\": 0.43") != std::string::npos);
+    // Turned back to where Y is up.
+    QVERIFY(formatFailure(path, UpAxis::Y).find("nearest at 4 0 -1:") != std::string::npos);
+  }
+
+  void noOtherChainIsEasier() {
+    Random random(4711);
+    const auto at = [&](int count) { return static_cast<double>(random() % static_cast<unsigned>(count)); };
+    int compared = 0, far = 0;
+    for (int round = 0; round < 150; ++round) {
+      Soup soup;
+      const int parts = 3 + static_cast<int>(at(6));
+      for (int i = 0; i < parts; ++i) {
+        const double x = at(60) / 8, y = at(60) / 8, z = at(round % 3 == 0 ? 40 : 12) / 8;
+        soup.floor(x, y, x + 0.5 + at(16) / 8, y + 0.5 + at(16) / 8, z);
+        if (at(3) == 0) soup.wall(x, y, x + 1, y + at(3) / 2, z, z + at(24) / 8);
+        if (at(4) == 0) soup.box({x, y, z - 1}, {x + 0.25, y + 1, z + at(20) / 8});
+      }
+      const Level level(soup);
+      const std::uint32_t count = level.finder.topology().componentCount;
+      for (std::uint32_t to = 1; to < std::min(count, 9U); ++to) {
+        const QString error = chainError(level, 0, to, far);
+        ++compared;
+        QVERIFY2(error.isEmpty(), qPrintable(QString("round %1, part %2: %3").arg(round).arg(to).arg(error)));
+      }
+    }
+    QVERIFY2(compared > 300 && far > 20, qPrintable(QString("%1, %2").arg(compared).arg(far)));
+  }
+
+  void manyPartsAreFastAndCanBeCancelled() {
+    Soup soup;
+    for (int x = 0; x < 120; ++x)
+      for (int y = 0; y < 120; ++y) soup.floor(x, y, x + 0.9375, y + 0.875, (x + y) % 3 * 0.25);
+    const Level level(soup);
+    const std::uint32_t last = level.finder.topology().componentCount - 1;
+    QElapsedTimer timer;
+    timer.start();
+    const auto found = level.separations.find(0, last);
+    qInfo("%u parts, %lld ms", last + 1, static_cast<long long>(timer.elapsed()));
+    QVERIFY(found && found->links.size() > 100);
+    QCOMPARE(found->barrier().size(), 0.25);
+    const auto cancel = [] { throw Cancelled(); };
+    QVERIFY_EXCEPTION_THROWN(level.separations.find(0, last, cancel), Cancelled);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestSeparation)
+#include "test_separation.moc"

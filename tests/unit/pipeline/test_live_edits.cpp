@@ -1,0 +1,242 @@
+// Edits compute only what they can affect, and give what a run from nothing gives, to the last byte.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <rapidcheck.h>
+
+#include <QtTest>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/io/import.hpp"
+#include "footfall/edit.hpp"
+#include "footfall/errors.hpp"
+#include "tests/support/live_runs.hpp"
+#include "tests/support/soup_generators.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::test;
+
+namespace {
+
+std::string sample(const std::string& name) {
+  return std::string(FOOTFALL_SOURCE_DIR) + "/samples/" + name + "/" + name + ".obj";
+}
+
+}  // namespace
+
+class TestLiveEdits : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Random buildings in which random parts come, move and go, under random pipelines.
+  void obstaclesInRandomBuildings() {
+    QVERIFY(check("obstacles in random buildings", 300, [] {
+      const auto level = buildingOf(*buildingParts(12)).environment(*below(4) == 0);
+      const std::array<std::string, 9> pipelines{
+          "SlopeFilter 45\nVerticalClearanceFilter 2\n",
+          defaultFilters(45, 1),
+          "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\nSlopeFilter 30\n",
+          "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n",
+          "VerticalClearanceFilter 1\nLayerSubdivisionFilter\nSimplificationFilter\nLayerSubdivisionFilter\n",
+          "SimplificationFilter\nVerticalClearanceFilter 1\nSimplificationFilter true 0.01\nLayerSubdivisionFilter\n",
+          "GridStrategy 2 3\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nSimplificationFilter\n",
+          "SlopeFilter 50\nHeightAwareStrategy 1 4\nVerticalClearanceFilter 1\nCollapse\nLayerSubdivisionFilter\n",
+          "SortedRecursiveStrategy 1 4 false\nDegeneracyFilter\nVerticalClearanceFilter 1\nRoundingFilter\nCollapse\n"};
+      const std::string pipeline = pipelines[static_cast<std::size_t>(*below(static_cast<int>(pipelines.size())))];
+      EditableEnvironment editable(level);
+      ResultCache cache;
+      RC_ASSERT(agrees(level, pipeline, cache));
+      std::vector<ObstacleId> obstacles;
+      for (int i = 0; i < 5; ++i) {
+        const TriangleSoup soup = soupFor(buildingOf(*buildingParts(2)));
+        const int choice = *below(4);
+        if (obstacles.empty() || choice < 2)
+          obstacles.push_back(editable.add(soup));
+        else if (choice == 2)
+          editable.replace(obstacles.back(), soup);
+        else {
+          editable.remove(obstacles.back());
+          obstacles.pop_back();
+        }
+        RC_ASSERT(agrees(editable.environment(), pipeline, cache));
+      }
+    }));
+  }
+
+  // The same among triangles that are mostly degenerate.
+  void obstaclesInRandomSoups() {
+    QVERIFY(check("obstacles in random soups", 200, [] {
+      const auto level = soupOf(*gridTriangles(20, 4, 3)).environment();
+      EditableEnvironment editable(level);
+      ResultCache cache;
+      RC_ASSERT(agrees(level, defaultFilters(60, 1), cache));
+      const ObstacleId obstacle = editable.add(soupFor(soupOf(*gridTriangles(4, 4, 3))));
+      RC_ASSERT(agrees(editable.environment(), defaultFilters(60, 1), cache));
+      editable.replace(obstacle, soupFor(soupOf(*gridTriangles(4, 5, 4))));
+      RC_ASSERT(agrees(editable.environment(), defaultFilters(60, 1), cache));
+      editable.remove(obstacle);
+      RC_ASSERT(agrees(editable.environment(), defaultFilters(60, 1), cache));
+    }));
+  }
+
+  // Sliders: only what a parameter affects is computed again.
+  void parametersInRandomBuildings() {
+    QVERIFY(check("parameters in random buildings", 300, [] {
+      const auto level = buildingOf(*buildingParts(14)).environment();
+      ResultCache cache;
+      double slope = 45, clearance = 1;
+      for (int i = 0; i < 6; ++i) {
+        RC_ASSERT(agrees(level, defaultFilters(slope, clearance), cache));
+        if (*below(2) == 0)
+          slope = std::array<double, 4>{10, 30, 45, 70}[static_cast<std::size_t>(*below(4))];
+        else
+          clearance = 0.5 + 0.5 * *below(6);
+      }
+    }));
+  }
+
+  // Of two floors in one plane the first one stays, while it is a floor: what is cut out of the other depends on it.
+  void floorsInOnePlane() {
+    const auto level = Soup().floor(1, 1, 2, 2, 0).floor(0, 0, 4, 4, 0).floor(0, 0, 4, 1.5, 0).environment();
+    ResultCache cache;
+    for (const char* smallest : {"0.5", "2", "7", "0.5", "7"})
+      QVERIFY(agrees(level, std::string("AreaFilter ") + smallest + "\nVerticalClearanceFilter 1\n", cache));
+  }
+
+  // No triangle of a floor changes, but one of its vertices has to stay: what came touches the floor there.
+  void floorTouchedAtOnePoint() {
+    const std::string pipeline = "VerticalClearanceFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n";
+    EditableEnvironment editable(Soup()
+                                     .triangle({0, 0, 0}, {4, 0, 0}, {2, 4, 0})
+                                     .triangle({0, 0, 0}, {2, 4, 0}, {0, 4, 0})
+                                     .triangle({4, 0, 0}, {4, 4, 0}, {2, 4, 0})
+                                     .environment());
+    ResultCache cache;
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    const ObstacleId id = editable.add(soupFor(Soup().triangle({2, 4, 0}, {3, 6, 0}, {1, 6, 0})));
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    QCOMPARE(run(editable.environment(), pipeline, &cache).mesh->triangles.size(), std::size_t{4});
+    editable.remove(id);
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+  }
+
+  // No triangle of a floor changes, and all still are one region, but two of them are not joined any more: a ramp meets
+  // their edge, which would be flipped else.
+  void rampAtAnEdgeOfARing() {
+    const Vec3 a{0, 0, 0}, b{8, 0, 0}, c{4, 2, 0}, d{2, 2, 0}, e{8, 8, 0}, f{4, 4, 0}, g{0, 8, 0}, h{2, 4, 0};
+    const std::string pipeline = "SlopeFilter 60\nSimplificationFilter\n";
+    EditableEnvironment editable(Soup()
+                                     .triangle(a, b, d)
+                                     .triangle(b, c, d)
+                                     .triangle(b, e, f)
+                                     .triangle(b, f, c)
+                                     .triangle(e, g, h)
+                                     .triangle(e, h, f)
+                                     .triangle(g, a, d)
+                                     .triangle(g, d, h)
+                                     .environment());
+    ResultCache cache;
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    const ObstacleId id = editable.add(soupFor(Soup().triangle(b, d, {2, -2, -1})));
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+    editable.remove(id);
+    QVERIFY(agrees(editable.environment(), pipeline, cache));
+  }
+
+  void parametersAndObstaclesInSamples_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"house", "tower", "arena"}) QTest::newRow(name) << name;
+  }
+  void parametersAndObstaclesInSamples() {
+    QFETCH(QString, name);
+    const auto level = importEnvironment(sample(name.toStdString()));
+    ResultCache cache;
+    QVERIFY(agrees(level, defaultFilters(45, 2), cache));
+    QVERIFY(agrees(level, defaultFilters(45, 2.1), cache));
+    QVERIFY(agrees(level, defaultFilters(40, 2.1), cache));
+    EditableEnvironment editable(level);
+    const Vec3 corner = level->vertices[level->vertices.size() / 2];
+    const auto crate = [&](double x, double z) {
+      return soupFor(Soup().box({corner.x + x, corner.y - 0.25, corner.z + z},
+                                {corner.x + x + 1.5, corner.y + 1, corner.z + z + 1}));
+    };
+    const ObstacleId id = editable.add(crate(0, 0));
+    QVERIFY(agrees(editable.environment(), defaultFilters(40, 2.1), cache));
+    for (int i = 1; i <= 4; ++i) {
+      editable.replace(id, crate(i * 0.375, i * -0.125));
+      QVERIFY(agrees(editable.environment(), defaultFilters(40, 2.1), cache));
+    }
+    editable.remove(id);
+    QVERIFY(agrees(editable.environment(), defaultFilters(40, 2.1), cache));
+    QCOMPARE(editable.environment()->vertices.size(), level->vertices.size());
+  }
+
+  // An obstacle that reaches farther than the level changes the scale of the grid: everything is computed again.
+  void obstacleBeyondTheLevel() {
+    const auto level = Soup().floor(0, 0, 4, 4, 0).environment();
+    EditableEnvironment editable(level);
+    ResultCache cache;
+    QVERIFY(agrees(level, defaultFilters(45, 2), cache));
+    const ObstacleId id = editable.add(soupFor(Soup().box({1, 1, 0.5}, {1000, 2, 1e6})));
+    QVERIFY(agrees(editable.environment(), defaultFilters(45, 2), cache));
+    editable.replace(id, soupFor(Soup().box({1, 1, 1e-12}, {2, 2, 1})));
+    QVERIFY(agrees(editable.environment(), defaultFilters(45, 2), cache));
+  }
+
+  // A finer coordinate far away changes what doubles are worth for small floors.
+  void obstacleOnAFinerGrid() {
+    std::mt19937_64 random(3);
+    const auto below = [&](int count) { return static_cast<double>(random() % static_cast<unsigned>(count)); };
+    const auto corner = [&](int storey) {
+      constexpr int kSize = 1 << 27;
+      const double x = below(kSize), y = below(kSize), z = storey * kSize + below(kSize / 4);
+      return Vec3{x * 0x1p-72, y * 0x1p-72, z * 0x1p-72};
+    };
+    for (int round = 0; round < 20; ++round) {
+      Soup soup = Soup().triangle({0.5, 0, 0}, {0.75, 0, 0}, {0.5, 0, 0.5});
+      for (int i = 0; i < 24; ++i) {
+        const Vec3 a = corner(i % 2), b = corner(i % 2), c = corner(i % 2);
+        soup.triangle(a, b, c);
+      }
+      const auto level = soup.environment();
+      ResultCache cache;
+      QVERIFY(agrees(level, "VerticalClearanceFilter 0.001\n", cache));
+      const Soup fine = Soup().triangle({0.625, 0.5, 0x1p-80}, {0.75, 0.5, 0}, {0.625, 0.5, 0.25});
+      const auto edited = editEnvironment(level, {}, soupFor(fine));
+      QVERIFY(agrees(edited, "VerticalClearanceFilter 0.001\n", cache));
+    }
+  }
+
+  // The environment that an edit was made of may be gone by the time of the run.
+  void baseIsGone() {
+    ResultCache cache;
+    auto level = Soup().floor(0, 0, 4, 4, 0).environment();
+    auto edited = editEnvironment(level, {}, soupFor(Soup().box({1, 1, 0}, {2, 2, 1})));
+    level.reset();
+    QVERIFY(agrees(edited, defaultFilters(45, 2), cache));
+  }
+
+  void wrongObstaclesChangeNothing() {
+    EditableEnvironment editable(Soup().floor(0, 0, 4, 4, 0).environment());
+    const ObstacleId id = editable.add(soupFor(Soup().box({1, 1, 0}, {2, 2, 1})));
+    const auto before = editable.environment();
+    TriangleSoup outOfRange = soupFor(Soup().floor(0, 0, 1, 1, 1));
+    outOfRange.triangles[0][1] = 99;
+    QVERIFY_EXCEPTION_THROWN(editable.add(outOfRange), InputError);
+    TriangleSoup infinite = soupFor(Soup().floor(0, 0, 1, 1, 1));
+    infinite.vertices[0].z = std::numeric_limits<double>::infinity();
+    QVERIFY_EXCEPTION_THROWN(editable.replace(id, infinite), InputError);
+    QVERIFY_EXCEPTION_THROWN(editable.remove(id + 1), InputError);
+    QVERIFY_EXCEPTION_THROWN(editEnvironment(before, {9999}, {}), InputError);
+    QCOMPARE(editable.environment(), before);
+    editable.remove(id);
+    QCOMPARE(editable.environment()->triangles.size(), std::size_t{2});
+  }
+};
+
+QTEST_GUILESS_MAIN(TestLiveEdits)
+#include "test_live_edits.moc"

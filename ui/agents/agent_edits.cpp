@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/agents/agent_edits.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+#include "ui/document/edit_text.hpp"
+
+namespace footfall::ui {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString nameOf(const Agent& agent) { return QString::fromStdString(agent.name); }
+
+std::vector<Agent>::iterator find(DocumentState& state, int id) {
+  return std::ranges::find(state.agents, id, &Agent::id);
+}
+
+}  // namespace
+
+int addAgent(Document& document, const Agent& agent) {
+  DocumentState next = document.state();
+  next.agents.push_back(agent);
+  Agent& added = next.agents.back();
+  added.id = newAgentId(document.state());
+  added.name = freeAgentName(document.state(), agent.name);
+  next.agent = added.id;
+  const int id = added.id;
+  const QString text = tr("Add agent %1").arg(nameOf(added));
+  applyAgent(next);
+  document.edit(std::move(next), text);
+  return id;
+}
+
+int duplicateAgent(Document& document, int id) {
+  DocumentState next = document.state();
+  const auto at = find(next, id);
+  if (at == next.agents.end()) return 0;
+  Agent copy = *at;
+  copy.id = newAgentId(document.state());
+  copy.name = freeAgentName(document.state(), copy.name);
+  next.agents.insert(at + 1, copy);
+  next.agent = copy.id;
+  applyAgent(next);
+  document.edit(std::move(next), tr("Duplicate agent %1").arg(nameOf(copy)));
+  return copy.id;
+}
+
+void removeAgent(Document& document, int id) {
+  DocumentState next = document.state();
+  const auto at = find(next, id);
+  if (at == next.agents.end()) return;
+  const QString name = nameOf(*at);
+  next.agents.erase(at);
+  document.edit(std::move(next), tr("Remove agent %1").arg(name));
+}
+
+void renameAgent(Document& document, int id, const QString& name) {
+  DocumentState next = document.state();
+  const auto at = find(next, id);
+  const QString trimmed = name.simplified();
+  if (at == next.agents.end() || trimmed.isEmpty() || trimmed == nameOf(*at)) return;
+  const QString before = nameOf(*at);
+  DocumentState others = document.state();
+  std::erase_if(others.agents, [id](const Agent& agent) { return agent.id == id; });
+  at->name = freeAgentName(others, trimmed.toStdString());
+  const QString now = nameOf(*at);
+  document.edit(std::move(next), tr("Rename agent %1 → %2").arg(before, now));
+}
+
+void resizeAgent(Document& document, int id, AgentSize size, double value) {
+  DocumentState next = document.state();
+  const auto at = find(next, id);
+  if (at == next.agents.end()) return;
+  const ParameterDescriptor& parameter = filterOf(size).parameters[0];
+  const QString text =
+      (size == AgentSize::Height ? tr("Change height of %1 %2 → %3") : tr("Change maximum slope of %1 %2 → %3"))
+          .arg(nameOf(*at), valueText(parameter, sizeOf(*at, size), document.units()),
+               valueText(parameter, value, document.units()));
+  setSizeOf(*at, size, value);
+  applyAgent(next);
+  document.edit(std::move(next), text);
+}
+
+void activateAgent(Document& document, int id) {
+  DocumentState next = document.state();
+  next.agent = id;
+  const Agent* agent = activeAgent(next);
+  applyAgent(next);
+  const QString text = agent ? tr("Switch to agent %1").arg(nameOf(*agent)) : tr("Let go of the agent");
+  document.edit(std::move(next), text, QStringLiteral("agent"));
+}
+
+Agent agentOfFilters(const DocumentState& state, double metresPerUnit) {
+  Agent agent = agentPresets(metresPerUnit).front().agent;
+  agent.name = tr("Agent").toStdString();
+  for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope}) {
+    for (const FilterEntry& entry : state.filters) {
+      if (agentSizeOf(*entry.step.filter) != size) continue;
+      setSizeOf(agent, size, entry.step.values[0]);
+      break;
+    }
+  }
+  return agent;
+}
+
+}  // namespace footfall::ui

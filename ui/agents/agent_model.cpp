@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/agents/agent_model.hpp"
+
+#include <QFont>
+#include <algorithm>
+
+#include "ui/agents/agent_edits.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/number_text.hpp"
+
+namespace footfall::ui {
+namespace {
+
+Unit unitOf(AgentSize size) { return filterOf(size).parameters[0].unit; }
+
+}  // namespace
+
+AgentModel::AgentModel(Document& document, RunController& controller, AgentResults& results, QObject* parent)
+    : QAbstractTableModel(parent), document_(document), controller_(controller), results_(results) {
+  connect(&document_, &Document::agentsChanged, this, &AgentModel::follow);
+  connect(&results_, &AgentResults::changed, this, &AgentModel::follow);
+  connect(&controller_, &RunController::statusChanged, this, &AgentModel::follow);
+  follow();
+}
+
+// A reset would end an edit under way: only where rows have come or gone.
+void AgentModel::follow() {
+  std::vector<int> ids;
+  for (const Agent& agent : document_.state().agents) ids.push_back(agent.id);
+  if (ids != ids_) {
+    beginResetModel();
+    ids_ = std::move(ids);
+    endResetModel();
+  } else if (!ids_.empty()) {
+    emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  }
+}
+
+void AgentModel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  follow();
+  emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
+}
+
+int AgentModel::agentAt(int row) const {
+  return row >= 0 && row < static_cast<int>(ids_.size()) ? ids_[static_cast<std::size_t>(row)] : 0;
+}
+
+int AgentModel::rowOf(int agent) const {
+  const auto found = std::ranges::find(ids_, agent);
+  return found == ids_.end() ? -1 : static_cast<int>(found - ids_.begin());
+}
+
+std::optional<AgentSize> AgentModel::sizeIn(int column) {
+  if (column == Height) return AgentSize::Height;
+  if (column == MaxSlope) return AgentSize::MaxSlope;
+  return std::nullopt;
+}
+
+int AgentModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(ids_.size());
+}
+
+int AgentModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int{kColumns}; }
+
+QString AgentModel::textIn(const Agent& agent, int column) const {
+  if (column == Name) return QString::fromStdString(agent.name);
+  if (const auto size = sizeIn(column)) return numberText(units_.shown(sizeOf(agent, *size), unitOf(*size)));
+  if (column == State) {
+    const bool active = agent.id == document_.state().agent;
+    if (active && controller_.busy()) return tr("running");
+    if (active && controller_.upToDate()) return tr("shown");
+    return results_.ready(agent.id) ? tr("ready") : tr("not computed");
+  }
+  const auto figures = results_.figures(agent.id);
+  if (!figures) return QStringLiteral("–");
+  switch (column) {
+    case Area:
+      return units_.areaNumber(figures->area);
+    case Layers:
+      return figures->layers == 0 ? QStringLiteral("–") : countText(figures->layers);
+    case ComponentCount:
+      return countText(figures->components);
+    default:
+      return countText(figures->connections);
+  }
+}
+
+// In the file's units, where they are not shown.
+QString AgentModel::heightHelp(const Agent& agent) const {
+  return units_.factor() == 1 ? QString() : tr("%1 units of the file").arg(shortText(agent.height));
+}
+
+QVariant AgentModel::data(const QModelIndex& index, int role) const {
+  const auto& agents = document_.state().agents;
+  const auto agent = std::ranges::find(agents, agentAt(index.row()), &Agent::id);
+  if (!index.isValid() || agent == agents.end()) return {};
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return textIn(*agent, index.column());
+    case Qt::TextAlignmentRole:
+      return QVariant(index.column() == Name || index.column() == State ? Qt::AlignLeft | Qt::AlignVCenter
+                                                                        : Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::FontRole: {
+      QFont font;
+      font.setBold(agent->id == document_.state().agent);
+      return font;
+    }
+    case Qt::ToolTipRole:
+      if (index.column() == Height) return heightHelp(*agent);
+      if (index.column() == Name && index.row() < 9) return tr("Alt+%1").arg(index.row() + 1);
+      return {};
+    default:
+      return {};
+  }
+}
+
+QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Vertical) return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
+  if (role == Qt::DisplayRole) {
+    switch (section) {
+      case Name:
+        return tr("Agent");
+      case Height:
+        return tr("Height (%1)").arg(units_.name());
+      case MaxSlope:
+        return tr("Slope (°)");
+      case Area:
+        return tr("Area (%1)").arg(units_.areaName());
+      case Layers:
+        return tr("Layers");
+      case ComponentCount:
+        return tr("Components");
+      case Connections:
+        return tr("Connections");
+      default:
+        return tr("Result");
+    }
+  }
+  if (role != Qt::ToolTipRole) return {};
+  switch (section) {
+    case Height:
+      return tr("The free height that the agent needs: the clearance of the filters");
+    case MaxSlope:
+      return tr("The steepest ground that the agent can walk on");
+    case ComponentCount:
+      return tr("Parts of the walkable area that an agent cannot leave");
+    case Connections:
+      return tr("Edges on which two layers meet");
+    case State:
+      return tr("Ready: switching to the agent shows its result at once");
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags AgentModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.column() == Name || sizeIn(index.column()) ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool AgentModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const int agent = agentAt(index.row());
+  if (role != Qt::EditRole || agent == 0) return false;
+  if (index.column() == Name) {
+    renameAgent(document_, agent, value.toString());
+    return true;
+  }
+  const auto size = sizeIn(index.column());
+  if (!size) return false;
+  const auto number = parseNumber(value.toString());
+  const double stored = number ? units_.stored(*number, unitOf(*size)) : 0;
+  const QString wrong = number
+                            ? coreText(checkValue(filterOf(*size).parameters[0], stored))
+                            : tr("'%1' is not a number; write for example %2").arg(value.toString(), numberText(1.8));
+  if (!wrong.isEmpty()) {
+    emit failed(tr("agent: %1").arg(wrong));
+    return false;
+  }
+  resizeAgent(document_, agent, *size, stored);
+  return true;
+}
+
+std::vector<QStringList> AgentModel::rows() const {
+  std::vector<QStringList> rows(1);
+  for (int column = 0; column < State; ++column)
+    rows[0] << headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+  for (int row = 0; row < rowCount(); ++row) {
+    QStringList& cells = rows.emplace_back();
+    for (int column = 0; column < State; ++column) cells << index(row, column).data().toString();
+  }
+  return rows;
+}
+
+QString tableText(const std::vector<QStringList>& rows) {
+  std::vector<qsizetype> widths(static_cast<std::size_t>(rows.empty() ? 0 : rows[0].size()), 0);
+  for (const QStringList& row : rows) {
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      widths[i] = std::max(widths[i], row[static_cast<qsizetype>(i)].size());
+  }
+  QString text;
+  for (const QStringList& row : rows) {
+    QStringList cells;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const QString& cell = row[static_cast<qsizetype>(i)];
+      cells << (i == 0 ? cell.leftJustified(widths[i]) : cell.rightJustified(widths[i]));
+    }
+    text += cells.join(QStringLiteral("  ")) + QLatin1Char('\n');
+  }
+  return text;
+}
+
+QString tableCsv(const std::vector<QStringList>& rows) {
+  QString text;
+  for (const QStringList& row : rows) {
+    QStringList cells;
+    for (QString cell : row) {
+      if (cell.contains(QLatin1Char(',')) || cell.contains(QLatin1Char('"')) || cell.contains(QLatin1Char('\n')))
+        cell = QLatin1Char('"') + cell.replace(QLatin1Char('"'), QLatin1String("\"\"")) + QLatin1Char('"');
+      cells << cell;
+    }
+    text += cells.join(QLatin1Char(',')) + QStringLiteral("\r\n");
+  }
+  return text;
+}
+
+}  // namespace footfall::ui

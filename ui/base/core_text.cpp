@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/base/core_text.hpp"
+
+#include <QCoreApplication>
+
+#include "footfall/errors.hpp"
+
+namespace footfall::ui {
+namespace {
+
+std::string translated(const Text& text) {
+  if (!text.isPattern()) return text.pattern();
+  const char* const english = text.pattern().c_str();
+  QString own = QCoreApplication::translate("Core", english);
+  if (own == QLatin1String(english)) own = QCoreApplication::translate("Filter", english);  // labels of filters
+  const std::string pattern = own.toStdString();
+  return fillPlaces(pattern, text.arguments().size(), [&](std::size_t i) { return translated(text.arguments()[i]); });
+}
+
+}  // namespace
+
+QString coreText(const Text& text) { return QString::fromStdString(translated(text)); }
+
+QString coreText(const std::exception& error) {
+  const auto* own = dynamic_cast<const TextError*>(&error);
+  return own ? coreText(own->text()) : QString::fromUtf8(error.what());
+}
+
+}  // namespace footfall::ui

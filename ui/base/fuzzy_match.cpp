@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/base/fuzzy_match.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace footfall::ui {
+namespace {
+
+constexpr int kLongest = 200;
+constexpr int kLetter = 8;      // for each letter found
+constexpr int kWordStart = 10;  // more where it begins a word
+constexpr int kFollows = 12;    // more where it follows the one before
+constexpr int kGap = 1;         // less for each letter in between
+constexpr int kNone = std::numeric_limits<int>::min() / 2;
+
+bool beginsWord(const QString& text, int at) {
+  if (at == 0) return true;
+  const QChar before = text[at - 1];
+  return !before.isLetterOrNumber() || (before.isLower() && text[at].isUpper());
+}
+
+}  // namespace
+
+// The best of all ways to place the letters, letter by letter: best[i][j] is that of the first i + 1 letters with the
+// last of them at j.
+std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text) {
+  QString letters;
+  for (const QChar c : pattern.toCaseFolded()) {
+    if (!c.isSpace()) letters += c;
+  }
+  const QString folded = text.left(kLongest).toCaseFolded();
+  const auto count = static_cast<int>(letters.size());
+  const auto length = static_cast<int>(std::min(folded.size(), text.size()));
+  if (count == 0) return FuzzyMatch{};
+  if (count > length) return std::nullopt;
+  const auto cells = static_cast<std::size_t>(count) * static_cast<std::size_t>(length);
+  std::vector<int> best(cells, kNone), from(cells, -1);
+  const auto cell = [length](int i, int j) { return static_cast<std::size_t>(i * length + j); };
+  for (int i = 0; i < count; ++i) {
+    int before = kNone;  // the best that ends before j, gaps up to j included
+    int beforeAt = -1;
+    for (int j = 0; j < length; ++j) {
+      if (i > 0 && j > 0) {
+        before -= kGap;
+        if (best[cell(i - 1, j - 1)] > before) {
+          before = best[cell(i - 1, j - 1)];
+          beforeAt = j - 1;
+        }
+      }
+      if (folded[j] != letters[i]) continue;
+      const int letter = kLetter + (beginsWord(text, j) ? kWordStart : 0);
+      int& score = best[cell(i, j)];
+      if (i == 0) {
+        score = letter - std::min(j, 2 * kLetter) * kGap;
+        continue;
+      }
+      if (before > kNone / 2) {
+        score = before + letter;
+        from[cell(i, j)] = beforeAt;
+      }
+      if (j > 0 && best[cell(i - 1, j - 1)] > kNone / 2 && best[cell(i - 1, j - 1)] + letter + kFollows > score) {
+        score = best[cell(i - 1, j - 1)] + letter + kFollows;
+        from[cell(i, j)] = j - 1;
+      }
+    }
+  }
+  int end = -1;
+  for (int j = 0; j < length; ++j) {
+    if (best[cell(count - 1, j)] > kNone / 2 && (end < 0 || best[cell(count - 1, j)] > best[cell(count - 1, end)]))
+      end = j;
+  }
+  if (end < 0) return std::nullopt;
+  FuzzyMatch match;
+  // Of equal places, the shorter text is the closer one.
+  match.score = std::max(1, 4 * best[cell(count - 1, end)] - length / 8);
+  for (int i = count - 1, j = end; i >= 0; --i) {
+    match.positions.prepend(j);
+    j = from[cell(i, j)];
+  }
+  return match;
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/base/guarded_application.hpp"
+
+#include <QMetaObject>
+#include <cstdio>
+#include <new>
+
+#include "footfall/errors.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/frame_watchdog.hpp"
+
+namespace footfall::ui {
+
+GuardedApplication::GuardedApplication(int& argc, char** argv) : QApplication(argc, argv) {}
+
+bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
+  const FrameWatchdog::Handling handling(receiver, event);
+  try {
+    return QApplication::notify(receiver, event);
+  } catch (const std::exception& error) {
+    tell(errorText(error));
+  } catch (...) {
+    tell(tr("something went wrong that gave no reason; save your session under another name and start Footfall anew"));
+  }
+  return true;
+}
+
+// Later: who hears it may need what the event was still holding. Where even that cannot be had, standard error gets it.
+void GuardedApplication::tell(const QString& message) noexcept {
+  try {
+    std::fprintf(stderr, "footfall-editor: %s\n", qPrintable(message));
+    QMetaObject::invokeMethod(
+        this, [this, message] { emit problemTold(message); }, Qt::QueuedConnection);
+  } catch (...) {
+    std::fputs("footfall-editor: memory ran out\n", stderr);
+  }
+}
+
+QString errorText(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) {
+    return GuardedApplication::tr(
+        "memory ran out; what was there is still there. Close other programs, or open a smaller environment");
+  }
+  const QString text = coreText(error);
+  return dynamic_cast<const TextError*>(&error)
+             ? text
+             : GuardedApplication::tr("internal error (%1); please report it with what you did").arg(text);
+}
+
+}  // namespace footfall::ui

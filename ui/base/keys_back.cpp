@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/base/keys_back.hpp"
+
+#include <QDialog>
+#include <QKeyEvent>
+#include <QMainWindow>
+
+namespace footfall::ui {
+namespace {
+
+class EscapeWatch : public QObject {
+ public:
+  explicit EscapeWatch(QLineEdit& field) : QObject(&field), field_(field) { field.installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+      return QObject::eventFilter(watched, event);
+    return giveKeysBack(field_);
+  }
+
+ private:
+  QLineEdit& field_;
+};
+
+}  // namespace
+
+bool giveKeysBack(QWidget& field) {
+  for (QWidget* widget = field.parentWidget(); widget != nullptr; widget = widget->parentWidget()) {
+    if (qobject_cast<QDialog*>(widget)) return false;
+    const auto* window = qobject_cast<QMainWindow*>(widget);
+    if (!window || !window->centralWidget()) continue;
+    if (field.window() != widget) widget->activateWindow();  // out of a dock that floats
+    window->centralWidget()->setFocus(Qt::OtherFocusReason);
+    return true;
+  }
+  return false;
+}
+
+void giveKeysBackAfterTyping(QLineEdit& field) {
+  QObject::connect(&field, &QLineEdit::returnPressed, &field, [&field] { giveKeysBack(field); });
+  new EscapeWatch(field);
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/base/time_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace footfall::ui {
+namespace {
+
+constexpr double kTelling = 0.05;  // of a step's work, before its own pace says more than an earlier run
+constexpr double kFarBeyond = 2;   // times what a step was expected to take
+constexpr double kPatienceMs = 2000;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// Of a step that tells nothing of its progress: it has taken so long that what is known says nothing any more.
+bool isBeyond(const StepTime& step, double expectedMs) {
+  return step.fraction <= kTelling && step.elapsedMs > kFarBeyond * expectedMs && step.elapsedMs > kPatienceMs;
+}
+
+// Of a step that has begun.
+std::optional<double> restOf(const StepTime& step) {
+  const bool telling = step.fraction > kTelling && step.elapsedMs > 0;
+  const double byPace = telling ? step.elapsedMs * (1 - step.fraction) / step.fraction : 0;
+  if (telling && step.expectedMs) {
+    // The further it is, the more its own pace counts.
+    const double byBefore = std::max(0.0, *step.expectedMs - step.elapsedMs);
+    return step.fraction * byPace + (1 - step.fraction) * byBefore;
+  }
+  if (telling) return byPace;
+  if (step.expectedMs) return std::max(0.0, *step.expectedMs - step.elapsedMs);
+  return std::nullopt;
+}
+
+constexpr double kGrace = 1;            // seconds that an end may be late
+constexpr double kGraceShare = 0.5;     // and of the time that was promised
+constexpr double kMuchLonger = 2;       // than was promised
+constexpr double kUnknownAfter = 5;     // seconds without anything to go by
+constexpr double kBelievedAgain = 0.1;  // of the work, after a broken promise
+
+}  // namespace
+
+std::optional<double> remainingMs(const std::vector<StepTime>& steps) {
+  double rest = 0;
+  double known = 0;
+  int knownSteps = 0;
+  int unknownSteps = 0;
+  for (const StepTime& step : steps) {
+    if (step.finished) {
+      known += step.elapsedMs;
+      ++knownSteps;
+    } else if (const auto left = restOf(step)) {
+      rest += *left;
+      known += step.elapsedMs + *left;
+      ++knownSteps;
+    } else {
+      ++unknownSteps;
+    }
+  }
+  if (knownSteps == 0 || (unknownSteps > 0 && known <= 0)) return std::nullopt;
+  const double average = known / knownSteps;
+  for (const StepTime& step : steps)
+    if (!step.finished && isBeyond(step, step.expectedMs.value_or(average))) return kInfinite;
+  return rest + unknownSteps * average;
+}
+
+double expectedMs(const std::vector<StepTime>& steps) {
+  double sum = 0;
+  for (const StepTime& step : steps) sum += step.expectedMs.value_or(0);
+  return sum;
+}
+
+void EndEstimate::begin(double now) {
+  *this = {};
+  begun_ = now;
+}
+
+void EndEstimate::tell(double now, double fraction, std::optional<double> secondsLeft) {
+  if (isLate(now) && !lateSince_) lateSince_ = std::max(fraction_, 0.0);
+  fraction_ = fraction;
+  left_ = secondsLeft;
+  told_ = now;
+  if (lateSince_ && fraction >= *lateSince_ + kBelievedAgain) {
+    lateSince_.reset();
+    promised_.reset();
+  }
+  const bool isFinite = left_ && std::isfinite(*left_);
+  // Who is told in time of a much later end is not deceived.
+  const bool isMuchLater =
+      isFinite && promised_ && !lateSince_ && *left_ >= kMuchLonger * (*promised_ - promisedAt_) && *left_ > kGrace;
+  if (isFinite && (!promised_ || isMuchLater)) {
+    promised_ = now + *left_;
+    promisedAt_ = now;
+  }
+}
+
+bool EndEstimate::isLate(double now) const {
+  return promised_ && now > *promised_ + kGrace + kGraceShare * (*promised_ - promisedAt_);
+}
+
+EndEstimate::Told EndEstimate::at(double now) const {
+  const bool isUnknown = left_ && !std::isfinite(*left_);
+  if (lateSince_ || isLate(now) || (isUnknown && promised_)) return {Kind::Late, 0};
+  if (isUnknown || (!left_ && now - begun_ > kUnknownAfter)) return {Kind::Unknown, 0};
+  if (!left_) return {Kind::Nothing, 0};
+  return {Kind::Left, std::max(0.0, *left_ - (now - told_))};
+}
+
+}  // namespace footfall::ui

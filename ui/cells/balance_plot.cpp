@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cells/balance_plot.hpp"
+
+#include <QToolTip>
+#include <algorithm>
+#include <numeric>
+
+#include "ui/base/plot_theme.hpp"
+#include "ui/view/cell_colours.hpp"
+
+namespace footfall::ui {
+namespace {
+
+void calm(QCustomPlot& plot) {
+  QFont small = plot.font();
+  small.setPixelSize(11);
+  for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
+    axis->setTickLabelFont(small);
+    axis->setLabelFont(small);
+    axis->setSubTicks(false);
+  }
+  new PlotTheme(&plot);
+  plot.yAxis->grid()->setVisible(false);
+  plot.setInteractions(QCP::iNone);
+}
+
+}  // namespace
+
+LoadFigures figuresOf(const CellBlock& block) {
+  LoadFigures figures;
+  const int threads = block.threads();
+  figures.busyMs = block.report.busyMs(threads);
+  figures.workMs = std::accumulate(figures.busyMs.begin(), figures.busyMs.end(), 0.0);
+  figures.imbalance = block.report.imbalance(threads);
+  if (block.report.parallelMs > 0) figures.speedUp = figures.workMs / block.report.parallelMs;
+  return figures;
+}
+
+std::array<PhaseTime, 6> phasesOf(const RunTimes& times) {
+  return {{{BusyPlot::tr("pre-processing"), times.preprocessing, {150, 160, 173}},
+           {BusyPlot::tr("partitioning"), times.partitioning, {230, 159, 0}},
+           {BusyPlot::tr("cells"), times.parallel, {0, 114, 178}},
+           {BusyPlot::tr("merging"), times.merging, {204, 121, 167}},
+           {BusyPlot::tr("post-processing"), times.postprocessing, {92, 103, 118}},
+           {BusyPlot::tr("overhead"), times.overhead, {214, 219, 226}}}};
+}
+
+BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
+  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
+  setObjectName(QStringLiteral("busyPlot"));
+  setAccessibleName(tr("Time that each thread was busy"));
+  setMinimumHeight(70);
+  calm(*this);
+  yAxis->setRangeReversed(true);
+  yAxis->setTickLength(0);
+  xAxis->setLabelPadding(1);
+  xAxis->ticker()->setTickCount(4);
+  bars_ = new QCPBars(yAxis, xAxis);  // the plot owns it
+  bars_->setWidth(0.72);
+  bars_->setPen(Qt::NoPen);
+  bars_->setBrush(QColor(0, 114, 178));
+  bars_->setAntialiased(false);
+  mean_ = new QCPItemStraightLine(this);
+  mean_->setPen(QPen(QColor(213, 94, 0), 1.5, Qt::DashLine));
+  mean_->setClipToAxisRect(true);
+}
+
+void BusyPlot::show(const CellBlock& block) {
+  planned_ = false;
+  xAxis->setLabel(tr("busy with cells (ms); line: mean"));
+  showLoads(figuresOf(block).busyMs);
+}
+
+void BusyPlot::showPlan(const std::vector<double>& loads) {
+  planned_ = true;
+  xAxis->setLabel(tr("estimated work (units); line: mean"));
+  showLoads(loads);
+}
+
+void BusyPlot::showLoads(const std::vector<double>& loads) {
+  loads_ = loads;
+  const auto threads = static_cast<int>(loads.size());
+  QVector<double> keys(threads);
+  std::iota(keys.begin(), keys.end(), 0.0);
+  bars_->setData(keys, QVector<double>(loads.begin(), loads.end()), true);
+  bars_->setBrush(planned_ ? QColor(150, 160, 173) : QColor(0, 114, 178));
+  const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  for (int i = 0; i < threads; i += std::max(1, threads / 12)) ticker->addTick(i, tr("Thread %1").arg(i));
+  yAxis->setTicker(ticker);
+  yAxis->setRange(-0.5, std::max(1, threads) - 0.5);
+  const double largest = loads.empty() ? 0 : std::ranges::max(loads);
+  xAxis->setRange(0, largest > 0 ? 1.05 * largest : 1);
+  const double mean = threads > 0 ? std::accumulate(loads.begin(), loads.end(), 0.0) / threads : 0;
+  mean_->setVisible(mean > 0);
+  mean_->point1->setCoords(mean, 0);
+  mean_->point2->setCoords(mean, 1);
+  replot(QCustomPlot::rpQueuedReplot);
+}
+
+void BusyPlot::mouseMoveEvent(QMouseEvent* event) {
+  QCustomPlot::mouseMoveEvent(event);
+  const int thread = static_cast<int>(std::lround(yAxis->pixelToCoord(event->position().y())));
+  QString text;
+  if (thread >= 0 && thread < static_cast<int>(loads_.size())) {
+    const double load = loads_[static_cast<std::size_t>(thread)];
+    text = planned_ ? tr("Thread %1 would have %2").arg(thread).arg(valueText(CellColouring::Cost, load))
+                    : tr("Thread %1 was busy for %2").arg(thread).arg(durationText(load));
+  }
+  QToolTip::showText(event->globalPosition().toPoint(), text, this);
+}
+
+PhasePlot::PhasePlot(QWidget* parent) : QCustomPlot(parent) {
+  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
+  setObjectName(QStringLiteral("phasePlot"));
+  setAccessibleName(tr("Where the time of the run went"));
+  setFixedHeight(22);
+  calm(*this);
+  for (QCPAxis* axis : {xAxis, yAxis}) axis->setVisible(false);
+  axisRect()->setAutoMargins(QCP::msNone);
+  axisRect()->setMargins({0, 1, 0, 1});
+  QCPBars* below = nullptr;
+  for (QCPBars*& bar : bars_) {
+    bar = new QCPBars(yAxis, xAxis);  // the plot owns it
+    bar->setWidth(1);
+    bar->setPen(QPen(plotLineColour(), 0));
+    bar->setAntialiased(false);
+    if (below) bar->moveAbove(below);
+    below = bar;
+  }
+  yAxis->setRange(-0.5, 0.5);
+}
+
+void PhasePlot::show(const RunTimes& times) {
+  const std::array<PhaseTime, 6> phases = phasesOf(times);
+  double sum = 0;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const double time = std::max(0.0, phases[i].milliseconds);
+    bars_[i]->setData({0.0}, {time});
+    bars_[i]->setBrush(phases[i].colour);
+    sum += time;
+  }
+  xAxis->setRange(0, sum > 0 ? sum : 1);
+  replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace footfall::ui

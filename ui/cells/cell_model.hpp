@@ -1,0 +1,90 @@
+// The cells that the window shows: one object for the view, the timeline and the load figures, so that they agree on
+// what is pointed at.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/partitioning/partition.hpp"
+#include "ui/base/level_units.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/run/run_threads.hpp"
+#include "ui/view/cell_block.hpp"
+#include "ui/view/cell_colours.hpp"
+
+namespace footfall::ui {
+
+/// Blocks of a run, or for a while the cells that a strategy would make (a preview) in front of them. One block is
+/// shown in the view; hovered and selected cells are always cells of blocks().
+class CellModel : public QObject {
+  Q_OBJECT
+
+ public:
+  using Shapes = std::shared_ptr<const std::vector<CellBounds>>;
+
+  using QObject::QObject;
+
+  /// Of the run under way or the last one. Figures that come while it goes on keep hover and selection.
+  void setBlocks(CellBlocks blocks);
+  /// Shown until endPreview() or other blocks.
+  void showPreview(const Partition& partition);
+  void endPreview();
+
+  [[nodiscard]] bool previewing() const { return preview_.has_value(); }
+  [[nodiscard]] const CellBlocks& blocks() const { return preview_ ? *preview_ : blocks_; }
+  [[nodiscard]] bool empty() const { return blocks().empty(); }
+  /// The block that the view shows; null when there is none.
+  [[nodiscard]] const CellBlock* shownBlock() const;
+  [[nodiscard]] std::size_t shownIndex() const { return preview_ ? 0 : shown_; }
+  void setShownIndex(std::size_t block);
+  /// The bounds of its cells; another object when they are others. Null when there is none.
+  [[nodiscard]] Shapes shapes() const { return shapes_; }
+
+  [[nodiscard]] CellColouring colouring() const { return colouring_; }
+  void setColouring(CellColouring colouring);
+  [[nodiscard]] CellScale scaleOf(std::size_t block) const { return {blocks()[block], colouring_}; }
+
+  [[nodiscard]] std::optional<CellId> hovered() const { return hovered_; }
+  void setHovered(std::optional<CellId> cell);
+  [[nodiscard]] std::optional<CellId> selected() const { return selected_; }
+  /// `frame`: the view is to bring it into sight.
+  void select(std::optional<CellId> cell, bool frame);
+
+  /// That a run would have; all there are at first.
+  [[nodiscard]] int threads() const { return threads_; }
+  void setThreads(int threads);
+
+  void setUnits(const LevelUnits& units);
+  /// Everything that is known of a cell, as rich text.
+  [[nodiscard]] QString describe(CellId cell) const;
+
+ signals:
+  /// Other cells, or another block is shown.
+  void shapesChanged();
+  /// Figures, colours or what they mean.
+  void figuresChanged();
+  void hoveredChanged();
+  void selectedChanged();
+  void frameRequested(footfall::ui::CellId cell);
+
+ private:
+  void changed();
+  void describePlace(const CellBounds& bounds, const std::function<void(const QString&, const QString&)>& row) const;
+  [[nodiscard]] bool contains(const std::optional<CellId>& cell) const;
+
+  CellBlocks blocks_;
+  std::optional<CellBlocks> preview_;
+  std::size_t shown_ = 0;
+  Shapes shapes_;
+  CellColouring colouring_ = CellColouring::Thread;
+  std::optional<CellId> hovered_, selected_;
+  int threads_ = processorCount();
+  LevelUnits units_;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cells/load_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/partitioning/load_balancing.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/base/number_text.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr int kFiguresWidth = 330;
+
+QString swatch(const QColor& colour) {
+  return QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp;").arg(colour.name());
+}
+
+QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+
+}  // namespace
+
+LoadPanel::LoadPanel(CellModel& model, RunThreads& threads, QWidget* parent) : QWidget(parent), model_(model) {
+  setObjectName(QStringLiteral("loadPanel"));
+  makeThreadBox(threads);
+  stack_ = new QStackedWidget(this);
+  stack_->addWidget(makeEmptyPage());
+  stack_->addWidget(makeContentPage());
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(stack_);
+  connect(&model_, &CellModel::figuresChanged, this, &LoadPanel::refresh);
+  setPipeline(false, false);
+  refresh();
+}
+
+void LoadPanel::makeThreadBox(RunThreads& threads) {
+  threadBox_ = new QComboBox(this);
+  threadBox_->setObjectName(QStringLiteral("threads"));
+  threadBox_->setAccessibleName(tr("Threads of a run"));
+  threadBox_->setToolTip(tr("So many threads at most compute a run; the result is the same"));
+  std::vector<int> choices = threadChoices(processorCount());
+  choices.back() = 0;
+  for (const int n : choices) threadBox_->addItem(threadsText(n), n);
+  const auto show = [this, &threads] {
+    if (threadBox_->findData(threads.chosen()) < 0)
+      threadBox_->addItem(threadsText(threads.chosen()), threads.chosen());
+    threadBox_->setCurrentIndex(threadBox_->findData(threads.chosen()));
+    model_.setThreads(threads.count());
+  };
+  show();
+  connect(&threads, &RunThreads::changed, this, show);
+  connect(threadBox_, &QComboBox::activated, &threads,
+          [this, &threads](int index) { threads.choose(threadBox_->itemData(index).toInt()); });
+}
+
+QWidget* LoadPanel::makeEmptyPage() {
+  auto* page = new QWidget(this);
+  emptyText_ = new QLabel(page);
+  emptyText_->setAlignment(Qt::AlignCenter);
+  emptyText_->setWordWrap(true);
+  parallel_ = new QPushButton(tr("Run in parallel"), page);
+  parallel_->setToolTip(tr("Put an automatic strategy and a Collapse around the local filters; one step of undo"));
+  auto* layout = new QVBoxLayout(page);
+  layout->addStretch(1);
+  layout->addWidget(emptyText_);
+  layout->addWidget(parallel_, 0, Qt::AlignHCenter);
+  layout->addStretch(1);
+  connect(parallel_, &QPushButton::clicked, this, &LoadPanel::parallelBlockRequested);
+  return page;
+}
+
+QWidget* LoadPanel::makeContentPage() {
+  auto* page = new QWidget(this);
+  strategy_ = new QLabel(page);
+  strategy_->setTextFormat(Qt::RichText);
+  strategy_->setWordWrap(true);
+  strategy_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  block_ = new QComboBox(page);
+  block_->setAccessibleName(tr("Parallel block"));
+  block_->setToolTip(tr("Which parallel block is shown"));
+  connect(block_, &QComboBox::activated, this,
+          [this](int index) { model_.setShownIndex(static_cast<std::size_t>(index)); });
+  back_ = new QPushButton(tr("Show the last run"), page);
+  back_->setToolTip(tr("Leave the preview"));
+  connect(back_, &QPushButton::clicked, this, &LoadPanel::runRequested);
+  auto* head = new QHBoxLayout;
+  head->addWidget(strategy_, 1);
+  head->addWidget(back_);
+  head->addWidget(block_);
+  head->addWidget(threadBox_);
+
+  timeline_ = new TimelinePlot(model_, page);
+  filters_ = new QLabel(page);
+  filters_->setTextFormat(Qt::RichText);
+  filters_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* left = new QWidget(page);
+  auto* leftLayout = new QVBoxLayout(left);
+  leftLayout->setContentsMargins(0, 0, 0, 0);
+  leftLayout->setSpacing(2);
+  leftLayout->addWidget(timeline_, 1);
+  leftLayout->addWidget(filters_);
+  auto* splitter = new QSplitter(page);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(left);
+  splitter->addWidget(makeFigures());
+  splitter->setStretchFactor(0, 1);
+  splitter->setStretchFactor(1, 0);
+
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(8, 4, 8, 4);
+  layout->setSpacing(4);
+  layout->addLayout(head);
+  layout->addWidget(splitter, 1);
+  return page;
+}
+
+QWidget* LoadPanel::makeFigures() {
+  auto* right = new QWidget(this);
+  right->setMinimumWidth(kFiguresWidth);
+  figures_ = new QLabel(right);
+  figures_->setTextFormat(Qt::RichText);
+  busy_ = new BusyPlot(right);
+  phases_ = new PhasePlot(right);
+  phaseTexts_ = new QLabel(right);
+  phaseTexts_->setTextFormat(Qt::RichText);
+  auto* layout = new QVBoxLayout(right);
+  layout->setContentsMargins(6, 0, 0, 0);
+  layout->setSpacing(3);
+  layout->addWidget(figures_);
+  layout->addWidget(busy_, 1);
+  layout->addWidget(phases_);
+  layout->addWidget(phaseTexts_);
+  return right;
+}
+
+void LoadPanel::setPipeline(bool hasEnvironment, bool hasBlock) {
+  if (!hasEnvironment) {
+    emptyText_->setText(tr("Open an environment to see how the work on it is spread over threads."));
+  } else if (hasBlock) {
+    emptyText_->setText(tr("The cells of the parallel block show here as soon as they are made."));
+  } else {
+    emptyText_->setText(
+        tr("This pipeline has no parallel block. Add a strategy before the local filters and a Collapse behind them to "
+           "divide the environment into cells, and to see here how the work is spread."));
+  }
+  parallel_->setVisible(hasEnvironment && !hasBlock);
+}
+
+void LoadPanel::refresh() {
+  const CellBlock* block = model_.shownBlock();
+  stack_->setCurrentIndex(block ? 1 : 0);
+  if (!block) return;
+  QString text = QStringLiteral("<b>%1</b>&nbsp; · &nbsp;").arg(escaped(block->report.strategy));
+  const std::size_t cells = block->report.cells.size();
+  const auto finished = static_cast<std::size_t>(std::ranges::count(block->finished, 1));
+  const QString count = cells == 1 ? tr("1 cell") : tr("%1 cells").arg(cells);
+  if (model_.previewing()) {
+    text += tr("%1, before a run").arg(count);
+  } else if (finished < cells) {
+    text += tr("%1 of %2 finished").arg(finished).arg(count);
+  } else {
+    text += count;
+  }
+  if (!block->report.reason.empty())
+    text += QStringLiteral("&nbsp; · &nbsp;") + coreText(block->report.reason).toHtmlEscaped();
+  strategy_->setText(text);
+
+  back_->setVisible(model_.previewing());
+  const CellBlocks& blocks = model_.blocks();
+  block_->setVisible(blocks.size() > 1);
+  if (block_->count() != static_cast<int>(blocks.size())) {
+    block_->clear();
+    for (std::size_t i = 0; i < blocks.size(); ++i) block_->addItem(tr("Block %1").arg(i + 1));
+  }
+  block_->setCurrentIndex(static_cast<int>(model_.shownIndex()));
+  showFigures(*block);
+  showPhases(*block);
+  showFilters();
+}
+
+void LoadPanel::showFigures(const CellBlock& block) {
+  if (!block.begun()) {
+    std::vector<double> costs;
+    for (const CellReport& cell : block.report.cells) costs.push_back(cell.cost);
+    const LoadBalance balance = assignLongestFirst(costs, static_cast<std::size_t>(model_.threads()));
+    const QString imbalance = fixedText(balance.imbalance(), 2);
+    figures_->setText(model_.threads() == 1
+                          ? tr("Expected: imbalance <b>%1</b> on 1 thread").arg(imbalance)
+                          : tr("Expected: imbalance <b>%1</b> on %2 threads").arg(imbalance).arg(model_.threads()));
+    busy_->showPlan(balance.loads);
+    return;
+  }
+  const LoadFigures figures = figuresOf(block);
+  QString text = tr("Imbalance <b>%1</b>").arg(fixedText(figures.imbalance, 2));
+  if (block.complete() && figures.speedUp > 0) {
+    const QString speedUp = fixedText(figures.speedUp, 2);
+    text += block.threads() == 1 ? tr(", speed-up <b>%1</b> on 1 thread").arg(speedUp)
+                                 : tr(", speed-up <b>%1</b> on %2 threads").arg(speedUp).arg(block.threads());
+  }
+  figures_->setText(text);
+  figures_->setToolTip(
+      tr("Load imbalance: the busiest thread's time over the mean, 1 at best. Speed-up: the work of all "
+         "threads on cells over the time that the cells took."));
+  busy_->show(block);
+}
+
+void LoadPanel::showPhases(const CellBlock& block) {
+  const bool known = block.complete();
+  phases_->setVisible(known);
+  phaseTexts_->setVisible(known);
+  if (!known) return;
+  phases_->show(block.run->times);
+  const std::array<PhaseTime, 6> phases = phasesOf(block.run->times);
+  QString text = QStringLiteral("<table width='100%' cellspacing=0 cellpadding=0>");
+  for (std::size_t i = 0; i < phases.size(); i += 2) {
+    text += QStringLiteral("<tr>");
+    for (const PhaseTime& phase : {phases[i], phases[i + 1]}) {
+      text += QStringLiteral("<td>%1%2&nbsp;</td><td align='right'>%3&nbsp;&nbsp;&nbsp;</td>")
+                  .arg(swatch(phase.colour), phase.name.toHtmlEscaped(), durationText(phase.milliseconds));
+    }
+    text += QStringLiteral("</tr>");
+  }
+  phaseTexts_->setText(text + QStringLiteral("</table>"));
+  phases_->setToolTip(tr("The whole run: %1").arg(durationText(block.run->times.total)));
+}
+
+void LoadPanel::showFilters() {
+  const std::vector<std::string>& names = timeline_->timeline().filters;
+  QStringList parts;
+  for (std::size_t i = 0; i < names.size(); ++i) parts << swatch(filterColour(i)) + escaped(names[i]);
+  if (!names.empty()) {
+    parts << tr("hatched: idle");
+    filters_->setText(tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; ")));
+  } else {
+    filters_->setText(timeline_->timeline().planned
+                          ? tr("Nothing has run: the cells by estimated cost, each for the thread that is free first.")
+                          : tr("The lanes of the threads fill when cells run."));
+  }
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,67 @@
+// The dock "Load": how the work of a run was spread over cells and threads.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include "ui/cells/balance_plot.hpp"
+#include "ui/cells/cell_model.hpp"
+#include "ui/cells/timeline_plot.hpp"
+
+namespace footfall::ui {
+
+class LoadPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  LoadPanel(CellModel& model, RunThreads& threads, QWidget* parent = nullptr);
+
+  /// What to say, and whether to offer a block, while there are no cells.
+  void setPipeline(bool hasEnvironment, bool hasBlock);
+
+  [[nodiscard]] TimelinePlot& timeline() const { return *timeline_; }
+  [[nodiscard]] BusyPlot& busyPlot() const { return *busy_; }
+  [[nodiscard]] PhasePlot& phasePlot() const { return *phases_; }
+  /// Null where nothing is offered.
+  [[nodiscard]] QPushButton* parallelButton() const { return parallel_; }
+  [[nodiscard]] bool showsEmptyState() const { return stack_->currentIndex() == 0; }
+  [[nodiscard]] QString emptyText() const { return emptyText_->text(); }
+  [[nodiscard]] QString strategyText() const { return strategy_->text(); }
+  [[nodiscard]] QString figuresText() const { return figures_->text(); }
+
+ signals:
+  void parallelBlockRequested();
+  /// Away from a preview, back to the cells that ran.
+  void runRequested();
+
+ private:
+  void makeThreadBox(RunThreads& threads);
+  QWidget* makeEmptyPage();
+  QWidget* makeContentPage();
+  QWidget* makeFigures();
+  void refresh();
+  void showFigures(const CellBlock& block);
+  void showPhases(const CellBlock& block);
+  void showFilters();
+
+  CellModel& model_;
+  QStackedWidget* stack_;
+  QLabel* emptyText_;
+  QPushButton* parallel_;
+  QLabel* strategy_;
+  QPushButton* back_;
+  QComboBox* threadBox_;
+  QComboBox* block_;
+  TimelinePlot* timeline_;
+  QLabel* filters_;
+  QLabel* figures_;
+  BusyPlot* busy_;
+  PhasePlot* phases_;
+  QLabel* phaseTexts_;
+};
+
+}  // namespace footfall::ui

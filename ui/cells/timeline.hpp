@@ -1,0 +1,49 @@
+// A run's blocks as lanes of bars, for the timeline: plain data, no widget.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "ui/view/cell_block.hpp"
+
+namespace footfall::ui {
+
+struct Timeline {
+  struct Segment {
+    std::size_t filter = 0;  ///< index into filters
+    double start = 0, end = 0;
+  };
+  /// One cell (or what the whole block shares) on one thread, from its first filter to its last without another cell
+  /// between.
+  struct Bar {
+    std::optional<CellId> cell;
+    int lane = 0;
+    double start = 0, end = 0;
+    std::vector<Segment> segments;
+  };
+  enum class Phase { Partitioning, Parallel, Merging };
+  struct Band {
+    Phase phase = Phase::Parallel;
+    double start = 0, end = 0;
+  };
+
+  int lanes = 0;
+  std::vector<Bar> bars;  ///< by lane, then by time
+  std::vector<Band> bands;
+  std::vector<std::string> filters;  ///< that segments name, in the order in which they were met
+  double start = 0, end = 0;         ///< milliseconds since the run began; units of work of a plan
+  bool planned = false;              ///< nothing of it has run
+
+  /// The bar at a time on a lane; null when the thread was idle.
+  [[nodiscard]] const Bar* at(int lane, double time) const;
+};
+
+/// What can be expected of a block that has not begun: its cells by estimated cost, longest first, over the threads.
+Timeline planTimeline(const CellBlock& block, std::size_t number, int threads);
+
+/// The blocks that ran in the same run as `shown`, on one axis of time.
+Timeline makeTimeline(const CellBlocks& blocks, std::size_t shown);
+
+}  // namespace footfall::ui

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cells/timeline_lanes.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "ui/base/plot_theme.hpp"
+#include "ui/base/theme.hpp"
+#include "ui/view/appearance.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr double kText = 26;  // pixels that a number in a bar needs at least
+// The filters take the lower part of a bar.
+constexpr double kSplit = 0.5;
+
+QColor textOn(const QColor& colour) { return colour.lightnessF() > 0.5F ? QColor(20, 26, 32) : QColor(Qt::white); }
+
+}  // namespace
+
+QString labelOf(Timeline::Phase phase) {
+  switch (phase) {
+    case Timeline::Phase::Partitioning:
+      return TimelineLanes::tr("partitioning");
+    case Timeline::Phase::Parallel:
+      return TimelineLanes::tr("cells");
+    case Timeline::Phase::Merging:
+      return TimelineLanes::tr("merging");
+  }
+  return {};
+}
+
+TimelineLanes::TimelineLanes(QCPAxis* time, QCPAxis* lanes, const CellModel& model, const Timeline& timeline)
+    : QCPAbstractPlottable(time, lanes), model_(model), timeline_(timeline) {
+  setSelectable(QCP::stNone);
+}
+
+void TimelineLanes::takeColours() {
+  scales_.clear();
+  for (std::size_t i = 0; i < model_.blocks().size(); ++i) scales_.push_back(model_.scaleOf(i));
+}
+
+double TimelineLanes::selectTest(const QPointF& /*pos*/, bool /*onlySelectable*/, QVariant* /*details*/) const {
+  return -1;  // the plot finds bars itself
+}
+
+QCPRange TimelineLanes::getKeyRange(bool& found, QCP::SignDomain /*domain*/) const {
+  found = timeline_.end > timeline_.start;
+  return {timeline_.start, timeline_.end};
+}
+
+QCPRange TimelineLanes::getValueRange(bool& found, QCP::SignDomain /*domain*/, const QCPRange& /*keys*/) const {
+  found = timeline_.lanes > 0;
+  return {-0.5, timeline_.lanes - 0.5};
+}
+
+// From `from` to `to` of the lane's height, 0 being its upper side.
+QRectF TimelineLanes::place(int lane, double start, double end, double from, double to) const {
+  const double left = mKeyAxis->coordToPixel(start);
+  const double right = mKeyAxis->coordToPixel(end);
+  const double top = mValueAxis->coordToPixel(lane - kHalfLane);
+  const double bottom = mValueAxis->coordToPixel(lane + kHalfLane);
+  return {QPointF(left, top + from * (bottom - top)), QPointF(right, top + to * (bottom - top))};
+}
+
+QColor TimelineLanes::colourOf(const Timeline::Bar& bar) const {
+  if (!bar.cell || bar.cell->block >= scales_.size()) return {196, 202, 209};
+  return scales_[bar.cell->block].colourOf(bar.cell->cell).value_or(unfinishedColour());
+}
+
+void TimelineLanes::draw(QCPPainter* painter) {
+  painter->setAntialiasing(false);
+  drawBands(painter);
+  drawIdle(painter);
+  const QCPRange seen = mKeyAxis->range();
+  for (const Timeline::Bar& bar : timeline_.bars) {
+    if (bar.end >= seen.lower && bar.start <= seen.upper) drawBar(painter, bar);
+  }
+  drawMark(painter, model_.selected(), selectedCellColour());
+  drawMark(painter, model_.hovered(), QColor(Qt::white));
+}
+
+void TimelineLanes::drawBands(QCPPainter* painter) const {
+  const QRect area = clipRect();
+  for (const Timeline::Band& band : timeline_.bands) {
+    if (band.end <= band.start) continue;
+    const double left = mKeyAxis->coordToPixel(band.start);
+    const double right = mKeyAxis->coordToPixel(band.end);
+    const QRectF strip(left, area.top(), std::max(1.0, right - left), area.height());
+    if (band.phase != Timeline::Phase::Parallel) painter->fillRect(strip, plotAreaColour());
+    painter->setPen(plotLineColour());
+    painter->drawLine(strip.topLeft(), strip.bottomLeft());
+    painter->drawLine(strip.topRight(), strip.bottomRight());
+    const QString text = labelOf(band.phase);
+    painter->setPen(fainterTextColour());
+    const QRectF head(left + 3, area.top() + 1, strip.width() - 6, 15);
+    if (QFontMetricsF(painter->font()).horizontalAdvance(text) <= head.width())
+      painter->drawText(head, Qt::AlignHCenter | Qt::AlignVCenter, text);
+  }
+}
+
+// While cells run, what no bar covers is a thread that waits.
+void TimelineLanes::drawIdle(QCPPainter* painter) const {
+  for (const Timeline::Band& band : timeline_.bands) {
+    if (band.phase != Timeline::Phase::Parallel || band.end <= band.start) continue;
+    for (int lane = 0; lane < timeline_.lanes; ++lane) {
+      const QRectF box = place(lane, band.start, band.end, 0, 1);
+      painter->fillRect(box, isDarkTheme() ? QColor(58, 42, 38) : QColor(250, 238, 233));
+      painter->fillRect(box, QBrush(isDarkTheme() ? QColor(132, 92, 78) : QColor(214, 160, 140), Qt::BDiagPattern));
+    }
+  }
+}
+
+void TimelineLanes::drawBar(QCPPainter* painter, const Timeline::Bar& bar) const {
+  const QColor colour = colourOf(bar);
+  QRectF whole = place(bar.lane, bar.start, bar.end, 0, 1);
+  whole.setWidth(std::max(1.0, whole.width()));
+  painter->fillRect(whole, colour);
+  if (whole.width() >= 4) {
+    for (const Timeline::Segment& segment : bar.segments) {
+      const QRectF box = place(bar.lane, segment.start, segment.end, kSplit, 1);
+      const QColor shade = filterColour(segment.filter);
+      painter->fillRect(box, shade);
+      const QString name = QString::fromStdString(timeline_.filters[segment.filter]);
+      if (QFontMetricsF(painter->font()).horizontalAdvance(name) + 6 > box.width() || box.height() < 12) continue;
+      painter->setPen(textOn(shade));
+      painter->drawText(box, Qt::AlignCenter, name);
+    }
+  }
+  if (bar.cell && whole.width() >= kText) {
+    const QRectF head = place(bar.lane, bar.start, bar.end, 0, kSplit);
+    painter->setPen(textOn(colour));
+    if (head.height() >= 11) painter->drawText(head, Qt::AlignCenter, QString::number(bar.cell->cell + 1));
+  }
+  if (whole.width() < 3) return;
+  painter->setPen(outlineColour());
+  painter->setBrush(Qt::NoBrush);
+  painter->drawRect(whole);
+}
+
+// All bars of a cell: helpers have theirs on other lanes.
+void TimelineLanes::drawMark(QCPPainter* painter, const std::optional<CellId>& cell, const QColor& colour) const {
+  if (!cell) return;
+  for (const Timeline::Bar& bar : timeline_.bars) {
+    if (bar.cell != cell) continue;
+    QRectF box = place(bar.lane, bar.start, bar.end, 0, 1);
+    box.setWidth(std::max(3.0, box.width()));
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(QPen(outlineColour(), 4));
+    painter->drawRect(box);
+    painter->setPen(QPen(colour, 2));
+    painter->drawRect(box);
+  }
+}
+
+void TimelineLanes::drawLegendIcon(QCPPainter* painter, const QRectF& rect) const {
+  painter->fillRect(rect, unfinishedColour());
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,17 @@
+// Who is to walk: the sizes that drive the filters.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace footfall::ui {
+
+struct Agent {
+  int id = 0;  ///< unique in its document, above 0
+  std::string name;
+  double height = 0;    ///< free height that it needs, in the environment's units
+  double maxSlope = 0;  ///< degrees
+  bool operator==(const Agent&) const = default;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/filters/filter_row.hpp"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "core/filters/descriptor_text.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/filter_text.hpp"
+#include "ui/base/fitted_labels.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/base/number_text.hpp"
+#include "ui/view/cell_colours.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr int kMark = 16;          // pixels of the sign of a state
+constexpr int kFieldLetters = 15;  // of the width of a field
+constexpr int kUnitLetters = 9;    // and of the unit behind it, so that fields stand in a column
+
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
+
+QString helpOf(const FilterDescriptor& filter) {
+  QString help = QStringLiteral("<b>%1</b> (%2)<p>%3</p>")
+                     .arg(filterText(filter.label), text(filter.name), filterText(filter.help));
+  if (!filter.precondition.empty())
+    help += FilterRow::tr("<p><i>Needs:</i> %1</p>").arg(filterText(filter.precondition));
+  return help + FilterRow::tr("<p><i>Effect:</i> %1</p>").arg(filterText(filter.effect));
+}
+
+QString helpOf(const ParameterDescriptor& parameter) {
+  const QString drag = parameter.type == ParameterType::Boolean
+                           ? QString()
+                           : FilterRow::tr(
+                                 "<p>Type it, drag sideways, or turn the wheel while the field has the focus; "
+                                 "Shift: finer, Ctrl: coarser, Esc: back.</p>");
+  // The unit stands behind the field.
+  ParameterDescriptor range = parameter;
+  if (range.unit != Unit::Degrees) range.unit = Unit::None;
+  return QStringLiteral("<p>%1</p><p>%2</p>%3")
+      .arg(filterText(parameter.help),
+           FilterRow::tr("Takes %1. Default: %2%3.")
+               .arg(coreText(describeRange(range)),
+                    QString::fromStdString(formatValue(parameter, parameter.defaultValue)),
+                    parameter.unit == Unit::Length ? QStringLiteral(" m")
+                    : parameter.unit == Unit::Area ? QStringLiteral(" m²")
+                                                   : QString()),
+           drag);
+}
+
+QString statusFigures(const StepStatus& status) {
+  QStringList parts;
+  if (status.wallMs) parts << durationText(*status.wallMs);
+  if (status.trianglesIn && status.trianglesOut) {
+    parts << (*status.trianglesOut == 1 ? FilterRow::tr("%1 → 1 triangle").arg(countText(*status.trianglesIn))
+                                        : FilterRow::tr("%1 → %2 triangles")
+                                              .arg(countText(*status.trianglesIn), countText(*status.trianglesOut)));
+  } else if (status.trianglesOut) {
+    parts << (*status.trianglesOut == 1 ? FilterRow::tr("1 triangle")
+                                        : FilterRow::tr("%1 triangles").arg(countText(*status.trianglesOut)));
+  }
+  QString line = parts.join(QStringLiteral("  ·  "));
+  if (!status.note.isEmpty()) line += (line.isEmpty() ? QString() : QStringLiteral("\n")) + status.note;
+  return line;
+}
+
+}  // namespace
+
+FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
+    : QFrame(parent), id_(entry.id), filter_(*entry.step.filter) {
+  setObjectName(QStringLiteral("filterRow"));
+  setFrameShape(QFrame::StyledPanel);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(filterText(filter_.label));
+
+  handle_ = new QLabel(QStringLiteral("⋮⋮"), this);
+  handle_->setObjectName(QStringLiteral("dragHandle"));
+  handle_->setToolTip(tr("Drag to change the order (or Alt+Up, Alt+Down)"));
+  handle_->setCursor(Qt::OpenHandCursor);
+  enabled_ = new ElidedCheckBox(filterText(filter_.label), this);
+  enabled_->setObjectName(QStringLiteral("filterName"));
+  enabled_->setToolTip(helpOf(filter_));
+  stateIcon_ = new QLabel(this);
+  state_ = new QLabel(this);
+  remove_ = new QToolButton(this);
+  remove_->setText(QStringLiteral("✕"));
+  remove_->setAutoRaise(true);
+  remove_->setToolTip(tr("Remove this filter"));
+  remove_->setAccessibleName(tr("Remove %1").arg(filterText(filter_.label)));
+
+  auto* head = new QHBoxLayout;
+  head->setSpacing(6);
+  head->addWidget(handle_);
+  head->addWidget(enabled_, 1);
+  head->addWidget(stateIcon_);
+  head->addWidget(state_);
+  if (filter_.kind == FilterKind::Strategy) {
+    preview_ = new QToolButton(this);
+    preview_->setText(tr("Cells"));
+    preview_->setObjectName(QStringLiteral("previewCells"));
+    preview_->setToolTip(tr("Preview the cells that this strategy makes, without running the filters"));
+    connect(preview_, &QToolButton::clicked, this, [this] { emit previewRequested(id_); });
+    head->addWidget(preview_);
+  }
+  head->addWidget(remove_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 5, 5, 6);
+  layout->setSpacing(3);
+  layout->addLayout(head);
+  addParameters(layout);
+  figures_ = new WrappedLabel(this);
+  figures_->setObjectName(QStringLiteral("figures"));
+  figures_->setContentsMargins(22, 0, 0, 0);
+  error_ = new WrappedLabel(this);
+  error_->setObjectName(QStringLiteral("rowError"));
+  error_->setContentsMargins(22, 0, 0, 0);
+  layout->addWidget(figures_);
+  layout->addWidget(error_);
+  error_->hide();
+  share_ = new ShareBar(this);
+  layout->addWidget(share_);
+
+  connect(enabled_, &QCheckBox::clicked, this, [this](bool on) { emit enabledEdited(id_, on); });
+  connect(remove_, &QToolButton::clicked, this, [this] { emit removeRequested(id_); });
+  setEntry(entry);
+  showUnits();
+  setStatus({});
+}
+
+void FilterRow::addParameters(QVBoxLayout* layout) {
+  if (filter_.parameters.empty()) return;
+  parameters_ = new QWidget(this);
+  auto* grid = new QGridLayout(parameters_);
+  grid->setContentsMargins(22, 0, 4, 0);
+  grid->setVerticalSpacing(3);
+  grid->setColumnStretch(0, 1);
+  for (std::size_t i = 0; i < filter_.parameters.size(); ++i) {
+    const ParameterDescriptor& parameter = filter_.parameters[i];
+    const int row = static_cast<int>(i);
+    auto* label = new WrappedLabel(parameters_);
+    label->setText(filterText(parameter.label));
+    label->setToolTip(helpOf(parameter));
+    grid->addWidget(label, row, 0);
+    if (parameter.type == ParameterType::Boolean) {
+      auto* box = new QCheckBox(parameters_);
+      box->setToolTip(helpOf(parameter));
+      box->setAccessibleName(filterText(parameter.label));
+      connect(box, &QCheckBox::clicked, this, [this, i](bool on) { emit valueEdited(id_, i, on ? 1 : 0, -1); });
+      grid->addWidget(box, row, 1);
+      fields_.push_back(box);
+      units_.push_back(nullptr);
+      continue;
+    }
+    addNumber(parameter, i, grid, label);
+  }
+  layout->addWidget(parameters_);
+}
+
+void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label) {
+  const int row = static_cast<int>(index);
+  auto* field = new NumberField(parameter, parameters_);
+  field->setObjectName(text(parameter.name));
+  field->setToolTip(helpOf(parameter));
+  field->setAccessibleName(filterText(parameter.label));
+  field->setFixedWidth(kFieldLetters * fontMetrics().averageCharWidth());
+  field->takeDragsOf(label);
+  label->setBuddy(field);
+  connect(field, &NumberField::valueEdited, this,
+          [this, index, field](double value) { emit valueEdited(id_, index, value, field->editSession()); });
+  connect(field, &NumberField::problemChanged, this, &FilterRow::showError);
+  connect(field, &NumberField::draggingChanged, this, &FilterRow::draggingChanged);
+  grid->addWidget(field, row, 1);
+  auto* unit = new QLabel(parameters_);
+  unit->setMinimumWidth(kUnitLetters * fontMetrics().averageCharWidth());
+  grid->addWidget(unit, row, 2);
+  fields_.push_back(field);
+  units_.push_back(unit);
+}
+
+void FilterRow::setUnits(const LevelUnits& units) {
+  shown_ = units;
+  for (QWidget* widget : fields_)
+    if (auto* field = qobject_cast<NumberField*>(widget)) field->setUnits(units);
+  showUnits();
+}
+
+void FilterRow::showUnits() {
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (units_[i]) units_[i]->setText(unitText(filter_.parameters[i].unit, shown_));
+}
+
+void FilterRow::setEntry(const FilterEntry& entry) {
+  enabled_->setChecked(entry.step.enabled);
+  if (parameters_) parameters_->setEnabled(entry.step.enabled);
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (auto* field = qobject_cast<NumberField*>(fields_[i])) {
+      if (field->value() != entry.step.values[i] || field->text().isEmpty()) field->setValue(entry.step.values[i]);
+    } else if (auto* box = qobject_cast<QCheckBox*>(fields_[i])) {
+      box->setChecked(entry.step.values[i] != 0);
+    }
+  }
+}
+
+void FilterRow::setInBlock(bool inBlock) {
+  if (property("inBlock").toBool() == inBlock) return;
+  setProperty("inBlock", inBlock);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
+void FilterRow::setSelected(bool selected) {
+  if (property("selected").toBool() == selected) return;
+  setProperty("selected", selected);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
+void FilterRow::setShare(std::optional<double> share, const QColor& colour) { share_->setShare(share, colour); }
+
+void FilterRow::setStatus(const StepStatus& status) {
+  status_ = status;
+  showState();
+  const QString figures = statusFigures(status);
+  if (figures != figures_->text()) figures_->setText(figures);
+  const bool old = status.state == StepState::Stale || status.state == StepState::Cancelled;
+  figures_->setEnabled(!old);
+  figures_->setVisible(!figures.isEmpty() && status.state != StepState::Off);
+  showError();
+}
+
+void FilterRow::showState() {
+  QString word = stateWord(status_.state);
+  if (status_.state == StepState::Running && status_.fraction > 0) {
+    word += QStringLiteral(" %1 %").arg(static_cast<int>(status_.fraction * 100));
+  }
+  const QColor colour = stateColour(status_.state, palette());
+  if (word == state_->text() && colour == stateColour_) return;
+  stateColour_ = colour;
+  state_->setText(word);
+  state_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));
+  stateIcon_->setPixmap(stateMark(status_.state, palette(), kMark, devicePixelRatioF()));
+  setAccessibleDescription(word);
+}
+
+void FilterRow::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && state_) showState();
+}
+
+void FilterRow::showError() {
+  QStringList lines;
+  for (QWidget* widget : fields_) {
+    const auto* field = qobject_cast<NumberField*>(widget);
+    if (field && !field->problem().isEmpty()) lines << field->problem();
+  }
+  if (!status_.error.isEmpty()) lines << status_.error;
+  error_->setText(lines.join(QLatin1Char('\n')));
+  error_->setVisible(!lines.isEmpty());
+}
+
+}  // namespace footfall::ui

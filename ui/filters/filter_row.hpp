@@ -1,0 +1,91 @@
+// One step of the pipeline in the filter list.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCheckBox>
+#include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <optional>
+#include <vector>
+
+#include "ui/base/number_field.hpp"
+#include "ui/document/document.hpp"
+#include "ui/run/step_status.hpp"
+#include "ui/run/time_strip.hpp"
+
+namespace footfall::ui {
+
+/// Shows an entry and its status; tells what the user does to it and changes nothing itself.
+class FilterRow : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FilterRow(const FilterEntry& entry, QWidget* parent = nullptr);
+
+  [[nodiscard]] int entryId() const { return id_; }
+  /// The same filter with other values.
+  void setEntry(const FilterEntry& entry);
+  void setStatus(const StepStatus& status);
+  /// Marks the rows of a parallel block, from its strategy to its Collapse.
+  void setInBlock(bool inBlock);
+  void setSelected(bool selected);
+  /// The step's part of the time of all; nothing where it has no time.
+  void setShare(std::optional<double> share, const QColor& colour);
+  void setUnits(const LevelUnits& units);
+
+  /// Where the row can be dragged.
+  [[nodiscard]] QWidget* handle() const { return handle_; }
+  /// The NumberField or QCheckBox of a parameter.
+  [[nodiscard]] QWidget* field(std::size_t parameter) const { return fields_[parameter]; }
+  [[nodiscard]] QCheckBox* enabledBox() const { return enabled_; }
+  [[nodiscard]] QToolButton* removeButton() const { return remove_; }
+  /// Null for filters that are no strategy.
+  [[nodiscard]] QToolButton* previewButton() const { return preview_; }
+  /// What stands behind the field of a parameter that is a number, e.g. "degrees".
+  [[nodiscard]] QString unitOf(std::size_t parameter) const { return units_[parameter]->text(); }
+  [[nodiscard]] const ShareBar& shareBar() const { return *share_; }
+  [[nodiscard]] QString figuresText() const { return figures_->text(); }
+  [[nodiscard]] QString stateText() const { return state_->text(); }
+  [[nodiscard]] QString errorText() const { return error_->text(); }
+
+ signals:
+  void enabledEdited(int id, bool enabled);
+  void valueEdited(int id, std::size_t parameter, double value, int editSession);
+  void removeRequested(int id);
+  /// Only of strategies.
+  void previewRequested(int id);
+  /// A value is held by the mouse, or let go.
+  void draggingChanged(bool dragging);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void addParameters(QVBoxLayout* layout);
+  void addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label);
+  void showUnits();
+  void showState();
+  void showError();
+
+  int id_;
+  const FilterDescriptor& filter_;
+  QLabel* handle_;
+  QCheckBox* enabled_;
+  QLabel* stateIcon_;
+  QLabel* state_ = nullptr;
+  QColor stateColour_;
+  QToolButton* preview_ = nullptr;
+  QToolButton* remove_;
+  std::vector<QWidget*> fields_;
+  std::vector<QLabel*> units_;  ///< null for booleans
+  LevelUnits shown_;
+  QWidget* parameters_ = nullptr;
+  QLabel* figures_;
+  QLabel* error_;
+  ShareBar* share_;
+  StepStatus status_;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inspect/compare_feature.hpp"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <array>
+#include <utility>
+
+#include "ui/base/panel_dock.hpp"
+
+namespace footfall::ui {
+namespace {
+
+const QString kOverlay = QStringLiteral("difference");
+constexpr int kAlpha = 215;
+constexpr std::size_t kMostDrawn = 40'000;  // triangles: overlays are sent to the graphics card with every frame
+
+/// The twelve edges of a box.
+std::vector<std::array<Vec3, 2>> edgesOf(const DifferentRegion& region) {
+  std::vector<std::array<Vec3, 2>> edges;
+  const auto corner = [&](unsigned i) {
+    return Vec3{(i & 1U) != 0 ? region.upper.x : region.lower.x, (i & 2U) != 0 ? region.upper.y : region.lower.y,
+                (i & 4U) != 0 ? region.upper.z : region.lower.z};
+  };
+  for (unsigned i = 0; i < 8; ++i)
+    for (const unsigned bit : {1U, 2U, 4U})
+      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
+  return edges;
+}
+
+}  // namespace
+
+CompareFeature::CompareFeature(EditorWindow& window)
+    : QObject(&window), window_(window), watch_(new CompareWatch(this)), panel_(new ComparePanel) {
+  setObjectName(QStringLiteral("compare"));
+  dock_ = window_.addPanel({QStringLiteral("panel.compare"),
+                            tr("Compare"),
+                            tr("Show what appeared and what went since the last edit, or beside a saved result"),
+                            {},
+                            {},
+                            Qt::RightDockWidgetArea,
+                            false},
+                           panel_);
+  addCommands();
+  connect(panel_, &ComparePanel::chosen, this, &CompareFeature::choose);
+  connect(panel_, &ComparePanel::frameRequested, this, &CompareFeature::frame);
+  connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
+    if (!on) watch_->compareWithNothing();
+  });
+  connect(watch_, &CompareWatch::changed, this, &CompareFeature::show);
+  connect(watch_, &CompareWatch::failed, &window_.messageBar(), &MessageBar::showError);
+  connect(&window_.controller(), &RunController::finished, this, &CompareFeature::takeResult);
+  connect(&window_.controller(), &RunController::started, this, [this] {
+    isComputed_ = true;
+    watch_->stop();
+    panel_->setWaiting(watch_->with() != CompareWith::Nothing);
+  });
+  const auto resume = [this] {
+    watch_->resume();
+    panel_->setWaiting(watch_->busy());
+  };
+  connect(&window_.controller(), &RunController::cancelled, this, resume);
+  connect(&window_.controller(), &RunController::failed, this, resume);
+  connect(&window_, &EditorWindow::environmentLoaded, watch_, &CompareWatch::forget);
+  connect(&window_.units(), &UnitChoice::changed, this, &CompareFeature::show);
+  // While the window goes, its docks still hide, and the view is gone by then.
+  connect(&window_.commands(), &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
+  show();
+}
+
+void CompareFeature::addCommands() {
+  lastEdit_ = window_.commands().add(
+      {QStringLiteral("view.compareEdit"),
+       CommandMenu::View,
+       QStringLiteral("compare"),
+       tr("Compare with the Last Edit"),
+       tr("Show over the view what the last edit has made walkable, and what is not walkable any more"),
+       {},
+       {},
+       true},
+      [this](bool on) {
+        if (on) {
+          choose(ComparePanel::LastEdit);
+        } else if (watch_->with() == CompareWith::LastEdit) {
+          choose(ComparePanel::Nothing);
+        }
+      });
+  window_.commands().add({QStringLiteral("view.compareSaved"), CommandMenu::View, QStringLiteral("compare"),
+                          tr("Compare with a Saved Result…"),
+                          tr("Show over the view what an exported result, or another tool's mesh, has not or has")},
+                         [this](bool) { chooseFile(); });
+}
+
+void CompareFeature::choose(int choice) {
+  if (choice == ComparePanel::SavedResult) {
+    chooseFile();
+    show();  // the box goes back until there is a file
+    return;
+  }
+  if (choice == ComparePanel::LastEdit) {
+    showPanel();
+    watch_->compareWithLastEdit();
+  } else {
+    watch_->compareWithNothing();
+  }
+}
+
+void CompareFeature::chooseFile() {
+  auto* dialog = new QFileDialog(&window_, tr("Compare with a saved result"), QString(), tr("Results (*.obj)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  if (const auto environment = window_.environment())
+    dialog->setDirectory(QFileInfo(QString::fromStdString(environment->source)).path());
+  connect(dialog, &QFileDialog::fileSelected, this, &CompareFeature::openSaved);
+  dialog->open();
+}
+
+void CompareFeature::openSaved(const QString& path) {
+  showPanel();
+  watch_->compareWithSaved(path, window_.environment() ? window_.environment()->up : UpAxis::Y);
+}
+
+void CompareFeature::showPanel() {
+  bringToFront(*dock_);
+  dock_->raise();
+}
+
+void CompareFeature::takeResult() {
+  const auto take = [this] {
+    const auto run = window_.controller().finishedRun();
+    if (run) watch_->takeResult(run->result.mesh, window_.document().undoStack()->index());
+  };
+  // A result that was known already comes while the undo stack still moves: it then tells where it was.
+  if (std::exchange(isComputed_, false)) {
+    take();
+  } else {
+    QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
+  }
+}
+
+CompareWriter CompareFeature::writer() const {
+  const LevelUnits units = window_.units().units();
+  return {[units](double area) { return units.area(area); }, [units](const Vec3& place) { return units.place(place); }};
+}
+
+void CompareFeature::show() {
+  const auto& difference = watch_->difference();
+  const CompareWith with = watch_->with();
+  panel_->setChoice(with == CompareWith::Nothing    ? ComparePanel::Nothing
+                    : with == CompareWith::LastEdit ? ComparePanel::LastEdit
+                                                    : ComparePanel::SavedResult,
+                    QFileInfo(watch_->path()).fileName());
+  lastEdit_->setChecked(with == CompareWith::LastEdit);
+  chosenRegion_ = -1;
+  if (difference && !watch_->busy()) {
+    panel_->showDifference(*difference, writer());
+  } else if (watch_->busy()) {
+    if (!difference) panel_->showNote(tr("Comparing …"));
+    panel_->setWaiting(true);
+    return;  // the last difference stays in sight
+  } else {
+    panel_->showNote(with == CompareWith::Nothing ? tr("Choose what to compare the result with.")
+                     : !window_.controller().finishedRun()
+                         ? tr("There is no result yet; the comparison follows when a run has finished.")
+                         : tr("Nothing was edited yet; after the next edit, what it changed is shown."));
+  }
+  draw();
+}
+
+void CompareFeature::draw() {
+  const auto& difference = watch_->difference();
+  std::vector<Legend::Note> notes;
+  if (!difference) {
+    window_.view().removeOverlay(kOverlay);
+    window_.view().setSelectionBounds(kOverlay, std::nullopt);
+  } else {
+    ViewOverlay overlay;
+    overlay.throughWalls = true;
+    std::array<ViewOverlay::Surface, 2> surfaces;
+    const std::array colours{wentColour(), appearedColour()};
+    // The largest regions, as far as they can be drawn with every frame.
+    std::vector<std::size_t> triangles(difference->regions.size(), 0);
+    for (const auto& regionOf : difference->regionOf)
+      for (const std::uint32_t region : regionOf) ++triangles[region];
+    std::size_t drawn = 0, count = 0;
+    while (count < triangles.size() && drawn + triangles[count] <= kMostDrawn) drawn += triangles[count++];
+    for (std::size_t m = 0; m < 2; ++m) {
+      surfaces[m].colour = colours[m];
+      surfaces[m].colour.setAlpha(kAlpha);
+      for (std::size_t i = 0; i < difference->triangles[m].size(); ++i)
+        if (difference->regionOf[m][i] < count) surfaces[m].triangles.push_back(difference->triangles[m][i]);
+      overlay.surfaces.push_back(std::move(surfaces[m]));
+    }
+    if (chosenRegion_ >= 0) {
+      const DifferentRegion& region = difference->regions[static_cast<std::size_t>(chosenRegion_)];
+      overlay.lines.push_back({edgesOf(region), colours[region.mesh], 2, QColor(Qt::white)});
+    }
+    window_.view().setOverlay(kOverlay, std::move(overlay));
+    const CompareWriter write = writer();
+    notes = {{appearedColour(), appearedText(*difference, write)}, {wentColour(), wentText(*difference, write)}};
+    if (count < triangles.size())
+      notes.push_back({QColor(), tr("Only the largest %n regions are drawn", "", static_cast<int>(count))});
+  }
+  window_.legend().setNotes(notes);
+  window_.placeOverlays();
+}
+
+void CompareFeature::frame(int region) {
+  const auto& difference = watch_->difference();
+  if (!difference || region < 0 || static_cast<std::size_t>(region) >= difference->regions.size()) return;
+  chosenRegion_ = region;
+  draw();
+  const DifferentRegion& chosen = difference->regions[static_cast<std::size_t>(region)];
+  window_.view().setSelectionBounds(kOverlay, SceneBox{chosen.lower, chosen.upper});
+  window_.view().frame(chosen.lower, chosen.upper);
+}
+
+}  // namespace footfall::ui

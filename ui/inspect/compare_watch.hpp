@@ -1,0 +1,76 @@
+// What differs between the result and another one, found in the background.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+
+#include "core/compare/surface_difference.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/run_context.hpp"
+#include "ui/base/background_queue.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+
+enum class CompareWith { Nothing, LastEdit, SavedResult };
+
+/// Lives on the window's thread and never waits there. Everything is found anew when a result or the choice changes;
+/// what was overtaken is cancelled. Nothing is computed while it compares with nothing.
+class CompareWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  using MeshPtr = std::shared_ptr<const NavigationMesh>;
+
+  explicit CompareWatch(QObject* parent = nullptr);
+  ~CompareWatch() override;
+
+  /// Another level: no result of the one before counts.
+  void forget();
+  /// A run has finished. `edit` is the number of the edit that it belongs to: the results of one edit, such as those
+  /// while something is dragged, are compared with the last one of the edit before.
+  void takeResult(const MeshPtr& mesh, int edit);
+  /// The result is being computed anew: work on the old one is dropped.
+  void stop();
+  /// It stays after all: what was dropped is done again.
+  void resume();
+  void compareWithNothing();
+  void compareWithLastEdit();
+  /// An OBJ file; `up` is the axis that it has where it does not say.
+  void compareWithSaved(const QString& path, UpAxis up);
+
+  [[nodiscard]] CompareWith with() const { return with_; }
+  [[nodiscard]] const QString& path() const { return path_; }
+  /// There is something to compare with: an edit, or the file.
+  [[nodiscard]] bool hasOther() const { return with_ == CompareWith::SavedResult || before_ != nullptr; }
+  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+  /// First mesh: the other one, so that its parts went; second: the result, whose parts appeared. Null while there is
+  /// none; of an older result while busy().
+  [[nodiscard]] const std::shared_ptr<const SurfaceDifference>& difference() const { return difference_; }
+
+ signals:
+  void changed();
+  void failed(const QString& message);
+
+ private:
+  struct Answer;
+  void set(CompareWith with);
+  void refresh();
+  void take(const Answer& answer);
+
+  CompareWith with_ = CompareWith::Nothing;
+  MeshPtr before_, result_;
+  int edit_ = 0;            ///< that result_ belongs to
+  bool isDropped_ = false;  ///< work, by stop()
+  QString path_;
+  UpAxis up_ = UpAxis::Y;
+  MeshPtr saved_;  ///< what path_ held; null until it was read
+  std::shared_ptr<const SurfaceDifference> difference_;
+  std::shared_ptr<RunContext> context_;  ///< of the work under way; null when there is none
+  BackgroundQueue queue_;                // last: its thread ends before the rest goes
+};
+
+}  // namespace footfall::ui

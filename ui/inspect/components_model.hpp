@@ -1,0 +1,55 @@
+// The components of the walkable area as a table.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+#include <optional>
+
+#include "core/inspect/inspection.hpp"
+#include "ui/base/level_units.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+
+/// Largest first; rows are made when they are looked at, so that any number of components is fine.
+class ComponentsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { Rank, Area, Triangles, Layers, Centre, kColumns };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// Null: none.
+  void setInspector(std::shared_ptr<const Inspector> inspector);
+  void setUnits(const LevelUnits& units);
+  /// Leaves out all of this area and more; empty: none.
+  void setSmallerThan(std::optional<double> area);
+
+  [[nodiscard]] const std::shared_ptr<const Inspector>& inspector() const { return inspector_; }
+  /// Of a row: its place among the components.
+  [[nodiscard]] std::uint32_t componentOf(int row) const { return static_cast<std::uint32_t>(row) + first_; }
+  /// -1 where it is left out.
+  [[nodiscard]] int rowOf(std::uint32_t component) const;
+  [[nodiscard]] double shownArea() const { return shownArea_; }
+  /// The title and all rows that are shown, with tabs and line ends.
+  [[nodiscard]] QString toText() const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  void findFirst();
+  [[nodiscard]] QString textOf(std::uint32_t component, int column) const;
+
+  std::shared_ptr<const Inspector> inspector_;
+  std::optional<double> smallerThan_;
+  LevelUnits units_;
+  std::uint32_t first_ = 0;  ///< that is shown; those after it are, too
+  double shownArea_ = 0;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,55 @@
+// The panel "Components": the connected parts of the walkable area.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+
+#include "ui/inspect/components_model.hpp"
+
+namespace footfall::ui {
+
+/// Shows the components of an Inspector and tells which one is chosen.
+class ComponentsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ComponentsPanel(QWidget* parent = nullptr);
+
+  /// Null: none. The chosen rank stays chosen where there still is one.
+  void setInspector(std::shared_ptr<const Inspector> inspector);
+  void choose(std::uint32_t component);
+  void setUnits(const LevelUnits& units);
+
+  /// Wide enough for all columns.
+  [[nodiscard]] QSize sizeHint() const override;
+
+  [[nodiscard]] ComponentsModel& model() { return model_; }
+  [[nodiscard]] QTableView* table() const { return table_; }
+  [[nodiscard]] QLineEdit* smallerThanField() const { return smallerThan_; }
+  [[nodiscard]] QPushButton* copyButton() const { return copy_; }
+  [[nodiscard]] QString totalText() const { return total_->text(); }
+
+ signals:
+  /// A row is the current one now.
+  void chosen(std::uint32_t component);
+  /// Somebody clicked it or pressed Return on it.
+  void frameRequested(std::uint32_t component);
+
+ private:
+  void filter();
+  void describe();
+
+  ComponentsModel model_;
+  LevelUnits units_;
+  QLineEdit* smallerThan_;
+  QLabel* error_;
+  QTableView* table_;
+  QLabel* total_;
+  QLabel* frame_;
+  QPushButton* copy_;
+};
+
+}  // namespace footfall::ui

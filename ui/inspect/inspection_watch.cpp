@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inspect/inspection_watch.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <new>
+#include <utility>
+
+#include "core/base/worker_arena.hpp"
+#include "footfall/errors.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/view/appearance.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr std::size_t kMostFilled = 4000;  // triangles of a component that are drawn anew in every frame
+
+/// The triangle that is meant, or the one nearest to the point where it is not there any more.
+std::optional<PickedPlace> resolve(const Inspector& inspector, const AskedPlace& asked) {
+  const Environment& environment = inspector.environment();
+  if (asked.triangle && *asked.triangle < environment.triangles.size()) {
+    const Triangle& t = environment.triangles[*asked.triangle];
+    bool same = true;
+    for (std::size_t k = 0; k < 3; ++k) same = same && environment.vertices[t[k]] == asked.corners[k];
+    if (same) return PickedPlace{*asked.triangle, asked.point};
+  }
+  return inspector.placeNear(asked.point);
+}
+
+}  // namespace
+
+struct InspectionWatch::Answer {
+  std::shared_ptr<const Inspector> inspector;
+  std::shared_ptr<const FinishedRun> run;
+  std::optional<PlaceExplanation> explanation;
+  QString error;
+};
+
+InspectionWatch::InspectionWatch(RunController& controller, QObject* parent)
+    : QObject(parent), controller_(controller) {
+  connect(&controller_, &RunController::finished, this, &InspectionWatch::refresh);
+}
+
+InspectionWatch::~InspectionWatch() {
+  if (context_) context_->cancel();
+}
+
+void InspectionWatch::ask(const AskedPlace& place) {
+  asked_ = place;
+  explanation_.reset();
+  refresh();
+}
+
+void InspectionWatch::forget() {
+  asked_.reset();
+  explanation_.reset();
+  refresh();
+}
+
+void InspectionWatch::setComponentsWanted(bool wanted) {
+  if (wanted == componentsWanted_) return;
+  componentsWanted_ = wanted;
+  refresh();
+}
+
+void InspectionWatch::stop() {
+  if (context_) context_->cancel();  // it ends by itself, soon
+  context_.reset();
+}
+
+void InspectionWatch::refresh() {
+  stop();
+  const std::shared_ptr<const FinishedRun> run = controller_.finishedRun();
+  if (!run || (!asked_ && !componentsWanted_)) {
+    // States are large: they stay no longer than somebody asks.
+    inspected_.reset();
+    if (std::exchange(inspector_, nullptr)) emit inspectorChanged();
+    return;
+  }
+  const bool known = run == inspected_ && inspector_ != nullptr;
+  if (known && (!asked_ || explanation_)) return;
+  context_ = std::make_shared<RunContext>();
+  queue_.post([this, context = context_, run, cache = controller_.cache(), asked = asked_,
+               inspector = known ? inspector_ : nullptr] {
+    Answer answer{inspector, run, std::nullopt, {}};
+    try {
+      onThreads(0, [&](int) {
+        context->checkCancelled();
+        if (!answer.inspector) {
+          auto states = stepStates(run->environment, run->pipeline, *context, *cache);
+          answer.inspector = std::make_shared<Inspector>(run->environment, run->pipeline, std::move(states),
+                                                         run->result.mesh, *context);
+        }
+        if (!asked) return true;
+        if (const auto place = resolve(*answer.inspector, *asked))
+          answer.explanation = answer.inspector->explain(*place, *context);
+        return true;
+      });
+    } catch (const Cancelled&) {
+      return;  // whoever cancelled it knows
+    } catch (const std::bad_alloc&) {
+      answer.error = tr("Why: memory ran out; close other programs or use a smaller environment");
+    } catch (const std::exception& error) {
+      answer.error = coreText(error);
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, context, answer] {
+          if (context != context_) return;  // overtaken
+          context_.reset();
+          take(answer);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void InspectionWatch::take(const Answer& answer) {
+  if (!answer.error.isEmpty()) {
+    emit failed(answer.error);
+    return;
+  }
+  const bool another = inspector_ != answer.inspector;
+  inspector_ = answer.inspector;
+  inspected_ = answer.run;
+  explanation_ = answer.explanation;
+  if (another) emit inspectorChanged();
+  if (asked_) emit explained();
+}
+
+void InspectionWatch::showComponent(std::uint32_t component) {
+  const int number = ++shown_;
+  if (!inspector_) return;
+  queue_.post([this, number, component, inspector = inspector_] {
+    ViewOverlay overlay = componentOverlay(*inspector, component);
+    QMetaObject::invokeMethod(
+        this,
+        [this, number, overlay = std::move(overlay)] {
+          if (number == shown_) emit componentShown(overlay);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+ViewOverlay componentOverlay(const Inspector& inspector, std::uint32_t component) {
+  const Components& components = inspector.components();
+  const NavigationMesh& mesh = inspector.product();
+  ViewOverlay overlay;
+  if (component >= components.list.size()) return overlay;
+  const Component& chosen = components.list[component];
+  ViewOverlay::Surface surface;
+  surface.colour = selectedCellColour();
+  surface.colour.setAlpha(90);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (std::size_t t = chosen.firstTriangle; t < mesh.triangles.size(); ++t) {
+    if (components.ofTriangle[t] != component) continue;
+    const Triangle& triangle = mesh.triangles[t];
+    if (chosen.triangles <= kMostFilled)
+      surface.triangles.push_back({mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
+    for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(triangle[k], triangle[(k + 1) % 3])];
+  }
+  ViewOverlay::Lines outline{{}, selectedCellColour(), 2.5F, outlineColour()};
+  for (const auto& [edge, count] : sides)
+    if (count == 1) outline.segments.push_back({mesh.vertices[edge.first], mesh.vertices[edge.second]});
+  if (!surface.triangles.empty()) overlay.surfaces.push_back(std::move(surface));
+  overlay.lines.push_back(std::move(outline));
+  overlay.throughWalls = true;
+  return overlay;
+}
+
+}  // namespace footfall::ui

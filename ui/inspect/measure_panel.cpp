@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inspect/measure_panel.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <array>
+#include <cmath>
+
+#include "ui/base/flow_layout.hpp"
+#include "ui/base/number_text.hpp"
+#include "ui/window/editor_window.hpp"
+
+namespace footfall::ui {
+
+MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent), tool_(tool) {
+  setObjectName(QStringLiteral("measurePanel"));
+  table_ = new QTableWidget(0, 5, this);
+  table_->setObjectName(QStringLiteral("measureTable"));
+  table_->setAccessibleName(tr("Measured pieces"));
+  table_->setToolTip(tr("Each piece between two places; height and slope from the first place to the second"));
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->verticalHeader()->hide();
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setTabKeyNavigation(false);
+  table_->setMinimumHeight(90);
+  sum_ = new QLabel(this);
+  sum_->setObjectName(QStringLiteral("measureSum"));
+  sum_->setWordWrap(true);
+  sum_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+  auto* buttons = new FlowLayout(6);
+  const auto add = [&](const QString& id, const QString& text, const QString& help) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(id);
+    button->setToolTip(help);
+    buttons->addWidget(button);
+    return button;
+  };
+  copy_ = add(QStringLiteral("measureCopy"), tr("Copy"), tr("Copy places and measures as a table"));
+  back_ = add(QStringLiteral("measureBack"), tr("Remove last"), tr("Take the last place back"));
+  clear_ = add(QStringLiteral("measureClear"), tr("Clear"), tr("Take all places away"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(10, 6, 8, 8);
+  layout->setSpacing(6);
+  layout->addWidget(table_, 1);
+  layout->addWidget(sum_);
+  frame_ = new QLabel(this);
+  frame_->setObjectName(QStringLiteral("measureFrame"));
+  frame_->setWordWrap(true);
+  frame_->setEnabled(false);
+  layout->addWidget(frame_);
+  layout->addLayout(buttons);
+
+  connect(copy_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(tool_.text()); });
+  connect(back_, &QPushButton::clicked, &tool_, &MeasureTool::removeLast);
+  connect(clear_, &QPushButton::clicked, this, [this] { tool_.setPlaces({}); });
+  connect(&tool_, &MeasureTool::placesChanged, this, &MeasurePanel::showPlaces);
+  connect(&tool_, &MeasureTool::unitsChanged, this, &MeasurePanel::showPlaces);
+  showPlaces();
+}
+
+void MeasurePanel::showPlaces() {
+  const auto& places = tool_.places();
+  const LevelUnits& units = tool_.units();
+  table_->setHorizontalHeaderLabels({tr("Length (%1)").arg(units.name()), tr("In plan (%1)").arg(units.name()),
+                                     tr("Height (%1)").arg(units.name()), tr("Slope °"), tr("Slope %")});
+  frame_->setText(units.frameText());
+  const int rows = places.size() > 1 ? static_cast<int>(places.size()) - 1 : 0;
+  table_->setRowCount(rows);
+  double distance = 0, plan = 0;
+  for (int i = 0; i < rows; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Measure m = measureBetween(places[k], places[k + 1]);
+    distance += m.distance;
+    plan += m.plan;
+    const std::array<QString, 5> cells{units.lengthNumber(m.distance), units.lengthNumber(m.plan),
+                                       units.lengthNumber(m.height), fixedText(m.degrees, 1), fixedText(m.percent, 1)};
+    for (int column = 0; column < 5; ++column) {
+      auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      item->setToolTip(measureSummary(m, units));
+      table_->setItem(i, column, item);
+    }
+  }
+  sum_->setText(places.empty() ? tr("Click two or more places in the view.")
+                : rows == 0    ? tr("From %1").arg(units.place(places.front()))
+                : rows == 1    ? tr("From %1\nto %2").arg(units.place(places[0]), units.place(places[1]))
+                               : tr("Together %1, in the plan %2").arg(units.length(distance), units.length(plan)));
+  copy_->setEnabled(!places.empty());
+  back_->setEnabled(!places.empty());
+  clear_->setEnabled(!places.empty());
+}
+
+MeasureFeature::MeasureFeature(EditorWindow& window)
+    : QObject(&window), tool_(window.view(), [&window] { return window.level(); }) {
+  QDockWidget* dock = window.addPanel({QStringLiteral("panel.measure"),
+                                       tr("Measure"),
+                                       tr("Distances, heights and slopes between places"),
+                                       {},
+                                       {},
+                                       Qt::RightDockWidgetArea,
+                                       false},
+                                      new MeasurePanel(tool_));
+  window.addTool({QStringLiteral("tools.measure"),
+                  CommandMenu::Tools,
+                  QStringLiteral("tools"),
+                  tr("&Measure"),
+                  tr("Distance, height and slope between places that you click"),
+                  {Qt::Key_M},
+                  QStringLiteral("measure")},
+                 &tool_, dock);
+  const auto follow = [this, &window, dock] { tool_.setShown(window.view().tool() == &tool_ || !dock->isHidden()); };
+  connect(&window.view(), &LevelView::toolChanged, this, follow);
+  connect(dock, &QDockWidget::visibilityChanged, this, follow);
+  connect(&window, &EditorWindow::environmentLoaded, this, [this] { tool_.setPlaces({}); });
+  const auto takeUnits = [this, &window] { tool_.setUnits(window.units().units()); };
+  connect(&window.units(), &UnitChoice::changed, this, takeUnits);
+  takeUnits();
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,78 @@
+// The tool "Measure": distance, height and slope between places that are clicked.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/base/level_units.hpp"
+#include "ui/view/level_view.hpp"
+#include "ui/view/view_tool.hpp"
+
+namespace footfall::ui {
+
+/// Of one straight piece, in the environment's units.
+struct Measure {
+  double distance = 0;  ///< in space
+  double plan = 0;      ///< in the plan
+  double height = 0;    ///< of the end over the start; negative: it lies lower
+  double degrees = 0;   ///< up is positive; 90 where it is straight up
+  double percent = 0;   ///< infinite where it is straight up or down
+};
+
+Measure measureBetween(const Vec3& from, const Vec3& to);
+
+/// "3.2 m (3 m in the plan), height +1 m, 18.4° (33.3 %)".
+QString measureSummary(const Measure& measure, const LevelUnits& units);
+
+/// Clicks add places, on any surface; near a vertex of the level that is in sight, the vertex is meant. Enter or a
+/// double click ends a line, so that the next click begins another; Backspace takes the last place back; Ctrl+C copies.
+class MeasureTool : public QObject, public ViewTool {
+  Q_OBJECT
+
+ public:
+  /// `level` is asked for the vertices to snap to; it may give null.
+  MeasureTool(LevelView& view, std::function<std::shared_ptr<const Environment>()> level);
+
+  [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
+  void setPlaces(std::vector<Vec3> places);
+  void removeLast();
+  /// All places and pieces in the shown unit, one a line, separated by tabs; the sum last where there is more than one.
+  [[nodiscard]] QString text() const;
+  void setShown(bool shown);
+  void setUnits(const LevelUnits& units);
+  [[nodiscard]] const LevelUnits& units() const { return units_; }
+
+  void mouseMoved(const ViewMouse& mouse) override;
+  void clicked(const ViewMouse& mouse) override;
+  bool keyPressed(const QKeyEvent& event) override;
+  void mouseLeft() override;
+  void ended() override;
+  [[nodiscard]] QString hint() const override;
+
+ signals:
+  void placesChanged();
+  void unitsChanged();
+
+ private:
+  struct Target {
+    Vec3 place;
+    bool isVertex = false;
+  };
+  [[nodiscard]] std::optional<Target> targetAt(const QPoint& place) const;
+  [[nodiscard]] std::optional<Vec3> vertexNear(const QPoint& place) const;
+  void draw();
+
+  LevelView& view_;
+  std::function<std::shared_ptr<const Environment>()> level_;
+  LevelUnits units_;
+  std::vector<Vec3> places_;
+  bool isEnded_ = false;  ///< the next click begins a new line
+  std::optional<Target> hovered_;
+  bool shown_ = false;
+};
+
+}  // namespace footfall::ui

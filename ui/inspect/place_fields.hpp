@@ -1,0 +1,43 @@
+// Three fields for a place: X, Y and Z.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLineEdit>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "footfall/environment.hpp"
+#include "ui/base/level_units.hpp"
+
+namespace footfall::ui {
+
+/// Empty while there is no place; a place counts once all three fields hold numbers. Fields show a few digits; what is
+/// not typed over keeps all of them. They are the file's axes, in the shown unit; the place is the level's.
+class PlaceFields : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `name` tells screen readers and tests what place it is ("Start").
+  PlaceFields(const QString& name, const QString& id, QWidget* parent = nullptr);
+
+  void setPlace(const std::optional<Vec3>& place);
+  void setUnits(const LevelUnits& units);
+  [[nodiscard]] QLineEdit* field(std::size_t axis) const { return fields_[axis]; }
+
+ signals:
+  void edited(const footfall::Vec3& place);
+
+ private:
+  void read();
+  void showProblems();
+
+  void showUnits();
+
+  QString name_;
+  std::optional<Vec3> place_;
+  LevelUnits units_;
+  std::array<QLineEdit*, 3> fields_{};
+};
+
+}  // namespace footfall::ui

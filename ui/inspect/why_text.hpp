@@ -1,0 +1,32 @@
+// Why a place is walkable or not, in the user's language.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <cstdint>
+
+#include "core/inspect/inspection.hpp"
+#include "ui/base/level_units.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/view/appearance.hpp"
+
+namespace footfall::ui {
+
+class WhyText {
+  Q_DECLARE_TR_FUNCTIONS(WhyText)
+
+ public:
+  /// "Not walkable: too low"
+  static QString headline(const PlaceExplanation& told);
+  /// One or two sentences: what decided, and who is responsible.
+  static QString reason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
+  static QString slope(const PlaceExplanation& told);
+  static QString headroom(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
+  /// "12 (door, wood)": the number, and the names of mesh and material where the file has some.
+  static QString triangle(const Inspector& inspector, std::uint32_t triangle);
+  /// The colour and pattern that such places have in the view.
+  static Paint paint(const Inspector& inspector, const PlaceExplanation& told);
+};
+
+}  // namespace footfall::ui

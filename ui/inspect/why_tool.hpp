@@ -1,0 +1,52 @@
+// The tool "Why?": a click in the view asks about a place; what the answer speaks of is highlighted.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QPoint>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "core/inspect/inspection.hpp"
+#include "ui/base/level_units.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/view/view_overlay.hpp"
+#include "ui/view/view_tool.hpp"
+
+namespace footfall::ui {
+
+class WhyTool : public ViewTool {
+  Q_DECLARE_TR_FUNCTIONS(WhyTool)
+
+ public:
+  /// `asked` hears of clicks, and of the key Return at the place of the mouse; `over` that another tool has the mouse.
+  WhyTool(std::function<void(const QPoint&)> asked, std::function<void()> over)
+      : asked_(std::move(asked)), over_(std::move(over)) {}
+
+  void clicked(const ViewMouse& mouse) override { asked_(mouse.place); }
+  void mouseMoved(const ViewMouse& mouse) override { mouse_ = mouse.place; }
+  bool keyPressed(const QKeyEvent& event) override;
+  void ended() override { over_(); }
+  [[nodiscard]] QCursor cursor() const override { return Qt::WhatsThisCursor; }
+  [[nodiscard]] QString hint() const override;
+
+ private:
+  std::function<void(const QPoint&)> asked_;
+  std::function<void()> over_;
+  QPoint mouse_;
+};
+
+/// The corners of a triangle of an environment.
+std::array<Vec3, 3> cornersOf(const Environment& environment, std::uint32_t triangle);
+
+/// Triangles that stand in the way of somebody at the place: the obstacle that the filter met, else what is lowest
+/// above, and walls.
+std::vector<std::uint32_t> obstaclesOf(const PlaceExplanation& told);
+
+/// The place with its triangle, what stands in the way, and the free height as a line.
+ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
+
+}  // namespace footfall::ui

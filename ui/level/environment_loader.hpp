@@ -1,0 +1,51 @@
+// Loads environments in the background.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "footfall/environment.hpp"
+#include "footfall/run_context.hpp"
+#include "ui/base/background_queue.hpp"
+#include "ui/view/render_geometry.hpp"
+
+namespace footfall::ui {
+
+struct LoadedEnvironment {
+  std::shared_ptr<const Environment> environment;
+  std::shared_ptr<const EnvironmentGeometry> geometry;
+  ImportOptions options;                ///< as asked for
+  std::vector<std::string> companions;  ///< companionFiles() of its file
+};
+
+/// One load at a time: another one cancels it. Signals come on the thread that the loader lives on.
+class EnvironmentLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit EnvironmentLoader(QObject* parent = nullptr);
+  ~EnvironmentLoader() override;
+
+  /// The geometry is made around `centre`, when one is given: that of the version before.
+  void load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre = std::nullopt);
+  void cancel();
+  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+
+ signals:
+  void started(const QString& path);
+  void loaded(const footfall::ui::LoadedEnvironment& environment);
+  /// One line: what, where and what to do.
+  void failed(const QString& message);
+  void cancelled();
+
+ private:
+  std::shared_ptr<RunContext> context_;
+  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+};
+
+}  // namespace footfall::ui

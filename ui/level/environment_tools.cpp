@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/environment_tools.hpp"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "ui/view/appearance.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr const char* kWatchSetting = "watchFile";
+constexpr const char* kOverlay = "parts";
+// Overlays are sent to the graphics card with every frame: larger parts are shown by their box alone.
+constexpr std::size_t kMostHighlighted = 20'000;
+constexpr int kHighlightAlpha = 110;
+
+struct Bounds {
+  Vec3 lower{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+             std::numeric_limits<double>::max()};
+  Vec3 upper{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(),
+             std::numeric_limits<double>::lowest()};
+  void include(const Vec3& p) {
+    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+  }
+};
+
+/// Calls visit(triangle) for each triangle of the parts.
+template <class Visit>
+void forTriangles(const Environment& environment, const std::vector<std::uint32_t>& parts, Visit visit) {
+  std::vector<char> wanted(std::max<std::size_t>(environment.parts.size(), 1), 0);
+  for (const std::uint32_t part : parts) wanted[part] = 1;
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t)
+    if (wanted[environment.partOf.empty() ? 0 : environment.partOf[t]] != 0) visit(environment.triangles[t]);
+}
+
+std::optional<Bounds> boundsOf(const Environment& environment, const std::vector<std::uint32_t>& parts) {
+  std::optional<Bounds> bounds;
+  forTriangles(environment, parts, [&](const Triangle& t) {
+    if (!bounds) bounds.emplace();
+    for (const std::uint32_t v : t) bounds->include(environment.vertices[v]);
+  });
+  return bounds;
+}
+
+std::vector<std::array<Vec3, 2>> edgesOf(const Bounds& b) {
+  std::vector<std::array<Vec3, 2>> edges;
+  const auto corner = [&](unsigned i) {
+    return Vec3{(i & 1U) != 0 ? b.upper.x : b.lower.x, (i & 2U) != 0 ? b.upper.y : b.lower.y,
+                (i & 4U) != 0 ? b.upper.z : b.lower.z};
+  };
+  for (unsigned i = 0; i < 8; ++i)
+    for (const unsigned bit : {1U, 2U, 4U})
+      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
+  return edges;
+}
+
+}  // namespace
+
+EnvironmentTools::EnvironmentTools(EditorWindow& window) : QObject(&window), window_(window) {
+  createPanel();
+  createWatch();
+  connect(&window_, &EditorWindow::environmentLoaded, this, &EnvironmentTools::follow);
+  connect(&window_, &EditorWindow::rereadDone, this, [this] { panel_->setEnvironment(window_.environment()); });
+  PartLevel& parts = window_.composer().parts();
+  connect(&parts, &PartLevel::geometryChanged, this, [this, &parts] {
+    // With obstacles it is a part of what is shown, and not for us to show.
+    if (window_.level() == parts.base()) window_.view().replaceEnvironment(parts.geometry());
+  });
+}
+
+void EnvironmentTools::createPanel() {
+  panel_ = new PartPanel(window_.document(), &window_);
+  dock_ = window_.addPanel({QStringLiteral("view.parts"),
+                            tr("Meshes and Materials"),
+                            tr("Leave parts of the environment out, or make them obstacles that nobody walks on"),
+                            {Qt::CTRL | Qt::SHIFT | Qt::Key_M},
+                            {},
+                            Qt::LeftDockWidgetArea,
+                            true},
+                           panel_);
+  // Beside the filters, which stay in front: both need the height.
+  if (auto* filters = window_.findChild<QDockWidget*>(QStringLiteral("filterDock"))) {
+    window_.tabifyDockWidget(filters, dock_);
+    filters->raise();
+  }
+  connect(panel_, &PartPanel::selectionChanged, this, &EnvironmentTools::highlight);
+  connect(panel_, &PartPanel::activated, this, &EnvironmentTools::frame);
+}
+
+void EnvironmentTools::createWatch() {
+  QCheckBox* box = window_.importPanel().watchBox();
+  box->setChecked(QSettings().value(QLatin1String(kWatchSetting), true).toBool());
+  watch_.setEnabled(box->isChecked());
+  connect(box, &QCheckBox::toggled, this, [this](bool on) {
+    QSettings().setValue(QLatin1String(kWatchSetting), on);
+    watch_.setEnabled(on);
+  });
+  connect(&watch_, &FileWatch::changed, this, &EnvironmentTools::reread);
+  connect(&watch_, &FileWatch::vanished, this, [this] {
+    window_.messageBar().showHint(
+        tr("%1 is gone from the disk; the result stays, and the file is read again when it comes back")
+            .arg(fileName()));
+  });
+  connect(&watch_, &FileWatch::givenUp, this, [this](const QString& message) {
+    if (message.isEmpty()) return;
+    window_.messageBar().showError(
+        tr("%1 changed on disk, but %2; what was read before stays").arg(fileName(), message));
+  });
+  connect(&window_, &EditorWindow::rereadDone, this, [this] {
+    rereading_ = false;
+    watch_.readSucceeded();
+    window_.messageBar().showHint(tr("%1 changed on disk; read again").arg(fileName()));
+    rereadIfPending();
+  });
+  connect(&window_, &EditorWindow::rereadFailed, this, [this](const QString& message) {
+    rereading_ = false;
+    watch_.readFailed(message);
+    rereadIfPending();
+  });
+  connect(&window_, &EditorWindow::loadFailed, this, &EnvironmentTools::rereadIfPending);
+  connect(&window_.loader(), &EnvironmentLoader::cancelled, this, [this] {
+    if (std::exchange(rereading_, false)) watch_.acknowledge();  // asked for: not again before the next change
+    pending_ = false;
+  });
+  connect(&window_, &EditorWindow::written, this, [this](const QString& path) {
+    if (QFileInfo(path) == QFileInfo(watch_.path())) watch_.acknowledge();
+  });
+}
+
+// What is being read may be the old version, or another file that turns out to be none.
+void EnvironmentTools::reread() {
+  pending_ = window_.loader().busy();
+  if (pending_) return;
+  rereading_ = true;
+  window_.reread();
+}
+
+void EnvironmentTools::rereadIfPending() {
+  if (std::exchange(pending_, false)) reread();
+}
+
+void EnvironmentTools::follow() {
+  rereading_ = false;
+  panel_->setEnvironment(window_.environment());
+  const QString path = QFile::decodeName(QByteArray::fromStdString(window_.environment()->source));
+  const bool same = path == watch_.path();
+  watch_.watch(path);
+  if (same)
+    rereadIfPending();
+  else
+    pending_ = false;
+}
+
+QString EnvironmentTools::fileName() const { return QFileInfo(watch_.path()).fileName(); }
+
+void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
+  const auto environment = window_.environment();
+  const auto bounds = environment && !parts.empty() ? boundsOf(*environment, parts) : std::nullopt;
+  if (!bounds) {
+    if (std::exchange(highlighted_, false)) window_.view().setSelectionBounds(QLatin1String(kOverlay), std::nullopt);
+    window_.view().removeOverlay(QLatin1String(kOverlay));
+    return;
+  }
+  highlighted_ = true;
+  window_.view().setSelectionBounds(QLatin1String(kOverlay), SceneBox{bounds->lower, bounds->upper});
+  ViewOverlay overlay;
+  overlay.throughWalls = true;
+  std::size_t triangles = 0;
+  forTriangles(*environment, parts, [&](const Triangle&) { ++triangles; });
+  QColor colour = selectedCellColour();
+  overlay.lines.push_back({edgesOf(*bounds), colour, 2, outlineColour()});
+  if (triangles <= kMostHighlighted) {
+    colour.setAlpha(kHighlightAlpha);
+    ViewOverlay::Surface surface{{}, colour};
+    surface.triangles.reserve(triangles);
+    forTriangles(*environment, parts, [&](const Triangle& t) {
+      surface.triangles.push_back(
+          {environment->vertices[t[0]], environment->vertices[t[1]], environment->vertices[t[2]]});
+    });
+    overlay.surfaces.push_back(std::move(surface));
+  }
+  window_.view().setOverlay(QLatin1String(kOverlay), std::move(overlay));
+}
+
+void EnvironmentTools::frame(const std::vector<std::uint32_t>& parts) {
+  const auto environment = window_.environment();
+  if (!environment || parts.empty()) return;
+  if (const auto bounds = boundsOf(*environment, parts)) window_.view().frame(bounds->lower, bounds->upper);
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/import_panel.hpp"
+
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/environment/up_axis.hpp"
+#include "ui/base/fitted_labels.hpp"
+#include "ui/base/flow_layout.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/base/number_text.hpp"
+#include "ui/level/scale_question.hpp"
+
+namespace footfall::ui {
+namespace {
+
+// A field like those of the filters; the scale is no filter's parameter.
+ParameterDescriptor scaleDescriptor() {
+  ParameterDescriptor scale;
+  scale.name = "scale";
+  scale.label = "Metres per unit";
+  scale.minimum = 0;
+  scale.minimumOpen = true;
+  scale.maximum = std::numeric_limits<double>::max();
+  scale.defaultValue = 1;
+  return scale;
+}
+
+QString counted(std::uint64_t count, const QString& one, const QString& many) {
+  return countText(count) + QLatin1Char(' ') + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
+  name_ = new ElidedLabel(tr("Nothing loaded"), this);
+  name_->setObjectName(QStringLiteral("environmentName"));
+  name_->setTextFormat(Qt::PlainText);
+  figures_ = new WrappedLabel(this);
+  figures_->setText(tr("Open a file (Ctrl+O), or drop one here."));
+  figures_->setObjectName(QStringLiteral("environmentFigures"));
+
+  up_ = new QComboBox(this);
+  up_->setObjectName(QStringLiteral("upAxis"));
+  up_->addItem(tr("Guess"));
+  for (const UpAxis up : kUpAxes) up_->addItem(upAxisText(up));
+  up_->setToolTip(tr("Which axis of the file points up; places are shown along the axes of the file"));
+  scale_ = new NumberField(scaleDescriptor(), this);
+  scale_->setObjectName(QStringLiteral("scale"));
+  scale_->setFixedWidth(90);
+  scale_->setToolTip(tr(
+      "How many metres one unit of the file is. Coordinates are never scaled: lengths are shown and typed in metres, "
+      "and filters that still have their defaults follow."));
+  scaleNote_ = new QLabel(this);
+  scaleError_ = new WrappedLabel(this);
+  scaleError_->setObjectName(QStringLiteral("rowError"));
+  scaleError_->hide();
+  bothSides_ = new QCheckBox(tr("Both sides count as up"), this);
+  bothSides_->setObjectName(QStringLiteral("bothSides"));
+  bothSides_->setToolTip(
+      tr("For files whose triangles face the wrong way: whatever faces down is taken as facing up."));
+  watch_ = new QCheckBox(tr("Watch the file"), this);
+  watch_->setObjectName(QStringLiteral("watchFile"));
+  watch_->setToolTip(
+      tr("Reads the file again when another program has saved it. Camera, filters, roles and obstacles stay, and only "
+         "what "
+         "differs is computed again."));
+
+  auto* scaleRow = new QHBoxLayout;
+  scaleRow->addWidget(scale_);
+  scaleRow->addWidget(scaleNote_, 1);
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(4);
+  form->addRow(tr("Up axis"), up_);
+  form->addRow(tr("Metres per unit"), scaleRow);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(10, 6, 8, 8);
+  layout->setSpacing(4);
+  layout->addWidget(name_);
+  layout->addWidget(figures_);
+  layout->addLayout(form);
+  layout->addWidget(scaleError_);
+  layout->addWidget(makeQuestion());
+  auto* boxes = new FlowLayout(6);
+  boxes->addWidget(bothSides_);
+  boxes->addWidget(watch_);
+  layout->addLayout(boxes);
+
+  connect(up_, &QComboBox::activated, this, [this](int index) {
+    options_.up = index == 0 ? std::nullopt : std::optional(kUpAxes[static_cast<std::size_t>(index) - 1]);
+    emit optionsEdited(options_);
+  });
+  connect(scale_, &NumberField::valueEdited, this, &ImportPanel::setScale);
+  connect(scale_, &NumberField::problemChanged, this, [this] {
+    scaleError_->setText(scale_->problem());
+    scaleError_->setVisible(!scale_->problem().isEmpty());
+  });
+  connect(bothSides_, &QCheckBox::clicked, this, [this](bool on) {
+    options_.bothSides = on;
+    emit optionsEdited(options_);
+  });
+  setEnvironment(nullptr, {}, false);
+}
+
+QWidget* ImportPanel::makeQuestion() {
+  questionRow_ = new QWidget(this);
+  question_ = new QLabel(questionRow_);
+  question_->setObjectName(QStringLiteral("scaleQuestion"));
+  question_->setWordWrap(true);
+  question_->setToolTip(
+      tr("The file does not say what its unit is. Once the scale is known, all lengths are shown and typed in metres "
+         "(or as View > Lengths in says)."));
+  yes_ = new QPushButton(tr("Yes"), questionRow_);
+  yes_->setObjectName(QStringLiteral("confirmScale"));
+  no_ = new QPushButton(questionRow_);
+  no_->setObjectName(QStringLiteral("keepScale"));
+  auto* row = new QHBoxLayout(questionRow_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(question_, 1);
+  row->addWidget(yes_);
+  row->addWidget(no_);
+  connect(yes_, &QPushButton::clicked, this, [this] { setScale(askAboutScale(size_, fileScale_).scale); });
+  connect(no_, &QPushButton::clicked, this, [this] { setScale(fileScale_); });
+  return questionRow_;
+}
+
+void ImportPanel::setScale(double metresPerUnit) {
+  options_.metresPerUnit = metresPerUnit;
+  showGuesses();
+  emit optionsEdited(options_);
+}
+
+void ImportPanel::addBelowFigures(QWidget* widget) {
+  auto* rows = static_cast<QVBoxLayout*>(layout());
+  rows->insertWidget(rows->indexOf(figures_) + 1, widget);
+}
+
+void ImportPanel::setOptions(const ImportOptions& options) {
+  options_ = options;
+  const auto place = options.up ? std::ranges::find(kUpAxes, *options.up) - kUpAxes.begin() + 1 : 0;
+  up_->setCurrentIndex(static_cast<int>(place));
+  bothSides_->setChecked(options.bothSides);
+  showGuesses();
+}
+
+void ImportPanel::setEnvironment(const Environment* environment, const Vec3& size, bool scaleGiven) {
+  loaded_ = environment != nullptr;
+  for (QWidget* widget :
+       {static_cast<QWidget*>(up_), static_cast<QWidget*>(scale_), static_cast<QWidget*>(bothSides_)}) {
+    widget->setEnabled(loaded_);
+  }
+  if (environment) {
+    const QString path = QString::fromStdString(environment->source);
+    name_->setText(QFileInfo(path).fileName());
+    name_->setToolTip(path);
+    counts_ = counted(environment->triangles.size(), tr("triangle"), tr("triangles")) + QStringLiteral(", ") +
+              counted(environment->vertices.size(), tr("vertex"), tr("vertices"));
+    size_ = size;
+    const SkippedElements& skipped = environment->skipped;
+    QStringList left;
+    if (skipped.polygons > 0) left << counted(skipped.polygons, tr("polygon"), tr("polygons"));
+    if (skipped.lines > 0) left << counted(skipped.lines, tr("line"), tr("lines"));
+    if (skipped.points > 0) left << counted(skipped.points, tr("point"), tr("points"));
+    skipped_ = left.isEmpty() ? QString() : tr("Skipped: %1").arg(left.join(QStringLiteral(", ")));
+    showFigures();
+    // What was given instead of guessed is no guess to fall back to.
+    if (environment->upGuessed) guessedUp_ = environment->up;
+    if (!scaleGiven) {
+      fileScale_ = environment->metresPerUnit;
+      scaleGuessed_ = environment->scaleGuessed;
+    }
+  }
+  showGuesses();
+}
+
+void ImportPanel::showGuesses() {
+  up_->setItemText(0, loaded_ && !options_.up ? tr("%1 (guessed)").arg(upAxisText(guessedUp_)) : tr("Guess"));
+  scale_->setValue(options_.metresPerUnit.value_or(fileScale_));
+  scaleNote_->setText(!loaded_ || options_.metresPerUnit ? QString()
+                      : scaleGuessed_                    ? tr("(guessed)")
+                                                         : tr("(says the file)"));
+  showQuestion();
+}
+
+void ImportPanel::showQuestion() {
+  const bool asked = loaded_ && scaleGuessed_ && !options_.metresPerUnit;
+  questionRow_->setVisible(asked);
+  if (!asked) return;
+  const ScaleQuestion question = askAboutScale(size_, fileScale_);
+  question_->setText(question.text);
+  yes_->setToolTip(tr("1 unit of the file is %1").arg(unitLengthText(question.scale)));
+  no_->setVisible(question.guess.has_value());
+  no_->setText(tr("No, %1").arg(unitLengthText(fileScale_)));
+  no_->setToolTip(tr("1 unit of the file is %1").arg(unitLengthText(fileScale_)));
+}
+
+void ImportPanel::setUnits(const LevelUnits& units) {
+  units_ = units;
+  if (loaded_) showFigures();
+}
+
+// In the order of the file's axes.
+void ImportPanel::showFigures() {
+  const std::array<double, 3> sizes{size_.x, size_.y, size_.z};
+  std::array<double, 3> shown{};
+  for (int axis = 0; axis < 3; ++axis)
+    shown[static_cast<std::size_t>(units_.fileAxis(axis).axis)] =
+        sizes[static_cast<std::size_t>(axis)] * units_.factor();
+  QString figures =
+      counts_ + QLatin1Char('\n') +
+      tr("%1 × %2 × %3 %4 (%5)")
+          .arg(shortText(shown[0], 4), shortText(shown[1], 4), shortText(shown[2], 4), units_.name(), units_.upText());
+  if (!skipped_.isEmpty()) figures += QLatin1Char('\n') + skipped_;
+  figures_->setText(figures);
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,68 @@
+// What is loaded and how it was read: up axis, scale, winding. Guesses are named as such and can be overruled.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "footfall/environment.hpp"
+#include "ui/base/number_field.hpp"
+
+namespace footfall::ui {
+
+class ImportPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImportPanel(QWidget* parent = nullptr);
+
+  /// The options as they are asked for; what is empty is guessed.
+  void setOptions(const ImportOptions& options);
+  /// Null: nothing is loaded. `scaleGiven`: its scale is the user's word, and not the file's or a guess.
+  void setEnvironment(const Environment* environment, const Vec3& size, bool scaleGiven);
+  void setUnits(const LevelUnits& units);
+
+  [[nodiscard]] QComboBox* upBox() const { return up_; }
+  [[nodiscard]] NumberField* scaleField() const { return scale_; }
+  /// Confirm a scale that is a guess; shown while it is one.
+  [[nodiscard]] QPushButton* yesButton() const { return yes_; }
+  [[nodiscard]] QPushButton* noButton() const { return no_; }
+  [[nodiscard]] QString questionText() const { return question_->text(); }
+  [[nodiscard]] QCheckBox* bothSidesBox() const { return bothSides_; }
+  /// Whether the file is read again when another program saves it. Remembered by the caller.
+  [[nodiscard]] QCheckBox* watchBox() const { return watch_; }
+
+  /// Puts a widget below the figures; takes it over.
+  void addBelowFigures(QWidget* widget);
+
+ signals:
+  void optionsEdited(const footfall::ImportOptions& options);
+
+ private:
+  QWidget* makeQuestion();
+  void setScale(double metresPerUnit);
+  void showGuesses();
+  void showFigures();
+  void showQuestion();
+
+  ImportOptions options_;
+  UpAxis guessedUp_ = UpAxis::Z;
+  double fileScale_ = 1;      ///< holds while the user gives none
+  bool scaleGuessed_ = true;  ///< and is not the file's own word
+  bool loaded_ = false;
+  QString counts_, skipped_;
+  Vec3 size_;
+  LevelUnits units_;
+  QLabel *name_, *figures_, *scaleNote_, *scaleError_;
+  QWidget* questionRow_;
+  QLabel* question_;
+  QPushButton *yes_, *no_;
+  QComboBox* up_;
+  NumberField* scale_;
+  QCheckBox *bothSides_, *watch_;
+};
+
+}  // namespace footfall::ui

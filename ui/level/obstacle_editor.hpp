@@ -1,0 +1,105 @@
+// Editing the document's obstacles: which one is selected, edits with names for undo, and drags whose result follows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <cstdint>
+#include <optional>
+
+#include "core/environment/placed_obstacle.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/document/document.hpp"
+#include "ui/level/level_composer.hpp"
+#include "ui/run/run_controller.hpp"
+
+namespace footfall::ui {
+
+/// One for a window; tools in the view and the panel share it. While something is dragged, the document gets its newest
+/// place whenever no run is under way, or when the mouse has rested for 150 ms: runs are not cancelled by the next
+/// movement, and never does more than one wait. A drag is one entry of the undo stack.
+class ObstacleEditor : public QObject {
+  Q_OBJECT
+
+ public:
+  ObstacleEditor(Document& document, LevelComposer& composer, RunController& controller, QObject* parent = nullptr);
+
+  [[nodiscard]] const std::vector<PlacedObstacle>& obstacles() const { return document_.state().obstacles; }
+  /// As it is under the mouse while it is dragged; null when there is none with this id.
+  [[nodiscard]] const PlacedObstacle* find(std::uint32_t id) const;
+  [[nodiscard]] const PlacedObstacle* selected() const { return selected_ ? find(*selected_) : nullptr; }
+  void select(std::optional<std::uint32_t> id);
+
+  /// Of a new one with one metre of extent each, in the environment's units.
+  [[nodiscard]] PlacedObstacle makeDefault(PlacedObstacle::Shape shape) const;
+  /// The step to which dragged lengths are rounded, about a centimetre; with `coarse`, about a quarter of a metre.
+  [[nodiscard]] double step(bool coarse) const;
+
+  /// Steps and new obstacles are round in the unit that is shown.
+  void setUnits(const LevelUnits& units) { units_ = units; }
+  [[nodiscard]] const LevelUnits& units() const { return units_; }
+
+  // Edits that can be undone. All of them end a drag first.
+
+  /// Gives it an id, and a name where it has none; selects it.
+  std::uint32_t add(PlacedObstacle obstacle);
+  /// A copy at the same place plus `offset`, selected.
+  std::optional<std::uint32_t> duplicate(std::uint32_t id, const Vec3& offset);
+  void remove(std::uint32_t id);
+  /// Puts `next` in the place of the one with its id. `text` names the edit, with %1 for the obstacle; edits with the
+  /// same merge key that follow each other are one.
+  void change(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
+
+  /// For edits that follow each other quickly (a key that is held, a number that is typed): as change(), but like a
+  /// drag, which ends when nothing follows for a while. Without a merge key, those between two pauses are one edit.
+  void changeSoon(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
+
+  // Drags of the mouse.
+
+  /// `text` as for change().
+  void beginDrag(std::uint32_t id, const QString& text);
+  /// The same for a copy that is made with the first movement.
+  void beginDragOfCopy(std::uint32_t id);
+  void dragTo(const PlacedObstacle& next);
+  void endDrag();
+  /// All is as it was before the drag.
+  void cancelDrag();
+  [[nodiscard]] bool dragging() const { return drag_.has_value(); }
+
+  static QString nameOf(PlacedObstacle::Shape shape);
+
+ signals:
+  /// Obstacles or the selection are others, or the dragged one has moved.
+  void changed();
+
+ private:
+  struct Drag {
+    std::uint32_t id = 0;
+    QString text, mergeKey;
+    PlacedObstacle live;
+    DocumentState before;
+    bool committed = false;  ///< the document has an entry of it
+  };
+
+  [[nodiscard]] double roundShown(double metres) const;
+  [[nodiscard]] const PlacedObstacle* inDocument(std::uint32_t id) const;
+  [[nodiscard]] QString newName(const QString& stem) const;
+  [[nodiscard]] std::uint32_t newId() const;
+  void startDrag(const PlacedObstacle& live, const QString& text, const QString& mergeKey = {});
+  void commit();
+  void documentChanged();
+
+  Document& document_;
+  LevelComposer& composer_;
+  RunController& controller_;
+  LevelUnits units_;
+  std::optional<std::uint32_t> selected_;
+  std::optional<Drag> drag_;
+  bool committing_ = false;
+  int drags_ = 0;
+  QTimer rest_;   ///< of the mouse
+  QTimer pause_;  ///< ends what changeSoon() began
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/obstacle_features.hpp"
+
+#include <QDockWidget>
+#include <QEvent>
+#include <QKeyEvent>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "ui/base/number_text.hpp"
+#include "ui/view/appearance.hpp"
+#include "ui/view/handle_colours.hpp"
+#include "ui/view/obstacle_geometry.hpp"
+
+namespace footfall::ui {
+namespace {
+
+using Shape = PlacedObstacle::Shape;
+
+constexpr std::array kShapes{Shape::Box, Shape::Cylinder, Shape::Ramp};
+constexpr const char* kSelection = "obstacle.selection";
+
+// However it is turned.
+SceneBox boundsOf(const PlacedObstacle& o) {
+  const double reach = std::hypot(o.size.x, o.size.y) / 2;
+  return {{o.base.x - reach, o.base.y - reach, o.base.z}, {o.base.x + reach, o.base.y + reach, o.base.z + o.size.z}};
+}
+
+}  // namespace
+
+ObstacleFeatures::ObstacleFeatures(EditorWindow& window)
+    : QObject(&window), window_(window), geometry_(new LevelGeometry(window.composer(), window.view(), this)) {
+  followLevel();
+  editor_ = new ObstacleEditor(window.document(), window.composer(), window.controller(), this);
+  createTools();
+  createPanel();
+  createCommands();
+  connect(editor_, &ObstacleEditor::changed, this, &ObstacleFeatures::showSelection);
+  connect(editor_, &ObstacleEditor::changed, this, &ObstacleFeatures::boundSelection);
+  connect(&window_, &EditorWindow::environmentLoaded, editor_, [this] { editor_->select(std::nullopt); });
+  window_.view().installEventFilter(this);
+}
+
+PlaceObstacleTool& ObstacleFeatures::placeTool(Shape shape) { return *place_[static_cast<std::size_t>(shape)]; }
+
+// The view and the cells show the level that runs compute on; numbers of triangles mean the same everywhere. The
+// composer hears of results before the editor does, which then makes the next level from them.
+void ObstacleFeatures::followLevel() {
+  connect(&window_, &EditorWindow::environmentLoaded, this, [this] { geometry_->follow(); });
+  connect(&window_.composer(), &LevelComposer::edited, this,
+          [this] { window_.cellWatch().editEnvironment(window_.level()); });
+  connect(&window_.controller(), &RunController::finished, this,
+          [this] { window_.composer().setComputed(window_.controller().finishedRun()->environment); });
+}
+
+void ObstacleFeatures::createTools() {
+  const ObstacleContext context{window_.view(), window_.composer(), *editor_,
+                                [this](const QString& text) { window_.say(text, StatusSubject::Tool); }};
+  const QString group = QStringLiteral("obstacles");
+  select_ = new SelectObstacleTool(context, this);
+  window_.addTool({QStringLiteral("obstacle.select"),
+                   CommandMenu::Tools,
+                   group,
+                   tr("&Select and move obstacles"),
+                   tr("Select obstacles; move, turn and resize them with handles"),
+                   {Qt::Key_V},
+                   QStringLiteral("move")},
+                  select_);
+  const std::array<QString, 3> texts{tr("Place a &box"), tr("Place a &cylinder"), tr("Place a &ramp")};
+  const std::array<QString, 3> helps{
+      tr("Click where a box is to stand, or draw its base and then its height"),
+      tr("Click where a cylinder is to stand, or draw its base and then its height"),
+      tr("Click where a ramp is to stand, or draw its base, the way it rises, and then its height")};
+  const std::array<QKeySequence, 3> keys{Qt::SHIFT | Qt::Key_B, Qt::SHIFT | Qt::Key_N, Qt::SHIFT | Qt::Key_R};
+  for (const Shape shape : kShapes) {
+    const auto i = static_cast<std::size_t>(shape);
+    auto* tool = new PlaceObstacleTool(shape, context, this);
+    place_.push_back(tool);
+    constexpr std::array<const char*, 3> kIcons{"obstacle-box", "obstacle-cylinder", "obstacle-ramp"};
+    constexpr std::array<const char*, 3> kIds{"obstacle.box", "obstacle.cylinder", "obstacle.ramp"};
+    window_.addTool(
+        {QLatin1String(kIds[i]), CommandMenu::Tools, group, texts[i], helps[i], {keys[i]}, QLatin1String(kIcons[i])},
+        tool);
+    connect(tool, &PlaceObstacleTool::placed, this, [this](bool more) {
+      if (!more) window_.view().setTool(select_);
+    });
+  }
+}
+
+void ObstacleFeatures::createPanel() {
+  panel_ = new ObstaclePanel(*editor_, &window_);
+  dock_ = window_.addPanel({QStringLiteral("view.obstacles"), tr("Obstacles"),
+                            tr("List of placed obstacles, with their places and sizes in numbers")},
+                           panel_);
+  connect(panel_, &ObstaclePanel::placeRequested, this, [this](Shape shape) {
+    if (!window_.level()) return;
+    window_.view().setTool(&placeTool(shape));
+    window_.view().setFocus();
+  });
+  connect(panel_, &ObstaclePanel::duplicateRequested, this, &ObstacleFeatures::duplicate);
+  connect(panel_, &ObstaclePanel::frameRequested, this, &ObstacleFeatures::frame);
+  panel_->setPlacing(false);
+  connect(&window_, &EditorWindow::environmentLoaded, panel_, [this] { panel_->setPlacing(true); });
+  const auto takeUnits = [this] {
+    editor_->setUnits(window_.units().units());
+    panel_->setUnits(window_.units().units());
+  };
+  connect(&window_.units(), &UnitChoice::changed, this, takeUnits);
+  takeUnits();
+  connect(panel_, &ObstaclePanel::stickingChanged, this, [this](bool on) { select_->setSticking(on); });
+}
+
+// Their keys count in the view and in the dock only: elsewhere they belong to filters and texts.
+void ObstacleFeatures::createCommands() {
+  const QString group = QStringLiteral("obstacles");
+  QAction* copy = window_.commands().add({QStringLiteral("obstacle.duplicate"),
+                                          CommandMenu::Tools,
+                                          group,
+                                          tr("&Duplicate obstacle"),
+                                          tr("A copy beside the selected obstacle"),
+                                          {QKeySequence(Qt::CTRL | Qt::Key_D)},
+                                          QStringLiteral("duplicate")},
+                                         [this](bool) { duplicate(); });
+  QAction* remove = window_.commands().add({QStringLiteral("obstacle.delete"),
+                                            CommandMenu::Tools,
+                                            group,
+                                            tr("D&elete obstacle"),
+                                            tr("Take the selected obstacle out of the level"),
+                                            {QKeySequence::Delete},
+                                            QStringLiteral("remove")},
+                                           [this](bool) {
+                                             if (const auto* o = editor_->selected()) editor_->remove(o->id);
+                                           });
+  for (QAction* action : {copy, remove}) {
+    action->setShortcutContext(Qt::WidgetShortcut);
+    window_.view().addAction(action);
+    panel_->list()->addAction(action);
+    // Other tools have marks of their own that Del takes away.
+    const auto enable = [this, action] {
+      const ViewTool* tool = window_.view().tool();
+      action->setEnabled(editor_->selected() && (!tool || tool == select_ || std::ranges::count(place_, tool) > 0));
+    };
+    connect(editor_, &ObstacleEditor::changed, action, enable);
+    connect(&window_.view(), &LevelView::toolChanged, action, enable);
+    enable();
+  }
+}
+
+void ObstacleFeatures::duplicate() {
+  const PlacedObstacle* o = editor_->selected();
+  if (!o) return;
+  const Vec3 beside = placeOn(*o, {o->size.x, 0, 0});
+  const double step = editor_->step(false);
+  editor_->duplicate(o->id, {roundTo(beside.x - o->base.x, step), roundTo(beside.y - o->base.y, step), 0});
+}
+
+// The selected one stands out, with or without the tool; while it is dragged, it is seen at once where it will be.
+void ObstacleFeatures::showSelection() {
+  const QString name = QLatin1String(kSelection);
+  const PlacedObstacle* selected = editor_->selected();
+  if (!selected) {
+    window_.view().removeOverlay(name);
+    return;
+  }
+  const ObstacleShape shape = shapeOf(*selected);
+  ViewOverlay overlay;
+  overlay.throughWalls = true;
+  overlay.lines.push_back({shape.edges, highlightColour(), 2, outlineColour()});
+  if (editor_->dragging()) {
+    QColor fill = highlightColour();
+    fill.setAlphaF(0.25F);
+    overlay.surfaces.push_back({shape.triangles, fill});
+    const LevelUnits& units = window_.units().units();
+    overlay.labels.push_back({placeOn(*selected, {0, 0, selected->size.z}),
+                              tr("%1: %2; size %3; %4°")
+                                  .arg(QString::fromStdString(selected->name), units.place(selected->base),
+                                       units.size(selected->size), shortText(selected->turn))});
+  }
+  window_.view().setOverlay(name, std::move(overlay));
+}
+
+void ObstacleFeatures::boundSelection() {
+  const PlacedObstacle* selected = editor_->selected();
+  window_.view().setSelectionBounds(QLatin1String(kSelection),
+                                    selected ? std::optional(boundsOf(*selected)) : std::nullopt);
+}
+
+void ObstacleFeatures::frame(std::uint32_t id) {
+  const PlacedObstacle* o = editor_->find(id);
+  if (!o) return;
+  const SceneBox bounds = boundsOf(*o);
+  window_.view().frame(bounds.lower, bounds.upper);
+}
+
+bool ObstacleFeatures::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && window_.view().tool()) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool nudges =
+        window_.view().tool() == select_ && editor_->selected() && (key == Qt::Key_PageUp || key == Qt::Key_PageDown);
+    if (key == Qt::Key_Escape || nudges) {
+      event->accept();
+      return true;
+    }
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,51 @@
+// Obstacles in the editor: tools, commands and the dock, and the level that follows them in the view.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "ui/level/level_geometry.hpp"
+#include "ui/level/obstacle_editor.hpp"
+#include "ui/level/obstacle_panel.hpp"
+#include "ui/level/obstacle_tools.hpp"
+#include "ui/window/editor_window.hpp"
+
+namespace footfall::ui {
+
+/// A child of its window; found as window.findChild<ObstacleFeatures*>().
+class ObstacleFeatures : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ObstacleFeatures(EditorWindow& window);
+
+  [[nodiscard]] ObstacleEditor& editor() { return *editor_; }
+  [[nodiscard]] SelectObstacleTool& selectTool() { return *select_; }
+  [[nodiscard]] PlaceObstacleTool& placeTool(PlacedObstacle::Shape shape);
+  [[nodiscard]] ObstaclePanel& panel() { return *panel_; }
+
+ protected:
+  /// Esc belongs to a tool and does not cancel the run; page keys to what is selected.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void followLevel();
+  void createTools();
+  void createPanel();
+  void createCommands();
+  void showSelection();
+  void boundSelection();
+  void frame(std::uint32_t id);
+  void duplicate();
+
+  EditorWindow& window_;
+  LevelGeometry* geometry_;
+  ObstacleEditor* editor_ = nullptr;
+  SelectObstacleTool* select_ = nullptr;
+  std::vector<PlaceObstacleTool*> place_;
+  ObstaclePanel* panel_ = nullptr;
+  QDockWidget* dock_ = nullptr;
+};
+
+}  // namespace footfall::ui

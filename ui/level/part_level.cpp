@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/part_level.hpp"
+
+#include <QMetaObject>
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "core/environment/environment_diff.hpp"
+#include "footfall/errors.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr std::size_t kVersions = 4;
+
+}  // namespace
+
+PartLevel::PartLevel(QObject* parent) : QObject(parent) {}
+
+PartLevel::~PartLevel() { stop(); }
+
+void PartLevel::stop() {
+  if (context_) context_->cancel();
+  context_.reset();
+}
+
+void PartLevel::setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std::vector<PartRule>& rules) {
+  stop();
+  loaded_ = std::move(loaded);
+  geometry_ = std::move(geometry);
+  rules_ = rules;
+  versions_.clear();
+  computed_ = nullptr;
+  base_ = loaded_ ? applyPartRules(loaded_, rules_) : nullptr;
+  if (base_ != loaded_)
+    work(base_);
+  else if (base_)
+    versions_.push_front({loaded_, rules_, base_, geometry_});
+}
+
+void PartLevel::replaceLoaded(EnvironmentPtr loaded, const std::vector<PartRule>& rules) {
+  loaded_ = std::move(loaded);
+  rules_ = rules;
+  update();
+}
+
+void PartLevel::setRules(const std::vector<PartRule>& rules) {
+  if (rules == rules_) return;
+  rules_ = rules;
+  if (loaded_) update();
+}
+
+void PartLevel::setComputed() {
+  if (!busy()) computed_ = base_;
+}
+
+void PartLevel::update() {
+  stop();
+  const auto known = std::ranges::find_if(
+      versions_, [&](const Version& version) { return version.loaded == loaded_ && version.rules == rules_; });
+  if (known != versions_.end()) {
+    const Version version = *known;
+    take(version.base, version.geometry);
+    return;
+  }
+  work(nullptr);
+}
+
+// With `base` only its geometry is missing.
+void PartLevel::work(EnvironmentPtr base) {
+  context_ = std::make_shared<RunContext>();
+  queue_.post([this, context = context_, loaded = loaded_, rules = rules_, before = computed_ ? computed_ : base_,
+               given = std::move(base), centre = geometry_->centre] {
+    EnvironmentPtr made = given;
+    GeometryPtr geometry;
+    QString error;
+    try {
+      if (!made) made = diffEnvironments(before, applyPartRules(loaded, rules), context.get());
+      context->checkCancelled();
+      geometry = makeEnvironmentGeometry(*made, centre);
+    } catch (const Cancelled&) {
+      return;
+    } catch (const std::exception& problem) {
+      error = tr("the roles of parts cannot be applied (%1); close other programs or use a smaller environment")
+                  .arg(coreText(problem));
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, context, made, geometry, error] {
+          if (context != context_) return;  // overtaken
+          context_.reset();
+          if (geometry)
+            take(made, geometry);
+          else
+            emit failed(error);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PartLevel::take(const EnvironmentPtr& base, const GeometryPtr& geometry) {
+  versions_.remove_if([&](const Version& version) { return version.base == base; });
+  versions_.push_front({loaded_, rules_, base, geometry});
+  if (versions_.size() > kVersions) versions_.pop_back();
+  geometry_ = geometry;
+  if (base != base_) {
+    base_ = base;
+    emit changed();
+  }
+  emit geometryChanged();
+}
+
+}  // namespace footfall::ui

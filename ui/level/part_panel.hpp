@@ -1,0 +1,69 @@
+// The panel of meshes and materials: what is left out, and what is an obstacle only.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSortFilterProxyModel>
+#include <QTreeView>
+#include <QWidget>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/document/document.hpp"
+#include "ui/level/part_model.hpp"
+
+namespace footfall::ui {
+
+/// Edits the document's part rules; every edit is one entry of the undo stack, whatever it takes in.
+class PartPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PartPanel(Document& document, QWidget* parent = nullptr);
+
+  /// As its file gave it; null: none. What is selected, and open, stays by its name.
+  void setEnvironment(const std::shared_ptr<const Environment>& environment);
+  /// Gives the selected rows a role, one edit.
+  void setRole(PartRole role);
+
+  [[nodiscard]] std::vector<std::uint32_t> selectedParts() const;
+  [[nodiscard]] QTreeView* tree() const { return tree_; }
+  [[nodiscard]] QLineEdit* filterField() const { return filter_; }
+  [[nodiscard]] PartModel* model() const { return model_; }
+  /// The row of a part as the tree shows it; invalid when the filter hides it.
+  [[nodiscard]] QModelIndex rowOf(std::uint32_t part) const;
+
+ signals:
+  void selectionChanged(const std::vector<std::uint32_t>& parts);
+  /// Bring them into sight.
+  void activated(const std::vector<std::uint32_t>& parts);
+
+ private:
+  void createWidgets();
+  void createActions();
+  /// Does what resets the tree; what is selected, and open, stays by its name.
+  void keepingSelection(const std::function<void()>& change);
+  void apply(const std::vector<std::uint32_t>& parts, const std::vector<PartRole>& roles, const QString& text);
+  void include(const std::vector<std::uint32_t>& parts, bool on);
+  void showFigures();
+  [[nodiscard]] QString nameOf(const std::vector<std::uint32_t>& parts) const;
+
+  Document& document_;
+  PartModel* model_;
+  QSortFilterProxyModel* proxy_;
+  QTreeView* tree_;
+  QLineEdit* filter_;
+  QLabel *figures_, *empty_;
+  std::vector<QAction*> roleActions_;
+  std::map<std::pair<std::string, std::string>, PartRole> before_;  ///< of what boxes left out
+  bool restoring_ = false;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/skipped_feature.hpp"
+
+#include <algorithm>
+
+#include "core/environment/skipped_polygons.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/base/panel_dock.hpp"
+#include "ui/view/appearance.hpp"
+
+namespace footfall::ui {
+namespace {
+
+const QString kOverlay = QStringLiteral("skipped");
+constexpr double kShownAround = 1;  // metres around the corners
+
+}  // namespace
+
+SkippedFeature::SkippedFeature(EditorWindow& window)
+    : QObject(&window), window_(window), panel_(new SkippedPanel), show_(new QPushButton(&window.importPanel())) {
+  setObjectName(QStringLiteral("skipped"));
+  dock_ = window_.addPanel({QStringLiteral("panel.skipped"),
+                            tr("Left Out"),
+                            tr("List the polygons of the file that could not be read as floors or walls, and why"),
+                            {},
+                            {},
+                            Qt::RightDockWidgetArea,
+                            false},
+                           panel_);
+  show_->setObjectName(QStringLiteral("showSkipped"));
+  show_->setToolTip(tr("List the polygons of the file that were left out, and why"));
+  show_->hide();
+  window_.importPanel().addBelowFigures(show_);
+  connect(show_, &QPushButton::clicked, this, [this] {
+    bringToFront(*dock_);
+    dock_->raise();
+  });
+  connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
+    if (!on) window_.view().removeOverlay(kOverlay);
+  });
+  // While the window goes, its docks still hide, and the view is gone by then.
+  connect(&window_.commands(), &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
+  connect(panel_, &SkippedPanel::frameRequested, this, &SkippedFeature::frame);
+  for (const auto signal : {&EditorWindow::environmentLoaded, &EditorWindow::rereadDone})
+    connect(&window_, signal, this, &SkippedFeature::follow);
+  connect(&window_.units(), &UnitChoice::changed, this, &SkippedFeature::follow);
+}
+
+void SkippedFeature::follow() {
+  window_.view().removeOverlay(kOverlay);
+  const auto environment = window_.environment();
+  const SkippedElements& skipped = environment ? environment->skipped : SkippedElements{};
+  panel_->show(skipped, [units = window_.units().units()](const Vec3& place) { return units.place(place); });
+  show_->setVisible(skipped.polygons > 0);
+  show_->setText(tr("%n polygons were left out: list", "", static_cast<int>(skipped.polygons)));
+}
+
+void SkippedFeature::frame(int row) {
+  const auto environment = window_.environment();
+  if (!environment || row < 0 || static_cast<std::size_t>(row) >= environment->skipped.listed.size()) return;
+  const SkippedPolygon& polygon = environment->skipped.listed[static_cast<std::size_t>(row)];
+  if (polygon.corners.empty()) {
+    window_.view().removeOverlay(kOverlay);
+    window_.say(tr("This polygon has no corners: it is nowhere in the level."));
+    return;
+  }
+  ViewOverlay overlay;
+  overlay.throughWalls = true;
+  const Vec3 &a = polygon.corners.front(), &b = polygon.corners.back();
+  overlay.lines.push_back({{{a, b}}, selectedCellColour(), 3, outlineColour()});
+  for (const Vec3& corner : polygon.corners) overlay.marks.push_back({corner, selectedCellColour(), 11});
+  overlay.labels.push_back({a, coreText(skippedSource(polygon))});
+  window_.view().setOverlay(kOverlay, std::move(overlay));
+  const double around = kShownAround / environment->metresPerUnit;
+  window_.view().frame({std::min(a.x, b.x) - around, std::min(a.y, b.y) - around, std::min(a.z, b.z) - around},
+                       {std::max(a.x, b.x) + around, std::max(a.y, b.y) + around, std::max(a.z, b.z) + around});
+}
+
+}  // namespace footfall::ui

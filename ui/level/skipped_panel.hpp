@@ -1,0 +1,35 @@
+// The panel "Left out": polygons of the file that are not in the level, with the reasons.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLabel>
+#include <QTableWidget>
+#include <QWidget>
+#include <functional>
+
+#include "footfall/environment.hpp"
+
+namespace footfall::ui {
+
+class SkippedPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SkippedPanel(QWidget* parent = nullptr);
+
+  /// `place` writes a place of the level.
+  void show(const SkippedElements& skipped, const std::function<QString(const Vec3&)>& place);
+
+  [[nodiscard]] QTableWidget* table() const { return table_; }
+  [[nodiscard]] QString summary() const { return summary_->text(); }
+
+ signals:
+  /// A row of the list was clicked, or Return was pressed on it.
+  void frameRequested(int row);
+
+ private:
+  QLabel* summary_;
+  QTableWidget* table_;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,12 @@
+// The commands that choose the unit of lengths, and what sessions keep of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace footfall::ui {
+
+class EditorWindow;
+
+/// Adds the menu "Lengths in" to the window.
+void installUnitTools(EditorWindow& window);
+
+}  // namespace footfall::ui

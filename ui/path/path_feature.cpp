@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/path/path_feature.hpp"
+
+#include <QDockWidget>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "core/navigation/place_reach.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/window/editor_window.hpp"
+
+namespace footfall::ui {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kShownAround = 1.5;  // metres around what keeps two parts apart
+
+Json toJson(const std::optional<Vec3>& place) { return place ? Json{place->x, place->y, place->z} : Json(nullptr); }
+
+std::optional<Vec3> toPlace(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const auto numbers = json.get<std::array<double, 3>>();
+  for (const double x : numbers)
+    if (!std::isfinite(x)) throw std::runtime_error("a place that is not finite");
+  return Vec3{numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace
+
+PathFeature::PathFeature(EditorWindow& window)
+    : QObject(&window),
+      window_(window),
+      tool_(model_, window.view(), nullptr),
+      panel_(new PathPanel(model_)),
+      separation_(new SeparationView(model_, window.view(), panel_)) {
+  panel_->addBelowFailure(separation_);
+  dock_ = window.addPanel({QStringLiteral("panel.path"),
+                           tr("Try it"),
+                           tr("Enter two places and see the shortest path between them"),
+                           {},
+                           {},
+                           Qt::RightDockWidgetArea,
+                           false},
+                          panel_);
+  window.addTool({QStringLiteral("tools.path"),
+                  CommandMenu::Tools,
+                  QStringLiteral("tools"),
+                  tr("&Try it"),
+                  tr("Click two places and see the shortest path between them"),
+                  {Qt::Key_P},
+                  QStringLiteral("path")},
+                 &tool_, dock_);
+  connect(&window.view(), &LevelView::toolChanged, this, &PathFeature::follow);
+  connect(dock_, &QDockWidget::visibilityChanged, this, &PathFeature::follow);
+  connect(&tool_, &PathTool::hintChanged, this, [this](const QString& hint) {
+    if (window_.view().tool() == &tool_) window_.say(hint, StatusSubject::Tool);
+  });
+  const auto takeUnits = [this] {
+    panel_->setUnits(window_.units().units());
+    tool_.setUnits(window_.units().units());
+    const LevelUnits units = window_.units().units();
+    separation_->setWriter({[units](double length) { return units.length(length); },
+                            [units](const Vec3& place) { return units.place(place); }});
+  };
+  connect(&window.units(), &UnitChoice::changed, this, takeUnits);
+  takeUnits();
+  connect(&window.controller(), &RunController::finished, this, &PathFeature::takeResult);
+  connect(&window, &EditorWindow::environmentLoaded, this, [this] {
+    const std::string source = window_.environment() ? window_.environment()->source : std::string();
+    if (!std::exchange(fromSession_, false) && source != environment_) model_.setPlaces(std::nullopt, std::nullopt);
+    environment_ = source;
+    takeResult();
+  });
+  connect(&model_, &PathModel::placesChanged, &window, &EditorWindow::keepSoon);
+  connect(&model_, &PathModel::resultChanged, this, &PathFeature::boundSelection);
+  connect(panel_, &PathPanel::speedEdited, &window, &EditorWindow::keepSoon);
+  connect(&model_, &PathModel::failed, this,
+          [this](const QString& text) { window_.messageBar().showErrorOf(MessageSubject::Path, text); });
+  connect(&model_, &PathModel::resultChanged, this, [this] { window_.messageBar().finish(MessageSubject::Path); });
+  window.addSessionSection(
+      {QStringLiteral("path"), [this] { return save(); }, [this](const std::string& text) { load(text); }});
+  takeResult();
+}
+
+void PathFeature::follow() {
+  const bool shown = window_.view().tool() == &tool_ || !dock_->isHidden();
+  tool_.setShown(shown);
+  separation_->setShown(shown);
+  model_.setActive(shown);
+  boundSelection();
+}
+
+void PathFeature::takeResult() {
+  const auto run = window_.controller().finishedRun();
+  if (run) {
+    model_.setGround({run->result.mesh, placeReach(run->pipeline), run->environment,
+                      agentHeight(run->pipeline, run->environment->metresPerUnit)});
+  } else {
+    model_.setGround({});
+  }
+  const double metres = window_.environment() ? window_.environment()->metresPerUnit : 1;
+  separation_->setMargin(kShownAround / metres);
+  panel_->setNotice(!window_.environment() ? tr("Open an environment first.")
+                    : run                  ? QString()
+                                           : tr("There is no result to walk on yet."));
+  follow();
+}
+
+// What "Frame selection" shows: the path, or how far it comes.
+void PathFeature::boundSelection() {
+  std::optional<SceneBox> bounds;
+  const bool shown = window_.view().tool() == &tool_ || !dock_->isHidden();
+  if (shown && model_.result() && model_.result()->hasPath()) {
+    for (const Vec3& p : model_.result()->points) {
+      if (!bounds) bounds = SceneBox{p, p};
+      Vec3 &lower = bounds->lower, &upper = bounds->upper;
+      lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+      upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+    }
+  }
+  window_.view().setSelectionBounds(QStringLiteral("path"), bounds);
+}
+
+std::string PathFeature::save() const {
+  Json json;
+  json["start"] = toJson(model_.start());
+  json["target"] = toJson(model_.target());
+  json["speed"] = panel_->speed();
+  return json.dump();
+}
+
+void PathFeature::load(const std::string& text) {
+  fromSession_ = true;
+  if (text.empty()) {
+    model_.setPlaces(std::nullopt, std::nullopt);
+    return;
+  }
+  const Json json = Json::parse(text);
+  const double speed = json.value("speed", panel_->speed());
+  if (!(speed > 0 && std::isfinite(speed))) throw std::runtime_error("a walking speed that is not above 0");
+  model_.setPlaces(toPlace(json.value("start", Json())), toPlace(json.value("target", Json())));
+  panel_->setSpeed(speed);
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/path/path_text.hpp"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/base/number_text.hpp"
+
+namespace footfall::ui {
+namespace {
+
+/// For the translations.
+struct PathText {
+  Q_DECLARE_TR_FUNCTIONS(footfall::ui::PathText)
+};
+
+QString seconds(double time) {
+  if (time < 60) return PathText::tr("%1 s").arg(fixedText(time, 1));
+  const int whole = static_cast<int>(std::lround(std::min(time, 1e8)));
+  return PathText::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+}
+
+QString degrees(double angle) { return fixedText(angle, 1) + QStringLiteral("°"); }
+
+}  // namespace
+
+QString failureText(const PathResult& result, const LevelUnits& units) {
+  switch (result.status) {
+    case PathStatus::Found:
+      return {};
+    case PathStatus::NothingWalkable:
+      return PathText::tr("Nothing is walkable here.");
+    case PathStatus::StartNotWalkable:
+      return PathText::tr("The start is not walkable. The nearest place that is lies %1 away, at %2.")
+          .arg(units.length(result.start->distance), units.place(result.start->position));
+    case PathStatus::TargetNotWalkable:
+      return PathText::tr("The target is not walkable. One can come as near as %1 to it, at %2.")
+          .arg(units.length(result.end->distance), units.place(result.end->position));
+    case PathStatus::NotConnected:
+      return PathText::tr(
+                 "No way leads there: start and target are on separate parts. One can come as near as %1, at %2.")
+          .arg(units.length(result.end->distance), units.place(result.end->position));
+  }
+  return {};
+}
+
+QString pathText(const PathResult& result, const LevelUnits& units, double speed) {
+  if (!result.hasPath()) return {};
+  QStringList lines;
+  lines << PathText::tr("Length %1").arg(units.length(result.length));
+  lines << (result.bends.size() == 1 ? PathText::tr("In the plan %1, 1 bend").arg(units.length(result.planLength))
+                                     : PathText::tr("In the plan %1, %2 bends")
+                                           .arg(units.length(result.planLength), countText(result.bends.size())));
+  const double metres = result.length * units.metresPerUnit;
+  if (speed > 0) lines << PathText::tr("%1 at %2 m/s").arg(seconds(metres / speed), measureText(speed));
+  if (!result.layers.empty()) {
+    QStringList layers;
+    for (const std::uint32_t layer : result.layers) layers << QString::number(layer);
+    if (layers.size() > 12) layers = layers.mid(0, 11) << QStringLiteral("…") << layers.last();
+    const QString walked = layers.join(QStringLiteral(" → "));
+    lines << (result.layers.size() == 1 ? PathText::tr("On layer %1").arg(walked)
+              : result.connections == 1
+                  ? PathText::tr("Layers %1 (1 connection)").arg(walked)
+                  : PathText::tr("Layers %1 (%2 connections)").arg(walked).arg(result.connections));
+  }
+  lines << PathText::tr("Slope up to %1, climbs or falls up to %2")
+               .arg(degrees(result.maxSlopeDegrees), degrees(result.maxInclineDegrees));
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace footfall::ui

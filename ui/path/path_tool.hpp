@@ -1,0 +1,51 @@
+// The tool "Try it": clicks two places, draws the path between them, and lets both ends be dragged.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "ui/base/level_units.hpp"
+#include "ui/path/path_model.hpp"
+#include "ui/view/level_view.hpp"
+#include "ui/view/view_tool.hpp"
+
+namespace footfall::ui {
+
+/// A click sets the start, the next one the target, one more starts anew. An end under the mouse is dragged. Backspace
+/// takes the last end back.
+class PathTool : public QObject, public ViewTool {
+  Q_OBJECT
+
+ public:
+  PathTool(PathModel& model, LevelView& view, QObject* parent);
+
+  /// Draws ends and path, also while the tool does not have the mouse.
+  void setShown(bool shown);
+  /// Metres in one unit, for the label.
+  void setUnits(const LevelUnits& units);
+
+  bool mousePressed(const ViewMouse& mouse) override;
+  void mouseMoved(const ViewMouse& mouse) override;
+  void mouseReleased(const ViewMouse& mouse) override;
+  void clicked(const ViewMouse& mouse) override;
+  bool keyPressed(const QKeyEvent& event) override;
+  void mouseLeft() override;
+  void ended() override;
+  [[nodiscard]] QString hint() const override;
+
+ signals:
+  void hintChanged(const QString& hint);
+
+ private:
+  enum class End { None, Start, Target };
+  [[nodiscard]] End endAt(const QPoint& place) const;
+  void draw();
+
+  PathModel& model_;
+  LevelView& view_;
+  End dragged_ = End::None, hovered_ = End::None;
+  bool shown_ = false;
+  LevelUnits units_;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/path/separation_view.hpp"
+
+#include <QHBoxLayout>
+#include <utility>
+
+namespace footfall::ui {
+namespace {
+
+const QString kOverlay = QStringLiteral("separation");
+
+const std::optional<Separation>& separationOf(const PathModel& model) {
+  static const std::optional<Separation> kNone;
+  return model.result() ? model.result()->separation : kNone;
+}
+
+}  // namespace
+
+SeparationView::SeparationView(PathModel& model, LevelView& view, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      view_(view),
+      text_(new QLabel(this)),
+      show_(new QPushButton(tr("Show &it"), this)) {
+  text_->setObjectName(QStringLiteral("pathSeparation"));
+  text_->setTextFormat(Qt::PlainText);
+  text_->setWordWrap(true);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  text_->setAccessibleName(tr("What keeps start and target apart"));
+  show_->setObjectName(QStringLiteral("pathShowSeparation"));
+  show_->setToolTip(tr("Bring the place into sight where the two parts are nearest to each other"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(text_, 1);
+  layout->addWidget(show_, 0, Qt::AlignTop);
+  connect(show_, &QPushButton::clicked, this, &SeparationView::frame);
+  connect(&model_, &PathModel::resultChanged, this, &SeparationView::update);
+  hide();
+}
+
+void SeparationView::setWriter(LevelWriter writer) {
+  write_ = std::move(writer);
+  update();
+}
+
+void SeparationView::setShown(bool shown) {
+  shown_ = shown;
+  update();
+}
+
+void SeparationView::frame() {
+  const auto& separation = separationOf(model_);
+  if (!separation) return;
+  const auto [lower, upper] = boundsOf(*separation, margin_);
+  view_.frame(lower, upper);
+}
+
+void SeparationView::update() {
+  const auto& separation = separationOf(model_);
+  const bool isKnown = separation && write_.length && write_.place;
+  text_->setText(isKnown ? separationText(*separation, write_) : QString());
+  setVisible(isKnown);
+  if (!isKnown || !shown_) {
+    view_.removeOverlay(kOverlay);
+    return;
+  }
+  ViewOverlay overlay;
+  overlay.throughWalls = true;
+  addSeparation(overlay, *separation, write_);
+  view_.setOverlay(kOverlay, std::move(overlay));
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,61 @@
+// Where the threads of a run leave what they have to tell until the window fetches it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "footfall/run_context.hpp"
+#include "footfall/statistics.hpp"
+#include "ui/view/render_geometry.hpp"
+
+namespace footfall::ui {
+
+/// Thread-safe. However fast events come, the owner is called once and then not again before it has fetched.
+class RunEventBuffer {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  struct Part {
+    std::shared_ptr<const NavigationMesh> mesh;
+    std::shared_ptr<const NavigationMeshGeometry>
+        geometry;                    ///< of the mesh, where the thread that told of it has made it
+    std::optional<CellBounds> cell;  ///< that it is the part of, when it is one's
+  };
+  struct Step {
+    bool finished = false;
+    Clock::time_point started, ended;
+    double fraction = 0;
+    Part whole;               ///< its result; empty for cached steps
+    std::vector<Part> parts;  ///< pieces, while it runs
+  };
+
+  struct Block {
+    std::shared_ptr<const BlockReport> made;
+    std::vector<std::shared_ptr<const CellReport>> cells;  ///< null while a cell has not finished
+  };
+
+  /// `notify` is called from the threads of the run and must be quick and thread-safe.
+  explicit RunEventBuffer(std::function<void()> notify) : notify_(std::move(notify)) {}
+
+  void add(const RunEvent& event, std::shared_ptr<const NavigationMeshGeometry> geometry = nullptr);
+  /// All steps so far, in order; the last one may be running.
+  std::vector<Step> fetch();
+  /// The parallel blocks so far, in order.
+  std::vector<Block> blocks() const;
+
+ private:
+  void addCell(const RunEvent& event, std::shared_ptr<const NavigationMeshGeometry> geometry);
+  std::function<void()> notify_;
+  mutable std::mutex mutex_;
+  std::vector<Step> steps_;
+  std::vector<Block> blocks_;
+  bool notified_ = false;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/appearance.hpp"
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/base/theme.hpp"
+
+namespace footfall::ui {
+namespace {
+
+// The pattern of shaders/surface.frag; y runs down here and up there.
+bool inked(FillPattern pattern, double x, double y) {
+  const auto wrap = [](double value, double period) { return value - period * std::floor(value / period); };
+  switch (pattern) {
+    case FillPattern::Plain:
+      return false;
+    case FillPattern::RisingStripes:
+      return wrap(x + y, 8) <= 2.5;
+    case FillPattern::FallingStripes:
+      return wrap(x - y, 8) <= 2.5;
+    case FillPattern::Dots:
+      return std::hypot(wrap(x, 6) - 3, wrap(y, 6) - 3) <= 1.6;
+  }
+  return false;
+}
+
+}  // namespace
+
+Paint wallPaint() { return {QColor(196, 199, 203), FillPattern::Plain}; }
+Paint undecidedPaint() { return {QColor(222, 224, 227), FillPattern::Plain}; }
+Paint walkablePaint() { return {QColor(0, 158, 115), FillPattern::Plain}; }
+
+Paint layerPaint(std::uint32_t layer) {
+  static const std::array<QColor, 6> kColours = {QColor(0, 158, 115), QColor(86, 180, 233),  QColor(240, 228, 66),
+                                                 QColor(0, 114, 178), QColor(204, 121, 167), QColor(230, 159, 0)};
+  const QColor& colour = kColours[layer % kColours.size()];
+  switch (layer / kColours.size() % 3) {
+    case 1:
+      return {colour.darker(150), FillPattern::Plain};
+    case 2:
+      return {colour.lighter(140), FillPattern::Plain};
+    default:
+      return {colour, FillPattern::Plain};
+  }
+}
+
+QColor obstacleEdgeColour() { return {213, 60, 0}; }
+QColor connectionColour() { return {255, 255, 255}; }
+QColor outlineColour() { return {28, 40, 48}; }
+QColor creaseColour() { return {118, 123, 130}; }
+QColor cellBorderColour() { return {255, 255, 255}; }
+QColor hoveredCellColour() { return {255, 255, 255}; }
+QColor selectedCellColour() { return {255, 196, 0}; }
+QColor backgroundLower() { return isDarkTheme() ? QColor(44, 49, 55) : QColor(247, 248, 250); }
+QColor backgroundUpper() { return isDarkTheme() ? QColor(24, 27, 31) : QColor(221, 227, 234); }
+
+Paint paleWalkablePaint() { return {QColor(226, 238, 233), FillPattern::Plain}; }
+
+Paint sourcePaint(std::uint32_t triangle) {
+  // Neighbours in the file are often neighbours in space: their numbers are spread.
+  return layerPaint((triangle * 2654435761U >> 16U) % 18);
+}
+
+QColor wireColour() { return {70, 78, 88}; }
+QColor hiddenLineFill() { return {250, 250, 251}; }
+
+QColor heatColour(double value) {
+  static const std::array<QColor, 11> kViridis = {
+      QColor(0x44, 0x01, 0x54), QColor(0x48, 0x24, 0x75), QColor(0x41, 0x44, 0x87), QColor(0x35, 0x5F, 0x8D),
+      QColor(0x2A, 0x78, 0x8E), QColor(0x21, 0x90, 0x8C), QColor(0x22, 0xA8, 0x84), QColor(0x44, 0xBF, 0x70),
+      QColor(0x7A, 0xD1, 0x51), QColor(0xBB, 0xDF, 0x27), QColor(0xFD, 0xE7, 0x25)};
+  const double place = std::clamp(value, 0.0, 1.0) * (kViridis.size() - 1);
+  const auto first = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
+  const auto part = static_cast<float>(place - static_cast<double>(first));
+  const QColor& a = kViridis[first];
+  const QColor& b = kViridis[first + 1];
+  const auto mixed = [part](float from, float to) { return from + part * (to - from); };
+  return QColor::fromRgbF(mixed(a.redF(), b.redF()), mixed(a.greenF(), b.greenF()), mixed(a.blueF(), b.blueF()));
+}
+
+const RemovalStyle* removalStyle(std::string_view filter) {
+  static const std::array<RemovalStyle, 3> kStyles = {{
+      {"SlopeFilter",
+       QCoreApplication::translate("Legend", "Too steep"),
+       {QColor(176, 150, 128), FillPattern::RisingStripes},
+       {QColor(230, 159, 0), FillPattern::RisingStripes}},
+      {"VerticalClearanceFilter",
+       QCoreApplication::translate("Legend", "Too little headroom"),
+       {QColor(150, 138, 176), FillPattern::FallingStripes},
+       {QColor(204, 121, 167), FillPattern::FallingStripes}},
+      {"AreaFilter",
+       QCoreApplication::translate("Legend", "Too small an area"),
+       {QColor(146, 160, 168), FillPattern::Dots},
+       {QColor(0, 114, 178), FillPattern::Dots}},
+  }};
+  for (const RemovalStyle& style : kStyles) {
+    if (style.filter == filter) return &style;
+  }
+  return nullptr;
+}
+
+QPixmap paintSwatch(const Paint& paint, const QSize& size, qreal devicePixelRatio) {
+  QImage image(size * devicePixelRatio, QImage::Format_RGB32);
+  const QColor ink =
+      QColor::fromRgbF(paint.colour.redF() * 0.55F, paint.colour.greenF() * 0.55F, paint.colour.blueF() * 0.55F);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const bool dark = inked(paint.pattern, (x + 0.5) / devicePixelRatio, (y + 0.5) / devicePixelRatio);
+      const bool border = x == 0 || y == 0 || x == image.width() - 1 || y == image.height() - 1;
+      image.setPixelColor(x, y, border ? outlineColour() : dark ? ink : paint.colour);
+    }
+  }
+  image.setDevicePixelRatio(devicePixelRatio);
+  return QPixmap::fromImage(image);
+}
+
+QPixmap lineSwatch(const QColor& colour, qreal width, const QSize& size, qreal devicePixelRatio) {
+  QPixmap pixmap(size * devicePixelRatio);
+  pixmap.setDevicePixelRatio(devicePixelRatio);
+  // Lines are seen on walkable area.
+  pixmap.fill(walkablePaint().colour.darker(125));
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colour, width));
+  painter.drawLine(QPointF(0, size.height() / 2.0), QPointF(size.width(), size.height() / 2.0));
+  return pixmap;
+}
+
+}  // namespace footfall::ui

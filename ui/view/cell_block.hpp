@@ -1,0 +1,41 @@
+// A parallel block as the window knows it, before, during and after its run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "footfall/statistics.hpp"
+
+namespace footfall::ui {
+
+/// Of a finished run.
+struct RunFigures {
+  RunTimes times;
+  int threads = 1;
+};
+
+struct CellBlock {
+  BlockReport report;          ///< cells that have not finished have bounds and costs only
+  std::vector<char> finished;  ///< for each cell
+  /// Null while the block runs, and before. Blocks of one run share it.
+  std::shared_ptr<const RunFigures> run;
+
+  [[nodiscard]] bool complete() const { return run != nullptr; }
+  /// A cell has finished.
+  [[nodiscard]] bool begun() const;
+  /// One more than the largest thread that has worked on it, at least that of its run.
+  [[nodiscard]] int threads() const;
+};
+
+using CellBlocks = std::vector<CellBlock>;
+
+/// A cell among the blocks that are shown.
+struct CellId {
+  std::size_t block = 0, cell = 0;
+  auto operator<=>(const CellId&) const = default;
+};
+
+}  // namespace footfall::ui

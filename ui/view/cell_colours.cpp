@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/cell_colours.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ui/base/number_text.hpp"
+
+namespace footfall::ui {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+
+double valueOf(const CellReport& cell, CellColouring colouring) {
+  switch (colouring) {
+    case CellColouring::Time:
+      return cell.workMs();
+    case CellColouring::Triangles:
+      return static_cast<double>(cell.trianglesIn);
+    case CellColouring::Cost:
+      return cell.cost;
+    case CellColouring::Thread:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+QString labelOf(CellColouring colouring) {
+  switch (colouring) {
+    case CellColouring::Thread:
+      return tr("Thread");
+    case CellColouring::Time:
+      return tr("Time");
+    case CellColouring::Triangles:
+      return tr("Triangles");
+    case CellColouring::Cost:
+      return tr("Estimated cost");
+  }
+  return {};
+}
+
+const char* nameOf(CellColouring colouring) {
+  constexpr std::array kNames = {"thread", "time", "triangles", "cost"};
+  return kNames[static_cast<std::size_t>(colouring)];
+}
+
+std::optional<CellColouring> colouringFrom(const std::string& name) {
+  const auto* const found =
+      std::ranges::find_if(kCellColourings, [&](CellColouring colouring) { return name == nameOf(colouring); });
+  return found == kCellColourings.end() ? std::nullopt : std::optional(*found);
+}
+
+QColor threadColour(int thread) {
+  static const std::array<QColor, 7> kColours = {QColor(0, 114, 178),   QColor(230, 159, 0),  QColor(86, 180, 233),
+                                                 QColor(204, 121, 167), QColor(240, 228, 66), QColor(0, 158, 115),
+                                                 QColor(213, 94, 0)};
+  const auto i = static_cast<std::size_t>(thread);
+  const QColor& colour = kColours[i % kColours.size()];
+  switch (i / kColours.size() % 3) {
+    case 1:
+      return colour.darker(150);
+    case 2:
+      return colour.lighter(140);
+    default:
+      return colour;
+  }
+}
+
+QColor scaleColour(double fraction) {
+  static const std::array<QColor, 9> kStops = {QColor(253, 231, 37), QColor(173, 220, 48), QColor(94, 201, 98),
+                                               QColor(40, 174, 128), QColor(33, 145, 140), QColor(44, 114, 142),
+                                               QColor(59, 82, 139),  QColor(71, 45, 123),  QColor(68, 1, 84)};
+  const double place = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(kStops.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
+  const auto part = static_cast<float>(place - static_cast<double>(below));
+  const QColor& a = kStops[below];
+  const QColor& b = kStops[below + 1];
+  const auto mix = [part](float x, float y) { return x + part * (y - x); };
+  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
+}
+
+QColor unfinishedColour() { return {206, 210, 215}; }
+
+QColor filterColour(std::size_t index) {
+  static const std::array<QColor, 5> kColours = {QColor(214, 219, 226), QColor(150, 160, 173), QColor(92, 103, 118),
+                                                 QColor(184, 172, 156), QColor(128, 112, 96)};
+  return kColours[index % kColours.size()];
+}
+
+CellScale::CellScale(const CellBlock& block, CellColouring wanted) : shown_(wanted), threads_(block.threads()) {
+  const std::vector<CellReport>& cells = block.report.cells;
+  if (!block.begun()) shown_ = CellColouring::Cost;
+  const auto known = [&](std::size_t cell) { return shown_ == CellColouring::Cost || block.finished[cell] != 0; };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (known(i)) maximum_ = std::max(maximum_, valueOf(cells[i], shown_));
+  }
+  colours_.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    allKnown_ = allKnown_ && known(i);
+    if (!known(i)) continue;
+    if (shown_ == CellColouring::Thread) {
+      colours_[i] = threadColour(cells[i].thread);
+    } else {
+      colours_[i] = scaleColour(maximum_ > 0 ? valueOf(cells[i], shown_) / maximum_ : 0);
+    }
+  }
+}
+
+std::vector<ThreadShare> threadShares(const CellBlock& block) {
+  const std::vector<double> busy = block.report.busyMs(block.threads());
+  std::map<int, ThreadShare> shares;
+  for (std::size_t i = 0; i < block.report.cells.size(); ++i) {
+    if (block.finished[i] == 0) continue;
+    const CellReport& cell = block.report.cells[i];
+    ThreadShare& share = shares[cell.thread];
+    share.thread = cell.thread;
+    share.ms = busy[static_cast<std::size_t>(cell.thread)];
+    ++share.cells;
+  }
+  std::vector<ThreadShare> sorted;
+  for (const auto& [thread, share] : shares) sorted.push_back(share);
+  std::ranges::stable_sort(sorted, [](const ThreadShare& a, const ThreadShare& b) { return a.ms > b.ms; });
+  return sorted;
+}
+
+QString durationText(double milliseconds) {
+  if (milliseconds >= 1000) return tr("%1 s").arg(fixedText(milliseconds / 1000, 2));
+  if (milliseconds >= 10) return tr("%1 ms").arg(fixedText(milliseconds, milliseconds < 100 ? 1 : 0));
+  if (milliseconds >= 0.005 || milliseconds == 0) return tr("%1 ms").arg(fixedText(milliseconds, 2));
+  return tr("under 0.01 ms");
+}
+
+QString valueText(CellColouring colouring, double value) {
+  switch (colouring) {
+    case CellColouring::Time:
+      return durationText(value);
+    case CellColouring::Triangles:
+      return value == 1 ? tr("1 triangle") : tr("%1 triangles").arg(fixedText(value, 0));
+    case CellColouring::Cost:
+      return tr("%1 units of work").arg(fixedText(value, 0));
+    case CellColouring::Thread:
+      break;
+  }
+  return tr("thread %1").arg(fixedText(value, 0));
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,53 @@
+// Cells as the view draws them: the environment's floors cut at the borders, by cell, and each cell's box.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/partitioning/partition.hpp"
+#include "footfall/environment.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/view/render_geometry.hpp"
+#include "ui/view/scene_picker.hpp"
+
+namespace footfall::ui {
+
+/// 16 bytes; locations 0 and 1 of shaders/cell.vert.
+struct CellVertex {
+  std::array<float, 3> position{};
+  std::uint32_t cell = 0;  ///< on its way to OpenGL with one of the below
+};
+/// Added to the cell of what lies on a cover (ui/view/level_covers.hpp), or on a floor of a hidden layer.
+inline constexpr std::uint32_t kCellOnCover = 0x80000000, kCellHidden = 0x40000000;
+
+/// Relative to the environment's centre, as all geometry of the view.
+struct CellBox {
+  std::array<float, 3> lower{}, upper{};
+};
+
+struct CellGeometry {
+  std::vector<CellVertex> surface;       ///< three a triangle, in the order of the cells
+  std::vector<std::uint32_t> sources;    ///< the triangle of the environment, for each of them
+  std::vector<std::size_t> firstVertex;  ///< one for each cell, and one more
+  std::vector<LineSegment> borders;      ///< where borders cross floors, and the rectangle of each cell at its bottom
+  std::vector<CellBox> boxes;            ///< outer sides are those of the environment
+};
+
+/// Drapes the cells over the triangles that face up. `poll` is called often and may throw. Computed in doubles: this is
+/// for looking at, the core decides elsewhere what belongs to which cell.
+std::shared_ptr<const CellGeometry> makeCellGeometry(const Environment& environment, const Vec3& centre,
+                                                     const std::vector<CellBounds>& cells,
+                                                     const std::function<void()>& poll);
+
+/// The twelve edges of a box.
+std::vector<LineSegment> edgesOf(const CellBox& box);
+
+/// The cell of the first triangle within `shown` that the ray (in the scene's coordinates) meets, by where it meets it;
+/// where it meets none, by where it meets the bottom. Nothing outside of all cells.
+std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& environment,
+                                    const CellGeometry& geometry, const ShownSpace& shown);
+
+}  // namespace footfall::ui

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/edit_preview.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <unordered_map>
+
+#include "ui/view/headroom_preview.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr std::size_t kTrianglesPerPoll = 4096;
+
+struct ThresholdTriangle {
+  double value = 0;  ///< the triangle changes sides where the threshold passes this
+  std::uint32_t triangle = 0;
+};
+
+/// Triangles in the order in which a threshold comes by them.
+class ThresholdOrder {
+ public:
+  ThresholdOrder(std::shared_ptr<const NavigationMesh> mesh, const std::vector<double>& values)
+      : mesh_(std::move(mesh)) {
+    order_.reserve(values.size());
+    for (std::uint32_t t = 0; t < values.size(); ++t) order_.push_back({values[t], t});
+    std::sort(order_.begin(), order_.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  }
+
+  /// The triangles whose value is above `low` and not above `high`; none when they are too many to be previewed.
+  [[nodiscard]] NavigationMesh between(double low, double high) const {
+    const auto above = [](double limit, const ThresholdTriangle& t) { return limit < t.value; };
+    const auto first = std::upper_bound(order_.begin(), order_.end(), low, above);
+    const auto last = std::upper_bound(first, order_.end(), high, above);
+    NavigationMesh soup;
+    if (last - first > static_cast<std::ptrdiff_t>(kMostPreviewed)) return soup;
+    for (auto it = first; it != last; ++it) {
+      const auto base = static_cast<std::uint32_t>(soup.vertices.size());
+      for (const std::uint32_t corner : mesh_->triangles[it->triangle])
+        soup.vertices.push_back(mesh_->vertices[corner]);
+      soup.triangles.push_back({base, base + 1, base + 2});
+    }
+    return soup;
+  }
+
+  [[nodiscard]] const std::shared_ptr<const NavigationMesh>& mesh() const { return mesh_; }
+
+ private:
+  std::shared_ptr<const NavigationMesh> mesh_;
+  std::vector<ThresholdTriangle> order_;
+};
+
+Vec3 normalOf(const NavigationMesh& mesh, const Triangle& triangle) {
+  const Vec3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
+  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
+  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+EditPreview::Surfaces painted(const NavigationMesh& mesh, const Vec3& centre, const Paint& paint) {
+  if (mesh.triangles.empty()) return {};
+  return {makeMeshGeometry(mesh, centre, paint)};
+}
+
+/// SlopeFilter: whole faces come and go with their angle.
+class SlopePreview : public EditPreview {
+ public:
+  SlopePreview(const EditedStep& step, const Vec3& centre, const std::function<void()>& poll)
+      : centre_(centre), order_(step.before, anglesOf(*step.before, poll)) {}
+
+  [[nodiscard]] Surfaces changes(double from, double to) const override {
+    if (to < from) return painted(order_.between(to, from), centre_, removalStyle("SlopeFilter")->paint);
+    return painted(order_.between(from, to), centre_, walkablePaint());
+  }
+  [[nodiscard]] bool suits(const EditedStep& step) const override { return step.before == order_.mesh(); }
+
+ private:
+  static std::vector<double> anglesOf(const NavigationMesh& mesh, const std::function<void()>& poll) {
+    std::vector<double> angles;
+    angles.reserve(mesh.triangles.size());
+    for (const Triangle& triangle : mesh.triangles) {
+      if (angles.size() % kTrianglesPerPoll == 0) poll();
+      const Vec3 n = normalOf(mesh, triangle);
+      angles.push_back(std::atan2(std::hypot(n.x, n.y), std::abs(n.z)) * 180 / std::numbers::pi);
+    }
+    return angles;
+  }
+
+  Vec3 centre_;
+  ThresholdOrder order_;
+};
+
+/// AreaFilter: regions of the result go with their area. Which ones come back, only the run can tell: what was taken
+/// away is not known by regions.
+class AreaPreview : public EditPreview {
+ public:
+  AreaPreview(const EditedStep& step, const Vec3& centre, const std::function<void()>& poll)
+      : centre_(centre), order_(step.result, areasOfRegions(*step.result, poll)) {}
+
+  [[nodiscard]] Surfaces changes(double from, double to) const override {
+    return painted(order_.between(from, std::max(from, to)), centre_, removalStyle("AreaFilter")->paint);
+  }
+  [[nodiscard]] bool suits(const EditedStep& step) const override { return step.result == order_.mesh(); }
+
+ private:
+  // For each triangle the area of its region. Triangles are in one region when they share an edge: the result has
+  // vertices of its own on each side of an obstacle edge.
+  static std::vector<double> areasOfRegions(const NavigationMesh& mesh, const std::function<void()>& poll) {
+    std::vector<std::uint32_t> parent(mesh.triangles.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto find = [&](std::uint32_t t) {
+      while (parent[t] != t) t = parent[t] = parent[parent[t]];
+      return t;
+    };
+    std::unordered_map<std::uint64_t, std::uint32_t> firstOn;
+    firstOn.reserve(2 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (t % kTrianglesPerPoll == 0) poll();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+        const auto [edge, isNew] = firstOn.try_emplace((std::uint64_t{low} << 32U) | high, t);
+        if (!isNew) parent[find(t)] = find(edge->second);
+      }
+    }
+    poll();
+    std::vector<double> areas(mesh.triangles.size(), 0);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Vec3 n = normalOf(mesh, mesh.triangles[t]);
+      areas[find(t)] += std::hypot(n.x, n.y, n.z) / 2;
+    }
+    std::vector<double> ofRegion(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ofRegion[t] = areas[find(t)];
+    return ofRegion;
+  }
+
+  Vec3 centre_;
+  ThresholdOrder order_;
+};
+
+}  // namespace
+
+std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,
+                                                   const std::shared_ptr<const Environment>& environment,
+                                                   const Vec3& centre, const std::function<void()>& poll) {
+  if (step.filter == "SlopeFilter" && step.before) return std::make_shared<SlopePreview>(step, centre, poll);
+  if (step.filter == "AreaFilter" && step.result) return std::make_shared<AreaPreview>(step, centre, poll);
+  if (step.filter == "VerticalClearanceFilter" && step.before)
+    return std::make_shared<HeadroomPreview>(step, environment, centre, poll);
+  return nullptr;
+}
+
+}  // namespace footfall::ui

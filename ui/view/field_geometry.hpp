@@ -1,0 +1,47 @@
+// Floors with a number at each place, for heat maps: slopes and free heights.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "footfall/environment.hpp"
+
+namespace footfall::ui {
+
+/// 20 bytes; locations 0, 1 and 2 of shaders/field.vert.
+struct FieldVertex {
+  std::array<float, 3> position{};
+  float value = 0;
+  std::array<std::int8_t, 4> normal{};
+};
+
+struct FieldGeometry {
+  std::vector<FieldVertex> surface;    ///< three a triangle, relative to the environment's centre
+  std::vector<std::uint32_t> sources;  ///< the triangle of the environment, for each of them
+};
+
+/// What its colours mean.
+struct FieldScale {
+  double lower = 0, upper = 1;   ///< at the ends of the colours; what is beyond has the colour of the end
+  std::optional<double> limit;   ///< of the filter
+  bool aboveIsRejected = false;  ///< else what is below the limit is
+  bool operator==(const FieldScale&) const = default;
+};
+
+/// Angles to the ground in degrees, of all triangles that face up and are no walls. Of a picture's precision: what is
+/// walkable, SlopeFilter decides. `poll` is called often and may throw to cancel.
+std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environment, const Vec3& centre,
+                                                    const std::function<void()>& poll);
+
+/// Free heights above all triangles that face up and are no walls, `cap` (units, above 0) where it is that or more.
+/// Floors are cut into smaller pieces where the height changes, about `budget` pieces in all. In parallel.
+std::shared_ptr<const FieldGeometry> makeClearanceField(const std::shared_ptr<const Environment>& environment,
+                                                        const Vec3& centre, double cap, std::size_t budget,
+                                                        const std::function<void()>& poll);
+
+}  // namespace footfall::ui

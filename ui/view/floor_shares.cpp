@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/floor_shares.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/triangle_tree.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr double kInside = 1e-6;    // of a triangle's area: corners that are outside by less are inside
+constexpr double kThinnest = 1e-7;  // of the smaller area: what two triangles share at an edge is nothing
+constexpr double kApart = 1e-3;     // of a piece's extent: joined pieces may lie a little above or below their floor
+
+using Corners = std::array<Vec3, 3>;
+
+Corners cornersOf(const std::vector<Vec3>& vertices, const Triangle& t) {
+  return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+}
+
+double cross(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Twice the area in the plan, above 0 where it faces up.
+double planArea(const Corners& p) { return cross(p[0], p[1], p[2]); }
+
+double areaOf(const Corners& p) {
+  const Vec3 u{p[1].x - p[0].x, p[1].y - p[0].y, p[1].z - p[0].z};
+  const Vec3 v{p[2].x - p[0].x, p[2].y - p[0].y, p[2].z - p[0].z};
+  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
+}
+
+double heightAt(const Corners& p, double x, double y) {
+  const double area = planArea(p);
+  const Vec3 at{x, y, 0};
+  return (cross(p[1], p[2], at) * p[0].z + cross(p[2], p[0], at) * p[1].z + cross(p[0], p[1], at) * p[2].z) / area;
+}
+
+bool isInside(const Corners& piece, const Corners& floor) {
+  const double area = planArea(floor);
+  if (!(std::abs(area) > 0)) return false;
+  return std::ranges::all_of(piece, [&](const Vec3& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (cross(floor[k], floor[(k + 1) % 3], p) / area < -kInside) return false;
+    }
+    return true;
+  });
+}
+
+Box boxOf(const Corners& p) {
+  const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
+  const auto [y0, y1] = std::minmax({p[0].y, p[1].y, p[2].y});
+  const auto [z0, z1] = std::minmax({p[0].z, p[1].z, p[2].z});
+  return {{x0, y0, z0}, {x1, y1, z1}};
+}
+
+// The part of the piece's area that lies over the floor, at its height.
+double shareOf(const Corners& piece, const Corners& floor, double slack) {
+  const double facing = planArea(floor) < 0 ? -1 : 1;
+  std::array<Vec3, 9> polygon{piece[0], piece[1], piece[2]};
+  std::size_t size = 3;
+  for (std::size_t k = 0; k < 3 && size > 0; ++k) {
+    const Vec3 &a = floor[k], &b = floor[(k + 1) % 3];
+    std::array<Vec3, 9> kept;
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const Vec3 &p = polygon[i], &q = polygon[(i + 1) % size];
+      const double dp = facing * cross(a, b, p), dq = facing * cross(a, b, q);
+      if (dp >= 0 && left < kept.size()) kept[left++] = p;
+      if ((dp > 0) == (dq > 0) || dp == 0 || dq == 0 || left == kept.size()) continue;
+      const double t = dp / (dp - dq);
+      kept[left++] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
+    }
+    polygon = kept;
+    size = left;
+  }
+  double twice = 0;
+  Vec3 middle;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i >= 2) twice += cross(polygon[0], polygon[i - 1], polygon[i]);
+    middle.x += polygon[i].x / static_cast<double>(size);
+    middle.y += polygon[i].y / static_cast<double>(size);
+  }
+  const double all = std::abs(planArea(piece));
+  if (!(std::abs(twice) > kThinnest * std::min(all, std::abs(planArea(floor))))) return 0;
+  const double apart = std::abs(heightAt(piece, middle.x, middle.y) - heightAt(floor, middle.x, middle.y));
+  return apart <= slack ? std::abs(twice) / all * areaOf(piece) : 0;
+}
+
+// Of all triangles of the environment that may be floors.
+TriangleTree treeOf(const Environment& environment) {
+  std::vector<Box> boxes;
+  std::vector<std::int32_t> ids;
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
+    const Corners corners = cornersOf(environment.vertices, environment.triangles[t]);
+    const double area = planArea(corners);
+    if (!(environment.bothSides ? area != 0 : area > 0)) continue;
+    boxes.push_back(boxOf(corners));
+    ids.push_back(static_cast<std::int32_t>(t));
+  }
+  TriangleTree tree;
+  tree.build(boxes, ids);
+  return tree;
+}
+
+}  // namespace
+
+std::vector<FloorShare> floorsUnder(const NavigationMesh& mesh, const Environment& environment) {
+  std::vector<FloorShare> shares;
+  shares.reserve(mesh.triangles.size());
+  std::optional<TriangleTree> tree;
+  std::vector<std::int32_t> stack;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Corners piece = cornersOf(mesh.vertices, mesh.triangles[t]);
+    const std::uint32_t source = t < mesh.sourceTriangles.size() ? mesh.sourceTriangles[t] : 0xffffffff;
+    if (source < environment.triangles.size() &&
+        isInside(piece, cornersOf(environment.vertices, environment.triangles[source]))) {
+      shares.push_back({t, source, areaOf(piece)});
+      continue;
+    }
+    if (!tree) tree = treeOf(environment);
+    Box query = boxOf(piece);
+    const double slack = kApart * std::max(query.upper[0] - query.lower[0], query.upper[1] - query.lower[1]);
+    query.lower[2] -= slack;
+    query.upper[2] += slack;
+    tree->visitOverlapping(query, stack, [&](std::int32_t id) {
+      const auto floor = static_cast<std::uint32_t>(id);
+      const double area = shareOf(piece, cornersOf(environment.vertices, environment.triangles[floor]), slack);
+      if (area > 0) shares.push_back({t, floor, area});
+      return true;
+    });
+  }
+  return shares;
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,28 @@
+// Placed obstacles in the view: the environment's geometry with theirs at its end, and edges for overlays.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/environment/placed_obstacle.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/view/render_geometry.hpp"
+
+namespace footfall::ui {
+
+/// Of `level`, whose first `first` triangles are those of `base`: copies instead of making anew (1 ms for 60,000
+/// triangles). The centre stays.
+std::shared_ptr<const EnvironmentGeometry> withObstacles(const std::shared_ptr<const EnvironmentGeometry>& base,
+                                                         const Environment& level, std::size_t first);
+
+/// Edges that show its shape, and its triangles; both empty for one that soupOf() refuses.
+struct ObstacleShape {
+  std::vector<std::array<Vec3, 2>> edges;
+  std::vector<std::array<Vec3, 3>> triangles;
+};
+ObstacleShape shapeOf(const PlacedObstacle& obstacle);
+
+}  // namespace footfall::ui

@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/render_geometry.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <unordered_map>
+
+#include "core/base/disjoint_sets.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/view/coarse_geometry.hpp"
+#include "ui/view/floor_shares.hpp"
+#include "ui/view/level_covers.hpp"
+
+namespace footfall::ui {
+namespace {
+
+// Steeper than this counts as a wall on screen: stripes on walls would only be noise.
+constexpr double kWallNormalZ = 0.02;
+// Edges whose triangles turn by more than about 25 degrees help to read a shape.
+constexpr double kCreaseCosine = 0.9;
+constexpr double kFlatCosine = 0.999;
+
+std::array<float, 3> toFloats(const Vec3& p, const Vec3& centre) {
+  return {static_cast<float>(p.x - centre.x), static_cast<float>(p.y - centre.y), static_cast<float>(p.z - centre.z)};
+}
+
+Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
+  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
+  const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+  return length > 0 ? Vec3{n.x / length, n.y / length, n.z / length} : Vec3{0, 0, 1};
+}
+
+double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
+  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
+  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
+}
+
+bool isFlat(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z > kFlatCosine; }
+
+bool isCrease(const Vec3& a, const Vec3& b) { return std::abs(a.x * b.x + a.y * b.y + a.z * b.z) < kCreaseCosine; }
+
+std::int8_t toByte(double component) { return static_cast<std::int8_t>(std::lround(component * 127)); }
+
+void addTriangle(std::vector<SurfaceVertex>& surface, const std::array<const Vec3*, 3>& corners, const Vec3& centre,
+                 const Vec3& normal, const Paint& paint, bool takesFloorPaint) {
+  SurfaceVertex vertex;
+  vertex.normal = {toByte(normal.x), toByte(normal.y), toByte(normal.z), 0};
+  setPaint(vertex, paint);
+  if (takesFloorPaint) vertex.colour[3] = 0;
+  for (const Vec3* corner : corners) {
+    vertex.position = toFloats(*corner, centre);
+    surface.push_back(vertex);
+  }
+}
+
+std::array<const Vec3*, 3> cornersOf(const std::vector<Vec3>& vertices, const Triangle& triangle) {
+  return {&vertices[triangle[0]], &vertices[triangle[1]], &vertices[triangle[2]]};
+}
+
+struct EdgeUse {
+  std::uint32_t low = 0, high = 0;
+  std::uint32_t triangle = 0;
+  bool operator<(const EdgeUse& o) const {
+    return low != o.low ? low < o.low : high != o.high ? high < o.high : triangle < o.triangle;
+  }
+};
+
+// Calls visit(first, last) for the uses of each edge.
+template <typename Visit>
+void forEachEdge(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& ids, Visit visit) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(triangles.size() * 3);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = ids.empty() ? triangles[t][k] : ids[triangles[t][k]];
+      const std::uint32_t b = ids.empty() ? triangles[t][(k + 1) % 3] : ids[triangles[t][(k + 1) % 3]];
+      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), t});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  for (auto first = uses.begin(); first != uses.end();) {
+    auto last = first;
+    while (last != uses.end() && last->low == first->low && last->high == first->high) ++last;
+    visit(first, last);
+    first = last;
+  }
+}
+
+struct PositionHash {
+  std::size_t operator()(const Vec3& p) const {
+    std::uint64_t h = 0;
+    for (const double d : {p.x, p.y, p.z}) h = (h ^ std::bit_cast<std::uint64_t>(d + 0.0)) * 0x9E3779B97F4A7C15ULL;
+    return static_cast<std::size_t>(h ^ (h >> 32U));
+  }
+};
+
+// The first vertex at the same position, for each vertex: soups repeat theirs.
+std::vector<std::uint32_t> weldedIds(const std::vector<Vec3>& vertices) {
+  std::unordered_map<Vec3, std::uint32_t, PositionHash> firstAt;
+  firstAt.reserve(vertices.size());
+  std::vector<std::uint32_t> ids(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) ids[i] = firstAt.try_emplace(vertices[i], i).first->second;
+  return ids;
+}
+
+// The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface.
+std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
+  std::vector<std::array<float, 3>> directions;
+  for (int direction = 0; direction < 125; ++direction) {
+    const std::array<int, 3> d{direction % 5 - 2, direction / 5 % 5 - 2, direction / 25 - 2};
+    if (std::ranges::any_of(d, [](int c) { return std::abs(c) == 2; }))
+      directions.push_back({static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2])});
+  }
+  struct Farthest {
+    float reach = -std::numeric_limits<float>::infinity();
+    std::size_t vertex = 0;
+  };
+  std::vector<Farthest> farthest(directions.size());
+  // In blocks that stay in the nearest cache, or a million triangles would be read from memory for each direction.
+  constexpr std::size_t kBlock = 512;
+  for (std::size_t begin = 0; begin < surface.size(); begin += kBlock) {
+    const std::size_t end = std::min(surface.size(), begin + kBlock);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const auto& d = directions[i];
+      Farthest best = farthest[i];
+      for (std::size_t v = begin; v < end; ++v) {
+        const auto& p = surface[v].position;
+        const float reach = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+        if (reach > best.reach) best = {reach, v};
+      }
+      farthest[i] = best;
+    }
+  }
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < directions.size() && !surface.empty(); ++i) {
+    const auto& far = surface[farthest[i].vertex].position;
+    points.push_back({far[0], far[1], far[2]});
+  }
+  return points;
+}
+
+// The corners of all triangles within a margin around the middle ones along x and y; all of them unless that leaves a
+// small part of the extent.
+std::vector<SurfaceVertex> detailOf(const std::vector<SurfaceVertex>& surface) {
+  constexpr std::size_t kOutside = 50;  // one corner in so many on either side
+  constexpr float kSmallPart = 0.3F;
+  if (surface.size() < 4 * kOutside) return surface;
+  std::array<float, 2> lower{};
+  std::array<float, 2> upper{};
+  bool small = true;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    std::vector<float> values;
+    values.reserve(surface.size());
+    for (const SurfaceVertex& vertex : surface) values.push_back(vertex.position[axis]);
+    std::sort(values.begin(), values.end());
+    lower[axis] = values[values.size() / kOutside];
+    upper[axis] = values[values.size() - 1 - values.size() / kOutside];
+    const float extent = upper[axis] - lower[axis];
+    small = small && extent < kSmallPart * (values.back() - values.front());
+    lower[axis] -= 0.1F * extent;
+    upper[axis] += 0.1F * extent;
+  }
+  if (!small) return surface;
+  std::vector<SurfaceVertex> detail;
+  std::copy_if(surface.begin(), surface.end(), std::back_inserter(detail), [&](const SurfaceVertex& v) {
+    return v.position[0] >= lower[0] && v.position[0] <= upper[0] && v.position[1] >= lower[1] &&
+           v.position[1] <= upper[1];
+  });
+  return detail;
+}
+
+std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 2>>& pairs,
+                                    const std::vector<Vec3>& vertices, const Vec3& centre) {
+  std::vector<LineSegment> segments;
+  segments.reserve(pairs.size());
+  for (const auto& [a, b] : pairs) segments.push_back({toFloats(vertices[a], centre), toFloats(vertices[b], centre)});
+  return segments;
+}
+
+std::vector<std::uint32_t> surfaceLayersOf(const NavigationMesh& mesh, const EnvironmentLayers* environment) {
+  if (!environment) return {};
+  std::vector<std::uint32_t> layers(mesh.triangles.size(), kNoLayer);
+  for (std::size_t t = 0; t < layers.size(); ++t) {
+    const std::uint32_t source = t < mesh.sourceTriangles.size() ? mesh.sourceTriangles[t] : kNoLayer;
+    const std::uint32_t below = source < environment->size() ? (*environment)[source] : kNoLayer;
+    layers[t] = mesh.layers.empty() ? below : below == kNoLayer ? mesh.layers[t] | kFloorStays : mesh.layers[t];
+  }
+  return layers;
+}
+
+std::vector<LayerFigures> figuresOf(const NavigationMesh& mesh, const Vec3& centre) {
+  std::vector<LayerFigures> figures(std::max<std::size_t>(mesh.layerCount, 1));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    LayerFigures& layer = figures[mesh.layers.empty() ? 0 : mesh.layers[t]];
+    const auto corners = cornersOf(mesh.vertices, mesh.triangles[t]);
+    for (const Vec3* corner : corners) {
+      const auto p = toFloats(*corner, centre);
+      if (layer.triangles == 0 && corner == corners[0]) layer.lower = layer.upper = p;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        layer.lower[axis] = std::min(layer.lower[axis], p[axis]);
+        layer.upper[axis] = std::max(layer.upper[axis], p[axis]);
+      }
+    }
+    layer.area += areaOf(*corners[0], *corners[1], *corners[2]);
+    ++layer.triangles;
+  }
+  return figures;
+}
+
+/// The layers at the edges of a mesh with layers, by the numbers of their vertices.
+class EdgeLayers {
+ public:
+  explicit EdgeLayers(const NavigationMesh& mesh) : mesh_(mesh) {}
+
+  /// In the order of forEachEdge(); kNoLayer without layers.
+  template <typename Use>
+  LineLayers add(Use first, Use last) {
+    if (mesh_.layers.empty()) return {kNoLayer, kNoLayer};
+    const LineLayers layers{mesh_.layers[first->triangle], mesh_.layers[(last - 1)->triangle]};
+    if (last - first == 1 || layers[0] != layers[1]) known_.push_back({first->low, first->high, layers});
+    return layers;
+  }
+
+  /// After all have been added.
+  [[nodiscard]] std::vector<LineLayers> of(const std::vector<std::array<std::uint32_t, 2>>& edges) const {
+    std::vector<LineLayers> found;
+    if (mesh_.layers.empty()) return found;
+    found.reserve(edges.size());
+    for (const auto& [a, b] : edges) {
+      const std::array key{std::min(a, b), std::max(a, b)};
+      const auto at = std::ranges::lower_bound(known_, key, {}, [](const Known& k) {
+        return std::array{k.low, k.high};
+      });
+      const bool there = at != known_.end() && at->low == key[0] && at->high == key[1];
+      found.push_back(there ? at->layers : LineLayers{kNoLayer, kNoLayer});
+    }
+    return found;
+  }
+
+ private:
+  struct Known {
+    std::uint32_t low, high;
+    LineLayers layers;
+  };
+  const NavigationMesh& mesh_;
+  std::vector<Known> known_;
+};
+
+void markCovers(EnvironmentGeometry& geometry, DisjointSets& sets) {
+  std::vector<std::uint32_t> regions(geometry.surface.size() / 3);
+  for (std::uint32_t t = 0; t < regions.size(); ++t)
+    regions[t] = static_cast<std::uint32_t>(sets.find(static_cast<Index>(t)));
+  const std::vector<bool> covers = findCovers(geometry.surface, regions);
+  for (std::size_t t = 0; t < covers.size(); ++t) {
+    for (std::size_t k = 0; covers[t] && k < 3; ++k) geometry.surface[3 * t + k].normal[3] |= kCover;
+    geometry.covered = geometry.covered || covers[t];
+  }
+}
+
+// Bins of height with more level floor than their neighbours and than one twentieth of the fullest.
+std::vector<double> findFloors(const EnvironmentGeometry& geometry) {
+  constexpr std::size_t kBins = 400;
+  constexpr double kWorth = 0.05;
+  constexpr float kLevelNormal = 0.9F * 127;
+  const double height = geometry.upper.z - geometry.lower.z;
+  if (!(height > 0)) return {};
+  struct Bin {
+    double area = 0, areaTimesHeight = 0;
+  };
+  std::vector<Bin> bins(kBins);
+  for (std::size_t v = 0; v + 2 < geometry.surface.size(); v += 3) {
+    const SurfaceVertex* corner = &geometry.surface[v];
+    if (static_cast<float>(corner->normal[2]) < kLevelNormal) continue;
+    const auto at = [&](std::size_t k) {
+      return Vec3{corner[k].position[0], corner[k].position[1], corner[k].position[2]};
+    };
+    const double middle = (at(0).z + at(1).z + at(2).z) / 3;
+    const double place = (middle - geometry.lower.z) / height * kBins;
+    Bin& bin = bins[static_cast<std::size_t>(std::clamp(place, 0.0, kBins - 1.0))];
+    const double area = areaOf(at(0), at(1), at(2));
+    bin.area += area;
+    bin.areaTimesHeight += area * middle;
+  }
+  const double most = std::ranges::max_element(bins, {}, &Bin::area)->area;
+  constexpr std::size_t kReach = 6;  // of one floor: steps and thresholds are no storeys
+  std::vector<double> floors;
+  for (std::size_t i = 0; i < kBins; ++i) {
+    bool peak = bins[i].area > kWorth * most;
+    for (std::size_t k = i > kReach ? i - kReach : 0; peak && k < std::min(kBins, i + kReach + 1); ++k)
+      peak = bins[k].area < bins[i].area || (bins[k].area == bins[i].area && k >= i);
+    if (peak) floors.push_back(bins[i].areaTimesHeight / bins[i].area);
+  }
+  return floors;
+}
+
+}  // namespace
+
+std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
+                                                                   const std::optional<Vec3>& givenCentre,
+                                                                   bool withCovers) {
+  auto geometry = std::make_shared<EnvironmentGeometry>();
+  const std::vector<Vec3>& vertices = environment.vertices;
+  Vec3 lower =
+      environment.triangles.empty() ? givenCentre.value_or(Vec3{}) : vertices[environment.triangles.front()[0]];
+  Vec3 upper = lower;
+  for (const Triangle& triangle : environment.triangles) {
+    for (const Vec3* p : cornersOf(vertices, triangle)) {
+      lower = {std::min(lower.x, p->x), std::min(lower.y, p->y), std::min(lower.z, p->z)};
+      upper = {std::max(upper.x, p->x), std::max(upper.y, p->y), std::max(upper.z, p->z)};
+    }
+  }
+  // Halves first: the sum of two large bounds may overflow.
+  const Vec3 middle{lower.x / 2 + upper.x / 2, lower.y / 2 + upper.y / 2, lower.z / 2 + upper.z / 2};
+  const Vec3 centre = givenCentre.value_or(middle);
+  geometry->centre = centre;
+  geometry->lower = {lower.x - centre.x, lower.y - centre.y, lower.z - centre.z};
+  geometry->upper = {upper.x - centre.x, upper.y - centre.y, upper.z - centre.z};
+
+  std::vector<Vec3> normals;
+  normals.reserve(environment.triangles.size());
+  geometry->surface.reserve(environment.triangles.size() * 3);
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
+    const auto corners = cornersOf(vertices, environment.triangles[t]);
+    const bool mayBeFloor = environment.obstacleOnly.empty() || environment.obstacleOnly[t] == 0;
+    const Vec3 normal = unitNormal(*corners[0], *corners[1], *corners[2]);
+    normals.push_back(normal);
+    const double up = environment.bothSides ? std::abs(normal.z) : normal.z;
+    addTriangle(geometry->surface, corners, centre, normal, wallPaint(), mayBeFloor && up > kWallNormalZ);
+  }
+
+  geometry->extremes = extremePoints(geometry->surface);
+  geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
+
+  DisjointSets regions(environment.triangles.size());
+  forEachEdge(environment.triangles, weldedIds(vertices), [&](auto first, auto last) {
+    bool crease = last - first != 2;
+    if (!crease && isFlat(normals[first->triangle], normals[(first + 1)->triangle]))
+      regions.unite(static_cast<Index>(first->triangle), static_cast<Index>((first + 1)->triangle));
+    if (!crease) crease = isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
+    if (crease) {
+      geometry->creases.push_back({toFloats(vertices[first->low], centre), toFloats(vertices[first->high], centre)});
+      geometry->creaseTriangles.push_back(last - first > 2 ? std::array{kNoLayer, kNoLayer}
+                                                           : std::array{first->triangle, (last - 1)->triangle});
+    }
+  });
+  if (withCovers && !environment.bothSides) markCovers(*geometry, regions);
+  geometry->coarse.surface = coarsened(geometry->surface, geometry->coarse.triangles);
+  geometry->bothSides = environment.bothSides;
+  geometry->floors = findFloors(*geometry);
+  return geometry;
+}
+
+void setPaint(SurfaceVertex& vertex, const Paint& paint) {
+  vertex.normal[3] = static_cast<std::int8_t>((vertex.normal[3] & kCover) | static_cast<int>(paint.pattern));
+  vertex.colour = {static_cast<std::uint8_t>(paint.colour.red()), static_cast<std::uint8_t>(paint.colour.green()),
+                   static_cast<std::uint8_t>(paint.colour.blue()), 255};
+}
+
+std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh,
+                                                               const Environment& environment) {
+  if (mesh.layers.empty()) return nullptr;
+  constexpr std::uint32_t kNotSeen = kNoLayer - 1;
+  auto layers = std::make_shared<EnvironmentLayers>(environment.triangles.size(), kNotSeen);
+  for (const FloorShare& share : floorsUnder(mesh, environment)) {
+    std::uint32_t& layer = (*layers)[share.floor];
+    const std::uint32_t piece = mesh.layers[share.piece];
+    layer = layer == kNotSeen || layer == piece ? piece : kNoLayer;
+  }
+  std::ranges::replace(*layers, kNotSeen, kNoLayer);
+  return layers;
+}
+
+std::shared_ptr<const NavigationMeshGeometry> makeMeshGeometry(const NavigationMesh& mesh, const Vec3& centre,
+                                                               const std::optional<Paint>& paint,
+                                                               const EnvironmentLayers* environmentLayers) {
+  auto geometry = std::make_shared<NavigationMeshGeometry>();
+  geometry->layers = mesh.layerCount;
+  geometry->surface.reserve(mesh.triangles.size() * 3);
+  std::vector<Vec3> normals;
+  normals.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corners = cornersOf(mesh.vertices, mesh.triangles[t]);
+    const Paint colour = paint ? *paint : mesh.layers.empty() ? walkablePaint() : layerPaint(mesh.layers[t]);
+    normals.push_back(unitNormal(*corners[0], *corners[1], *corners[2]));
+    addTriangle(geometry->surface, corners, centre, normals.back(), colour, false);
+  }
+  geometry->sources = mesh.sourceTriangles;
+  geometry->surfaceLayers = surfaceLayersOf(mesh, environmentLayers);
+  if (paint) return geometry;  // what was removed shows no lines
+  geometry->figures = figuresOf(mesh, centre);
+  EdgeLayers edgeLayers(mesh);
+  forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
+    const LineLayers layers = edgeLayers.add(first, last);
+    const bool sharp = last - first == 2 && isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
+    if (last - first != 1 && !sharp) return;
+    (sharp ? geometry->creases : geometry->outline)
+        .push_back({toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+    if (!mesh.layers.empty()) (sharp ? geometry->creaseLayers : geometry->outlineLayers).push_back(layers);
+  });
+  geometry->obstacleEdges = toSegments(mesh.obstacleEdges, mesh.vertices, centre);
+  geometry->connections = toSegments(mesh.connections, mesh.vertices, centre);
+  geometry->obstacleEdgeLayers = edgeLayers.of(mesh.obstacleEdges);
+  geometry->connectionLayers = edgeLayers.of(mesh.connections);
+  return geometry;
+}
+
+void addSourceEdges(const NavigationMesh& mesh, const Vec3& centre, NavigationMeshGeometry& geometry) {
+  geometry.creases.clear();
+  geometry.creaseLayers.clear();
+  EdgeLayers edgeLayers(mesh);
+  forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
+    const LineLayers layers = edgeLayers.add(first, last);
+    const bool border =
+        last - first != 2 || mesh.sourceTriangles[first->triangle] != mesh.sourceTriangles[(first + 1)->triangle];
+    if (!border) return;
+    geometry.creases.push_back(
+        {toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+    if (!mesh.layers.empty()) geometry.creaseLayers.push_back(layers);
+  });
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/view_hint.hpp"
+
+#include <QHBoxLayout>
+#include <QSettings>
+#include <QToolButton>
+
+namespace footfall::ui {
+
+ViewHint::ViewHint(const QString& setting, QWidget* view) : QFrame(view), setting_(setting) {
+  setObjectName(QStringLiteral("viewHint"));
+  setAttribute(Qt::WA_StyledBackground);
+  setCursor(Qt::ArrowCursor);
+  text_ = new QLabel(this);
+  auto* close = new QToolButton(this);
+  close->setObjectName(QStringLiteral("hintClose"));
+  close->setText(QStringLiteral("✕"));
+  close->setAccessibleName(tr("Close"));
+  close->setToolTip(tr("Do not show this again"));
+  close->setAutoRaise(true);
+  close->setFocusPolicy(Qt::TabFocus);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 5, 5, 5);
+  layout->addWidget(text_);
+  layout->addWidget(close, 0, Qt::AlignTop);
+  connect(close, &QToolButton::clicked, this, [this] {
+    QSettings().setValue(setting_, true);
+    hide();
+  });
+  hide();
+}
+
+void ViewHint::tell(const QString& text) {
+  text_->setText(text);
+  layout()->activate();
+  adjustSize();
+  setVisible(!QSettings().value(setting_).toBool());
+}
+
+}  // namespace footfall::ui

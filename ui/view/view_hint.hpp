@@ -1,0 +1,26 @@
+// A word over the view about what is seen, until it has been read.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QString>
+
+namespace footfall::ui {
+
+/// Somebody who closes it does not see it again: the settings remember that under `setting`.
+class ViewHint : public QFrame {
+  Q_OBJECT
+
+ public:
+  ViewHint(const QString& setting, QWidget* view);
+
+  /// Shows the text, unless it has been closed once.
+  void tell(const QString& text);
+
+ private:
+  QString setting_;
+  QLabel* text_;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,43 @@
+// What a tool draws over the scene: lines, surfaces, marks and words at places of the environment.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <array>
+#include <vector>
+
+#include "footfall/environment.hpp"
+
+namespace footfall::ui {
+
+/// All places are in the environment's coordinates, all widths and sizes in logical pixels.
+struct ViewOverlay {
+  struct Lines {
+    std::vector<std::array<Vec3, 2>> segments;
+    QColor colour;
+    float width = 2;
+    QColor rim = {};  ///< of one more pixel on each side, so that it shows on everything; invalid: none
+  };
+  struct Surface {
+    std::vector<std::array<Vec3, 3>> triangles;
+    QColor colour;  ///< with its alpha
+  };
+  struct Mark {
+    Vec3 at;
+    QColor colour;
+    float size = 9;
+  };
+  struct Label {
+    Vec3 at;
+    QString text;
+  };
+  std::vector<Surface> surfaces;
+  std::vector<Lines> lines;
+  std::vector<Mark> marks;    ///< seen through everything
+  std::vector<Label> labels;  ///< seen through everything, beside their place
+  /// What walls hide is seen as well: handles, and obstacles somewhere behind others.
+  bool throughWalls = false;
+};
+
+}  // namespace footfall::ui

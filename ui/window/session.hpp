@@ -1,0 +1,55 @@
+// Sessions: an environment, how it is read, its pipeline and where one looks from, as JSON.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/environment/part_rules.hpp"
+#include "core/environment/placed_obstacle.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/pipeline.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/document/agent.hpp"
+#include "ui/view/cell_colours.hpp"
+#include "ui/view/level_view.hpp"
+
+namespace footfall::ui {
+
+/// How the cells of parallel blocks are looked at.
+struct CellsShown {
+  bool inView = false;
+  bool load = false;  ///< the dock with the timeline
+  CellColouring colouring = CellColouring::Thread;
+};
+
+struct Session {
+  std::string environment;  ///< path; empty when nothing is loaded
+  ImportOptions import;
+  Pipeline pipeline;
+  std::optional<CameraPose> camera;
+  CellsShown cells;
+  std::vector<Agent> agents;
+  int agent = 0;
+  std::vector<PartRule> partRules;
+  std::vector<PlacedObstacle> obstacles;
+  /// What the editor's tools keep of their own (SessionSection), as JSON texts by name.
+  std::map<std::string, std::string> sections;
+};
+
+/// Extension of session files, without the dot.
+inline constexpr const char* kSessionExtension = "footfall";
+
+/// The environment is named relative to the folder of `path`, the file to be, when it lies in or below that folder's
+/// parent: the two can be moved together.
+std::string formatSession(const Session& session, const std::string& path);
+
+/// Throws InputError "FILE: what; what to do"; no part of a session that is wrong somewhere is given back.
+Session readSession(const std::string& path);
+
+/// Whether the file says that it is a session, whatever its name; false when it cannot be read.
+bool isSessionFile(const std::string& path);
+
+}  // namespace footfall::ui
