@@ -68,10 +68,6 @@
         <translation>Eine Koordinate ist größer, als eine Zahl in glTF sein kann; exportieren Sie als OBJ oder mit einem kleineren Maßstab</translation>
     </message>
     <message>
-        <source>glTF: Assimp wrote less than it said; export as OBJ</source>
-        <translation>glTF: Assimp hat weniger geschrieben als angegeben; exportieren Sie als OBJ</translation>
-    </message>
-    <message>
         <source>%1: cannot be written in the format &quot;%2&quot;; give a name that ends in .obj, .gltf or .glb</source>
         <translation>%1: kann nicht im Format „%2“ geschrieben werden; geben Sie einen Namen, der auf .obj, .gltf oder .glb endet</translation>
     </message>
@@ -947,6 +943,10 @@
         <source>lengths are in &apos;%1&apos;; give metres, feet or file</source>
         <translation>Längen sind in „%1“; geben Sie metres, feet oder file an</translation>
     </message>
+    <message>
+        <source>the result needs %1 bytes, more than a .glb can hold; export as .obj or .gltf</source>
+        <translation>das Ergebnis braucht %1 Bytes, mehr als eine .glb-Datei fasst; als .obj oder .gltf exportieren</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>
@@ -1428,7 +1428,7 @@
     </message>
 </context>
 <context>
-    <name>footfall</name>
+    <name>footfall::ui</name>
     <message>
         <source>Add agent %1</source>
         <translation>Agent %1 hinzufügen</translation>

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/gltf_export.hpp"
 
-#include <assimp/material.h>
-#include <assimp/scene.h>
-
 #include <algorithm>
 #include <array>
-#include <assimp/Exporter.hpp>
+#include <bit>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <memory>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 #include <vector>
 
 #include "core/io/base64.hpp"
@@ -47,75 +44,114 @@ float linear(int part) {
   return static_cast<float>(x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4));
 }
 
-class SceneMaker {
- public:
-  explicit SceneMaker(double scale) : scale_(scale) {}
+// What the format calls its kinds of numbers, their use and their elements.
+constexpr int kFloat = 5126, kUnsignedInt = 5125;
+constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;
+constexpr int kLines = 1, kTriangles = 4;
 
-  /// Adds a mesh of the elements (two or three corners each) over the vertices that they use, in ascending order.
+void appendWord(std::string& bytes, std::uint32_t value) {
+  for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xFF);
+}
+
+/// Makes the lists of a glTF and the one buffer of numbers that they refer to. Each mesh has a node and a material of
+/// its name, all under one root.
+class GltfMaker {
+ public:
+  explicit GltfMaker(double scale) : scale_(scale) {}
+
+  /// Adds a mesh of the elements (two or three corners each) over the vertices that they use, in the order of their
+  /// first use.
   template <class Elements>
   void add(const std::string& name, const Colour& colour, const std::vector<Vec3>& vertices, const Elements& elements) {
-    constexpr unsigned kCorners = std::tuple_size_v<typename Elements::value_type>;
+    constexpr std::size_t kCorners = std::tuple_size_v<typename Elements::value_type>;
     if (elements.empty()) return;
-    std::vector<std::uint32_t> used;
-    used.reserve(kCorners * elements.size());
-    for (const auto& element : elements) used.insert(used.end(), element.begin(), element.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-
-    auto mesh = std::make_unique<aiMesh>();
-    mesh->mName = name;
-    mesh->mPrimitiveTypes = kCorners == 3 ? aiPrimitiveType_TRIANGLE : aiPrimitiveType_LINE;
-    mesh->mMaterialIndex = static_cast<unsigned>(materials_.size());
-    mesh->mNumVertices = static_cast<unsigned>(used.size());
-    mesh->mVertices = new aiVector3D[used.size()];
-    // Assimp joins what is nearer than 1e-5, but vertices on the two sides of an obstacle edge, or of a narrow gap,
-    // shall stay two. So each gets a texture coordinate of its own, which dropTextureCoordinates() leaves out again.
-    mesh->mNumUVComponents[0] = 2;
-    mesh->mTextureCoords[0] = new aiVector3D[used.size()];
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      mesh->mVertices[i] = vertex(vertices[used[i]]);
-      mesh->mTextureCoords[0][i] = {static_cast<float>(i & 0xFFFF), static_cast<float>(i >> 16), 0};
-    }
-    mesh->mNumFaces = static_cast<unsigned>(elements.size());
-    mesh->mFaces = new aiFace[elements.size()];
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      aiFace& face = mesh->mFaces[i];
-      face.mNumIndices = kCorners;
-      face.mIndices = new unsigned[kCorners];
-      for (unsigned k = 0; k < kCorners; ++k)
-        face.mIndices[k] =
-            static_cast<unsigned>(std::lower_bound(used.begin(), used.end(), elements[i][k]) - used.begin());
-    }
-    meshes_.push_back(std::move(mesh));
+    const std::size_t number = meshes_.size();
+    Json primitive;
+    primitive["mode"] = kCorners == 3 ? kTriangles : kLines;
+    primitive["material"] = number;
+    primitive["indices"] = accessors_.size() + 1;
+    primitive["attributes"]["POSITION"] = accessors_.size();
+    meshes_.push_back({{"name", name}, {"primitives", Json::array({std::move(primitive)})}});
+    nodes_.push_back({{"name", name}, {"mesh", number}});
     addMaterial(name, colour);
+
+    std::vector<std::uint32_t> used, indices;
+    std::unordered_map<std::uint32_t, std::uint32_t> numberOf;
+    indices.reserve(kCorners * elements.size());
+    for (const auto& element : elements)
+      for (const std::uint32_t v : element) {
+        const auto [place, isNew] = numberOf.try_emplace(v, static_cast<std::uint32_t>(used.size()));
+        if (isNew) used.push_back(v);
+        indices.push_back(place->second);
+      }
+    addPositions(used, vertices);
+    addIndices(indices, used.size());
   }
 
-  std::unique_ptr<aiScene> finish() {
-    auto scene = std::make_unique<aiScene>();
-    scene->mFlags = AI_SCENE_FLAGS_NON_VERBOSE_FORMAT;  // vertices are shared, and shall stay so
-    scene->mRootNode = new aiNode("walkable area");
-    const auto count = static_cast<unsigned>(meshes_.size());
-    scene->mRootNode->mNumChildren = count;
-    scene->mRootNode->mChildren = new aiNode*[count];
-    scene->mNumMeshes = scene->mNumMaterials = count;
-    scene->mMeshes = new aiMesh*[count];
-    scene->mMaterials = new aiMaterial*[count];
-    for (unsigned i = 0; i < count; ++i) {
-      auto* node = new aiNode(meshes_[i]->mName.C_Str());
-      node->mParent = scene->mRootNode;
-      node->mNumMeshes = 1;
-      node->mMeshes = new unsigned[1]{i};
-      scene->mRootNode->mChildren[i] = node;
-      scene->mMeshes[i] = meshes_[i].release();
-      scene->mMaterials[i] = materials_[i].release();
+  /// The file without `asset`; numbers() go with it.
+  [[nodiscard]] Json finish() const {
+    Json json;
+    json["asset"]["version"] = "2.0";
+    if (!meshes_.empty()) {
+      json["accessors"] = accessors_;
+      json["buffers"] = Json::array({Json::object({{"byteLength", numbers_.size()}})});
+      json["bufferViews"] = views_;
+      json["materials"] = materials_;
+      json["meshes"] = meshes_;
+      Json root{{"name", "walkable area"}, {"children", Json::array()}};
+      json["nodes"] = Json::array();
+      for (std::size_t i = 0; i < nodes_.size(); ++i) root["children"].push_back(i + 1);
+      json["nodes"].push_back(std::move(root));
+      for (const Json& node : nodes_) json["nodes"].push_back(node);
+      json["scenes"] = Json::array({Json::object({{"nodes", Json::array({0})}})});
+      json["scene"] = 0;
+    } else {
+      json["scene"] = 0;
+      json["scenes"] = Json::array({Json::object({{"name", "walkable area"}})});
     }
-    return scene;
+    return json;
   }
 
+  [[nodiscard]] const std::string& numbers() const { return numbers_; }
   [[nodiscard]] double largestError() const { return largestError_; }
 
  private:
-  aiVector3D vertex(const Vec3& p) {
+  /// The numbers that came since `start` as an accessor of its own.
+  void addAccessor(std::size_t start, int kind, int target, std::size_t count, const char* type, Json max, Json min) {
+    accessors_.push_back({{"bufferView", views_.size()},
+                          {"byteOffset", 0},
+                          {"componentType", kind},
+                          {"count", count},
+                          {"type", type},
+                          {"max", std::move(max)},
+                          {"min", std::move(min)}});
+    views_.push_back(
+        {{"buffer", 0}, {"byteOffset", start}, {"byteLength", numbers_.size() - start}, {"target", target}});
+  }
+
+  void addPositions(const std::vector<std::uint32_t>& used, const std::vector<Vec3>& vertices) {
+    const std::size_t start = numbers_.size();
+    std::array<float, 3> low{}, high{};
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      const std::array<float, 3> rounded = roundedPlace(vertices[used[i]]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = i == 0 ? rounded[k] : std::min(low[k], rounded[k]);
+        high[k] = i == 0 ? rounded[k] : std::max(high[k], rounded[k]);
+        appendWord(numbers_, std::bit_cast<std::uint32_t>(rounded[k]));
+      }
+    }
+    addAccessor(start, kFloat, kVertexBuffer, used.size(), "VEC3", high, low);
+  }
+
+  void addIndices(const std::vector<std::uint32_t>& indices, std::size_t vertexCount) {
+    const std::size_t start = numbers_.size();
+    for (const std::uint32_t index : indices) appendWord(numbers_, index);
+    addAccessor(start, kUnsignedInt, kIndexBuffer, indices.size(), "SCALAR", Json::array({vertexCount - 1}),
+                Json::array({0}));
+  }
+
+  /// In metres, Y up.
+  std::array<float, 3> roundedPlace(const Vec3& p) {
     const std::array<double, 3> turned{p.x * scale_, p.z * scale_, -p.y * scale_};
     std::array<float, 3> rounded;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -125,30 +161,25 @@ class SceneMaker {
             "a coordinate is larger than a float of glTF can be; export as OBJ, or with a smaller scale"));
       largestError_ = std::max(largestError_, std::fabs(static_cast<double>(rounded[k]) - turned[k]));
     }
-    return {rounded[0], rounded[1], rounded[2]};
+    return rounded;
   }
 
   void addMaterial(const std::string& name, const Colour& colour) {
-    auto material = std::make_unique<aiMaterial>();
-    const aiString text(name);
-    material->AddProperty(&text, AI_MATKEY_NAME);
-    const aiColor4D base(linear(colour[0]), linear(colour[1]), linear(colour[2]), 1);
-    material->AddProperty(&base, 1, AI_MATKEY_BASE_COLOR);
-    const float rough = 1, metallic = 0;
-    material->AddProperty(&rough, 1, AI_MATKEY_ROUGHNESS_FACTOR);
-    material->AddProperty(&metallic, 1, AI_MATKEY_METALLIC_FACTOR);
-    const int bothSides = 1;
-    material->AddProperty(&bothSides, 1, AI_MATKEY_TWOSIDED);
-    materials_.push_back(std::move(material));
+    Json look;
+    if (colour != kConnections)  // white is what the format takes without a word
+      look["baseColorFactor"] = {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1.0};
+    look["metallicFactor"] = 0.0;
+    materials_.push_back({{"name", name}, {"pbrMetallicRoughness", std::move(look)}, {"doubleSided", true}});
   }
 
   double scale_;
   double largestError_ = 0;
-  std::vector<std::unique_ptr<aiMesh>> meshes_;
-  std::vector<std::unique_ptr<aiMaterial>> materials_;
+  std::string numbers_;
+  Json accessors_ = Json::array(), views_ = Json::array(), materials_ = Json::array(), meshes_ = Json::array();
+  std::vector<Json> nodes_;
 };
 
-void addLayers(SceneMaker& maker, const NavigationMesh& mesh, bool byLayers) {
+void addLayers(GltfMaker& maker, const NavigationMesh& mesh, bool byLayers) {
   if (mesh.layers.empty() || !byLayers) {
     maker.add("walkable", layerColour(0), mesh.vertices, mesh.triangles);
     return;
@@ -159,92 +190,29 @@ void addLayers(SceneMaker& maker, const NavigationMesh& mesh, bool byLayers) {
     maker.add("layer_" + std::to_string(i), layerColour(i), mesh.vertices, layers[i]);
 }
 
-constexpr Pattern kTooShort = FOOTFALL_TEXT("glTF: Assimp wrote less than it said; export as OBJ");
-
-/// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes.
-struct Chunks {
-  Json json;
-  std::string numbers;
-};
-
-std::uint32_t word(const std::string& bytes, std::size_t at) {
-  std::array<unsigned char, 4> b{};
-  if (at + 4 > bytes.size()) throw RunError(kTooShort);
-  std::memcpy(b.data(), bytes.data() + at, 4);
-  return b[0] | b[1] << 8U | b[2] << 16U | std::uint32_t{b[3]} << 24U;
-}
-
-void appendWord(std::string& bytes, std::size_t value) {
-  for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xFF);
-}
-
-Chunks takeApart(const std::string& glb) {
-  const std::size_t size = word(glb, 12);
-  if (20 + size > glb.size()) throw RunError(kTooShort);
-  Chunks chunks;
-  chunks.json = Json::parse(glb.begin() + 20, glb.begin() + 20 + static_cast<std::ptrdiff_t>(size));
-  if (20 + size < glb.size()) chunks.numbers = glb.substr(28 + size, word(glb, 20 + size));
-  return chunks;
-}
-
-/// Leaves out the texture coordinates, with their numbers: keeps what positions and indices refer to, in this order.
-void dropTextureCoordinates(Chunks& chunks) {
-  Json& json = chunks.json;
-  Json accessors = Json::array(), views = Json::array();
-  std::string numbers;
-  const auto keep = [&](Json& reference) {
-    Json accessor = json.at("accessors").at(reference.get<std::size_t>());
-    Json view = json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
-    const auto offset = view.value("byteOffset", std::size_t{0}), length = view.at("byteLength").get<std::size_t>();
-    if (offset + length > chunks.numbers.size()) throw RunError(kTooShort);
-    numbers.resize((numbers.size() + 3) / 4 * 4, '\0');
-    view["byteOffset"] = numbers.size();
-    numbers.append(chunks.numbers, offset, length);
-    accessor["bufferView"] = views.size();
-    views.push_back(std::move(view));
-    reference = accessors.size();
-    accessors.push_back(std::move(accessor));
-  };
-  for (Json& mesh : json.at("meshes"))
-    for (Json& primitive : mesh.at("primitives")) {
-      Json& attributes = primitive.at("attributes");
-      attributes.erase("TEXCOORD_0");
-      for (auto& attribute : attributes.items()) keep(attribute.value());
-      keep(primitive.at("indices"));
-    }
-  json["accessors"] = std::move(accessors);
-  json["bufferViews"] = std::move(views);
-  json["buffers"] = Json::array({Json::object({{"byteLength", numbers.size()}})});
-  chunks.numbers = std::move(numbers);
-}
-
-std::string putTogether(Chunks chunks, GltfKind kind) {
-  Json& json = chunks.json;
+/// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes, in
+/// words of 4 bytes each.
+std::string putTogether(Json json, const std::string& numbers, GltfKind kind) {
   if (kind == GltfKind::Text) {
-    if (!chunks.numbers.empty())
-      json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + toBase64(chunks.numbers);
+    if (!numbers.empty()) json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + toBase64(numbers);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
   }
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.resize((text.size() + 3) / 4 * 4, ' ');
-  chunks.numbers.resize((chunks.numbers.size() + 3) / 4 * 4, '\0');
+  const std::size_t size = 20 + text.size() + (numbers.empty() ? 0 : 8 + numbers.size());
+  if (size > std::numeric_limits<std::uint32_t>::max())
+    throw RunError(FOOTFALL_TEXT("the result needs %1 bytes, more than a .glb can hold; export as .obj or .gltf"),
+                   size);
   std::string glb = "glTF";
+  glb.reserve(size);
   appendWord(glb, 2);
-  appendWord(glb, 20 + text.size() + (chunks.numbers.empty() ? 0 : 8 + chunks.numbers.size()));
-  appendWord(glb, text.size());
+  appendWord(glb, static_cast<std::uint32_t>(size));
+  appendWord(glb, static_cast<std::uint32_t>(text.size()));
   glb += "JSON" + text;
-  if (chunks.numbers.empty()) return glb;
-  appendWord(glb, chunks.numbers.size());
+  if (numbers.empty()) return glb;
+  appendWord(glb, static_cast<std::uint32_t>(numbers.size()));
   glb.append("BIN\0", 4);
-  return glb + chunks.numbers;
-}
-
-/// Assimp's part: meshes, nodes, materials and their numbers.
-std::string exportScene(const aiScene& scene) {
-  Assimp::Exporter exporter;
-  const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, "glb2", 0);
-  if (blob == nullptr || blob->size < 20) throw RunError(Pattern{"glTF: %1"}, exporter.GetErrorString());
-  return {static_cast<const char*>(blob->data), blob->size};
+  return glb + numbers;
 }
 
 Json extrasOf(const Environment& environment, const ExportHeader& header, double scale) {
@@ -262,26 +230,17 @@ Json extrasOf(const Environment& environment, const ExportHeader& header, double
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const Environment& environment,
                     const ExportHeader& header, const ExportOptions& options, std::span<const ExportExtra> extras) {
   checkScale(options, mesh);
-  SceneMaker maker(environment.metresPerUnit * options.scale);
+  GltfMaker maker(environment.metresPerUnit * options.scale);
   addLayers(maker, mesh, options.layers);
   if (options.connections) maker.add("connections", kConnections, mesh.vertices, mesh.connections);
   if (options.obstacleEdges) maker.add("obstacle_edges", kObstacleEdges, mesh.vertices, mesh.obstacleEdges);
   for (const ExportExtra& extra : extras)
     maker.add("placed_" + extra.name, kPlaced, extra.soup.vertices, extra.soup.triangles);
 
-  const std::unique_ptr<aiScene> scene = maker.finish();
-  Chunks chunks;
-  if (scene->mNumMeshes > 0) {
-    chunks = takeApart(exportScene(*scene));
-    dropTextureCoordinates(chunks);
-  } else {  // Assimp refuses scenes without meshes; an empty result is one all the same
-    chunks.json["asset"]["version"] = "2.0";
-    chunks.json["scene"] = 0;
-    chunks.json["scenes"] = Json::array({Json::object({{"name", "walkable area"}})});
-  }
-  chunks.json["asset"]["generator"] = "Footfall " FOOTFALL_VERSION " (Assimp)";
-  chunks.json["asset"]["extras"] = extrasOf(environment, header, options.scale);
-  return {putTogether(std::move(chunks), kind), maker.largestError()};
+  Json json = maker.finish();
+  json["asset"]["generator"] = "Footfall " FOOTFALL_VERSION;
+  json["asset"]["extras"] = extrasOf(environment, header, options.scale);
+  return {putTogether(std::move(json), maker.numbers(), kind), maker.largestError()};
 }
 
 ExportFormat exportFormatOf(const std::string& path) {

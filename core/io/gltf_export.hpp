@@ -1,4 +1,4 @@
-// Writing the navigation mesh as glTF 2.0, through Assimp.
+// Writing the navigation mesh as glTF 2.0.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -31,7 +31,7 @@ struct GltfFile {
 /// cross; between layers, which are meshes of their own, the connections tell. For programs that go on computing, OBJ
 /// has it all, in doubles.
 ///
-/// Throws InputError (checkScale(); coordinates that no float holds), or RunError when Assimp fails.
+/// Throws InputError (checkScale(); coordinates that no float holds), or RunError for a .glb of more than 4 GB.
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const Environment& environment,
                     const ExportHeader& header, const ExportOptions& options = {},
                     std::span<const ExportExtra> extras = {});

@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 QString nameOf(const Agent& agent) { return QString::fromStdString(agent.name); }
 
 std::vector<Agent>::iterator find(DocumentState& state, int id) {

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kSlopeFilter = "SlopeFilter";
 constexpr const char* kClearanceFilter = "VerticalClearanceFilter";
 
-QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 // Twelve digits: 40 and not 40.000000000000007, which is what a change of scale and back would leave.
 double rounded(double value) {

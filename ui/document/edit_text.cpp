@@ -13,7 +13,7 @@ namespace footfall::ui {
 namespace {
 
 QString tr(const char* text, const char* comment = nullptr, int n = -1) {
-  return QCoreApplication::translate("footfall", text, comment, n);
+  return QCoreApplication::translate("footfall::ui", text, comment, n);
 }
 
 // In the middle of a sentence.

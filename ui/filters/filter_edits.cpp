@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 bool contains(const FilterIds& ids, int id) { return std::ranges::find(ids, id) != ids.end(); }
 

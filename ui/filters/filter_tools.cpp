@@ -15,7 +15,7 @@ namespace {
 constexpr int kAgentKeys = 9;
 
 // In the context that lupdate finds for functions that belong to no class.
-QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 void addListCommands(EditorWindow& window) {
   FilterList& list = window.filterList();

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kEnding = ".pipeline";
 constexpr qsizetype kLongestName = 80;
 
-QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 std::string encoded(const QString& path) { return QFile::encodeName(path).toStdString(); }
 

@@ -9,7 +9,7 @@
 namespace footfall::ui {
 
 QString stateWord(StepState state) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("footfall", text); };
+  const auto tr = [](const char* text) { return QCoreApplication::translate("footfall::ui", text); };
   switch (state) {
     case StepState::Fresh:
       return tr("not run yet");

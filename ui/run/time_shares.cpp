@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kNamed = 3;  // steps in a summary
 
-QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 QString percent(double share) { return QString::number(std::lround(share * 100)); }
 

@@ -11,7 +11,7 @@
 namespace footfall::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("footfall", text); }
+QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 double valueOf(const CellReport& cell, CellColouring colouring) {
   switch (colouring) {
