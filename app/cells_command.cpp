@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cells_command.hpp"
-
-#include <oneapi/tbb/global_control.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
-#include "app/command_files.hpp"
-#include "app/interrupt_watcher.hpp"
-#include "app/progress_bar.hpp"
+#include "app/command_session.hpp"
+#include "app/commands.hpp"
 #include "core/partitioning/cut_export.hpp"
 #include "core/partitioning/cutting.hpp"
 #include "core/pipeline/runner.hpp"
@@ -22,14 +18,23 @@ namespace footfall::app {
 using namespace detail;
 namespace {
 
-void checkTarget(const CellsArguments& arguments) {
-  checkEnding(arguments.output, "-o", ".obj");
-  targetsBeside(arguments.environment, arguments.pipelineFile).add(arguments.output, FOOTFALL_TEXT("the cells"));
+struct CellsOptions {
+  EnvironmentOptions environment;
+  std::string strategy;  ///< as in a pipeline file; empty: the pipeline's first, or AutoStrategy
+  PipelineOptions pipeline;
+  int threads = 0;
+  std::string output;  ///< empty: the cut environment is not exported
+  bool json = false;
+};
+
+void checkTarget(const CellsOptions& options) {
+  checkEnding(options.output, "-o", ".obj");
+  targetsBeside(options.environment, options.pipeline).add(options.output, FOOTFALL_TEXT("the cells"));
 }
 
-std::optional<PipelineStep> givenStrategy(const CellsArguments& arguments) {
-  if (arguments.strategy.empty()) return std::nullopt;
-  const std::string& text = arguments.strategy;
+std::optional<PipelineStep> givenStrategy(const CellsOptions& options) {
+  if (options.strategy.empty()) return std::nullopt;
+  const std::string& text = options.strategy;
   const std::size_t start = std::min(text.find_first_not_of(" \t"), text.size());
   const std::size_t stop = std::min(text.find_first_of(" \t\r\n#", start), text.size());
   const FilterDescriptor* filter = findFilter(std::string_view(text).substr(start, stop - start));
@@ -71,14 +76,14 @@ bool isRounding(const PipelineStep& strategy) {
 }
 
 /// Cuts the environment, writes it, and counts what came out.
-CutCounts exportCut(const CellsArguments& arguments, const Environment& environment, const Partition& partition,
+CutCounts exportCut(const CellsOptions& options, const Environment& environment, const Partition& partition,
                     const Pipeline& block, RunContext& context) {
   const auto poll = [&context] { context.checkCancelled(); };
   const SourceMesh mesh =
       makeSourceMesh(SourceSoupView(environment.vertices, environment.triangles), environment.bothSides, nullptr, poll);
   const CutEnvironment cut = cutEnvironment(mesh, partition, {}, isRounding(block.steps[0]), poll);
   poll();
-  writeCutObj(arguments.output, cut, partition.cells.size(), environment, makeExportHeader(block));
+  writeCutObj(options.output, cut, partition.cells.size(), environment, makeExportHeader(block));
   std::vector<char> isUsed(cut.vertices.size(), 0);
   for (const CutTriangle& t : cut.triangles)
     for (const Index v : t.corners) isUsed[static_cast<std::size_t>(v)] = 1;
@@ -93,36 +98,46 @@ CutCounts exportCut(const CellsArguments& arguments, const Environment& environm
   return counts;
 }
 
-}  // namespace
-
-std::string previewCells(const CellsArguments& arguments) {
-  checkTarget(arguments);
-  const std::optional<PipelineStep> strategy = givenStrategy(arguments);
-  std::optional<Pipeline> pipeline = givenPipeline(arguments.pipelineFile, arguments.filters);
-
-  ProgressBar bar(isatty(STDERR_FILENO) != 0);
-  RunContext context([&bar](const RunEvent& event) { bar.show(event); });
-  const InterruptWatcher watcher(context);
-  std::optional<tbb::global_control> fewerThreads;
-  if (arguments.threads > 0)
-    fewerThreads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(arguments.threads));
-
-  bar.begin("loading", 0);
-  const auto environment = loadEnvironment(arguments.environment, &context);
+std::string previewCells(const CellsOptions& options) {
+  checkTarget(options);
+  const std::optional<PipelineStep> strategy = givenStrategy(options);
+  std::optional<Pipeline> pipeline = options.pipeline.given();
+  CommandSession session(options.threads);
+  const auto environment = session.load(options.environment);
   if (!pipeline) pipeline = defaultPipeline(*environment);
   const Pipeline block = blockOf(*pipeline, strategy);
 
-  bar.begin("dividing", 0);
-  const Partition partition = previewPartition(environment, block, 0, context, arguments.threads);
+  session.begin("dividing");
+  const Partition partition = previewPartition(environment, block, 0, session.context(), options.threads);
   const auto threads =
       static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   CellsReport report{*environment, partition, threads, std::nullopt};
-  if (!arguments.output.empty()) {
-    bar.begin("exporting", 0);
-    report.cut = exportCut(arguments, *environment, partition, block, context);
+  if (!options.output.empty()) {
+    session.begin("exporting");
+    report.cut = exportCut(options, *environment, partition, block, session.context());
   }
-  bar.clear();
-  return arguments.json ? formatCellsJson(report) : formatCells(report);
+  session.end();
+  return options.json ? formatCellsJson(report) : formatCells(report);
+}
+
+}  // namespace
+
+void addCellsCommand(CLI::App& app) {
+  const auto options = std::make_shared<CellsOptions>();
+  CLI::App& command =
+      *app.add_subcommand("cells", "Tell into which cells a strategy divides an environment, without running filters");
+  options->environment.addTo(command);
+  command
+      .add_option("--strategy", options->strategy,
+                  "The strategy, such as \"GridStrategy 3 2\"; the pipeline's first, else AutoStrategy, when left out")
+      ->type_name("STEP");
+  options->pipeline.addTo(command, "A pipeline file: strategies look at the clearance of its filters",
+                          "One step of the pipeline; give it once for each step");
+  addThreads(command, options->threads, "Threads to plan for; as many as there are processors by default");
+  command.add_option("-o,--output", options->output, "Write the environment, cut along the cells, to this OBJ file")
+      ->type_name("CELLS.obj");
+  command.add_flag("--json", options->json, "The report as JSON");
+  command.callback([options] { print(previewCells(*options)); });
 }
 
 }  // namespace footfall::app

@@ -1,72 +1,110 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/compare_command.hpp"
-
-#include <oneapi/tbb/global_control.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
 
-#include "app/interrupt_watcher.hpp"
-#include "app/progress_bar.hpp"
+#include "app/command_session.hpp"
+#include "app/commands.hpp"
 #include "core/base/number_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/compare/comparison_report.hpp"
+#include "core/compare/mesh_comparison.hpp"
 #include "core/environment/up_axis.hpp"
+#include "footfall/errors.hpp"
 
 namespace footfall::app {
 using namespace detail;
 namespace {
 
+struct CompareOptions {
+  std::array<std::string, 2> files;  ///< A, the ground truth, and B
+  ComparisonOptions comparison;
+  std::string up;  ///< empty: what the files state
+  bool json = false;
+  bool failIfDifferent = false;
+  std::optional<double> failAbove;  ///< area in the plan
+  int threads = 0;
+  bool quiet = false;
+};
+
 constexpr std::size_t kSteps = 4;  // of compareMeshes()
 
-std::array<NavigationMeshFile, 2> readBoth(const CompareArguments& arguments, RunContext& context) {
-  const std::optional<UpAxis> up = upAxisFrom(arguments.up);
+std::array<NavigationMeshFile, 2> readBoth(const CompareOptions& options, RunContext& context) {
+  const std::optional<UpAxis> up = upAxisFrom(options.up);
   std::array<NavigationMeshFile, 2> files;
-  files[0] = readNavigationMesh(arguments.files[0], up, UpAxis::Y, &context);
+  files[0] = readNavigationMesh(options.files[0], up, UpAxis::Y, &context);
   // What states no axis lies as the other does.
-  files[1] = readNavigationMesh(arguments.files[1], up, files[0].up, &context);
+  files[1] = readNavigationMesh(options.files[1], up, files[0].up, &context);
   if (!up && !files[0].statedUp && files[1].statedUp && files[1].up != files[0].up)
-    files[0] = readNavigationMesh(arguments.files[0], files[1].up, UpAxis::Y, &context);
+    files[0] = readNavigationMesh(options.files[0], files[1].up, UpAxis::Y, &context);
   return files;
 }
 
-std::string differenceOf(const CompareArguments& arguments, const MeshComparison& comparison) {
-  const std::string names = arguments.files[0] + " and " + arguments.files[1];
-  if (arguments.failIfDifferent && !comparison.equal()) return names + " are not the same set of points";
-  if (!arguments.failAbove) return {};
+/// One line, when the meshes differ by more than the options allow; else empty.
+std::string differenceOf(const CompareOptions& options, const MeshComparison& comparison) {
+  const std::string names = options.files[0] + " and " + options.files[1];
+  if (options.failIfDifferent && !comparison.equal()) return names + " are not the same set of points";
+  if (!options.failAbove) return {};
   const double most = std::max(comparison.meshes[0].whole.uncovered.plan, comparison.meshes[1].whole.uncovered.plan);
-  if (most <= *arguments.failAbove) return {};
+  if (most <= *options.failAbove) return {};
   std::string text = names + ": an area of ";
   appendNumber(text, most);
   text += " is not covered by the other; at most ";
-  appendNumber(text, *arguments.failAbove);
+  appendNumber(text, *options.failAbove);
   return text + " was allowed";
+}
+
+void compareFiles(const CompareOptions& options) {
+  if (options.failAbove && !(std::isfinite(*options.failAbove) && *options.failAbove >= 0))
+    throw InputError("--fail-above: must be an area in the files' units; give 0 or more");
+  CommandSession session(options.threads, options.quiet);
+  const Stopwatch loading;
+  session.begin("loading");
+  const auto files = readBoth(options, session.context());
+  const double loadMs = loading.wallMs();
+  const Stopwatch comparing;
+  session.begin("comparing", kSteps);
+  const MeshComparison comparison = compareMeshes(files[0].mesh, files[1].mesh, options.comparison, session.context());
+  const ComparisonTimes times{loadMs, comparing.wallMs()};
+  session.end();
+  print(options.json ? formatComparisonJson(files, comparison, times) : formatComparison(files, comparison, times));
+  const std::string difference = differenceOf(options, comparison);
+  if (!difference.empty()) throw RunError(difference);
 }
 
 }  // namespace
 
-CompareOutcome compareFiles(const CompareArguments& arguments) {
-  if (arguments.failAbove && !(std::isfinite(*arguments.failAbove) && *arguments.failAbove >= 0))
-    throw InputError("--fail-above: must be an area in the files' units; give 0 or more");
-  ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO) != 0);
-  RunContext context([&bar](const RunEvent& event) { bar.show(event); });
-  const InterruptWatcher watcher(context);
-  std::optional<tbb::global_control> limit;
-  if (arguments.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(arguments.threads));
-  }
-  const Stopwatch loading;
-  bar.begin("loading", 0);
-  const auto files = readBoth(arguments, context);
-  const double loadMs = loading.wallMs();
-  const Stopwatch comparing;
-  bar.begin("comparing", kSteps);
-  const MeshComparison comparison = compareMeshes(files[0].mesh, files[1].mesh, arguments.options, context);
-  const ComparisonTimes times{loadMs, comparing.wallMs()};
-  bar.clear();
-  return {arguments.json ? formatComparisonJson(files, comparison, times) : formatComparison(files, comparison, times),
-          differenceOf(arguments, comparison)};
+void addCompareCommand(CLI::App& app) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App& command = *app.add_subcommand("compare", "Tell how two navigation meshes differ");
+  command
+      .add_option("A", options->files[0], "The ground truth: an OBJ file that `footfall run -o` wrote, or any other")
+      ->required();
+  command.add_option("B", options->files[1], "The OBJ file to hold against it")->required();
+  command
+      .add_option("--height", options->comparison.height,
+                  "How far apart in height two surfaces still cover each other, in the files' units; nearly nothing "
+                  "by default")
+      ->type_name("H");
+  command
+      .add_option("--error", options->comparison.error,
+                  "How exactly to bound the Hausdorff distances, in the files' units; a thousandth of the diagonal "
+                  "by default")
+      ->type_name("E");
+  addUpAxis(command, "--up", options->up, "The up axis of both files; what they state, else y, when left out");
+  command.add_flag("--json", options->json, "Print one JSON object");
+  command.add_flag("--fail-if-different", options->failIfDifferent,
+                   "Exit with 1 unless both are the same set of points, exactly");
+  command
+      .add_option("--fail-above", options->failAbove,
+                  "Exit with 1 when more than this area of one, in the plan, is not covered by the other")
+      ->type_name("AREA");
+  addThreads(command, options->threads);
+  command.add_flag("--quiet", options->quiet, "No progress bar");
+  command.callback([options] { compareFiles(*options); });
 }
 
 }  // namespace footfall::app

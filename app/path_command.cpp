@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/path_command.hpp"
-
-#include <unistd.h>
-
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
-#include "app/command_files.hpp"
-#include "app/interrupt_watcher.hpp"
-#include "app/progress_bar.hpp"
-#include "core/base/worker_arena.hpp"
+#include "app/command_session.hpp"
+#include "app/commands.hpp"
 #include "core/environment/up_axis.hpp"
 #include "core/navigation/path_finder.hpp"
 #include "core/navigation/place_reach.hpp"
@@ -22,50 +20,76 @@ namespace footfall::app {
 using namespace detail;
 namespace {
 
-void checkArguments(const PathArguments& arguments) {
-  checkEnding(arguments.output, "-o", ".obj");
-  targetsBeside(arguments.environment, arguments.pipelineFile).add(arguments.output, FOOTFALL_TEXT("the path"));
-  for (const auto& [option, p] : {std::pair{"--from", arguments.from}, std::pair{"--to", arguments.to}})
+struct PathOptions {
+  EnvironmentOptions environment;
+  std::array<double, 3> from{}, to{};  ///< in the file's own coordinates
+  std::optional<double> reach;         ///< empty: just below the pipeline's clearance
+  PipelineOptions pipeline;
+  int threads = 0;
+  std::string output;  ///< empty: no OBJ
+  bool json = false;
+  bool quiet = false;
+};
+
+void checkOptions(const PathOptions& options) {
+  checkEnding(options.output, "-o", ".obj");
+  targetsBeside(options.environment, options.pipeline).add(options.output, FOOTFALL_TEXT("the path"));
+  for (const auto& [option, p] : {std::pair{"--from", options.from}, std::pair{"--to", options.to}})
     for (const double x : p)
       if (!std::isfinite(x)) throw InputError(std::string(option) + ": takes three finite numbers; give X Y Z");
-  if (arguments.reach && !(*arguments.reach >= 0))
+  if (options.reach && !(*options.reach >= 0))
     throw InputError("--reach: must be a height in the file's units; give a number that is not negative");
 }
 
 Vec3 turned(const std::array<double, 3>& p, UpAxis up) { return fromFileFrame({p[0], p[1], p[2]}, up); }
 
-}  // namespace
-
-PathOutcome findPath(const PathArguments& arguments) {
-  checkArguments(arguments);
-  std::optional<Pipeline> pipeline = givenPipeline(arguments.pipelineFile, arguments.filters);
-  ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO) != 0);
-  RunContext context([&bar](const RunEvent& event) { bar.show(event); });
-  const InterruptWatcher watcher(context);
-
-  bar.begin("loading", 0);
-  const std::shared_ptr<const Environment> environment =
-      onThreads(arguments.threads, [&](int) { return loadEnvironment(arguments.environment, &context); });
+/// Prints the report; a path that ends before its target is an error all the same.
+void findPath(const PathOptions& options) {
+  checkOptions(options);
+  std::optional<Pipeline> pipeline = options.pipeline.given();
+  CommandSession session(options.threads, options.quiet);
+  const std::shared_ptr<const Environment> environment = session.load(options.environment);
   if (!pipeline) pipeline = defaultPipeline(*environment);
-  bar.begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline->steps, true, &PipelineStep::enabled)));
-  const RunResult run = runNamingFile(arguments.pipelineFile, environment, *pipeline, context, arguments.threads);
+  const RunResult run = session.run(environment, *pipeline, options.pipeline);
 
-  bar.begin("looking for the path", 0);
-  const auto poll = [&context] { context.checkCancelled(); };
+  session.begin("looking for the path");
+  const auto poll = [&session] { session.context().checkCancelled(); };
   const PathFinder finder(run.mesh, poll);
-  PathResult path = finder.find(turned(arguments.from, environment->up), turned(arguments.to, environment->up),
-                                arguments.reach.value_or(placeReach(*pipeline)), poll);
+  PathResult path = finder.find(turned(options.from, environment->up), turned(options.to, environment->up),
+                                options.reach.value_or(placeReach(*pipeline)), poll);
   if (path.status == PathStatus::NotConnected) {
-    bar.begin("looking for what keeps the parts apart", 0);
+    session.begin("looking for what keeps the parts apart");
     const SeparationFinder separations(*run.mesh, finder.topology(), environment,
                                        agentHeight(*pipeline, environment->metresPerUnit), poll);
     addSeparation(path, finder.topology(), separations, poll);
   }
-  if (!arguments.output.empty() && path.hasPath())
-    writeFileSafely(arguments.output, formatPathObj(*environment, makeExportHeader(*pipeline), path));
-  bar.clear();
-  return {arguments.json ? formatPathJson(*run.mesh, *environment, path) : formatPath(*environment, path),
-          path.reached() ? std::string() : environment->source + ": " + formatFailure(path, environment->up)};
+  if (!options.output.empty() && path.hasPath())
+    writeFileSafely(options.output, formatPathObj(*environment, makeExportHeader(*pipeline), path));
+  session.end();
+  print(options.json ? formatPathJson(*run.mesh, *environment, path) : formatPath(*environment, path));
+  if (!path.reached()) throw RunError(environment->source + ": " + formatFailure(path, environment->up));
+}
+
+}  // namespace
+
+void addPathCommand(CLI::App& app) {
+  const auto options = std::make_shared<PathOptions>();
+  CLI::App& command = *app.add_subcommand("path", "Find the shortest path between two places");
+  options->environment.addTo(command);
+  addPlace(command, "--from", options->from, "Where to start, in the file's own coordinates");
+  addPlace(command, "--to", options->to, "Where to go");
+  command
+      .add_option("--reach", options->reach,
+                  "How far above or below a place the walkable area may lie, in the file's units; less than the "
+                  "clearance by default, so that a place on an obstacle is not walkable")
+      ->type_name("H");
+  options->pipeline.addTo(command, "A pipeline file", "One step of the pipeline; give it once for each step");
+  addThreads(command, options->threads);
+  command.add_option("-o,--output", options->output, "Write the path as a polyline to this OBJ file")
+      ->type_name("PATH.obj");
+  command.add_flag("--json", options->json, "The report as JSON");
+  command.add_flag("--quiet", options->quiet, "No progress bar");
+  command.callback([options] { findPath(*options); });
 }
 
 }  // namespace footfall::app

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/run_command.hpp"
-
-#include <unistd.h>
-
-#include <algorithm>
+#include <memory>
 #include <optional>
+#include <string>
 
-#include "app/command_files.hpp"
-#include "app/interrupt_watcher.hpp"
-#include "app/progress_bar.hpp"
+#include "app/command_session.hpp"
+#include "app/commands.hpp"
 #include "core/base/process_usage.hpp"
-#include "core/base/worker_arena.hpp"
+#include "core/environment/up_axis.hpp"
 #include "core/io/export.hpp"
 #include "core/io/gltf_export.hpp"
-#include "core/pipeline/runner.hpp"
 #include "core/report/export_header.hpp"
 #include "core/report/html_report.hpp"
 #include "core/report/run_statistics.hpp"
@@ -25,67 +20,117 @@ namespace footfall::app {
 using namespace detail;
 namespace {
 
-void checkTargets(const RunArguments& arguments) {
-  if (!arguments.output.empty()) exportFormatOf(arguments.output);
-  checkEnding(arguments.statistics, "--stats", ".json");
-  checkEnding(arguments.trace, "--trace", ".json");
-  checkEnding(arguments.report, "--report", ".html");
-  WriteTargets targets = targetsBeside(arguments.environment, arguments.pipelineFile);
-  targets.add(arguments.output, FOOTFALL_TEXT("the export"));
-  targets.add(arguments.statistics, FOOTFALL_TEXT("the statistics"));
-  targets.add(arguments.trace, FOOTFALL_TEXT("the timeline"));
-  targets.add(arguments.report, FOOTFALL_TEXT("the report"));
-  checkScale(arguments.exportOptions, {});
+struct RunOptions {
+  EnvironmentOptions environment;
+  PipelineOptions pipeline;
+  int threads = 0;
+  std::string output;  ///< .obj, .gltf or .glb; empty, as the next ones: not written
+  ExportOptions exported;
+  std::string exportUp;
+  std::string statistics, trace, report;
+  bool speedUp = false;
+  bool quiet = false;
+};
+
+void addExportOptions(CLI::App& command, RunOptions& options) {
+  ExportOptions& exported = options.exported;
+  const auto leaveOut = [&command](const char* name, bool& part, const char* help) {
+    command.add_flag_callback(
+        name, [&part] { part = false; }, help);
+  };
+  leaveOut("--no-layers", exported.layers, "Export one group of triangles in place of one for each layer");
+  leaveOut("--no-connections", exported.connections, "Leave out the lines where two layers meet");
+  leaveOut("--no-obstacle-edges", exported.obstacleEdges, "Leave out the lines of obstacle edges");
+  addUpAxis(command, "--export-up", options.exportUp,
+            "Up axis of an OBJ export; the environment's when left out. glTF is always Y up");
+  command
+      .add_option("--export-scale", exported.scale,
+                  "Multiply the coordinates of the export; 1 (the default) keeps the environment's units, in which OBJ "
+                  "is exact. glTF is in metres before that")
+      ->type_name("S");
+}
+
+void checkTargets(const RunOptions& options) {
+  if (!options.output.empty()) exportFormatOf(options.output);
+  checkEnding(options.statistics, "--stats", ".json");
+  checkEnding(options.trace, "--trace", ".json");
+  checkEnding(options.report, "--report", ".html");
+  WriteTargets targets = targetsBeside(options.environment, options.pipeline);
+  targets.add(options.output, FOOTFALL_TEXT("the export"));
+  targets.add(options.statistics, FOOTFALL_TEXT("the statistics"));
+  targets.add(options.trace, FOOTFALL_TEXT("the timeline"));
+  targets.add(options.report, FOOTFALL_TEXT("the report"));
+  checkScale(options.exported, {});
+}
+
+/// Returns the summary for stdout, empty when quiet.
+std::string runAndExport(const RunOptions& options) {
+  const Stopwatch total;
+  ProgramTimes times;
+  checkTargets(options);
+  std::optional<Pipeline> pipeline = options.pipeline.given();
+  CommandSession session(options.threads, options.quiet);
+  RunContext& context = session.context();
+
+  const Stopwatch loading;
+  const std::shared_ptr<const Environment> environment = session.load(options.environment);
+  times.loadMs = loading.wallMs();
+  if (!pipeline) pipeline = defaultPipeline(*environment);
+  const RunResult result = session.run(environment, *pipeline, options.pipeline);
+
+  if (!options.output.empty()) {
+    const Stopwatch exporting;
+    session.begin("exporting");
+    context.checkCancelled();
+    writeExport(options.output, *result.mesh, *environment, makeExportHeader(*pipeline), options.exported);
+    times.exportMs = exporting.wallMs();
+  }
+  times.totalMs = total.wallMs();
+  if (options.speedUp) {
+    session.begin("measuring the speed-up");
+    times.speedUp = measureSpeedUp(environment, *pipeline, context, options.threads);
+  }
+  const auto write = [&context](const std::string& path, const auto& format) {
+    if (path.empty()) return;
+    context.checkCancelled();
+    writeFileSafely(path, format());
+  };
+  write(options.statistics, [&] { return formatStatistics(*environment, result, times); });
+  write(options.report, [&] {
+    return formatHtmlReport(*environment, *pipeline, result, times, {reportDate(), {}, {}});
+  });
+  write(options.trace, [&] { return formatTrace(result); });
+  session.end();
+  return options.quiet ? std::string() : formatSummary(*environment, result, times);
 }
 
 }  // namespace
 
-std::string runAndExport(const RunArguments& arguments) {
-  const Stopwatch total;
-  ProgramTimes times;
-  checkTargets(arguments);
-  std::optional<Pipeline> pipeline = givenPipeline(arguments.pipelineFile, arguments.filters);
-
-  ProgressBar bar(!arguments.quiet && isatty(STDERR_FILENO) != 0);
-  RunContext context([&bar](const RunEvent& event) { bar.show(event); });
-  const InterruptWatcher watcher(context);
-
-  const Stopwatch loading;
-  bar.begin("loading", 0);
-  const std::shared_ptr<const Environment> environment =
-      onThreads(arguments.threads, [&](int) { return loadEnvironment(arguments.environment, &context); });
-  times.loadMs = loading.wallMs();
-  if (!pipeline) pipeline = defaultPipeline(*environment);
-
-  bar.begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline->steps, true, &PipelineStep::enabled)));
-  const RunResult result = runNamingFile(arguments.pipelineFile, environment, *pipeline, context, arguments.threads);
-
-  if (!arguments.output.empty()) {
-    const Stopwatch exporting;
-    bar.begin("exporting", 0);
-    context.checkCancelled();
-    writeExport(arguments.output, *result.mesh, *environment, makeExportHeader(*pipeline), arguments.exportOptions);
-    times.exportMs = exporting.wallMs();
-  }
-  times.totalMs = total.wallMs();
-  if (arguments.speedUp) {
-    bar.begin("measuring the speed-up", 0);
-    times.speedUp = measureSpeedUp(environment, *pipeline, context, arguments.threads);
-  }
-  if (!arguments.statistics.empty()) {
-    context.checkCancelled();
-    writeFileSafely(arguments.statistics, formatStatistics(*environment, result, times));
-  }
-  if (!arguments.report.empty()) {
-    context.checkCancelled();
-    writeFileSafely(arguments.report, formatHtmlReport(*environment, *pipeline, result, times, {reportDate(), {}, {}}));
-  }
-  if (!arguments.trace.empty()) {
-    context.checkCancelled();
-    writeFileSafely(arguments.trace, formatTrace(result));
-  }
-  bar.clear();
-  return arguments.quiet ? std::string() : formatSummary(*environment, result, times);
+void addRunCommand(CLI::App& app) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& command = *app.add_subcommand("run", "Run a pipeline over an environment");
+  options->environment.addTo(command);
+  options->pipeline.addTo(command, "A pipeline file",
+                          "One step, such as \"SlopeFilter 45\"; give it once for each step. Without steps and file "
+                          "the default pipeline runs");
+  addThreads(command, options->threads);
+  command.add_option("-o,--output", options->output, "Write the walkable area to this OBJ, glTF or GLB file")
+      ->type_name("OUT.obj|OUT.gltf|OUT.glb");
+  addExportOptions(command, *options);
+  command.add_option("--stats", options->statistics, "Write times and counts to this file")->type_name("FILE.json");
+  command
+      .add_option("--trace", options->trace,
+                  "Write the timeline of the run to this file, for Perfetto (ui.perfetto.dev) or chrome://tracing")
+      ->type_name("FILE.json");
+  command.add_option("--report", options->report, "Write figures and times as one HTML file")->type_name("FILE.html");
+  command.add_flag("--speed-up", options->speedUp,
+                   "Also run everything three times more, and three times on one thread without parallel blocks, to "
+                   "tell the speed-up");
+  command.add_flag("--quiet", options->quiet, "No progress bar and no summary");
+  command.callback([options] {
+    options->exported.up = upAxisFrom(options->exportUp);
+    print(runAndExport(*options));
+  });
 }
 
 }  // namespace footfall::app

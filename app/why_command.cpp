@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/why_command.hpp"
-
-#include <oneapi/tbb/global_control.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
 
-#include "app/command_files.hpp"
-#include "app/interrupt_watcher.hpp"
-#include "app/progress_bar.hpp"
+#include "app/command_session.hpp"
+#include "app/commands.hpp"
 #include "core/base/number_text.hpp"
 #include "core/environment/up_axis.hpp"
 #include "core/pipeline/runner.hpp"
@@ -20,6 +17,14 @@
 namespace footfall::app {
 using namespace detail;
 namespace {
+
+struct WhyOptions {
+  EnvironmentOptions environment;
+  std::array<double, 3> place{};  ///< in the file's frame and units
+  PipelineOptions pipeline;
+  int threads = 0;
+  bool json = false;
+};
 
 std::string coordinates(const Vec3& place) {
   std::string text;
@@ -42,37 +47,41 @@ std::string nothingBelow(const Environment& environment, const Vec3& place) {
          " is up; give a point above a floor";
 }
 
-}  // namespace
-
-std::string explainPlace(const WhyArguments& arguments) {
-  const Vec3 given{arguments.place[0], arguments.place[1], arguments.place[2]};
+/// What to say of the highest place at or under the point.
+std::string explainPlace(const WhyOptions& options) {
+  const Vec3 given{options.place[0], options.place[1], options.place[2]};
   if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.z))
     throw InputError("--at: takes three finite numbers; give x, y and z in the file's frame and units");
-  std::optional<Pipeline> pipeline = givenPipeline(arguments.pipelineFile, arguments.filters);
-
-  ProgressBar bar(isatty(STDERR_FILENO) != 0);
-  RunContext context([&bar](const RunEvent& event) { bar.show(event); });
-  const InterruptWatcher watcher(context);
-  std::optional<tbb::global_control> fewerThreads;
-  if (arguments.threads > 0)
-    fewerThreads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(arguments.threads));
-
-  bar.begin("loading", 0);
-  const auto environment = loadEnvironment(arguments.environment, &context);
+  std::optional<Pipeline> pipeline = options.pipeline.given();
+  CommandSession session(options.threads);
+  const auto environment = session.load(options.environment);
   if (!pipeline) pipeline = defaultPipeline(*environment);
-  const auto enabled = std::count_if(pipeline->steps.begin(), pipeline->steps.end(),
-                                     [](const PipelineStep& step) { return step.enabled; });
-  bar.begin("starting", static_cast<std::size_t>(enabled));
   ResultCache cache(pipeline->steps.size() + 1);
-  const RunResult result = runPipeline(environment, *pipeline, context, &cache, arguments.threads);
-  const Inspector inspector(environment, *pipeline,
-                            stepStates(environment, *pipeline, context, cache, arguments.threads), result.mesh,
-                            context);
+  const RunResult result = session.run(environment, *pipeline, options.pipeline, &cache);
+  RunContext& context = session.context();
+  const Inspector inspector(environment, *pipeline, stepStates(environment, *pipeline, context, cache, options.threads),
+                            result.mesh, context);
   const auto place = inspector.placeBelow(fromFileFrame(given, environment->up));
   if (!place) throw InputError(nothingBelow(*environment, given));
-  const PlaceExplanation told = inspector.explain(*place, context);
-  bar.clear();
-  return arguments.json ? formatExplanationJson(inspector, told) : formatExplanation(inspector, told);
+  const PlaceExplanation explanation = inspector.explain(*place, context);
+  session.end();
+  return options.json ? formatExplanationJson(inspector, explanation) : formatExplanation(inspector, explanation);
+}
+
+}  // namespace
+
+void addWhyCommand(CLI::App& app) {
+  const auto options = std::make_shared<WhyOptions>();
+  CLI::App& command = *app.add_subcommand("why", "Tell why a place is walkable, or which filter rejected it");
+  options->environment.addTo(command);
+  addPlace(command, "--at", options->place,
+           "The place, in the file's frame and units: the highest triangle at or under this point counts");
+  options->pipeline.addTo(command, "A pipeline file",
+                          "One step of the pipeline; give it once for each step. Without steps and file the default "
+                          "pipeline runs");
+  addThreads(command, options->threads);
+  command.add_flag("--json", options->json, "Print one JSON object");
+  command.callback([options] { print(explainPlace(*options)); });
 }
 
 }  // namespace footfall::app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_options.hpp"
+
+#include <cmath>
+
+#include "core/environment/up_axis.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::app {
+using namespace detail;
+
+void EnvironmentOptions::addTo(CLI::App& command) {
+  command.add_option("ENV", path, "The environment: OBJ, glTF, FBX, PLY, STL or another mesh file")->required();
+  addUpAxis(command, "--up", up, "The file's up axis; guessed from the format when left out");
+  command.add_option("--scale", metresPerUnit, "Metres in one unit of the file; guessed when left out")
+      ->type_name("METRES");
+  command.add_flag("--both-sides", bothSides,
+                   "Take both sides of every triangle as its upper side, for files with unreliable winding");
+  const auto addNames = [&command](const char* name, std::vector<std::string>& names, const char* help) {
+    command.add_option(name, names, help)->allow_extra_args(false)->type_name("NAME");
+  };
+  addNames("--ignore", ignored,
+           "A mesh, a material or MESH/MATERIAL to leave out altogether; give it once for each. `footfall info` lists "
+           "the names");
+  addNames("--obstacle-only", obstacleOnly,
+           "A mesh, a material or MESH/MATERIAL that is an obstacle, but never walkable; give it once for each");
+}
+
+ImportOptions EnvironmentOptions::import() const {
+  if (metresPerUnit && !(std::isfinite(*metresPerUnit) && *metresPerUnit > 0))
+    throw InputError("--scale: must be the metres in one unit of the file; give a number above 0");
+  return {upAxisFrom(up), metresPerUnit, bothSides};
+}
+
+void PipelineOptions::addTo(CLI::App& command, const std::string& fileHelp, const std::string& stepHelp) {
+  CLI::Option* fileOption = command.add_option("-p,--pipeline", file, fileHelp)->type_name("FILE");
+  command.add_option("--filter", steps, stepHelp)->allow_extra_args(false)->excludes(fileOption)->type_name("STEP");
+}
+
+std::optional<Pipeline> PipelineOptions::given() const {
+  if (!file.empty()) return readPipelineFile(file);
+  if (steps.empty()) return std::nullopt;
+  std::string text;
+  for (const std::string& step : steps) text += step + '\n';
+  return parsePipeline(text, "--filter");
+}
+
+void addThreads(CLI::App& command, int& threads, const std::string& help) {
+  command.add_option("--threads", threads, help)->check(CLI::Range(1, 1024))->type_name("N");
+}
+
+void addUpAxis(CLI::App& command, const std::string& name, std::string& up, const std::string& help) {
+  std::vector<std::string> names;
+  for (const UpAxis axis : kUpAxes) names.emplace_back(nameOf(axis));
+  command.add_option(name, up, help)->check(CLI::IsMember(names, CLI::ignore_case))->type_name(kUpAxisNames);
+}
+
+void addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place, const std::string& help) {
+  command.add_option(name, place, help)->required()->type_name("X Y Z");
+}
+
+WriteTargets targetsBeside(const EnvironmentOptions& environment, const PipelineOptions& pipeline) {
+  WriteTargets targets;
+  targets.protectEnvironment(environment.path);
+  targets.protect(pipeline.file, FOOTFALL_TEXT("the pipeline"));
+  return targets;
+}
+
+}  // namespace footfall::app

@@ -1,0 +1,50 @@
+// Options that several commands of `footfall` have, and what they mean.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/write_targets.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/pipeline.hpp"
+
+namespace footfall::app {
+
+/// The environment, and what of it is meant.
+struct EnvironmentOptions {
+  std::string path;
+  std::string up;  ///< a name of nameOf(UpAxis), or empty
+  std::optional<double> metresPerUnit;
+  bool bothSides = false;
+  std::vector<std::string> ignored, obstacleOnly;  ///< meshes, materials or MESH/MATERIAL
+
+  void addTo(CLI::App& command);
+  /// Throws InputError for a scale that is none.
+  [[nodiscard]] ImportOptions import() const;
+};
+
+/// The pipeline: a file, or steps; neither means the default pipeline.
+struct PipelineOptions {
+  std::string file;
+  std::vector<std::string> steps;  ///< one line of a pipeline file each
+
+  /// The helps of both options, which differ by what the pipeline is for.
+  void addTo(CLI::App& command, const std::string& fileHelp, const std::string& stepHelp);
+  /// Empty where the default pipeline is meant, which needs the environment's scale. Throws InputError.
+  [[nodiscard]] std::optional<Pipeline> given() const;
+};
+
+void addThreads(CLI::App& command, int& threads,
+                const std::string& help = "Threads to use at most; as many as there are processors by default");
+/// `--up` and options like it.
+void addUpAxis(CLI::App& command, const std::string& name, std::string& up, const std::string& help);
+/// An option with three coordinates.
+void addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place, const std::string& help);
+
+/// What a command reads, which it must not write over.
+detail::WriteTargets targetsBeside(const EnvironmentOptions& environment, const PipelineOptions& pipeline);
+
+}  // namespace footfall::app

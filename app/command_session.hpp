@@ -1,0 +1,50 @@
+// What every command of `footfall` has while it works.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <oneapi/tbb/global_control.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/command_options.hpp"
+#include "app/interrupt_watcher.hpp"
+#include "app/progress_bar.hpp"
+#include "footfall/run.hpp"
+
+namespace footfall::app {
+
+/// A progress bar on a terminal's stderr, a context that SIGINT and SIGTERM cancel, and a limit for threads. Its
+/// functions throw InputError, RunError or Cancelled.
+class CommandSession {
+ public:
+  /// `threads` 0: as many as the machine has.
+  explicit CommandSession(int threads = 0, bool quiet = false);
+
+  [[nodiscard]] RunContext& context() { return context_; }
+
+  /// The progress bar starts again for a task of `steps` steps and an ending.
+  void begin(const std::string& task, std::size_t steps = 0) { bar_.begin(task, steps); }
+  /// Wipes the progress bar.
+  void end() { bar_.clear(); }
+
+  /// Imports the environment and gives its parts their roles. InputError also when a name means nothing or nothing is
+  /// left.
+  std::shared_ptr<const Environment> load(const EnvironmentOptions& options);
+  /// Runs the pipeline; errors name its file.
+  RunResult run(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
+                const PipelineOptions& options, ResultCache* cache = nullptr);
+
+ private:
+  int threads_;
+  std::optional<tbb::global_control> limit_;
+  ProgressBar bar_;
+  RunContext context_;
+  InterruptWatcher watcher_;
+};
+
+/// Writes to stdout. Throws RunError when that fails.
+void print(const std::string& text);
+
+}  // namespace footfall::app
