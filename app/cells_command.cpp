@@ -11,8 +11,8 @@
 #include "core/partitioning/cutting.hpp"
 #include "core/pipeline/runner.hpp"
 #include "core/report/cells_report.hpp"
-#include "core/report/export_header.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/report.hpp"
 
 namespace footfall::app {
 using namespace detail;

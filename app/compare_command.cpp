@@ -11,8 +11,8 @@
 #include "core/base/number_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/compare/comparison_report.hpp"
-#include "core/compare/mesh_comparison.hpp"
 #include "core/environment/up_axis.hpp"
+#include "footfall/compare.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::app {
@@ -67,7 +67,7 @@ void compareFiles(const CompareOptions& options) {
   const double loadMs = loading.wallMs();
   const Stopwatch comparing;
   session.begin("comparing", kSteps);
-  const MeshComparison comparison = compareMeshes(files[0].mesh, files[1].mesh, options.comparison, session.context());
+  const MeshComparison comparison = compareMeshes(files[0].mesh, files[1].mesh, options.comparison, &session.context());
   const ComparisonTimes times{loadMs, comparing.wallMs()};
   session.end();
   print(options.json ? formatComparisonJson(files, comparison, times) : formatComparison(files, comparison, times));

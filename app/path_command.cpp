@@ -9,12 +9,12 @@
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
 #include "core/environment/up_axis.hpp"
-#include "core/navigation/path_finder.hpp"
-#include "core/navigation/place_reach.hpp"
+#include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
-#include "core/report/export_header.hpp"
 #include "core/report/path_report.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/path.hpp"
+#include "footfall/report.hpp"
 
 namespace footfall::app {
 using namespace detail;
@@ -53,20 +53,20 @@ void findPath(const PathOptions& options) {
   const RunResult run = session.run(environment, *pipeline, options.pipeline);
 
   session.begin("looking for the path");
-  const auto poll = [&session] { session.context().checkCancelled(); };
-  const PathFinder finder(run.mesh, poll);
+  RunContext& context = session.context();
+  const PathFinder finder(run.mesh, &context);
   PathResult path = finder.find(turned(options.from, environment->up), turned(options.to, environment->up),
-                                options.reach.value_or(placeReach(*pipeline)), poll);
+                                options.reach.value_or(placeReach(*pipeline)), &context);
   if (path.status == PathStatus::NotConnected) {
     session.begin("looking for what keeps the parts apart");
-    const SeparationFinder separations(*run.mesh, finder.topology(), environment,
-                                       agentHeight(*pipeline, environment->metresPerUnit), poll);
-    addSeparation(path, finder.topology(), separations, poll);
+    const SeparationFinder separations(finder, environment, agentHeight(*pipeline, environment->metresPerUnit),
+                                       &context);
+    addSeparation(path, separations, &context);
   }
   if (!options.output.empty() && path.hasPath())
-    writeFileSafely(options.output, formatPathObj(*environment, makeExportHeader(*pipeline), path));
+    writeFileSafely(options.output, formatPathObj(environment->frame(), makeExportHeader(*pipeline), path));
   session.end();
-  print(options.json ? formatPathJson(*run.mesh, *environment, path) : formatPath(*environment, path));
+  print(options.json ? formatPathJson(*run.mesh, path) : formatPath(path, environment->up));
   if (!path.reached()) throw RunError(environment->source + ": " + formatFailure(path, environment->up));
 }
 

@@ -9,12 +9,13 @@
 #include "core/environment/up_axis.hpp"
 #include "core/io/export.hpp"
 #include "core/io/gltf_export.hpp"
-#include "core/report/export_header.hpp"
 #include "core/report/html_report.hpp"
-#include "core/report/run_statistics.hpp"
 #include "core/report/run_trace.hpp"
+#include "core/report/speed_up.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/report.hpp"
 
 namespace footfall::app {
 using namespace detail;
@@ -82,7 +83,7 @@ std::string runAndExport(const RunOptions& options) {
     const Stopwatch exporting;
     session.begin("exporting");
     context.checkCancelled();
-    writeExport(options.output, *result.mesh, *environment, makeExportHeader(*pipeline), options.exported);
+    save(*result.mesh, options.output, options.exported, makeExportHeader(*pipeline));
     times.exportMs = exporting.wallMs();
   }
   times.totalMs = total.wallMs();

@@ -10,9 +10,9 @@
 #include "app/commands.hpp"
 #include "core/base/number_text.hpp"
 #include "core/environment/up_axis.hpp"
-#include "core/pipeline/runner.hpp"
-#include "core/report/inspection_report.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/inspect.hpp"
+#include "footfall/report.hpp"
 
 namespace footfall::app {
 using namespace detail;
@@ -59,11 +59,10 @@ std::string explainPlace(const WhyOptions& options) {
   ResultCache cache(pipeline->steps.size() + 1);
   const RunResult result = session.run(environment, *pipeline, options.pipeline, &cache);
   RunContext& context = session.context();
-  const Inspector inspector(environment, *pipeline, stepStates(environment, *pipeline, context, cache, options.threads),
-                            result.mesh, context);
+  const Inspector inspector(environment, *pipeline, result.mesh, &cache, &context, options.threads);
   const auto place = inspector.placeBelow(fromFileFrame(given, environment->up));
   if (!place) throw InputError(nothingBelow(*environment, given));
-  const PlaceExplanation explanation = inspector.explain(*place, context);
+  const PlaceExplanation explanation = inspector.explain(*place, &context);
   session.end();
   return options.json ? formatExplanationJson(inspector, explanation) : formatExplanation(inspector, explanation);
 }

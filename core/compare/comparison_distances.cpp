@@ -176,7 +176,7 @@ class OneSided {
         error_(scaled.in(error)),
         context_(context) {}
 
-  Distances measure(const std::vector<double>& known) {
+  SurfaceDistances measure(const std::vector<double>& known) {
     sample();
     bound(known);
     for (double* d : {&result_.min, &result_.max, &result_.mean, &result_.rms, &result_.lower, &result_.upper})
@@ -305,16 +305,16 @@ class OneSided {
   double error_;
   RunContext& context_;
   std::vector<Nearest> nearest_;  ///< of the positions in use
-  Distances result_;
+  SurfaceDistances result_;
 };
 
 }  // namespace
 
-std::array<Distances, 2> measureDistances(const ComparedSurfaces& surfaces,
-                                          const std::array<std::vector<double>, 2>& known, double error,
-                                          RunContext& context) {
+std::array<SurfaceDistances, 2> measureDistances(const ComparedSurfaces& surfaces,
+                                                 const std::array<std::vector<double>, 2>& known, double error,
+                                                 RunContext& context) {
   const ScaledPlaces scaled(surfaces.positions);
-  std::array<Distances, 2> result;
+  std::array<SurfaceDistances, 2> result;
   for (std::size_t from = 0; from < 2; ++from)
     result[from] = OneSided(surfaces, scaled, from, error, context).measure(known[from]);
   return result;

@@ -3,24 +3,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "core/compare/comparison_surface.hpp"
+#include "footfall/compare.hpp"
 
 namespace footfall::detail::comparison {
-
-/// Distances from one surface to another one: Euclidean, not squared (thesis 5.5 writes squares, and its tables have
-/// distances).
-struct Distances {
-  std::size_t samples = 0;  ///< one at each position that is a corner of a triangle
-  double min = 0, max = 0, mean = 0, rms = 0;
-  Vec3 farthest;  ///< a sample whose distance is `max`
-  /// The one-sided Hausdorff distance, over all points of the surface, lies between these two.
-  double lower = 0, upper = 0;
-  bool boundReached = true;  ///< upper - lower is not above what was asked for
-};
 
 /// From A to B and from B to A. `known[i]` is a bound that no point of triangle i exceeds, infinite where none is
 /// known, and 0 where the triangle lies in the other surface, exactly. Samples that lie exactly on the other surface
@@ -29,8 +17,8 @@ struct Distances {
 /// beyond the farthest point found, or there have been too many.
 ///
 /// Both surfaces must have triangles. The same input gives the same bits, with any number of threads.
-std::array<Distances, 2> measureDistances(const ComparedSurfaces& surfaces,
-                                          const std::array<std::vector<double>, 2>& known, double error,
-                                          RunContext& context);
+std::array<SurfaceDistances, 2> measureDistances(const ComparedSurfaces& surfaces,
+                                                 const std::array<std::vector<double>, 2>& known, double error,
+                                                 RunContext& context);
 
 }  // namespace footfall::detail::comparison

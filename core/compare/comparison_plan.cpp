@@ -201,9 +201,9 @@ class CoveredPart {
 
 }  // namespace
 
-std::array<std::vector<Areas>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
-                                                double height, RunContext& context) {
-  std::array<std::vector<Areas>, 2> uncovered;
+std::array<std::vector<SurfaceArea>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
+                                                      double height, RunContext& context) {
+  std::array<std::vector<SurfaceArea>, 2> uncovered;
   CoveredPart part(surfaces, height, context);
   for (std::size_t set = 0; set < 2; ++set) {
     const Surface& surface = surfaces.surfaces[set];
@@ -217,7 +217,7 @@ std::array<std::vector<Areas>, 2> findUncovered(const ComparedSurfaces& surfaces
       std::vector<std::int32_t> stack;
       for (std::size_t i = first; i < last; ++i) {
         context.checkCancelled();
-        const Areas& all = difference.triangleAreas[set][asked[i]];
+        const SurfaceArea& all = difference.triangleAreas[set][asked[i]];
         const double share = part.uncoveredShare(surface.triangles[asked[i]], stack);
         uncovered[set][asked[i]] = {share * all.surface, share * all.plan};
       }
@@ -242,7 +242,7 @@ std::array<std::vector<UncoveredPart>, 2> findUncoveredParts(const ComparedSurfa
       std::vector<std::int32_t> stack;
       for (std::size_t i = first; i < last; ++i) {
         context.checkCancelled();
-        const Areas& all = difference.triangleAreas[set][parts[i].triangle];
+        const SurfaceArea& all = difference.triangleAreas[set][parts[i].triangle];
         const double share = part.uncoveredShare(surface.triangles[parts[i].triangle], stack, &parts[i].triangles);
         parts[i].areas = {share * all.surface, share * all.plan};
       }

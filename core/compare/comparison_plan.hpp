@@ -16,13 +16,13 @@ namespace footfall::detail::comparison {
 /// neither cover anything nor are covered.
 ///
 /// Corners that arise where the height is reached are rounded to 2^-192 of the extent; everything else is exact.
-std::array<std::vector<Areas>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
-                                                double height, RunContext& context);
+std::array<std::vector<SurfaceArea>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
+                                                      double height, RunContext& context);
 
 /// Of one triangle, the part that findUncovered() measures.
 struct UncoveredPart {
   std::uint32_t triangle = 0;  ///< of the surface
-  Areas areas;
+  SurfaceArea areas;
   /// Corners in units of the meshes; `point` is the number of a position, else kNoPoint.
   std::vector<CoverTriangle> triangles;
 };

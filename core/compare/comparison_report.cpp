@@ -7,21 +7,20 @@
 
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
+#include "core/compare/comparison_cover.hpp"
 #include "core/environment/up_axis.hpp"
 
 namespace footfall::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using comparison::Areas;
-using comparison::Distances;
 
 Json placeJson(const Vec3& p, UpAxis up) {
   const Vec3 place = inFileFrame(p, up);
   return {place.x, place.y, place.z};
 }
 
-Json areasJson(const Areas& areas) { return {{"area", areas.surface}, {"plan_area", areas.plan}}; }
+Json areasJson(const SurfaceArea& areas) { return {{"area", areas.surface}, {"plan_area", areas.plan}}; }
 
 Json partJson(const MeshPart& part) {
   Json json;
@@ -54,13 +53,13 @@ Json meshJson(const NavigationMeshFile& file, const MeshDescription& mesh) {
   return json;
 }
 
-Json setJson(const comparison::SetDifference& sets, comparison::CoverPart part) {
+Json setJson(const SetDifference& sets, comparison::CoverPart part) {
   Json json = {{"empty", !sets.hasArea[part]}};
   json.update(areasJson(sets.areas[part]));
   return json;
 }
 
-Json distancesJson(const Distances& d, UpAxis up) {
+Json distancesJson(const SurfaceDistances& d, UpAxis up) {
   return {{"samples", d.samples},
           {"d_min", d.min},
           {"d_max", d.max},
@@ -139,19 +138,19 @@ void addDifferences(const MeshComparison& comparison, Table& table) {
   }
 }
 
-void addDistances(const std::array<Distances, 2>& distances, Table& table) {
+void addDistances(const std::array<SurfaceDistances, 2>& distances, Table& table) {
   table.gap();
   table.row({"distances", "A to B", "B to A"});
-  const auto values = [&](const char* label, double Distances::*member) {
+  const auto values = [&](const char* label, double SurfaceDistances::*member) {
     table.row({label, number(distances[0].*member), number(distances[1].*member)});
   };
   table.row({"samples", std::to_string(distances[0].samples), std::to_string(distances[1].samples)});
-  values("d_min", &Distances::min);
-  values("d_max", &Distances::max);
-  values("d_mean", &Distances::mean);
-  values("d_rms", &Distances::rms);
-  values("Hausdorff, at least", &Distances::lower);
-  values("Hausdorff, at most", &Distances::upper);
+  values("d_min", &SurfaceDistances::min);
+  values("d_max", &SurfaceDistances::max);
+  values("d_mean", &SurfaceDistances::mean);
+  values("d_rms", &SurfaceDistances::rms);
+  values("Hausdorff, at least", &SurfaceDistances::lower);
+  values("Hausdorff, at most", &SurfaceDistances::upper);
 }
 
 std::string verdict(const MeshComparison& comparison) {

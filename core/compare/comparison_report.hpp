@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "core/compare/mesh_comparison.hpp"
-#include "core/io/navigation_mesh_reader.hpp"
+#include "footfall/compare.hpp"
+#include "footfall/io.hpp"
 
 namespace footfall::detail {
 

@@ -31,7 +31,7 @@ struct Plane {
 
 bool samePlane(const Plane& a, const Plane& b) { return a.numbers == b.numbers; }
 
-Areas areasOf(const std::array<mpz_class, 3>& normal, int unit) {
+SurfaceArea areasOf(const std::array<mpz_class, 3>& normal, int unit) {
   const mpz_class square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
   return {toDouble(sqrt(mpf_class(square, kDigits)), 2 * unit - 1),
           toDouble(mpf_class(abs(normal[2]), kDigits), 2 * unit - 1)};
@@ -82,7 +82,7 @@ class SetSubtraction {
   };
   struct Covered {
     std::array<bool, 3> hasArea{};
-    std::array<Areas, 3> areas;
+    std::array<SurfaceArea, 3> areas;
     std::optional<DifferentPlane> different;
   };
 

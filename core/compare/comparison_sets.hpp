@@ -7,24 +7,9 @@
 
 #include "core/compare/comparison_cover.hpp"
 #include "core/compare/comparison_surface.hpp"
+#include "footfall/compare.hpp"
 
 namespace footfall::detail::comparison {
-
-struct Areas {
-  double surface = 0;  ///< in space
-  double plan = 0;     ///< seen from above
-};
-
-struct SetDifference {
-  /// By CoverPart: what is only in A, only in B and in both. Whether there is anything is exact; areas are correct to
-  /// 14 digits.
-  std::array<bool, 3> hasArea{};
-  std::array<Areas, 3> areas;
-  /// Of the triangles of A and of B.
-  std::array<std::vector<Areas>, 2> triangleAreas;
-  /// For each triangle whether it is known to lie in the other set. Others may as well.
-  std::array<std::vector<char>, 2> covered;
-};
 
 /// A plane in which one set has area that the other has not.
 struct DifferentPlane {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/compare/mesh_comparison.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/compare/comparison_distances.hpp"
 #include "core/compare/comparison_plan.hpp"
+#include "footfall/compare.hpp"
+#include "footfall/errors.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
-using comparison::Areas;
 using comparison::ComparedSurfaces;
 
 using Edge = std::array<std::uint32_t, 2>;
@@ -53,11 +54,11 @@ std::vector<std::size_t> countComponents(const NavigationMesh& mesh, bool layere
 /// Adds up in more digits than the result has.
 struct AreaSum {
   long double surface = 0, plan = 0;
-  void add(const Areas& areas) {
+  void add(const SurfaceArea& areas) {
     surface += areas.surface;
     plan += areas.plan;
   }
-  [[nodiscard]] Areas total() const { return {static_cast<double>(surface), static_cast<double>(plan)}; }
+  [[nodiscard]] SurfaceArea total() const { return {static_cast<double>(surface), static_cast<double>(plan)}; }
 };
 
 struct PartSums {
@@ -72,7 +73,8 @@ struct PartSums {
 };
 
 MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& surface,
-                         const std::vector<Areas>& areas, const std::vector<Areas>& uncovered, RunContext& context) {
+                         const std::vector<SurfaceArea>& areas, const std::vector<SurfaceArea>& uncovered,
+                         RunContext& context) {
   MeshDescription description;
   description.vertices = mesh.vertices.size();
   description.positions = surface.positions.size();
@@ -146,9 +148,8 @@ double powerOfTwo(double x) {
 /// A bound of the distance from each triangle to the other surface. A triangle shrunk by a factor f towards one of its
 /// points lies inside it, within f diameters of that point. When the part that is not covered is smaller than the
 /// shrunk triangle, so is a covered point within that distance, and the other surface within the height of it.
-std::vector<double> knownDistances(const ComparedSurfaces& surfaces, std::size_t set,
-                                   const comparison::SetDifference& sets, const std::vector<Areas>& uncovered,
-                                   double height) {
+std::vector<double> knownDistances(const ComparedSurfaces& surfaces, std::size_t set, const SetDifference& sets,
+                                   const std::vector<SurfaceArea>& uncovered, double height) {
   constexpr double kRounding = 1 + 0x1p-20;  // far more than the few operations below need
   const auto& places = surfaces.positions.places;
   std::vector<double> known(uncovered.size(), 0);
@@ -182,7 +183,9 @@ std::optional<double> MeshComparison::areaRatio() const {
 }
 
 MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, const ComparisonOptions& options,
-                             RunContext& context) {
+                             RunContext* givenContext) {
+  RunContext ownContext;
+  RunContext& context = givenContext != nullptr ? *givenContext : ownContext;
   const Extent extent = extentOf(a, b);
   MeshComparison result;
   result.height = options.height.value_or(powerOfTwo(extent.largest * 0x1p-30));
@@ -214,4 +217,4 @@ MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, c
   return result;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

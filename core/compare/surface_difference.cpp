@@ -181,7 +181,7 @@ Vec3 liftedTo(const std::array<Vec3, 3>& f, const CoverCorner& corner) {
   return {corner.x, corner.y, f[0].z + a * (f[1].z - f[0].z) + b * (f[2].z - f[0].z)};
 }
 
-void addUncovered(const comparison::ComparedSurfaces& surfaces, const comparison::SetDifference& sets, double height,
+void addUncovered(const comparison::ComparedSurfaces& surfaces, const SetDifference& sets, double height,
                   std::array<PartTriangles, 2>& parts, SurfaceDifference& difference, RunContext& context) {
   const auto uncovered = findUncoveredParts(surfaces, sets, height, context);
   const std::vector<Vec3>& places = surfaces.positions.places;
@@ -304,7 +304,7 @@ SurfaceDifference subtractSurfaces(const NavigationMesh& first, const Navigation
   const comparison::ComparedSurfaces surfaces = comparison::makeSurfaces(meshes[0], meshes[1], height, context);
   comparison::DifferenceBorders borders;
   const bool isExact = height == 0;
-  const comparison::SetDifference sets = subtractSets(surfaces, context, isExact ? &borders : nullptr);
+  const SetDifference sets = subtractSets(surfaces, context, isExact ? &borders : nullptr);
   std::array<PartTriangles, 2> parts;
   if (!isExact) addUncovered(surfaces, sets, height, parts, difference, context);
   for (std::uint32_t m = 0; isExact && m < 2; ++m) {

@@ -24,7 +24,7 @@ struct DifferentRegion {
 struct SurfaceDifference {
   /// What is only in the first mesh and only in the second: whether there is anything is exact, areas to 14 digits.
   std::array<bool, 2> hasArea{};
-  std::array<comparison::Areas, 2> areas;
+  std::array<SurfaceArea, 2> areas;
   /// The same as triangles, with corners rounded to doubles and in the winding of an area that faces up.
   std::array<std::vector<std::array<Vec3, 3>>, 2> triangles;
   /// For each triangle its place in `regions`.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/inspect/components.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "core/base/poll.hpp"
 #include "core/mesh/mesh_topology.hpp"
+#include "footfall/inspect.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
@@ -60,7 +61,8 @@ double Components::totalArea() const {
                          [](double sum, const Component& component) { return sum + component.area; });
 }
 
-Components findComponents(const NavigationMesh& mesh, const std::function<void()>& poll) {
+Components findComponents(const NavigationMesh& mesh, const RunContext* context) {
+  const std::function<void()> poll = pollOf(context);
   WalkableMesh triangles;  // corners alone: findRegions looks at nothing else
   triangles.triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles)
@@ -102,4 +104,4 @@ Components findComponents(const NavigationMesh& mesh, const std::function<void()
   return components;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

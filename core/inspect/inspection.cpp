@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/inspect/inspection.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,9 +11,26 @@
 #include "core/assembly/walkable_state.hpp"
 #include "core/inspect/place_cover.hpp"
 #include "core/mesh/mesh_topology.hpp"
+#include "core/pipeline/runner.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/inspect.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+namespace detail {
+
+struct InspectedRun {
+  std::shared_ptr<const Environment> environment;
+  Pipeline pipeline;
+  std::shared_ptr<const NavigationMesh> product;
+  std::vector<std::size_t> steps;  ///< the enabled ones
+  std::vector<StatePtr> states;    ///< before the first step and after each
+  Components components;
+  std::vector<std::int32_t> faceOf;  ///< for each triangle of the environment its number in the first state
+};
+
+}  // namespace detail
+
+using namespace detail;
 namespace {
 
 // Of the environment's diagonal: typed coordinates are rounded. It chooses which place is meant, and decides nothing
@@ -102,27 +117,65 @@ double squaredDistance(const Vec3& p, const std::array<Vec3, 3>& t) {
   return std::min({toSegment(t[0], t[1]), toSegment(t[1], t[2]), toSegment(t[2], t[0])});
 }
 
-}  // namespace
-
-Inspector::Inspector(std::shared_ptr<const Environment> environment, Pipeline pipeline, std::vector<StatePtr> states,
-                     std::shared_ptr<const NavigationMesh> product, RunContext& context)
-    : environment_(std::move(environment)),
-      pipeline_(std::move(pipeline)),
-      states_(std::move(states)),
-      product_(std::move(product)),
-      components_(findComponents(*product_, [&context] { context.checkCancelled(); })) {
-  for (std::size_t i = 0; i < pipeline_.steps.size(); ++i)
-    if (pipeline_.steps[i].enabled) steps_.push_back(i);
-  if (states_.size() != steps_.size() + 1) throw std::logic_error("the states are those of another pipeline");
-  const auto& inputs = states_.front()->kernel->mesh().inputTriangles;
-  faceOf_.assign(environment_->triangles.size(), -1);
-  for (std::size_t face = 0; face < inputs.size(); ++face) faceOf_[inputs[face]] = static_cast<std::int32_t>(face);
+/// Rounding and its repairs moved the product by a hair: the triangle that is nearest to the place.
+void findProductPlace(const InspectedRun& run, PlaceExplanation& explanation) {
+  const NavigationMesh& mesh = *run.product;
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<std::size_t> nearest;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (explanation.layer && !mesh.layers.empty() && mesh.layers[t] != *explanation.layer) continue;
+    const Triangle& triangle = mesh.triangles[t];
+    const double distance = squaredDistance(
+        explanation.place.point, {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
+    if (distance >= least) continue;
+    least = distance;
+    nearest = t;
+  }
+  if (!nearest) return;
+  explanation.component = run.components.ofTriangle[*nearest];
+  explanation.componentArea = run.components.list[explanation.component].area;
 }
 
-PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext& context) const {
-  if (picked.triangle >= faceOf_.size())
+}  // namespace
+
+Inspector::Inspector(std::shared_ptr<const Environment> environment, Pipeline pipeline,
+                     std::shared_ptr<const NavigationMesh> product, ResultCache* cache, RunContext* context,
+                     int threads) {
+  RunContext ownContext;
+  if (context == nullptr) context = &ownContext;
+  std::optional<ResultCache> ownCache;
+  if (cache == nullptr) cache = &ownCache.emplace(pipeline.steps.size() + 1);
+  auto run = std::make_unique<InspectedRun>();
+  run->states = stepStates(environment, pipeline, *context, *cache, threads);
+  run->components = findComponents(*product, context);
+  run->environment = std::move(environment);
+  run->pipeline = std::move(pipeline);
+  run->product = std::move(product);
+  for (std::size_t i = 0; i < run->pipeline.steps.size(); ++i)
+    if (run->pipeline.steps[i].enabled) run->steps.push_back(i);
+  const auto& inputs = run->states.front()->kernel->mesh().inputTriangles;
+  run->faceOf.assign(run->environment->triangles.size(), -1);
+  for (std::size_t face = 0; face < inputs.size(); ++face) run->faceOf[inputs[face]] = static_cast<std::int32_t>(face);
+  inside_ = std::move(run);
+}
+
+Inspector::~Inspector() = default;
+
+const Environment& Inspector::environment() const { return *inside_->environment; }
+const Pipeline& Inspector::pipeline() const { return inside_->pipeline; }
+const NavigationMesh& Inspector::product() const { return *inside_->product; }
+const Components& Inspector::components() const { return inside_->components; }
+
+PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* givenContext) const {
+  RunContext ownContext;
+  RunContext& context = givenContext != nullptr ? *givenContext : ownContext;
+  const Pipeline& pipeline = inside_->pipeline;
+  const std::vector<std::size_t>& steps = inside_->steps;
+  const std::vector<StatePtr>& states = inside_->states;
+  const std::vector<std::int32_t>& faceOf = inside_->faceOf;
+  if (picked.triangle >= faceOf.size())
     throw InputError(FOOTFALL_TEXT("triangle %1 does not exist; the environment has %2"), picked.triangle,
-                     faceOf_.size());
+                     faceOf.size());
   const Vec3& point = picked.point;
   if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
     throw InputError(FOOTFALL_TEXT("the place has a coordinate that is not finite; give three numbers"));
@@ -130,13 +183,13 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext& conte
 
   PlaceExplanation result;
   result.place = picked;
-  const SourceMesh& mesh = states_.front()->kernel->mesh();
-  const Index face = faceOf_[picked.triangle];
+  const SourceMesh& mesh = states.front()->kernel->mesh();
+  const Index face = faceOf[picked.triangle];
   if (mesh.degenerate[face] != 0) {
     result.verdict = PlaceVerdict::NoArea;
-    const auto removes = [&](std::size_t i) { return pipeline_.steps[i].filter->name == "DegeneracyFilter"; };
-    const auto step = std::find_if(steps_.begin(), steps_.end(), removes);
-    if (step != steps_.end()) result.step = *step;
+    const auto removes = [&](std::size_t i) { return pipeline.steps[i].filter->name == "DegeneracyFilter"; };
+    const auto step = std::find_if(steps.begin(), steps.end(), removes);
+    if (step != steps.end()) result.step = *step;
     return result;
   }
   result.slope = slopeOf(mesh, face);
@@ -152,64 +205,45 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext& conte
   result.place.point = {place.x().get_d(), place.y().get_d(), height.value.get_d()};
   result.above = aboveIn(mesh, facesAt(mesh, place), height);
   double clearance = 0;
-  for (const std::size_t i : steps_)
-    if (pipeline_.steps[i].filter->name == "VerticalClearanceFilter")
-      clearance = std::max(clearance, pipeline_.steps[i].values[0]);
+  for (const std::size_t i : steps)
+    if (pipeline.steps[i].filter->name == "VerticalClearanceFilter")
+      clearance = std::max(clearance, pipeline.steps[i].values[0]);
   if (clearance > 0)
     for (const Index wall : wallsAt(mesh, place.x(), place.y(), corners, mpq_class(clearance)))
       result.walls.push_back(mesh.inputTriangles[wall]);
   std::sort(result.walls.begin(), result.walls.end());
 
-  std::optional<PlaceCover> cover = follower.begin(*states_.front());
+  std::optional<PlaceCover> cover = follower.begin(*states.front());
   if (!cover) {
     result.verdict = mesh.facing[face] < 0 ? PlaceVerdict::FacesDown : PlaceVerdict::NeverFloor;
     return result;
   }
   if (cover->face != face) result.floor = mesh.inputTriangles[cover->face];
-  for (std::size_t s = 0; s < steps_.size(); ++s) {
+  for (std::size_t s = 0; s < steps.size(); ++s) {
     context.checkCancelled();
-    const PipelineStep& step = pipeline_.steps[steps_[s]];
+    const PipelineStep& step = pipeline.steps[steps[s]];
     const PlaceFollower before = follower;
-    cover = follower.follow(*states_[s + 1], step);
+    cover = follower.follow(*states[s + 1], step);
     if (cover) continue;
     result.verdict = verdictOf(*step.filter);
-    result.step = steps_[s];
+    result.step = steps[s];
     if (!step.values.empty()) result.limit = step.values[0];
     if (result.verdict == PlaceVerdict::TooSteep && &before.mesh() != &mesh)
       result.movedSlope = slopeOf(before.mesh(), before.face());
     if (result.verdict == PlaceVerdict::TooLow)
       result.obstacle = aboveIn(before.mesh(), facesAt(before.mesh(), place), before.height());
     if (result.verdict == PlaceVerdict::RegionTooSmall)
-      result.regionArea = regionAreaAt(states_[s], before, step, context);
+      result.regionArea = regionAreaAt(states[s], before, step, context);
     return result;
   }
-  const WalkableState& last = *states_.back();
+  const WalkableState& last = *states.back();
   if (cover->triangle >= 0 && !last.mesh->layers.empty()) result.layer = last.mesh->layers[cover->triangle];
-  findProductPlace(result);
+  findProductPlace(*inside_, result);
   return result;
 }
 
-// Rounding and its repairs moved the product by a hair: the triangle that is nearest to the place.
-void Inspector::findProductPlace(PlaceExplanation& explanation) const {
-  const NavigationMesh& mesh = *product_;
-  double least = std::numeric_limits<double>::infinity();
-  std::optional<std::size_t> nearest;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (explanation.layer && !mesh.layers.empty() && mesh.layers[t] != *explanation.layer) continue;
-    const Triangle& triangle = mesh.triangles[t];
-    const double distance = squaredDistance(
-        explanation.place.point, {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
-    if (distance >= least) continue;
-    least = distance;
-    nearest = t;
-  }
-  if (!nearest) return;
-  explanation.component = components_.ofTriangle[*nearest];
-  explanation.componentArea = components_.list[explanation.component].area;
-}
-
 std::optional<PickedPlace> Inspector::placeBelow(const Vec3& point) const {
-  const SourceMesh& mesh = states_.front()->kernel->mesh();
+  const SourceMesh& mesh = inside_->states.front()->kernel->mesh();
   if (mesh.vertices.empty() || !std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
     return std::nullopt;
   Vec3 low = mesh.vertices.front(), high = low;
@@ -233,9 +267,9 @@ std::optional<PickedPlace> Inspector::placeBelow(const Vec3& point) const {
 std::optional<PickedPlace> Inspector::placeNear(const Vec3& point) const {
   std::optional<PickedPlace> nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < environment_->triangles.size(); ++t) {
-    const Triangle& triangle = environment_->triangles[t];
-    const auto& vertices = environment_->vertices;
+  for (std::size_t t = 0; t < inside_->environment->triangles.size(); ++t) {
+    const Triangle& triangle = inside_->environment->triangles[t];
+    const auto& vertices = inside_->environment->vertices;
     const double distance =
         squaredDistance(point, {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]});
     if (!(distance < least)) continue;  // nor NaN
@@ -245,4 +279,4 @@ std::optional<PickedPlace> Inspector::placeNear(const Vec3& point) const {
   return nearest;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

@@ -25,12 +25,9 @@ std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
 }
 
 /// The frame that is written: coordinates times s are in units of 1/s of those before.
-Environment frameOf(const Environment& environment, const ExportOptions& options) {
-  Environment frame;
-  frame.source = environment.source;
-  frame.up = options.up.value_or(environment.up);
-  frame.metresPerUnit = options.scale == 1 ? environment.metresPerUnit : environment.metresPerUnit / options.scale;
-  return frame;
+SourceFrame frameOf(const SourceFrame& source, const ExportOptions& options) {
+  return {source.source, options.up.value_or(source.up),
+          options.scale == 1 ? source.metresPerUnit : source.metresPerUnit / options.scale};
 }
 
 void appendVertices(std::string& text, const std::vector<Vec3>& vertices, UpAxis up, double scale) {
@@ -89,10 +86,10 @@ void checkScale(const ExportOptions& options, const NavigationMesh& mesh) {
         throw InputError(FOOTFALL_TEXT("the scale of the export makes coordinates infinite; choose a smaller one"));
 }
 
-std::string formatObj(const NavigationMesh& mesh, const Environment& environment, const ExportHeader& header,
-                      const ExportOptions& options, std::span<const ExportExtra> extras) {
+std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options,
+                      std::span<const ExportExtra> extras) {
   checkScale(options, mesh);
-  const Environment frame = frameOf(environment, options);
+  const SourceFrame frame = frameOf(mesh.frame, options);
   std::string text;
   text.reserve(1024 + 64 * mesh.vertices.size() + 28 * mesh.triangles.size() +
                20 * (mesh.connections.size() + mesh.obstacleEdges.size()));
@@ -110,11 +107,6 @@ std::string formatObj(const NavigationMesh& mesh, const Environment& environment
   if (options.obstacleEdges) appendLines(text, "obstacle_edges", mesh.obstacleEdges);
   appendExtras(text, extras, static_cast<std::uint32_t>(mesh.vertices.size()), frame.up, options.scale);
   return text;
-}
-
-void writeObj(const std::string& path, const NavigationMesh& mesh, const Environment& environment,
-              const ExportHeader& header, const ExportOptions& options, std::span<const ExportExtra> extras) {
-  writeFileSafely(path, formatObj(mesh, environment, header, options, extras));
 }
 
 }  // namespace footfall::detail

@@ -215,22 +215,22 @@ std::string putTogether(Json json, const std::string& numbers, GltfKind kind) {
   return glb + numbers;
 }
 
-Json extrasOf(const Environment& environment, const ExportHeader& header, double scale) {
+Json extrasOf(const SourceFrame& frame, const ExportHeader& header, double scale) {
   Json extras;
-  extras["source"] = std::filesystem::path(environment.source).filename().string();
+  extras["source"] = std::filesystem::path(frame.source).filename().string();
   extras["pipeline"] = header.pipeline;
   extras["agent"] = header.agent;
-  extras["metres_per_unit_of_source"] = environment.metresPerUnit;
+  extras["metres_per_unit_of_source"] = frame.metresPerUnit;
   extras["scale"] = scale;
   return extras;
 }
 
 }  // namespace
 
-GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const Environment& environment,
-                    const ExportHeader& header, const ExportOptions& options, std::span<const ExportExtra> extras) {
+GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options,
+                    std::span<const ExportExtra> extras) {
   checkScale(options, mesh);
-  GltfMaker maker(environment.metresPerUnit * options.scale);
+  GltfMaker maker(mesh.frame.metresPerUnit * options.scale);
   addLayers(maker, mesh, options.layers);
   if (options.connections) maker.add("connections", kConnections, mesh.vertices, mesh.connections);
   if (options.obstacleEdges) maker.add("obstacle_edges", kObstacleEdges, mesh.vertices, mesh.obstacleEdges);
@@ -239,7 +239,7 @@ GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const Environment
 
   Json json = maker.finish();
   json["asset"]["generator"] = "Footfall " FOOTFALL_VERSION;
-  json["asset"]["extras"] = extrasOf(environment, header, options.scale);
+  json["asset"]["extras"] = extrasOf(mesh.frame, header, options.scale);
   return {putTogether(std::move(json), maker.numbers(), kind), maker.largestError()};
 }
 
@@ -254,17 +254,22 @@ ExportFormat exportFormatOf(const std::string& path) {
       ending.substr(1));
 }
 
-double writeExport(const std::string& path, const NavigationMesh& mesh, const Environment& environment,
-                   const ExportHeader& header, const ExportOptions& options, std::span<const ExportExtra> extras) {
+}  // namespace footfall::detail
+
+namespace footfall {
+
+double save(const NavigationMesh& mesh, const std::string& path, const ExportOptions& options,
+            const ExportHeader& header, std::span<const ExportExtra> extras) {
+  using namespace detail;
   const ExportFormat format = exportFormatOf(path);
   if (format == ExportFormat::Obj) {
-    writeObj(path, mesh, environment, header, options, extras);
+    writeFileSafely(path, formatObj(mesh, header, options, extras));
     return 0;
   }
-  const GltfFile file = formatGltf(format == ExportFormat::Gltf ? GltfKind::Text : GltfKind::Binary, mesh, environment,
-                                   header, options, extras);
+  const GltfFile file =
+      formatGltf(format == ExportFormat::Gltf ? GltfKind::Text : GltfKind::Binary, mesh, header, options, extras);
   writeFileSafely(path, file.bytes);
   return file.largestError;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

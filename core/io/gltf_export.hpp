@@ -24,26 +24,20 @@ struct GltfFile {
 /// from both sides; connections and obstacle edges as line primitives ("connections", "obstacle_edges"); extras as
 /// "placed_NAME". `asset.extras` says what the comments of an OBJ say.
 ///
-/// As the format demands: Y up, metres (the environment's scale is applied, then that of `options`), and floats, which
-/// have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map coordinates) 3 cm. Nothing is moved to
-/// the origin to hide that, as the result would no longer lie on its source: `largestError` tells. Triangles that
-/// become degenerate by it stay in the file. Vertices are shared by index within a layer exactly where an agent can
-/// cross; between layers, which are meshes of their own, the connections tell. For programs that go on computing, OBJ
-/// has it all, in doubles.
+/// As the format demands: Y up, metres (the scale of the mesh's file is applied, then that of `options`), and floats,
+/// which have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map coordinates) 3 cm. Nothing is
+/// moved to the origin to hide that, as the result would no longer lie on its source: `largestError` tells. Triangles
+/// that become degenerate by it stay in the file. Vertices are shared by index within a layer exactly where an agent
+/// can cross; between layers, which are meshes of their own, the connections tell. For programs that go on computing,
+/// OBJ has it all, in doubles.
 ///
 /// Throws InputError (checkScale(); coordinates that no float holds), or RunError for a .glb of more than 4 GB.
-GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const Environment& environment,
-                    const ExportHeader& header, const ExportOptions& options = {},
-                    std::span<const ExportExtra> extras = {});
+GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header,
+                    const ExportOptions& options = {}, std::span<const ExportExtra> extras = {});
 
 /// Which format a name asks for: ".obj" (or no ending), ".gltf", ".glb", in any case.
 enum class ExportFormat { Obj, Gltf, Glb };
 /// Throws InputError that names what can be written.
 ExportFormat exportFormatOf(const std::string& path);
-
-/// Writes what the name asks for, beside it and renamed (writeFileSafely). Returns GltfFile::largestError, 0 for OBJ.
-double writeExport(const std::string& path, const NavigationMesh& mesh, const Environment& environment,
-                   const ExportHeader& header, const ExportOptions& options = {},
-                   std::span<const ExportExtra> extras = {});
 
 }  // namespace footfall::detail

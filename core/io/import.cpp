@@ -13,7 +13,8 @@
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
 std::string lowerExtension(const std::string& path) {
@@ -42,20 +43,19 @@ double usualMetresPerUnit(const std::string& extension) {
 
 }  // namespace
 
-std::shared_ptr<const Environment> importEnvironment(const std::string& path, const ImportOptions& options,
-                                                     RunContext* context) {
+Environment load(const std::string& path, const ImportOptions& options, RunContext* context) {
   if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
     throw InputError(
         FOOTFALL_TEXT("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres"));
   }
   checkInputFile(path);
   const std::string extension = lowerExtension(path);
-  auto environment = std::make_shared<Environment>();
-  environment->source = path;
+  Environment environment;
+  environment.source = path;
 
   FileFrame frame;
   if (extension == "obj") {
-    readObj(path, readInputFile(path, context), *environment, context);
+    readObj(path, readInputFile(path, context), environment, context);
   } else {
     const std::vector<std::string> known = importableExtensions();
     if (std::find(known.begin(), known.end(), extension) == known.end()) {
@@ -64,10 +64,10 @@ std::shared_ptr<const Environment> importEnvironment(const std::string& path, co
                                   : Text(FOOTFALL_TEXT("unknown extension '.%1'"), extension),
                 FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
     }
-    frame = readWithAssimp(path, *environment, context);
+    frame = readWithAssimp(path, environment, context);
   }
-  if (environment->triangles.empty()) {
-    const SkippedElements& skipped = environment->skipped;
+  if (environment.triangles.empty()) {
+    const SkippedElements& skipped = environment.skipped;
     failInput(path, 0,
               Text(FOOTFALL_TEXT("no triangles in it (skipped: %1, %2, %3)"),
                    countedText(skipped.polygons, FOOTFALL_TEXT("1 polygon"), FOOTFALL_TEXT("%1 polygons")),
@@ -76,15 +76,15 @@ std::shared_ptr<const Environment> importEnvironment(const std::string& path, co
               FOOTFALL_TEXT("choose a file that has faces"));
   }
 
-  environment->upGuessed = !options.up;
-  environment->up = options.up.value_or(frame.up.value_or(usualUpAxis(extension)));
-  environment->scaleGuessed = !options.metresPerUnit && !frame.metresPerUnit;
-  environment->metresPerUnit =
+  environment.upGuessed = !options.up;
+  environment.up = options.up.value_or(frame.up.value_or(usualUpAxis(extension)));
+  environment.scaleGuessed = !options.metresPerUnit && !frame.metresPerUnit;
+  environment.metresPerUnit =
       options.metresPerUnit.value_or(frame.metresPerUnit.value_or(usualMetresPerUnit(extension)));
-  environment->bothSides = options.bothSides;
-  for (Vec3& p : environment->vertices) p = fromFileFrame(p, environment->up);
-  for (SkippedPolygon& polygon : environment->skipped.listed)
-    for (Vec3& p : polygon.corners) p = fromFileFrame(p, environment->up);
+  environment.bothSides = options.bothSides;
+  for (Vec3& p : environment.vertices) p = fromFileFrame(p, environment.up);
+  for (SkippedPolygon& polygon : environment.skipped.listed)
+    for (Vec3& p : polygon.corners) p = fromFileFrame(p, environment.up);
   return environment;
 }
 
@@ -96,4 +96,9 @@ std::vector<std::string> importableExtensions() {
   return extensions;
 }
 
-}  // namespace footfall::detail
+std::shared_ptr<const Environment> detail::importEnvironment(const std::string& path, const ImportOptions& options,
+                                                             RunContext* context) {
+  return std::make_shared<const Environment>(load(path, options, context));
+}
+
+}  // namespace footfall

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/navigation_mesh_reader.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,8 +8,10 @@
 #include "core/environment/up_axis.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
+#include "footfall/io.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
 constexpr double kLargestCoordinate = 1e100;
@@ -190,7 +190,8 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   takeGroups(groups, file);
   checkContent(file, stated);
   for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
+  file.mesh.frame = {path, file.up, file.metresPerUnit.value_or(1)};
   return file;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

@@ -28,19 +28,19 @@ void appendComment(std::string& text, std::string_view label, std::string_view c
 
 }  // namespace
 
-void appendHeader(std::string& text, std::string_view title, const Environment& environment, const ExportHeader& header,
+void appendHeader(std::string& text, std::string_view title, const SourceFrame& frame, const ExportHeader& header,
                   std::string_view content) {
   appendComment(text, "", std::string(title) + " by Footfall " FOOTFALL_VERSION);
   // The name alone: the same file gives the same bytes wherever it lies.
-  std::string name = std::filesystem::path(environment.source).filename().string();
+  std::string name = std::filesystem::path(frame.source).filename().string();
   std::replace(name.begin(), name.end(), '\n', ' ');
   appendComment(text, "source: ", name);
   appendComment(text, "pipeline: ", header.pipeline);
   appendComment(text, "agent: ", header.agent);
   appendComment(text, "note: ", header.note);
-  std::string frame = shownName(environment.up) + " up, ";
-  appendNumber(frame, environment.metresPerUnit);
-  appendComment(text, "frame: ", frame + " metres per unit");
+  std::string units = shownName(frame.up) + " up, ";
+  appendNumber(units, frame.metresPerUnit);
+  appendComment(text, "frame: ", units + " metres per unit");
   appendComment(text, "content: ", content);
 }
 

@@ -8,16 +8,15 @@
 
 #include "core/base/number_text.hpp"
 #include "core/io/export.hpp"
-#include "footfall/environment.hpp"
 
 namespace footfall::detail {
 
-/// The comments at the top: what the file holds ("Walkable area"), of which environment, how it was made, and what it
+/// The comments at the top: what the file holds ("Walkable area"), of which file, how it was made, and what it
 /// counts.
-void appendHeader(std::string& text, std::string_view title, const Environment& environment, const ExportHeader& header,
+void appendHeader(std::string& text, std::string_view title, const SourceFrame& frame, const ExportHeader& header,
                   std::string_view content);
 
-/// A vertex in the frame of the environment's file.
+/// A vertex in the frame of a file.
 void appendVertex(std::string& text, const Vec3& p, UpAxis up);
 
 /// A statement with vertex indices; OBJ counts from 1.

@@ -6,7 +6,11 @@
 #include <cmath>
 #include <utility>
 
-namespace footfall::detail {
+namespace footfall {
+
+double BorderLink::size() const { return std::max({gap, std::fabs(rise), kind == LinkKind::Obstacle ? obstacle : 0}); }
+
+namespace detail {
 namespace {
 
 constexpr double kClearlyLess = 1 - 1e-9;  // what is nearer by less than that is no reason to leave the middle
@@ -81,8 +85,6 @@ std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTop
   return borders;
 }
 
-double BorderLink::size() const { return std::max({gap, std::fabs(rise), kind == LinkKind::Obstacle ? obstacle : 0}); }
-
 Vec3 nearestPoint(const BorderEdge& border, const Vec3& place) { return pointAt(border, nearestIn(border, place)); }
 
 std::optional<Vec3> besideOn(const BorderEdge& border, const Vec3& place, double step) {
@@ -134,4 +136,5 @@ std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b) 
   return link;
 }
 
-}  // namespace footfall::detail
+}  // namespace detail
+}  // namespace footfall

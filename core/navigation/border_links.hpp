@@ -8,6 +8,7 @@
 
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/navigation_mesh.hpp"
+#include "footfall/path.hpp"
 
 namespace footfall::detail {
 
@@ -21,32 +22,6 @@ struct BorderEdge {
 
 /// In the order of triangles and sides.
 std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology);
-
-enum class LinkKind {
-  Open,        ///< nothing stands between: a step, a gap, or both
-  Obstacle,    ///< something lower than the agent stands between
-  LowCeiling,  ///< something hangs over the way, too low
-  Wall,        ///< something as high as the agent stands between
-  Touch        ///< both meet in one point, through which nobody fits
-};
-
-/// Where one border is near another one, and what an agent would have to overcome there. Lengths are distances in
-/// doubles (square roots), off by a few units in the last place of the coordinates.
-struct BorderLink {
-  Vec3 from, to;
-  std::uint32_t fromComponent = 0, toComponent = 0;
-  double gap = 0;   ///< between the two places in the plan
-  double rise = 0;  ///< from the first to the second, upwards
-  LinkKind kind = LinkKind::Open;
-  double obstacle = 0;     ///< LinkKind::Obstacle: its height over the lower place
-  double headroom = 0;     ///< LinkKind::LowCeiling: the free height over the higher place
-  bool isInterval = true;  ///< the borders face each other, and do not only meet in a point
-
-  /// The larger of the gap and the height that is climbed, walls left out.
-  [[nodiscard]] double size() const;
-  /// An agent of any step and gap does not get over it.
-  [[nodiscard]] bool isBlocked() const { return kind != LinkKind::Open && kind != LinkKind::Obstacle; }
-};
 
 /// The place on each border where the larger of the gap in the plan and the difference in height is least, among:
 /// the ends of both, where they cross, and, where they run side by side, the middle and where they are level. Nothing

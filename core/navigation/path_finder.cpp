@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/navigation/path_finder.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/base/number_text.hpp"
+#include "core/navigation/path_ground.hpp"
 #include "core/navigation/path_search.hpp"
 #include "core/navigation/plan_crossing.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/path.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceTopology::kNone;
@@ -119,6 +121,21 @@ std::string shortNumber(double x) {
   return text;
 }
 
+void addPath(const NavigationMesh& mesh, const SurfaceTopology& topology, PathResult& result,
+             const std::function<void()>& poll) {
+  const SidePath sides = searchPath(mesh, topology, result.start->position, result.start->triangle,
+                                    result.end->position, result.end->triangle, poll);
+  result.expanded = sides.expanded;
+  if (!sides.found) return;
+  Tracer(mesh, topology, sides, result).run();
+  addFigures(mesh, result);
+}
+
+void checkPlace(const Vec3& p) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    throw InputError(FOOTFALL_TEXT("the place has a coordinate that is not finite; give three numbers"));
+}
+
 }  // namespace
 
 std::string describeFailure(const PathResult& result) {
@@ -140,48 +157,45 @@ std::string describeFailure(const PathResult& result) {
   return {};
 }
 
-PathFinder::PathFinder(std::shared_ptr<const NavigationMesh> mesh, const std::function<void()>& poll)
-    : mesh_(std::move(mesh)), topology_(makeSurfaceTopology(*mesh_, poll)), places_(*mesh_, topology_, poll) {}
+PathFinder::PathFinder(std::shared_ptr<const NavigationMesh> mesh, const RunContext* context)
+    : inside_(std::make_shared<const PathGround>(std::move(mesh), context)) {}
 
-PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, const std::function<void()>& poll) const {
+PathFinder::~PathFinder() = default;
+
+const NavigationMesh& PathFinder::mesh() const { return *inside_->mesh; }
+
+std::optional<SurfacePlace> PathFinder::locate(const Vec3& p, double reach) const {
+  checkPlace(p);
+  return inside_->places.locate(p, reach);
+}
+
+PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, const RunContext* context) const {
+  checkPlace(from);
+  checkPlace(to);
+  const SurfaceTopology& topology = inside_->topology;
+  const PlaceIndex& places = inside_->places;
   PathResult result;
   result.from = from;
   result.to = to;
-  if (topology_.componentCount == 0) return result;
-  result.start = places_.locate(from, reach);
-  result.end = result.target = places_.locate(to, reach);
+  if (topology.componentCount == 0) return result;
+  result.start = places.locate(from, reach);
+  result.end = result.target = places.locate(to, reach);
   if (!result.start) {
     result.status = PathStatus::StartNotWalkable;
-    result.start = places_.nearest(from);
+    result.start = places.nearest(from);
     return result;
   }
-  const std::uint32_t component = topology_.components[result.start->triangle];
+  const std::uint32_t component = topology.components[result.start->triangle];
   if (!result.end) {
     result.status = PathStatus::TargetNotWalkable;
-  } else if (topology_.components[result.end->triangle] != component) {
+  } else if (topology.components[result.end->triangle] != component) {
     result.status = PathStatus::NotConnected;
   } else {
     result.status = PathStatus::Found;
   }
-  if (!result.reached()) result.end = places_.nearest(to, component);
-  addPath(result, poll);
+  if (!result.reached()) result.end = places.nearest(to, component);
+  addPath(*inside_->mesh, topology, result, pollOf(context));
   return result;
 }
 
-void PathFinder::addPath(PathResult& result, const std::function<void()>& poll) const {
-  const SidePath sides = searchPath(*mesh_, topology_, result.start->position, result.start->triangle,
-                                    result.end->position, result.end->triangle, poll);
-  result.expanded = sides.expanded;
-  if (!sides.found) return;
-  Tracer(*mesh_, topology_, sides, result).run();
-  addFigures(*mesh_, result);
-}
-
-void addSeparation(PathResult& result, const SurfaceTopology& topology, const SeparationFinder& separations,
-                   const std::function<void()>& poll) {
-  if (result.status != PathStatus::NotConnected) return;
-  result.separation =
-      separations.find(topology.components[result.start->triangle], topology.components[result.target->triangle], poll);
-}
-
-}  // namespace footfall::detail
+}  // namespace footfall

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/navigation/place_reach.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace footfall::detail {
+#include "footfall/path.hpp"
 
+namespace footfall {
 namespace {
 
 constexpr double kUsualHeight = 2;  // metres
@@ -31,4 +30,4 @@ double agentHeight(const Pipeline& pipeline, double metresPerUnit) {
   return clearance > 0 ? clearance : kUsualHeight / metresPerUnit;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/navigation/separation.hpp"
-
+//
+// Parts (components) are linked where their borders come near each other (border_links.hpp). Of all chains of links
+// from one part to the other, over any parts between, the one is told whose largest link is least; the size of a link
+// is the larger of its gap in the plan and of the height that is climbed there, over what stands between. Walls and
+// places without headroom count only where nothing else leads across, and then by distance.
+//
+// Sizes are rounded, and so is the choice between links whose sizes differ by rounding; it does not depend on threads.
+// It is Kruskal's algorithm (a chain within a minimum spanning tree has the least largest link), over pairs of borders
+// in bands of growing distance, up to the agent's height. Beyond, no step is to be expected, and parts are joined one
+// by one with what is nearest to them (Prim's algorithm).
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <queue>
@@ -12,8 +21,25 @@
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/triangle_tree.hpp"
+#include "core/navigation/link_obstacles.hpp"
+#include "core/navigation/path_ground.hpp"
+#include "footfall/path.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+namespace detail {
+
+/// What was prepared for a mesh and its environment.
+struct SeparationGround {
+  std::shared_ptr<const PathGround> ground;
+  std::vector<BorderEdge> borders;
+  TriangleTree tree;  ///< of the borders
+  LinkObstacles obstacles;
+};
+
+}  // namespace detail
+
+using namespace detail;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -36,30 +62,12 @@ struct Pair {
   bool operator>(const Pair& other) const { return other < *this; }
 };
 
-}  // namespace
-
-SeparationFinder::SeparationFinder(const NavigationMesh& mesh, const SurfaceTopology& topology,
-                                   std::shared_ptr<const Environment> environment, double height,
-                                   const std::function<void()>& poll)
-    : componentCount_(topology.componentCount),
-      borders_(findBorders(mesh, topology)),
-      obstacles_(std::move(environment), height, poll) {
-  std::vector<Box> boxes;
-  std::vector<std::int32_t> ids;
-  boxes.reserve(borders_.size());
-  for (const BorderEdge& border : borders_) {
-    boxes.push_back(boxOf(border, 0));
-    ids.push_back(static_cast<std::int32_t>(ids.size()));
-  }
-  if (!boxes.empty()) tree_.build(boxes, ids, poll);
-}
-
 /// One question. Parts that are linked are one set.
 class SeparationSearch {
  public:
-  SeparationSearch(const SeparationFinder& finder, std::uint32_t from, std::uint32_t to,
+  SeparationSearch(const SeparationGround& ground, std::uint32_t from, std::uint32_t to,
                    const std::function<void()>& poll)
-      : finder_(finder), from_(from), to_(to), poll_(poll), sets_(finder.componentCount_) {}
+      : ground_(ground), from_(from), to_(to), poll_(poll), sets_(ground.ground->topology.componentCount) {}
 
   std::optional<Separation> run() {
     if (!linkWithinReach() && !linkBeyond()) return std::nullopt;
@@ -78,7 +86,7 @@ class SeparationSearch {
 
   /// For each component its set.
   [[nodiscard]] std::vector<Index> numberSets() {
-    std::vector<Index> of(finder_.componentCount_);
+    std::vector<Index> of(ground_.ground->topology.componentCount);
     for (std::size_t i = 0; i < of.size(); ++i) of[i] = sets_.find(static_cast<Index>(i));
     return of;
   }
@@ -91,7 +99,7 @@ class SeparationSearch {
   // --- Kruskal, as far as an agent is high
 
   bool linkWithinReach() {
-    const double height = finder_.obstacles_.height();
+    const double height = ground_.obstacles.height();
     double done = -1;
     for (double band = height * kFirstBand; done < height;) {
       std::vector<Pair> pairs;
@@ -110,7 +118,7 @@ class SeparationSearch {
   /// than `most`.
   bool collect(double done, double band, std::size_t most, std::vector<Pair>& pairs) {
     const std::vector<Index> sets = numberSets();
-    const std::vector<BorderEdge>& borders = finder_.borders_;
+    const std::vector<BorderEdge>& borders = ground_.borders;
     pairs.clear();
     std::mutex access;
     std::atomic<std::size_t> count{0};
@@ -120,7 +128,7 @@ class SeparationSearch {
       std::vector<std::int32_t> stack;
       std::vector<Pair> found;
       for (std::size_t i = first; i < last; ++i) {
-        finder_.tree_.visitOverlapping(boxOf(borders[i], band), stack, [&](std::int32_t id) {
+        ground_.tree.visitOverlapping(boxOf(borders[i], band), stack, [&](std::int32_t id) {
           const auto j = static_cast<std::size_t>(id);
           if (j <= i || sets[borders[i].component] == sets[borders[j].component]) return true;
           const auto link = linkBetween(borders[i], borders[j]);
@@ -148,10 +156,10 @@ class SeparationSearch {
         waiting_.pop();
       else
         ++next;
-      const BorderEdge &a = finder_.borders_[pair.a], &b = finder_.borders_[pair.b];
+      const BorderEdge &a = ground_.borders[pair.a], &b = ground_.borders[pair.b];
       if (sets_.find(index(a.component)) == sets_.find(index(b.component))) continue;
       BorderLink link = *linkBetween(a, b);
-      if (!finder_.obstacles_.lookAt(link, a, b, stack_) || link.isBlocked()) continue;
+      if (!ground_.obstacles.lookAt(link, a, b, stack_) || link.isBlocked()) continue;
       if (link.size() > pair.size) {
         waiting_.push({link.size(), pair.a, pair.b, pair.isPoint});
         continue;
@@ -168,7 +176,7 @@ class SeparationSearch {
     for (int joined = 0;; ++joined) {
       const std::vector<Index> sets = numberSets();
       std::array<std::size_t, 2> sizes{};
-      for (const BorderEdge& border : finder_.borders_)
+      for (const BorderEdge& border : ground_.borders)
         for (std::size_t k = 0; k < 2; ++k)
           if (sets[border.component] == sets[k == 0 ? from_ : to_]) ++sizes[k];
       if (joined == 0) fromSmaller_ = sizes[0] <= sizes[1];
@@ -176,9 +184,9 @@ class SeparationSearch {
       const auto isTarget = [&](Index set) { return joined < kMostJoined ? set != own : set == other; };
       const std::optional<Pair> nearest = nearestPair(sets, own, isTarget);
       if (!nearest) return false;
-      const BorderEdge &a = finder_.borders_[nearest->a], &b = finder_.borders_[nearest->b];
+      const BorderEdge &a = ground_.borders[nearest->a], &b = ground_.borders[nearest->b];
       BorderLink link = *linkBetween(a, b);
-      finder_.obstacles_.lookAt(link, a, b, stack_);
+      ground_.obstacles.lookAt(link, a, b, stack_);
       accept(link);
       if (isLinked()) return true;
     }
@@ -186,7 +194,7 @@ class SeparationSearch {
 
   template <class IsTarget>
   std::optional<Pair> nearestPair(const std::vector<Index>& sets, Index own, const IsTarget& isTarget) {
-    const std::vector<BorderEdge>& borders = finder_.borders_;
+    const std::vector<BorderEdge>& borders = ground_.borders;
     std::vector<std::uint32_t> asking;
     Box whole{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
     bool anyTarget = false;
@@ -203,7 +211,7 @@ class SeparationSearch {
     double extent = 0;
     for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, whole.upper[k] - whole.lower[k]);
     std::optional<Pair> best;
-    for (double reach = finder_.obstacles_.height() * kFirstBand; !best; reach *= kGrowth) {
+    for (double reach = ground_.obstacles.height() * kFirstBand; !best; reach *= kGrowth) {
       for (std::size_t n = 0; n < asking.size(); ++n) {
         if (n % 64 == 0) poll_();
         visitNear(asking[n], best ? best->size : reach, [&](std::uint32_t j) {
@@ -219,7 +227,7 @@ class SeparationSearch {
 
   template <class Visit>
   void visitNear(std::uint32_t i, double reach, const Visit& visit) {
-    finder_.tree_.visitOverlapping(boxOf(finder_.borders_[i], reach), stack_, [&](std::int32_t id) {
+    ground_.tree.visitOverlapping(boxOf(ground_.borders[i], reach), stack_, [&](std::int32_t id) {
       visit(static_cast<std::uint32_t>(id));
       return true;
     });
@@ -227,7 +235,7 @@ class SeparationSearch {
 
   [[nodiscard]] Pair pairOf(std::uint32_t i, std::uint32_t j) const {
     Pair pair{kInfinity, std::min(i, j), std::max(i, j)};
-    if (const auto link = linkBetween(finder_.borders_[pair.a], finder_.borders_[pair.b])) {
+    if (const auto link = linkBetween(ground_.borders[pair.a], ground_.borders[pair.b])) {
       pair.size = link->size();
       pair.isPoint = !link->isInterval;
     }
@@ -238,12 +246,12 @@ class SeparationSearch {
 
   [[nodiscard]] Separation chain() const {
     // Links make a forest: the way back from the goal, found once over all links.
-    std::vector<std::vector<BorderLink>> at(finder_.componentCount_);
+    std::vector<std::vector<BorderLink>> at(ground_.ground->topology.componentCount);
     for (const BorderLink& link : links_) {
       at[link.fromComponent].push_back(link);
       at[link.toComponent].push_back(reversed(link));
     }
-    std::vector<std::optional<BorderLink>> reachedBy(finder_.componentCount_);
+    std::vector<std::optional<BorderLink>> reachedBy(ground_.ground->topology.componentCount);
     std::queue<std::uint32_t> open({from_});
     while (!open.empty() && !reachedBy[to_]) {
       const std::uint32_t here = open.front();
@@ -264,9 +272,9 @@ class SeparationSearch {
     return separation;
   }
 
-  const SeparationFinder& finder_;
+  const SeparationGround& ground_;
   std::uint32_t from_, to_;
-  const std::function<void()>& poll_;
+  std::function<void()> poll_;
   DisjointSets sets_;
   std::vector<BorderLink> links_;
   std::priority_queue<Pair, std::vector<Pair>, std::greater<>> waiting_;
@@ -274,9 +282,47 @@ class SeparationSearch {
   bool fromSmaller_ = true;
 };
 
-std::optional<Separation> SeparationFinder::find(std::uint32_t from, std::uint32_t to,
-                                                 const std::function<void()>& poll) const {
-  return SeparationSearch(*this, from, to, poll).run();
+TriangleTree treeOver(const std::vector<BorderEdge>& borders, const std::function<void()>& poll) {
+  std::vector<Box> boxes;
+  std::vector<std::int32_t> ids;
+  boxes.reserve(borders.size());
+  for (const BorderEdge& border : borders) {
+    boxes.push_back(boxOf(border, 0));
+    ids.push_back(static_cast<std::int32_t>(ids.size()));
+  }
+  TriangleTree tree;
+  if (!boxes.empty()) tree.build(boxes, ids, poll);
+  return tree;
 }
 
-}  // namespace footfall::detail
+}  // namespace
+
+SeparationFinder::SeparationFinder(const PathFinder& finder, std::shared_ptr<const Environment> environment,
+                                   double height, const RunContext* context) {
+  const std::function<void()> poll = pollOf(context);
+  const std::shared_ptr<const PathGround>& ground = finder.inside();
+  std::vector<BorderEdge> borders = findBorders(*ground->mesh, ground->topology);
+  TriangleTree tree = treeOver(borders, poll);
+  inside_ = std::make_unique<const SeparationGround>(SeparationGround{
+      ground, std::move(borders), std::move(tree), LinkObstacles(std::move(environment), height, poll)});
+}
+
+SeparationFinder::~SeparationFinder() = default;
+
+std::optional<Separation> SeparationFinder::find(std::uint32_t fromTriangle, std::uint32_t toTriangle,
+                                                 const RunContext* context) const {
+  const std::vector<std::uint32_t>& components = inside_->ground->topology.components;
+  for (const std::uint32_t triangle : {fromTriangle, toTriangle})
+    if (triangle >= components.size())
+      throw InputError(FOOTFALL_TEXT("there is no triangle %1; the mesh has %2"), triangle, components.size());
+  const std::uint32_t from = components[fromTriangle], to = components[toTriangle];
+  if (from == to) return std::nullopt;
+  return SeparationSearch(*inside_, from, to, pollOf(context)).run();
+}
+
+void addSeparation(PathResult& result, const SeparationFinder& separations, const RunContext* context) {
+  if (result.status == PathStatus::NotConnected)
+    result.separation = separations.find(result.start->triangle, result.target->triangle, context);
+}
+
+}  // namespace footfall

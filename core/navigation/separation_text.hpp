@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/navigation/separation.hpp"
+#include "footfall/path.hpp"
 #include "footfall/text.hpp"
 
 namespace footfall::detail {

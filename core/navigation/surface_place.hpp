@@ -9,15 +9,9 @@
 #include "core/base/triangle_tree.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/navigation_mesh.hpp"
+#include "footfall/path.hpp"
 
 namespace footfall::detail {
-
-/// A point in the plan inside or on the border of a triangle (exactly), with its height on it (rounded).
-struct SurfacePlace {
-  Vec3 position;
-  std::uint32_t triangle = 0;
-  double distance = 0;  ///< from the point that was asked for
-};
 
 /// Index over a mesh and its topology, which must outlive it. Thread-safe once made.
 class PlaceIndex {

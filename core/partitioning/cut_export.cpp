@@ -27,7 +27,7 @@ std::string formatCutObj(const CutEnvironment& cut, std::size_t cellCount, const
   appendNumber(content, cellCount);
   std::string text;
   text.reserve(1024 + 64 * std::size_t{count} + 28 * cut.triangles.size());
-  appendHeader(text, "Cells", environment, header, content + " cells");
+  appendHeader(text, "Cells", environment.frame(), header, content + " cells");
   for (std::size_t v = 0; v < numbers.size(); ++v)
     if (numbers[v] != kUnused) appendVertex(text, cut.places[v], environment.up);
   for (std::size_t cell = 0; cell < cellCount; ++cell) {

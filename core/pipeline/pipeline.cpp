@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "footfall/pipeline.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/filters/descriptor_text.hpp"
+#include "footfall/agent.hpp"
+#include "footfall/errors.hpp"
 
 namespace footfall {
 using namespace detail;
@@ -21,11 +25,16 @@ double roundForPeople(double value) {
   return rounded;
 }
 
-double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit) {
+/// A length or area in metres as one in units; anything else stays as it is.
+double inUnits(const ParameterDescriptor& parameter, double value, double metresPerUnit) {
   const double unitsPerMetre = 1 / metresPerUnit;
-  double value = parameter.defaultValue;
-  if (parameter.unit == Unit::Length) value = roundForPeople(value * unitsPerMetre);
-  if (parameter.unit == Unit::Area) value = roundForPeople(value * unitsPerMetre * unitsPerMetre);
+  if (parameter.unit == Unit::Length) return roundForPeople(value * unitsPerMetre);
+  if (parameter.unit == Unit::Area) return roundForPeople(value * unitsPerMetre * unitsPerMetre);
+  return value;
+}
+
+double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit) {
+  const double value = inUnits(parameter, parameter.defaultValue, metresPerUnit);
   // A scale that takes the default out of range (or is no scale at all) must not make an invalid step.
   return checkValue(parameter, value).empty() ? value : parameter.defaultValue;
 }
@@ -80,6 +89,23 @@ Pipeline defaultPipeline(const Environment& environment) {
   for (const std::string_view name : {"DuplicationFilter", "DegeneracyFilter", "SlopeFilter", "VerticalClearanceFilter",
                                       "AreaFilter", "SimplificationFilter", "LayerSubdivisionFilter"}) {
     pipeline.steps.push_back(defaultStep(*findFilter(name), environment.metresPerUnit));
+  }
+  return pipeline;
+}
+
+Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
+  Pipeline pipeline = defaultPipeline(environment);
+  const std::array<std::pair<std::string_view, double>, 3> numbers{
+      {{"SlopeFilter", agent.maxSlope}, {"VerticalClearanceFilter", agent.height}, {"AreaFilter", agent.minimumArea}}};
+  for (const auto& [name, value] : numbers) {
+    const FilterDescriptor* filter = findFilter(name);
+    const auto step = std::ranges::find(pipeline.steps, filter, &PipelineStep::filter);
+    const ParameterDescriptor& parameter = filter->parameters.front();
+    if (const Text wrong = checkValue(parameter, value); !wrong.empty())
+      throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);
+    step->values.front() = inUnits(parameter, value, environment.metresPerUnit);
+    if (const Text wrong = checkValue(parameter, step->values.front()); !wrong.empty())
+      throw InputError(FOOTFALL_TEXT("agent, in the environment's units: %1"), wrong);
   }
   return pipeline;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/report/export_header.hpp"
-
 #include <algorithm>
 #include <optional>
 
 #include "core/filters/descriptor_text.hpp"
+#include "footfall/report.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 
 std::string describeAgent(const Pipeline& pipeline) {
   std::string slope = "slope any";
@@ -32,4 +32,4 @@ ExportHeader makeExportHeader(const Pipeline& pipeline) {
   return {formatPipeline(enabled), describeAgent(enabled)};
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

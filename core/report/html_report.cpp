@@ -22,7 +22,7 @@
 #include "core/filters/descriptor_text.hpp"
 #include "core/io/base64.hpp"
 #include "core/mesh/surface_topology.hpp"
-#include "core/report/export_header.hpp"
+#include "footfall/report.hpp"
 
 #ifndef FOOTFALL_VERSION
 #define FOOTFALL_VERSION "unknown"

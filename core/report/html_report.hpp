@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "core/pipeline/runner.hpp"
-#include "core/report/run_statistics.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/report.hpp"
 
 namespace footfall::detail {
 

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/environment/up_axis.hpp"
+#include "footfall/report.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -102,7 +104,7 @@ std::string_view verdictWord(PlaceVerdict verdict) {
   return {};
 }
 
-std::string textBeside(double value, double limit) {
+std::string detail::textBeside(double value, double limit) {
   std::string text;
   for (const int digits : {6, 9, 17}) {
     text = number(value, digits);
@@ -167,4 +169,4 @@ std::string formatExplanationJson(const Inspector& inspector, const PlaceExplana
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

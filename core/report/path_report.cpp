@@ -10,7 +10,8 @@
 #include "core/io/obj_text.hpp"
 #include "core/navigation/separation_text.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
 /// Six digits are more than enough to read.
@@ -86,7 +87,7 @@ const char* statusName(PathStatus status) {
 
 }  // namespace
 
-std::string formatPlace(const Vec3& p, UpAxis up) {
+std::string detail::formatPlace(const Vec3& p, UpAxis up) {
   const Vec3 q = inFileFrame(p, up);
   std::string text;
   appendNumber(text, q.x);
@@ -102,13 +103,11 @@ std::string formatFailure(const PathResult& path, UpAxis up) {
   return path.separation ? text + "; " + barrierSentence(*path.separation, up) : text;
 }
 
-std::string formatPath(const Environment& environment, const PathResult& path) {
+std::string formatPath(const PathResult& path, UpAxis up) {
   std::string text;
   if (path.start)
-    text += (path.status == PathStatus::StartNotWalkable ? "nearest  " : "start    ") +
-            place(*path.start, environment.up) + '\n';
-  if (path.end && path.hasPath())
-    text += (path.reached() ? "end      " : "fails at ") + place(*path.end, environment.up) + '\n';
+    text += (path.status == PathStatus::StartNotWalkable ? "nearest  " : "start    ") + place(*path.start, up) + '\n';
+  if (path.end && path.hasPath()) text += (path.reached() ? "end      " : "fails at ") + place(*path.end, up) + '\n';
   if (path.hasPath()) {
     text += "length   " + shown(path.length) + " (" + shown(path.planLength) + " in the plan), " +
             counted(path.bends.size(), "bend", "bends") + '\n';
@@ -124,8 +123,8 @@ std::string formatPath(const Environment& environment, const PathResult& path) {
   return text;
 }
 
-std::string formatPathJson(const NavigationMesh& mesh, const Environment& environment, const PathResult& path) {
-  const UpAxis up = environment.up;
+std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path) {
+  const UpAxis up = mesh.frame.up;
   nlohmann::ordered_json json;
   json["status"] = statusName(path.status);
   json["message"] = formatFailure(path, up);
@@ -147,12 +146,12 @@ std::string formatPathJson(const NavigationMesh& mesh, const Environment& enviro
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
-std::string formatPathObj(const Environment& environment, const ExportHeader& header, const PathResult& path) {
+std::string detail::formatPathObj(const SourceFrame& frame, const ExportHeader& header, const PathResult& path) {
   std::string text;
-  appendHeader(text, "Shortest path", environment, header,
+  appendHeader(text, "Shortest path", frame, header,
                counted(path.points.size(), "point", "points") + ", length " + shown(path.length) + ", in the plan " +
                    shown(path.planLength));
-  for (const Vec3& p : path.points) appendVertex(text, p, environment.up);
+  for (const Vec3& p : path.points) appendVertex(text, p, frame.up);
   text += "g path\n";
   if (path.points.size() > 1) {
     text += 'l';
@@ -167,4 +166,4 @@ std::string formatPathObj(const Environment& environment, const ExportHeader& he
   return text;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/report/run_statistics.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +12,10 @@
 #include "core/environment/up_axis.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/report/text_table.hpp"
+#include "footfall/report.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+using namespace detail;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -241,4 +241,4 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
   return text;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

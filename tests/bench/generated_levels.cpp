@@ -126,8 +126,8 @@ void writeEnvironment(const std::string& path, Environment environment) {
   mesh.vertices = std::move(environment.vertices);
   mesh.triangles = std::move(environment.triangles);
   mesh.sourceTriangles.resize(mesh.triangles.size());
-  environment.up = UpAxis::Y;
-  writeObj(path, mesh, environment, {});
+  mesh.frame = {environment.source, UpAxis::Y, environment.metresPerUnit};
+  save(mesh, path);
 }
 
 }  // namespace footfall::bench

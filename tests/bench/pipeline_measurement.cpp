@@ -12,7 +12,7 @@
 #include "core/base/triangle_tree.hpp"
 #include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
-#include "core/report/export_header.hpp"
+#include "footfall/report.hpp"
 
 namespace footfall::bench {
 using namespace detail;
@@ -121,7 +121,7 @@ class Measurement {
     samples_.add("file_to_walkable_ms", toWalkable);
 
     const Stopwatch exporting;
-    writeObj(export_.path(), *result_.mesh, *environment_, makeExportHeader(pipeline));
+    save(*result_.mesh, export_.path(), {}, makeExportHeader(pipeline));
     samples_.add("export_ms", exporting.wallMs());
     samples_.add("export_cpu_ms", exporting.cpuMs());
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/thesis_correctness.hpp"
 
-#include "core/compare/mesh_comparison.hpp"
 #include "core/io/export.hpp"
+#include "footfall/compare.hpp"
 
 namespace footfall::bench {
 using namespace detail;
@@ -20,14 +20,14 @@ Json measureCorrectness(const ThesisSubject& subject, const Configuration& first
   RunContext context;
   ComparisonOptions options;
   options.error = kBoundMetres / subject.subject.metresPerUnit();
-  const MeshComparison comparison = compareMeshes(*a.mesh, *b.mesh, options, context);
+  const MeshComparison comparison = compareMeshes(*a.mesh, *b.mesh, options, &context);
   Json json;
-  json["bytes_equal"] = formatObj(*a.mesh, *environment, {}) == formatObj(*b.mesh, *environment, {});
+  json["bytes_equal"] = formatObj(*a.mesh, {}) == formatObj(*b.mesh, {});
   json["sets_equal"] = comparison.equal();
   json["areas"] = {comparison.meshes[0].whole.areas.surface, comparison.meshes[1].whole.areas.surface};
   if (const auto ratio = comparison.areaRatio()) json["covered"] = *ratio;
   if (comparison.distances) {
-    const comparison::Distances& d = (*comparison.distances)[0];
+    const SurfaceDistances& d = (*comparison.distances)[0];
     json["distances"] = {{"samples", d.samples}, {"min", d.min}, {"max", d.max},
                          {"mean", d.mean},       {"rms", d.rms}, {"upper", d.upper}};
   }

@@ -45,7 +45,7 @@ class TimesMeasurement {
       try {
         const RunResult result = runConfiguration(subject_, environment_, slot.configuration);
         describe(result, slot.json);
-        std::string bytes = formatObj(*result.mesh, *environment_, {});
+        std::string bytes = formatObj(*result.mesh, {});
         const auto [first, isFirst] = exports.try_emplace(slot.configuration.filters, std::move(bytes));
         if (!isFirst) slot.json["bytes_equal"] = first->second == bytes;
       } catch (const InputError& error) {

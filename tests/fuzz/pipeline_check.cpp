@@ -63,7 +63,7 @@ test::Soup repeated(const PipelineCase& experiment) {
 
 std::string exportText(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline, int threads) {
   RunContext context;
-  return formatObj(*runPipeline(environment, pipeline, context, nullptr, threads).mesh, *environment, {});
+  return formatObj(*runPipeline(environment, pipeline, context, nullptr, threads).mesh, {});
 }
 
 // The pipeline with its first local filters in a parallel block.

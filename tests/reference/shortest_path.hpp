@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/navigation/path_finder.hpp"
+#include "footfall/path.hpp"
 
 namespace footfall::reference {
 using namespace detail;

@@ -19,9 +19,7 @@ TriangleSoup soupFor(const Soup& soup) {
   return result;
 }
 
-std::string exported(const RunResult& result, const Environment& environment) {
-  return formatObj(*result.mesh, environment, {});
-}
+std::string exported(const RunResult& result) { return formatObj(*result.mesh, {}); }
 
 RunResult run(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache* cache,
               int threads) {
@@ -32,8 +30,7 @@ RunResult run(const std::shared_ptr<const Environment>& environment, const std::
 bool agrees(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache& cache) {
   const RunResult live = run(environment, pipeline, &cache);
   const RunResult fresh = run(environment, pipeline, nullptr);
-  return exported(live, *environment) == exported(fresh, *environment) &&
-         live.mesh->sourceTriangles == fresh.mesh->sourceTriangles &&
+  return exported(live) == exported(fresh) && live.mesh->sourceTriangles == fresh.mesh->sourceTriangles &&
          live.mesh->obstacleEdges == fresh.mesh->obstacleEdges &&
          live.summary.obstacleEdges == fresh.summary.obstacleEdges &&
          std::equal(live.steps.begin(), live.steps.end(), fresh.steps.begin(), fresh.steps.end(),

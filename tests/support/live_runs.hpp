@@ -18,7 +18,7 @@ RunResult run(const std::shared_ptr<const Environment>& environment, const std::
               int threads = 2);
 
 /// The bytes of an export.
-std::string exported(const RunResult& result, const Environment& environment);
+std::string exported(const RunResult& result);
 
 /// Runs with the results of earlier runs at hand, and from nothing: the same bytes and figures?
 bool agrees(const std::shared_ptr<const Environment>& environment, const std::string& pipeline, ResultCache& cache);

@@ -11,18 +11,18 @@ namespace footfall::ui {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
-QString nameOf(const Agent& agent) { return QString::fromStdString(agent.name); }
+QString nameOf(const NamedAgent& agent) { return QString::fromStdString(agent.name); }
 
-std::vector<Agent>::iterator find(DocumentState& state, int id) {
-  return std::ranges::find(state.agents, id, &Agent::id);
+std::vector<NamedAgent>::iterator find(DocumentState& state, int id) {
+  return std::ranges::find(state.agents, id, &NamedAgent::id);
 }
 
 }  // namespace
 
-int addAgent(Document& document, const Agent& agent) {
+int addAgent(Document& document, const NamedAgent& agent) {
   DocumentState next = document.state();
   next.agents.push_back(agent);
-  Agent& added = next.agents.back();
+  NamedAgent& added = next.agents.back();
   added.id = newAgentId(document.state());
   added.name = freeAgentName(document.state(), agent.name);
   next.agent = added.id;
@@ -37,7 +37,7 @@ int duplicateAgent(Document& document, int id) {
   DocumentState next = document.state();
   const auto at = find(next, id);
   if (at == next.agents.end()) return 0;
-  Agent copy = *at;
+  NamedAgent copy = *at;
   copy.id = newAgentId(document.state());
   copy.name = freeAgentName(document.state(), copy.name);
   next.agents.insert(at + 1, copy);
@@ -63,7 +63,7 @@ void renameAgent(Document& document, int id, const QString& name) {
   if (at == next.agents.end() || trimmed.isEmpty() || trimmed == nameOf(*at)) return;
   const QString before = nameOf(*at);
   DocumentState others = document.state();
-  std::erase_if(others.agents, [id](const Agent& agent) { return agent.id == id; });
+  std::erase_if(others.agents, [id](const NamedAgent& agent) { return agent.id == id; });
   at->name = freeAgentName(others, trimmed.toStdString());
   const QString now = nameOf(*at);
   document.edit(std::move(next), tr("Rename agent %1 → %2").arg(before, now));
@@ -86,14 +86,14 @@ void resizeAgent(Document& document, int id, AgentSize size, double value) {
 void activateAgent(Document& document, int id) {
   DocumentState next = document.state();
   next.agent = id;
-  const Agent* agent = activeAgent(next);
+  const NamedAgent* agent = activeAgent(next);
   applyAgent(next);
   const QString text = agent ? tr("Switch to agent %1").arg(nameOf(*agent)) : tr("Let go of the agent");
   document.edit(std::move(next), text, QStringLiteral("agent"));
 }
 
-Agent agentOfFilters(const DocumentState& state, double metresPerUnit) {
-  Agent agent = agentPresets(metresPerUnit).front().agent;
+NamedAgent agentOfFilters(const DocumentState& state, double metresPerUnit) {
+  NamedAgent agent = agentPresets(metresPerUnit).front().agent;
   agent.name = tr("Agent").toStdString();
   for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope}) {
     for (const FilterEntry& entry : state.filters) {

@@ -7,7 +7,7 @@
 namespace footfall::ui {
 
 /// Takes a free name and id, and becomes the active one. Returns the id.
-int addAgent(Document& document, const Agent& agent);
+int addAgent(Document& document, const NamedAgent& agent);
 /// Behind the one that is copied. Returns the id; 0 where there is no such agent.
 int duplicateAgent(Document& document, int id);
 /// Without an active agent the filters stay as they are.
@@ -19,6 +19,6 @@ void resizeAgent(Document& document, int id, AgentSize size, double value);
 /// Sets the filters to the agent's sizes; 0: none is active any more. Switching several times in a row is one entry.
 void activateAgent(Document& document, int id);
 /// With the values of the first filters that take them, else of a human.
-Agent agentOfFilters(const DocumentState& state, double metresPerUnit);
+NamedAgent agentOfFilters(const DocumentState& state, double metresPerUnit);
 
 }  // namespace footfall::ui

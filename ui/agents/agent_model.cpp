@@ -26,7 +26,7 @@ AgentModel::AgentModel(Document& document, RunController& controller, AgentResul
 // A reset would end an edit under way: only where rows have come or gone.
 void AgentModel::follow() {
   std::vector<int> ids;
-  for (const Agent& agent : document_.state().agents) ids.push_back(agent.id);
+  for (const NamedAgent& agent : document_.state().agents) ids.push_back(agent.id);
   if (ids != ids_) {
     beginResetModel();
     ids_ = std::move(ids);
@@ -63,7 +63,7 @@ int AgentModel::rowCount(const QModelIndex& parent) const {
 
 int AgentModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int{kColumns}; }
 
-QString AgentModel::textIn(const Agent& agent, int column) const {
+QString AgentModel::textIn(const NamedAgent& agent, int column) const {
   if (column == Name) return QString::fromStdString(agent.name);
   if (const auto size = sizeIn(column)) return numberText(units_.shown(sizeOf(agent, *size), unitOf(*size)));
   if (column == State) {
@@ -87,13 +87,13 @@ QString AgentModel::textIn(const Agent& agent, int column) const {
 }
 
 // In the file's units, where they are not shown.
-QString AgentModel::heightHelp(const Agent& agent) const {
+QString AgentModel::heightHelp(const NamedAgent& agent) const {
   return units_.factor() == 1 ? QString() : tr("%1 units of the file").arg(shortText(agent.height));
 }
 
 QVariant AgentModel::data(const QModelIndex& index, int role) const {
   const auto& agents = document_.state().agents;
-  const auto agent = std::ranges::find(agents, agentAt(index.row()), &Agent::id);
+  const auto agent = std::ranges::find(agents, agentAt(index.row()), &NamedAgent::id);
   if (!index.isValid() || agent == agents.end()) return {};
   switch (role) {
     case Qt::DisplayRole:

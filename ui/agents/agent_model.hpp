@@ -43,8 +43,8 @@ class AgentModel : public QAbstractTableModel {
 
  private:
   void follow();
-  [[nodiscard]] QString heightHelp(const Agent& agent) const;
-  [[nodiscard]] QString textIn(const Agent& agent, int column) const;
+  [[nodiscard]] QString heightHelp(const NamedAgent& agent) const;
+  [[nodiscard]] QString textIn(const NamedAgent& agent, int column) const;
 
   Document& document_;
   RunController& controller_;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/inspect/components.hpp"
+#include "footfall/inspect.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/document/agent_rules.hpp"
 
@@ -24,7 +24,7 @@ std::string keyOf(Pipeline pipeline) {
 
 AgentFigures figuresOf(const FinishedRun& run, const RunContext& context) {
   const NavigationMesh& mesh = *run.result.mesh;
-  const Components components = findComponents(mesh, [&context] { context.checkCancelled(); });
+  const Components components = findComponents(mesh, &context);
   return {run.result.summary.area, mesh.layerCount, components.list.size(), mesh.connections.size()};
 }
 
@@ -49,7 +49,7 @@ bool AgentResults::ready(int agent) const {
 
 void AgentResults::computeAll() {
   std::vector<Pipeline> wanted;
-  for (const Agent& agent : document_.state().agents) {
+  for (const NamedAgent& agent : document_.state().agents) {
     if (!ready(agent.id)) wanted.push_back(pipelineFor(document_.state(), agent.id));
   }
   controller_.runAhead(std::move(wanted));
@@ -63,7 +63,7 @@ void AgentResults::look() {
     counting_->cancel();
     counting_ = std::make_shared<RunContext>();
   }
-  for (const Agent& agent : document_.state().agents) {
+  for (const NamedAgent& agent : document_.state().agents) {
     const Pipeline pipeline = pipelineFor(document_.state(), agent.id);
     const std::string key = keyOf(pipeline);
     const auto run = controller_.finishedRunOf(pipeline);

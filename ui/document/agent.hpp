@@ -6,12 +6,14 @@
 
 namespace footfall::ui {
 
-struct Agent {
+/// An agent with a name, in the units of the level that it is edited for (footfall/agent.hpp has those of the library,
+/// in metres).
+struct NamedAgent {
   int id = 0;  ///< unique in its document, above 0
   std::string name;
   double height = 0;    ///< free height that it needs, in the environment's units
   double maxSlope = 0;  ///< degrees
-  bool operator==(const Agent&) const = default;
+  bool operator==(const NamedAgent&) const = default;
 };
 
 }  // namespace footfall::ui

@@ -34,19 +34,21 @@ const FilterDescriptor& filterOf(AgentSize size) {
   return *findFilter(size == AgentSize::Height ? kClearanceFilter : kSlopeFilter);
 }
 
-double sizeOf(const Agent& agent, AgentSize size) { return size == AgentSize::Height ? agent.height : agent.maxSlope; }
+double sizeOf(const NamedAgent& agent, AgentSize size) {
+  return size == AgentSize::Height ? agent.height : agent.maxSlope;
+}
 
-void setSizeOf(Agent& agent, AgentSize size, double value) {
+void setSizeOf(NamedAgent& agent, AgentSize size, double value) {
   (size == AgentSize::Height ? agent.height : agent.maxSlope) = value;
 }
 
-const Agent* activeAgent(const DocumentState& state) {
-  const auto found = std::ranges::find(state.agents, state.agent, &Agent::id);
+const NamedAgent* activeAgent(const DocumentState& state) {
+  const auto found = std::ranges::find(state.agents, state.agent, &NamedAgent::id);
   return found == state.agents.end() ? nullptr : &*found;
 }
 
 void applyAgent(DocumentState& state) {
-  const Agent* agent = activeAgent(state);
+  const NamedAgent* agent = activeAgent(state);
   if (!agent) return;
   for (FilterEntry& entry : state.filters) {
     if (const auto size = agentSizeOf(*entry.step.filter)) entry.step.values[0] = sizeOf(*agent, *size);
@@ -54,7 +56,7 @@ void applyAgent(DocumentState& state) {
 }
 
 bool followsAgent(const DocumentState& state) {
-  const Agent* agent = activeAgent(state);
+  const NamedAgent* agent = activeAgent(state);
   return !agent || std::ranges::all_of(state.filters, [agent](const FilterEntry& entry) {
     const auto size = agentSizeOf(*entry.step.filter);
     return !size || entry.step.values[0] == sizeOf(*agent, *size);
@@ -83,8 +85,9 @@ std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
   return missing;
 }
 
-std::vector<Agent> rescaledAgents(std::vector<Agent> agents, double fromMetresPerUnit, double toMetresPerUnit) {
-  for (Agent& agent : agents) agent.height = rounded(agent.height * fromMetresPerUnit / toMetresPerUnit);
+std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
+                                       double toMetresPerUnit) {
+  for (NamedAgent& agent : agents) agent.height = rounded(agent.height * fromMetresPerUnit / toMetresPerUnit);
   return agents;
 }
 
@@ -102,13 +105,13 @@ std::vector<AgentPreset> agentPresets(double metresPerUnit) {
 
 int newAgentId(const DocumentState& state) {
   int highest = 0;
-  for (const Agent& agent : state.agents) highest = std::max(highest, agent.id);
+  for (const NamedAgent& agent : state.agents) highest = std::max(highest, agent.id);
   return highest + 1;
 }
 
 std::string freeAgentName(const DocumentState& state, const std::string& name) {
   std::string free = name;
-  for (int i = 2; std::ranges::find(state.agents, free, &Agent::name) != state.agents.end(); ++i)
+  for (int i = 2; std::ranges::find(state.agents, free, &NamedAgent::name) != state.agents.end(); ++i)
     free = name + ' ' + std::to_string(i);
   return free;
 }

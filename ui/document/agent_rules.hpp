@@ -18,11 +18,11 @@ std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter);
 /// The filter that a size drives, with the parameter that says what the size may be.
 const FilterDescriptor& filterOf(AgentSize size);
 /// In the environment's units, or in degrees.
-double sizeOf(const Agent& agent, AgentSize size);
-void setSizeOf(Agent& agent, AgentSize size, double value);
+double sizeOf(const NamedAgent& agent, AgentSize size);
+void setSizeOf(NamedAgent& agent, AgentSize size, double value);
 
 /// The one whose filters these are; null when there is none.
-const Agent* activeAgent(const DocumentState& state);
+const NamedAgent* activeAgent(const DocumentState& state);
 /// Writes the active agent's sizes into all filters that take them, those that are switched off too.
 void applyAgent(DocumentState& state);
 /// Whether the filters have the active agent's sizes; true without an active agent.
@@ -33,11 +33,12 @@ Pipeline pipelineFor(const DocumentState& state, int agent);
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state);
 
 /// Heights in the environment's units stay the same in metres.
-std::vector<Agent> rescaledAgents(std::vector<Agent> agents, double fromMetresPerUnit, double toMetresPerUnit);
+std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
+                                       double toMetresPerUnit);
 
 struct AgentPreset {
-  Agent agent;   ///< without an id
-  QString help;  ///< in metres
+  NamedAgent agent;  ///< without an id
+  QString help;      ///< in metres
 };
 /// Sizes of people and things that walk or roll, converted from metres.
 std::vector<AgentPreset> agentPresets(double metresPerUnit);

@@ -132,7 +132,7 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
   DocumentState next = state_;
   next.filters[index].step.values[parameter] = value;
   const auto size = agentSizeOf(*next.filters[index].step.filter);
-  const auto agent = std::ranges::find(next.agents, next.agent, &Agent::id);
+  const auto agent = std::ranges::find(next.agents, next.agent, &NamedAgent::id);
   if (size && parameter == 0 && agent != next.agents.end()) {
     setSizeOf(*agent, *size, value);
     applyAgent(next);
@@ -179,7 +179,7 @@ void Document::replacePipeline(const Pipeline& pipeline, const QString& text) {
 }
 
 void Document::setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,
-                                    const QString& mergeKey, const std::optional<std::vector<Agent>>& agents) {
+                                    const QString& mergeKey, const std::optional<std::vector<NamedAgent>>& agents) {
   DocumentState next = state_;
   next.import = options;
   if (agents) next.agents = *agents;

@@ -29,7 +29,7 @@ struct FilterEntry {
 struct DocumentState {
   std::vector<FilterEntry> filters;
   ImportOptions import;
-  std::vector<Agent> agents;
+  std::vector<NamedAgent> agents;
   int agent = 0;  ///< id of the one whose filters these are; 0: none
   std::vector<PartRule> partRules;
   std::vector<PlacedObstacle> obstacles;
@@ -70,7 +70,7 @@ class Document : public QObject {
   /// Import options, pipeline and, where given, the sizes of the agents together, one edit.
   void setImportAndPipeline(const ImportOptions& options, const Pipeline& pipeline, const QString& text,
                             const QString& mergeKey = {},
-                            const std::optional<std::vector<Agent>>& agents = std::nullopt);
+                            const std::optional<std::vector<NamedAgent>>& agents = std::nullopt);
 
   /// Any edit as one entry; entries with the same merge key (not empty) that follow each other become one. An empty
   /// text is made from the value that is different.

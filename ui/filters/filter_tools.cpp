@@ -108,7 +108,7 @@ void addAgents(EditorWindow& window) {
                                         .icon = QStringLiteral("agent")},
                                        [panel](bool) { panel->computeAll(); });
   const auto rename = [&window, switches, none, all] {
-    const std::vector<Agent>& agents = window.document().state().agents;
+    const std::vector<NamedAgent>& agents = window.document().state().agents;
     for (int i = 0; i < switches.size(); ++i) {
       const bool there = i < static_cast<int>(agents.size());
       switches[i]->setVisible(there);

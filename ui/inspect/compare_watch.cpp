@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/worker_arena.hpp"
-#include "core/io/navigation_mesh_reader.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/io.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
 

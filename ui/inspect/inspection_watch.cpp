@@ -90,13 +90,12 @@ void InspectionWatch::refresh() {
       onThreads(0, [&](int) {
         context->checkCancelled();
         if (!answer.inspector) {
-          auto states = stepStates(run->environment, run->pipeline, *context, *cache);
-          answer.inspector = std::make_shared<Inspector>(run->environment, run->pipeline, std::move(states),
-                                                         run->result.mesh, *context);
+          answer.inspector = std::make_shared<Inspector>(run->environment, run->pipeline, run->result.mesh, cache.get(),
+                                                         context.get());
         }
         if (!asked) return true;
         if (const auto place = resolve(*answer.inspector, *asked))
-          answer.explanation = answer.inspector->explain(*place, *context);
+          answer.explanation = answer.inspector->explain(*place, context.get());
         return true;
       });
     } catch (const Cancelled&) {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/inspect/inspection.hpp"
+#include "footfall/inspect.hpp"
 #include "ui/base/background_queue.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/run/run_controller.hpp"

@@ -7,7 +7,7 @@
 #include <QStackedWidget>
 #include <memory>
 
-#include "core/inspect/inspection.hpp"
+#include "footfall/inspect.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
 

@@ -6,7 +6,7 @@
 #include <QString>
 #include <cstdint>
 
-#include "core/inspect/inspection.hpp"
+#include "footfall/inspect.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/appearance.hpp"

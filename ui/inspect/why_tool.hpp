@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/inspect/inspection.hpp"
+#include "footfall/inspect.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/view_overlay.hpp"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/navigation/place_reach.hpp"
+#include "footfall/path.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/window/editor_window.hpp"
 

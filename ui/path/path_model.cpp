@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "core/navigation/path_ground.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 
@@ -13,28 +14,27 @@ namespace footfall::ui {
 
 /// What was prepared for a ground, and the last answer about two of its parts: most places are on the same ones.
 struct PathModel::Finder {
-  void prepare(const Ground& wanted, const std::function<void()>& poll) {
+  void prepare(const Ground& wanted, const RunContext& context) {
     if (finder && ground == wanted) return;
     separations.reset();
     last.reset();
     finder.reset();
-    finder = std::make_unique<PathFinder>(wanted.mesh, poll);
+    finder = std::make_unique<PathFinder>(wanted.mesh, &context);
     ground = wanted;
   }
 
-  [[nodiscard]] PathResult find(const Vec3& start, const Vec3& target, const std::function<void()>& poll) const {
-    PathResult result = finder->find(start, target, ground.reach, poll);
+  [[nodiscard]] PathResult find(const Vec3& start, const Vec3& target, const RunContext& context) const {
+    PathResult result = finder->find(start, target, ground.reach, &context);
     if (result.status == PathStatus::NotConnected && last && last->parts == partsOf(result))
       result.separation = last->separation;
     return result;
   }
 
-  void separate(PathResult& result, const std::function<void()>& poll) {
+  void separate(PathResult& result, const RunContext& context) {
     if (!ground.environment) return;
     if (!separations)
-      separations = std::make_unique<SeparationFinder>(finder->mesh(), finder->topology(), ground.environment,
-                                                       ground.agentHeight, poll);
-    addSeparation(result, finder->topology(), *separations, poll);
+      separations = std::make_unique<SeparationFinder>(*finder, ground.environment, ground.agentHeight, &context);
+    addSeparation(result, *separations, &context);
     last = {partsOf(result), result.separation};
   }
 
@@ -44,7 +44,7 @@ struct PathModel::Finder {
     std::optional<Separation> separation;
   };
   [[nodiscard]] std::array<std::uint32_t, 2> partsOf(const PathResult& result) const {
-    const auto& components = finder->topology().components;
+    const auto& components = finder->inside()->topology.components;
     return {components[result.start->triangle], components[result.target->triangle]};
   }
 
@@ -102,11 +102,10 @@ void PathModel::startJob(std::optional<PathResult> failed) {
     std::optional<PathResult> result;
     QString error;
     try {
-      const auto poll = [&context] { context->checkCancelled(); };
-      poll();
-      finder->prepare(ground, poll);
-      PathResult found = failed ? *failed : finder->find(start, target, poll);
-      if (failed) finder->separate(found, poll);
+      context->checkCancelled();
+      finder->prepare(ground, *context);
+      PathResult found = failed ? *failed : finder->find(start, target, *context);
+      if (failed) finder->separate(found, *context);
       result = std::move(found);
     } catch (const Cancelled&) {
     } catch (const std::bad_alloc&) {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/navigation/path_finder.hpp"
+#include "footfall/path.hpp"
 #include "footfall/run_context.hpp"
 #include "ui/base/background_queue.hpp"
 #include "ui/base/namespaces.hpp"

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/navigation/path_finder.hpp"
+#include "footfall/path.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
 

@@ -5,7 +5,7 @@
 #include <QString>
 #include <functional>
 
-#include "core/navigation/separation.hpp"
+#include "footfall/path.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/view_overlay.hpp"
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/io/gltf_export.hpp"
-#include "core/report/export_header.hpp"
 #include "core/report/html_report.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/report.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/level_look.hpp"
 #include "ui/window/editor_window.hpp"
@@ -123,10 +123,10 @@ void EditorWindow::writeResult(const QString& path, const ExportSettings& settin
         const ExportHeader header = makeExportHeader(run->pipeline);
         const NavigationMesh& mesh = *run->result.mesh;
         if (settings.kind == ExportKind::Obj) {
-          writeObj(target, mesh, *environment, header, settings.options, extras);
+          writeFileSafely(target, formatObj(mesh, header, settings.options, extras));
         } else {
           const GltfKind kind = settings.kind == ExportKind::Gltf ? GltfKind::Text : GltfKind::Binary;
-          writeFileSafely(target, formatGltf(kind, mesh, *environment, header, settings.options, extras).bytes);
+          writeFileSafely(target, formatGltf(kind, mesh, header, settings.options, extras).bytes);
         }
       },
       path);

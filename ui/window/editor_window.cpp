@@ -328,7 +328,7 @@ void EditorWindow::useDefaultFilters() {
 void EditorWindow::editImport(const ImportOptions& options) {
   if (!loaded_.environment) return;
   Pipeline pipeline = document_.pipeline();
-  std::optional<std::vector<Agent>> agents;
+  std::optional<std::vector<NamedAgent>> agents;
   QString mergeKey;
   if (options.metresPerUnit && options.metresPerUnit != document_.state().import.metresPerUnit) {
     if (import_->scaleField()->hasFocus())

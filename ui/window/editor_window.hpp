@@ -213,7 +213,7 @@ class EditorWindow : public QMainWindow {
   struct ScaleEdit {
     QString key;  ///< of the edits that are one
     Pipeline pipeline;
-    std::vector<Agent> agents;
+    std::vector<NamedAgent> agents;
     double scale = 1;
     bool guessed = true;
   };

@@ -15,7 +15,7 @@
 
 #include "core/environment/up_axis.hpp"
 #include "core/io/gltf_export.hpp"
-#include "core/report/export_header.hpp"
+#include "footfall/report.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
@@ -318,10 +318,10 @@ void ExportDialog::estimate() {
       std::size_t size = 0;
       double error = 0;
       if (all.kind == ExportKind::Obj) {
-        size = formatObj(*run->result.mesh, *environment, header, all.options, extras).size();
+        size = formatObj(*run->result.mesh, header, all.options, extras).size();
       } else {
         const GltfFile file = formatGltf(all.kind == ExportKind::Gltf ? GltfKind::Text : GltfKind::Binary,
-                                         *run->result.mesh, *environment, header, all.options, extras);
+                                         *run->result.mesh, header, all.options, extras);
         size = file.bytes.size();
         error = file.largestError;
       }

@@ -134,9 +134,9 @@ PlacedObstacle obstacleFrom(const Json& json) {
   return obstacle;
 }
 
-Agent agentFrom(const Json& json) {
-  Agent agent{0, json.at("name").get<std::string>(), json.at("height").get<double>(),
-              json.at("max_slope").get<double>()};
+NamedAgent agentFrom(const Json& json) {
+  NamedAgent agent{0, json.at("name").get<std::string>(), json.at("height").get<double>(),
+                   json.at("max_slope").get<double>()};
   if (!(agent.height > 0 && std::isfinite(agent.height) && agent.maxSlope > 0 && agent.maxSlope < 90))
     throw InputError(FOOTFALL_TEXT("agents: '%1' needs a height above 0 and a slope between 0 and 90 degrees"),
                      agent.name);
@@ -171,7 +171,7 @@ void writeLevel(const Session& session, Json& json) {
                                  {"turn", obstacle.turn}});
   }
   for (std::size_t i = 0; i < session.agents.size(); ++i) {
-    const Agent& agent = session.agents[i];
+    const NamedAgent& agent = session.agents[i];
     json["agents"].push_back({{"name", agent.name}, {"height", agent.height}, {"max_slope", agent.maxSlope}});
     if (agent.id == session.agent) json["agent"] = i + 1;
   }

@@ -31,7 +31,7 @@ struct Session {
   Pipeline pipeline;
   std::optional<CameraPose> camera;
   CellsShown cells;
-  std::vector<Agent> agents;
+  std::vector<NamedAgent> agents;
   int agent = 0;
   std::vector<PartRule> partRules;
   std::vector<PlacedObstacle> obstacles;

@@ -180,6 +180,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   }
   context.checkCancelled();
   result->layerCount = state->mesh->layerCount;
+  result->frame = state->environment->frame();
   addObstacleEdges(rounded, order, renumbered, *result);
   addConnections(rounded, topology, renumbered, *result);
   return result;

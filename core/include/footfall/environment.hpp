@@ -13,9 +13,6 @@
 
 namespace footfall {
 
-/// The axis of a file that points up, along it or against it; names and turns: core/environment/up_axis.hpp.
-enum class UpAxis { Y, Z, X, NegativeY, NegativeZ, NegativeX };
-
 /// What the user may say about a file; what is left empty is guessed from the format and reported.
 struct ImportOptions {
   std::optional<UpAxis> up;
@@ -79,6 +76,12 @@ struct Environment {
   std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
   /// What it was made of, when it is another environment with something changed; else null.
   std::shared_ptr<const EnvironmentEdit> edit;
+
+  [[nodiscard]] SourceFrame frame() const { return {source, up, metresPerUnit}; }
 };
+
+/// Throws InputError when an environment that a program filled itself is not in order: no triangles, a vertex number
+/// out of range, a coordinate or scale that is not finite, lists whose lengths do not fit. load() gives none of these.
+void checkEnvironment(const Environment& environment);
 
 }  // namespace footfall

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace footfall {
@@ -14,6 +15,9 @@ struct Vec3 {
   bool operator==(const Vec3&) const = default;
 };
 
+/// The axis of a file that points up, along it or against it.
+enum class UpAxis { Y, Z, X, NegativeY, NegativeZ, NegativeX };
+
 /// Numbers of three vertices, counter-clockwise seen from the front.
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -21,6 +25,13 @@ using Triangle = std::array<std::uint32_t, 3>;
 struct TriangleSoup {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
+};
+
+/// The file that coordinates came from, so that results can be written to lie exactly on it.
+struct SourceFrame {
+  std::string source = {};   ///< path as given by the user; empty when there was no file
+  UpAxis up = UpAxis::Z;     ///< the file's up axis; inside, Z is up
+  double metresPerUnit = 1;  ///< of the file and of everything that was made of it
 };
 
 }  // namespace footfall

@@ -22,6 +22,8 @@ struct NavigationMesh {
   std::vector<std::array<std::uint32_t, 2>> obstacleEdges;
   /// Edges on which two layers meet, as vertex pairs.
   std::vector<std::array<std::uint32_t, 2>> connections;
+  /// The file of the environment: where save() puts the mesh back to.
+  SourceFrame frame = {};
 };
 
 }  // namespace footfall

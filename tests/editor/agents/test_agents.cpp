@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kPipeline =
     "DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 0.5\nLayerSubdivisionFilter\n";
 
-Agent agentOf(const char* name, double height, double slope) { return {0, name, height, slope}; }
+NamedAgent agentOf(const char* name, double height, double slope) { return {0, name, height, slope}; }
 
 }  // namespace
 
@@ -130,7 +130,7 @@ class TestAgents : public QObject {
     QCOMPARE(slope(), 10.0);
     QVERIFY(!button("removeAgent")->isEnabled());
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[1], (Agent{2, "Agent", 1.2, 10}));
+    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10}));
   }
 
   void missingFiltersAreToldAndAdded() {

@@ -42,8 +42,7 @@ std::shared_ptr<const Inspector> manyComponents(int count) {
   RunContext context;
   ResultCache cache;
   const RunResult result = runPipeline(environment, {}, context, &cache);
-  return std::make_shared<Inspector>(environment, Pipeline{}, stepStates(environment, {}, context, cache), result.mesh,
-                                     context);
+  return std::make_shared<Inspector>(environment, Pipeline{}, result.mesh, &cache, &context);
 }
 
 constexpr const char* kPipeline = "DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 0\n";

@@ -36,7 +36,7 @@ RunResult runOn(const std::shared_ptr<const Environment>& level, ResultCache* ca
 }
 
 std::string exported(const std::shared_ptr<const Environment>& level, ResultCache* cache) {
-  return formatObj(*runOn(level, cache).mesh, *level, {});
+  return formatObj(*runOn(level, cache).mesh, {});
 }
 
 PlacedObstacle box(std::uint32_t id, const Vec3& base, const Vec3& size = {1, 1, 1}, double turn = 0) {

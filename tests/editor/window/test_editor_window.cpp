@@ -6,7 +6,7 @@
 
 #include "core/io/export.hpp"
 #include "core/io/import.hpp"
-#include "core/report/export_header.hpp"
+#include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
 
 using namespace footfall;
@@ -231,7 +231,7 @@ class TestEditorWindow : public QObject {
     answerFileDialog(target);
     QVERIFY(written.count() > 0 || written.wait());
     const auto run = window_->controller().finishedRun();
-    const std::string expected = formatObj(*run->result.mesh, *window_->environment(), makeExportHeader(run->pipeline));
+    const std::string expected = formatObj(*run->result.mesh, makeExportHeader(run->pipeline));
     QCOMPARE(readFile(target), QByteArray::fromStdString(expected));
     QVERIFY(expected.find("\nf ") != std::string::npos);
   }

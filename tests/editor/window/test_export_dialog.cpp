@@ -9,7 +9,7 @@
 
 #include "core/environment/up_axis.hpp"
 #include "core/io/gltf_export.hpp"
-#include "core/report/export_header.hpp"
+#include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/window/export_dialog.hpp"
 
@@ -47,8 +47,7 @@ class TestExportDialog : public QObject {
     const QString content = label("exportContent");
     QVERIFY2(content.startsWith(QString::number(run->result.mesh->triangles.size()) + " triangles, 1 layer, "),
              qPrintable(content));
-    const std::size_t size =
-        formatObj(*run->result.mesh, *window_->environment(), makeExportHeader(run->pipeline)).size();
+    const std::size_t size = formatObj(*run->result.mesh, makeExportHeader(run->pipeline)).size();
     QTRY_COMPARE(label("exportSize"), "Size: " + QLocale(QLocale::English).formattedDataSize(qint64(size)));
     shoot("export-obj");
     QTest::keyClick(dialog, Qt::Key_Escape);
@@ -87,7 +86,7 @@ class TestExportDialog : public QObject {
       const QByteArray bytes = accept(name);
       const auto run = window_->controller().finishedRun();
       const GltfFile expected = formatGltf(QString(name).endsWith("glb") ? GltfKind::Binary : GltfKind::Text,
-                                           *run->result.mesh, *window_->environment(), makeExportHeader(run->pipeline));
+                                           *run->result.mesh, makeExportHeader(run->pipeline));
       QCOMPARE(bytes, QByteArray::fromStdString(expected.bytes));
     }
     // The format is remembered, and the suggested name has its ending.

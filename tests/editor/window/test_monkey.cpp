@@ -19,7 +19,7 @@
 
 #include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
-#include "core/report/export_header.hpp"
+#include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/base/frame_watchdog.hpp"
 
@@ -234,7 +234,7 @@ void TestMonkey::randomEventsBreakNothing() {
   RunContext context;
   const RunResult fresh = runPipeline(window.level(), shown->pipeline, context);
   const ExportHeader header = makeExportHeader(shown->pipeline);
-  QVERIFY(formatObj(*fresh.mesh, *window.level(), header) == formatObj(*shown->result.mesh, *window.level(), header));
+  QVERIFY(formatObj(*fresh.mesh, header) == formatObj(*shown->result.mesh, header));
 }
 
 FOOTFALL_EDITOR_SUITE(TestMonkey)

@@ -8,9 +8,9 @@
 #include <QToolButton>
 #include <memory>
 
-#include "core/inspect/components.hpp"
 #include "core/io/import.hpp"
-#include "core/io/navigation_mesh_reader.hpp"
+#include "footfall/inspect.hpp"
+#include "footfall/io.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/base/command_palette.hpp"
 #include "ui/inspect/inspection_feature.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-#include "core/compare/mesh_comparison.hpp"
+#include "footfall/compare.hpp"
 #include "tests/reference/plan_geometry.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/run_with_threads.hpp"
@@ -33,7 +33,7 @@ NavigationMesh meshOf(const Soup& soup) {
 MeshComparison compare(const NavigationMesh& a, const NavigationMesh& b, std::optional<double> height = std::nullopt,
                        std::optional<double> error = std::nullopt) {
   RunContext context;
-  return compareMeshes(a, b, {height, error}, context);
+  return compareMeshes(a, b, {height, error}, &context);
 }
 
 MeshComparison compare(const Soup& a, const Soup& b, std::optional<double> height = std::nullopt,
@@ -529,7 +529,7 @@ void TestCompare::cancelled() {
   RunContext context;
   context.cancel();
   const NavigationMesh mesh = meshOf(Soup().floor(0, 0, 4, 4, 0));
-  QVERIFY_EXCEPTION_THROWN(compareMeshes(mesh, mesh, {}, context), Cancelled);
+  QVERIFY_EXCEPTION_THROWN(compareMeshes(mesh, mesh, {}, &context), Cancelled);
 }
 
 void TestCompare::ownProducts_data() {

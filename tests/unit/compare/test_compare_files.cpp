@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/export.hpp"
-#include "core/io/navigation_mesh_reader.hpp"
+#include "footfall/io.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/program_run.hpp"
@@ -35,7 +35,7 @@ Product exported(const char* sample, const std::string& filters) {
   product.environment =
       importEnvironment(std::string(FOOTFALL_SOURCE_DIR "/samples/") + sample + '/' + sample + ".obj");
   product.mesh = navigationMesh(runFilters(product.environment, filters));
-  product.text = QByteArray::fromStdString(formatObj(product.mesh, *product.environment, {filters, "test"}));
+  product.text = QByteArray::fromStdString(formatObj(product.mesh, {filters, "test"}));
   return product;
 }
 

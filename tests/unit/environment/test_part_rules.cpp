@@ -169,10 +169,10 @@ class TestPartRules : public QObject {
           applyPartRules(withParts(buildingOf(*buildingParts(14)), *below(8)), rulesFrom(*numbersBelow<kParts>(3)));
       const std::string filters = "SlopeFilter 45\nVerticalClearanceFilter 1.5\n";
       const std::string rest = "SimplificationFilter\nLayerSubdivisionFilter\n";
-      const std::string expected = exported(run(ruled, filters + rest, nullptr, 1), *ruled);
+      const std::string expected = exported(run(ruled, filters + rest, nullptr, 1));
       for (const char* strategy : {"GridStrategy 3 4", "SortedRecursiveStrategy 1 3 true", "HeightAwareStrategy 1 4"})
         for (const int threads : {1, 3})
-          RC_ASSERT(exported(run(ruled, strategy + ("\n" + filters) + "Collapse\n" + rest, nullptr, threads), *ruled) ==
+          RC_ASSERT(exported(run(ruled, strategy + ("\n" + filters) + "Collapse\n" + rest, nullptr, threads)) ==
                     expected);
     }));
   }

@@ -10,7 +10,7 @@
 
 #include "core/environment/up_axis.hpp"
 #include "core/io/export.hpp"
-#include "core/io/navigation_mesh_reader.hpp"
+#include "footfall/io.hpp"
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/program_run.hpp"
 
@@ -83,11 +83,10 @@ class TestUpAxes : public QObject {
     NavigationMesh mesh;
     mesh.vertices = {{122000.123, 487000.456, 0.1}, {1.0 / 3, -2.0 / 3, 1e22}, {-5e-324, 0.3, 1e5}};
     mesh.triangles = {{0, 1, 2}};
-    Environment frame;
-    frame.up = up;
+    mesh.frame.up = up;
     const TemporaryFolder folder;
     const std::string path = folder.path("a.obj");
-    writeObj(path, mesh, frame, {});
+    save(mesh, path);
     QVERIFY(readAll(path).contains(("# frame: " + shownName(up) + " up, 1 metres").c_str()));
     const NavigationMeshFile stated = readNavigationMesh(path);
     QVERIFY(stated.statedUp == up && stated.up == up && stated.mesh.vertices == mesh.vertices);
@@ -96,9 +95,8 @@ class TestUpAxes : public QObject {
     options.up = up;
     const auto environment = importEnvironment(path, options);
     QVERIFY(environment->up == up && environment->vertices == mesh.vertices);
-    frame.up = environment->up;
     mesh.vertices = environment->vertices;
-    QCOMPARE(formatObj(mesh, frame, {}).c_str(), readAll(path).constData());
+    QCOMPARE(formatObj(mesh, {}).c_str(), readAll(path).constData());
   }
 
   void theCommandLineTakesEveryAxis_data() { addAxes(); }

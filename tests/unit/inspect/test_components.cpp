@@ -6,10 +6,10 @@
 #include <map>
 #include <numeric>
 
-#include "core/inspect/components.hpp"
 #include "core/io/import.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/inspect.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/run_with_threads.hpp"
 #include "tests/support/soup_generators.hpp"
@@ -151,7 +151,9 @@ class TestComponents : public QObject {
 
   void cancels() {
     const NavigationMesh mesh = walkable(Soup().floor(0, 0, 1, 1, 0));
-    QVERIFY_EXCEPTION_THROWN(findComponents(mesh, [] { throw Cancelled(); }), Cancelled);
+    RunContext cancelled;
+    cancelled.cancel();
+    QVERIFY_EXCEPTION_THROWN(findComponents(mesh, &cancelled), Cancelled);
   }
 };
 

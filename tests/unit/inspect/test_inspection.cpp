@@ -7,10 +7,10 @@
 #include <random>
 
 #include "core/base/number_text.hpp"
-#include "core/inspect/inspection.hpp"
 #include "core/io/import.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/inspect.hpp"
 #include "tests/reference/walkable_area.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup_generators.hpp"
@@ -39,14 +39,13 @@ Inspected inspect(const EnvironmentPtr& environment, const std::string& filters)
   ResultCache cache;
   Inspected made;
   made.result = runPipeline(environment, pipeline, context, &cache);
-  made.inspector = std::make_unique<Inspector>(environment, pipeline, stepStates(environment, pipeline, context, cache),
-                                               made.result.mesh, context);
+  made.inspector = std::make_unique<Inspector>(environment, pipeline, made.result.mesh, &cache, &context);
   return made;
 }
 
 PlaceExplanation explain(const Inspected& inspected, std::uint32_t triangle, const Vec3& point) {
   RunContext context;
-  return inspected.inspector->explain({triangle, point}, context);
+  return inspected.inspector->explain({triangle, point}, &context);
 }
 
 /// What is asked of an agent; as a pipeline of the four filters that reject.
@@ -337,10 +336,10 @@ class TestInspection : public QObject {
       if (fresh) cache.clear();
       const auto states = stepStates(level, pipeline, context, cache);
       QCOMPARE(states.size(), std::size_t{8});
-      const Inspector inspector(level, pipeline, states, result.mesh, context);
-      QVERIFY(inspector.explain({0, {1, 0.5, 0}}, context).step == std::size_t{4});
-      QVERIFY(inspector.explain({4, {10.5, 0.25, 1.5}}, context).step == std::size_t{3});
-      QVERIFY(inspector.explain({0, {3, 0.5, 0}}, context).verdict == PlaceVerdict::Walkable);
+      const Inspector inspector(level, pipeline, result.mesh, fresh ? nullptr : &cache, &context);
+      QVERIFY(inspector.explain({0, {1, 0.5, 0}}, &context).step == std::size_t{4});
+      QVERIFY(inspector.explain({4, {10.5, 0.25, 1.5}}, &context).step == std::size_t{3});
+      QVERIFY(inspector.explain({0, {3, 0.5, 0}}, &context).verdict == PlaceVerdict::Walkable);
     }
   }
 
@@ -416,7 +415,7 @@ class TestInspection : public QObject {
     QVERIFY(!run.inspector->placeBelow({nan, 0, 0}));
     RunContext cancelled;
     cancelled.cancel();
-    QVERIFY_EXCEPTION_THROWN((void)run.inspector->explain({0, {0.5, 0.25, 0}}, cancelled), Cancelled);
+    QVERIFY_EXCEPTION_THROWN((void)run.inspector->explain({0, {0.5, 0.25, 0}}, &cancelled), Cancelled);
   }
 
   void placesBelowAPoint() {

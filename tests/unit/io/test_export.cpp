@@ -25,12 +25,12 @@ NavigationMesh square() {
   return mesh;
 }
 
-Environment frame(UpAxis up) {
-  Environment environment;
-  environment.source = "/somewhere/level.obj";
-  environment.up = up;
-  return environment;
+NavigationMesh framed(NavigationMesh mesh, const SourceFrame& frame) {
+  mesh.frame = frame;
+  return mesh;
 }
+
+SourceFrame frame(UpAxis up) { return {"/somewhere/level.obj", up, 1}; }
 
 /// The text without its comments.
 QByteArray body(const std::string& text) {
@@ -47,7 +47,7 @@ class TestExport : public QObject {
   Q_OBJECT
  private slots:
   void withoutLayersThereIsOneGroup() {
-    QCOMPARE(body(formatObj(square(), frame(UpAxis::Z), {})),
+    QCOMPARE(body(formatObj(framed(square(), frame(UpAxis::Z)), {})),
              QByteArray("v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\ng walkable\nf 1 2 3\nf 1 3 4\n"));
   }
 
@@ -57,7 +57,7 @@ class TestExport : public QObject {
     mesh.layerCount = 2;
     mesh.connections = {{0, 2}};
     mesh.obstacleEdges = {{0, 1}, {2, 3}};
-    QCOMPARE(body(formatObj(mesh, frame(UpAxis::Z), {})),
+    QCOMPARE(body(formatObj(framed(mesh, frame(UpAxis::Z)), {})),
              QByteArray("v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\ng layer_0\nf 1 3 4\ng layer_1\nf 1 2 3\n"
                         "g connections\nl 1 3\ng obstacle_edges\nl 1 2\nl 3 4\n"));
   }
@@ -65,7 +65,7 @@ class TestExport : public QObject {
   void yUpIsTurnedBackWithoutNegativeZeros() {
     NavigationMesh mesh = square();
     mesh.vertices[3] = {-0.0, 2.5, 3};
-    QCOMPARE(body(formatObj(mesh, frame(UpAxis::Y), {})),
+    QCOMPARE(body(formatObj(framed(mesh, frame(UpAxis::Y)), {})),
              QByteArray("v 0 1 0\nv 1 1 0\nv 1 1 -1\nv 0 3 -2.5\ng walkable\nf 1 2 3\nf 1 3 4\n"));
   }
 
@@ -73,9 +73,9 @@ class TestExport : public QObject {
     ExportHeader header;
     header.pipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
     header.agent = "slope 45 degrees, height 2 \\";
-    Environment environment = frame(UpAxis::Y);
-    environment.source = "/somewhere/le\nvel.obj";
-    const QByteArray text = QByteArray::fromStdString(formatObj(square(), environment, header));
+    SourceFrame source = frame(UpAxis::Y);
+    source.source = "/somewhere/le\nvel.obj";
+    const QByteArray text = QByteArray::fromStdString(formatObj(framed(square(), source), header));
     QVERIFY(text.startsWith("# Walkable area by Footfall "));
     QVERIFY(text.contains("\n# source: le vel.obj\n"));
     QVERIFY(text.contains("\n# pipeline: SlopeFilter 45\n# pipeline: VerticalClearanceFilter 2\n"));
@@ -84,7 +84,7 @@ class TestExport : public QObject {
   }
 
   void sameInputSameBytes() {
-    QCOMPARE(formatObj(square(), frame(UpAxis::Y), {}), formatObj(square(), frame(UpAxis::Y), {}));
+    QCOMPARE(formatObj(framed(square(), frame(UpAxis::Y)), {}), formatObj(framed(square(), frame(UpAxis::Y)), {}));
   }
 
   void everyDoubleReadsBack() {
@@ -97,7 +97,7 @@ class TestExport : public QObject {
     mesh.triangles = {{0, 1, 2}, {2, 3, 4}};
     const TemporaryFolder folder;
     for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
-      writeObj(folder.path("a.obj"), mesh, frame(up), {});
+      save(framed(mesh, frame(up)), folder.path("a.obj"));
       ImportOptions options;
       options.up = up;
       const auto environment = importEnvironment(folder.path("a.obj"), options);
@@ -114,7 +114,7 @@ class TestExport : public QObject {
       NavigationMesh mesh;
       mesh.vertices = first->vertices;
       mesh.triangles = first->triangles;
-      const std::string text = formatObj(mesh, *first, {});
+      const std::string text = formatObj(framed(mesh, first->frame()), {});
       writeFileSafely(folder.path("again.obj"), text);
       const auto second = importEnvironment(folder.path("again.obj"));
       QVERIFY(second->vertices == first->vertices);

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "core/io/gltf_export.hpp"
-#include "core/io/navigation_mesh_reader.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/io.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/program_run.hpp"
@@ -36,17 +36,15 @@ NavigationMesh sample() {
   return mesh;
 }
 
-Environment frame(UpAxis up, double metresPerUnit = 1) {
-  Environment environment;
-  environment.source = "/somewhere/level.obj";
-  environment.up = up;
-  environment.metresPerUnit = metresPerUnit;
-  return environment;
+NavigationMesh framed(NavigationMesh mesh, const SourceFrame& frame) {
+  mesh.frame = frame;
+  return mesh;
 }
 
-QJsonObject gltf(const NavigationMesh& mesh, const Environment& environment, const ExportOptions& options = {}) {
-  const GltfFile file =
-      formatGltf(GltfKind::Text, mesh, environment, {"SlopeFilter 45\n", "slope 45 degrees"}, options);
+SourceFrame frame(UpAxis up, double metresPerUnit = 1) { return {"/somewhere/level.obj", up, metresPerUnit}; }
+
+QJsonObject gltf(const NavigationMesh& mesh, const ExportOptions& options = {}) {
+  const GltfFile file = formatGltf(GltfKind::Text, mesh, {"SlopeFilter 45\n", "slope 45 degrees"}, options);
   return QJsonDocument::fromJson(QByteArray::fromStdString(file.bytes)).object();
 }
 
@@ -79,13 +77,14 @@ class TestGltfExport : public QObject {
     const TemporaryFolder folder;
     ExportOptions options;
     options.layers = options.connections = options.obstacleEdges = false;
-    const std::string text = formatObj(sample(), frame(UpAxis::Y), {}, options);
+    const std::string text = formatObj(framed(sample(), frame(UpAxis::Y)), {}, options);
     QVERIFY(text.find("layer_") == std::string::npos && text.find("g walkable\n") != std::string::npos);
     QVERIFY(text.find("\nl ") == std::string::npos);
     const auto read = readNavigationMesh(folder.write("a.obj", QByteArray::fromStdString(text)));
     QCOMPARE(read.mesh.triangles.size(), sample().triangles.size());
     QCOMPARE(read.mesh.connections.size(), 0U);
-    QCOMPARE(formatObj(sample(), frame(UpAxis::Y), {}, ExportOptions{}), formatObj(sample(), frame(UpAxis::Y), {}));
+    QCOMPARE(formatObj(framed(sample(), frame(UpAxis::Y)), {}, ExportOptions{}),
+             formatObj(framed(sample(), frame(UpAxis::Y)), {}));
   }
 
   void objIsTurnedAndScaledAndSaysSo() {
@@ -93,7 +92,7 @@ class TestGltfExport : public QObject {
     ExportOptions options;
     options.up = UpAxis::Z;
     options.scale = 100;
-    const std::string text = formatObj(sample(), frame(UpAxis::Y, 1), {"", "slope any"}, options);
+    const std::string text = formatObj(framed(sample(), frame(UpAxis::Y, 1)), {"", "slope any"}, options);
     QVERIFY2(text.find("# note: coordinates are those of the source times 100; pipeline and agent are in units of the "
                        "source\n# frame: Z up, 0.01 metres per unit\n") != std::string::npos,
              text.c_str());
@@ -103,31 +102,31 @@ class TestGltfExport : public QObject {
     QCOMPARE(*read.metresPerUnit, 0.01);
     for (const double scale : {0.0, -1.0, double(INFINITY), double(NAN)}) {
       options.scale = scale;
-      QVERIFY_EXCEPTION_THROWN(formatObj(sample(), frame(UpAxis::Y), {}, options), InputError);
+      QVERIFY_EXCEPTION_THROWN(formatObj(framed(sample(), frame(UpAxis::Y)), {}, options), InputError);
     }
     NavigationMesh far = sample();
     far.vertices[0].x = 1e300;
     options.scale = 1e10;
-    QVERIFY_EXCEPTION_THROWN(formatObj(far, frame(UpAxis::Y), {}, options), InputError);
+    QVERIFY_EXCEPTION_THROWN(formatObj(framed(far, frame(UpAxis::Y)), {}, options), InputError);
   }
 
   void placedObstaclesStandBehindTheArea() {
     const TemporaryFolder folder;
     const ExportExtra crate{"my crate\n2", {{{5, 5, 0}, {6, 5, 0}, {6, 6, 0}}, {{0, 1, 2}}}};
-    const std::string text = formatObj(sample(), frame(UpAxis::Z), {}, {}, std::array{crate});
+    const std::string text = formatObj(framed(sample(), frame(UpAxis::Z)), {}, {}, std::array{crate});
     QVERIFY2(text.ends_with("g placed_my_crate_2\nv 5 5 0\nv 6 5 0\nv 6 6 0\nf 10 11 12\n"), text.c_str());
     // Not walkable to whoever reads the export again.
     const auto read = readNavigationMesh(folder.write("a.obj", QByteArray::fromStdString(text)));
     QVERIFY(read.mesh.vertices == sample().vertices);
     QCOMPARE(read.mesh.triangles.size(), 5U);
     QCOMPARE(read.mesh.layerCount, 2U);
-    const GltfFile file = formatGltf(GltfKind::Text, sample(), frame(UpAxis::Z), {}, {}, std::array{crate});
+    const GltfFile file = formatGltf(GltfKind::Text, framed(sample(), frame(UpAxis::Z)), {}, {}, std::array{crate});
     QVERIFY(names(QJsonDocument::fromJson(QByteArray::fromStdString(file.bytes)).object()["meshes"].toArray())
                 .contains("placed_my crate\n2"));
   }
 
   void gltfHasAMeshForEachLayer() {
-    const QJsonObject json = gltf(sample(), frame(UpAxis::Y));
+    const QJsonObject json = gltf(framed(sample(), frame(UpAxis::Y)));
     QCOMPARE(names(json["meshes"].toArray()), (QStringList{"layer_0", "layer_1", "connections", "obstacle_edges"}));
     QList<int> modes, counts;
     for (const auto& mesh : json["meshes"].toArray()) {
@@ -148,12 +147,12 @@ class TestGltfExport : public QObject {
 
     ExportOptions options;
     options.layers = options.connections = options.obstacleEdges = false;
-    QCOMPARE(names(gltf(sample(), frame(UpAxis::Y), options)["meshes"].toArray()), QStringList{"walkable"});
+    QCOMPARE(names(gltf(framed(sample(), frame(UpAxis::Y)), options)["meshes"].toArray()), QStringList{"walkable"});
   }
 
   void anEmptyResultIsAFileAllTheSame() {
     for (const GltfKind kind : {GltfKind::Text, GltfKind::Binary}) {
-      const GltfFile file = formatGltf(kind, NavigationMesh(), frame(UpAxis::Y), {});
+      const GltfFile file = formatGltf(kind, framed(NavigationMesh(), frame(UpAxis::Y)), {});
       QVERIFY(file.bytes.find("\"2.0\"") != std::string::npos);
       QCOMPARE(file.largestError, 0.0);
     }
@@ -175,7 +174,7 @@ class TestGltfExport : public QObject {
     mesh.obstacleEdges.clear();
     ExportOptions options;
     options.scale = 2;
-    QCOMPARE(writeExport(path, mesh, frame(UpAxis::Z, 0.25), {}, options), 0.0);
+    QCOMPARE(save(framed(mesh, frame(UpAxis::Z, 0.25)), path, options), 0.0);
     QCOMPARE(folder.files(), QStringList{name});
     const auto environment = importEnvironment(path);
     QVERIFY(environment->up == UpAxis::Y);
@@ -190,7 +189,7 @@ class TestGltfExport : public QObject {
     const RunResult result = runPipeline(source, defaultPipeline(*source), context);
     NavigationMesh mesh = *result.mesh;
     const TemporaryFolder folder;
-    const double error = writeExport(folder.path("a.glb"), mesh, *source, {});
+    const double error = save(framed(mesh, source->frame()), folder.path("a.glb"));
     QVERIFY(error > 0 && error < 1e-5);
     const auto read = importEnvironment(folder.path("a.glb"));
     const auto toFloat = [](double x) { return static_cast<double>(static_cast<float>(x)); };
@@ -212,21 +211,21 @@ class TestGltfExport : public QObject {
   void farAwayTheErrorIsTold() {
     NavigationMesh mesh = sample();
     for (Vec3& p : mesh.vertices) p.x += 487000.456;
-    const GltfFile file = formatGltf(GltfKind::Binary, mesh, frame(UpAxis::Z), {});
+    const GltfFile file = formatGltf(GltfKind::Binary, framed(mesh, frame(UpAxis::Z)), {});
     QVERIFY(file.largestError > 1e-3 && file.largestError < 0.016);
     mesh.vertices[0].y = 1e39;
-    QVERIFY_EXCEPTION_THROWN(formatGltf(GltfKind::Binary, mesh, frame(UpAxis::Z), {}), InputError);
+    QVERIFY_EXCEPTION_THROWN(formatGltf(GltfKind::Binary, framed(mesh, frame(UpAxis::Z)), {}), InputError);
   }
 
   void sameInputSameBytes() {
-    QCOMPARE(formatGltf(GltfKind::Binary, sample(), frame(UpAxis::Y), {}).bytes,
-             formatGltf(GltfKind::Binary, sample(), frame(UpAxis::Y), {}).bytes);
+    QCOMPARE(formatGltf(GltfKind::Binary, framed(sample(), frame(UpAxis::Y)), {}).bytes,
+             formatGltf(GltfKind::Binary, framed(sample(), frame(UpAxis::Y)), {}).bytes);
   }
 
   void targetsThatCannotBeWritten() {
     const TemporaryFolder folder;
     const auto failure = [](const std::string& path) {
-      return messageOf<RunError>([&] { writeExport(path, sample(), frame(UpAxis::Y), {}); });
+      return messageOf<RunError>([&] { save(framed(sample(), frame(UpAxis::Y)), path); });
     };
     QVERIFY(failure("/nowhere/at/all.glb").contains("its folder does not exist"));
     QVERIFY(failure("/dev/full").contains("the disk is full"));

@@ -7,9 +7,10 @@
 #include <random>
 
 #include "core/exact/source_predicates.hpp"
-#include "core/navigation/path_finder.hpp"
+#include "core/navigation/path_ground.hpp"
 #include "core/navigation/plan_crossing.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/path.hpp"
 #include "tests/reference/shortest_path.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup_generators.hpp"
@@ -164,7 +165,7 @@ class TestPathFinder : public QObject {
     QCOMPARE(path.end->distance, 3.0);
     QCOMPARE(path.planLength, 3.0);
     QVERIFY(describeFailure(path).find("lies 3 from it") != std::string::npos);
-    QCOMPARE(finder.topology().componentCount, 2U);
+    QCOMPARE(finder.inside()->topology.componentCount, 2U);
   }
 
   void placesOffTheWalkableArea() {
@@ -349,8 +350,8 @@ class TestPathFinder : public QObject {
       if (i < 8) QCOMPARE(pathError(finder, from, to, compared), QString());
     }
     qInfo("%zu triangles, %u parts: prepared in %lld ms, queries %.2f ms on average, %.2f at most (%zu nodes)",
-          mesh->triangles.size(), finder.topology().componentCount, static_cast<long long>(prepared), sum / pairs,
-          slowest, nodes);
+          mesh->triangles.size(), finder.inside()->topology.componentCount, static_cast<long long>(prepared),
+          sum / pairs, slowest, nodes);
   }
 
   void largeMazesTakeMilliseconds() {
@@ -379,12 +380,12 @@ class TestPathFinder : public QObject {
   void anotherThreadMayStopIt() {
     Random random(seed());
     const auto mesh = walkable(maze(random, 30, 30, 2), 1);
-    struct Stop {};
-    int polls = 0;
-    const auto poll = [&] {
-      if (++polls > 1) throw Stop();
-    };
-    QVERIFY_EXCEPTION_THROWN(PathFinder(mesh, poll), Stop);
+    RunContext cancelled;
+    const PathFinder finder(mesh, &cancelled);
+    cancelled.cancel();
+    QVERIFY_EXCEPTION_THROWN(PathFinder(mesh, &cancelled), Cancelled);
+    const Vec3 &first = mesh->vertices.front(), &last = mesh->vertices.back();
+    QVERIFY_EXCEPTION_THROWN((void)finder.find(first, last, 1e9, &cancelled), Cancelled);
   }
 };
 

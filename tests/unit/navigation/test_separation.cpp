@@ -7,10 +7,13 @@
 #include <limits>
 #include <random>
 
-#include "core/navigation/path_finder.hpp"
+#include "core/navigation/link_obstacles.hpp"
+#include "core/navigation/path_ground.hpp"
 #include "core/navigation/separation_text.hpp"
 #include "core/report/path_report.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/path.hpp"
+#include "footfall/report.hpp"
 #include "footfall/run_context.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
@@ -31,12 +34,24 @@ struct Level {
       : environment(soup.environment()),
         mesh(std::make_shared<NavigationMesh>(navigationMesh(runFilters(environment, minimalPipeline(kHeight))))),
         finder(mesh),
-        separations(*mesh, finder.topology(), environment, kHeight) {}
+        separations(finder, environment, kHeight) {}
 
   [[nodiscard]] PathResult path(const Vec3& from, const Vec3& to) const {
     PathResult result = finder.find(from, to, kHeight * 0.999);
-    addSeparation(result, finder.topology(), separations);
+    addSeparation(result, separations);
     return result;
+  }
+
+  [[nodiscard]] const SurfaceTopology& topology() const { return finder.inside()->topology; }
+
+  /// Between two components.
+  [[nodiscard]] std::optional<Separation> between(std::uint32_t from, std::uint32_t to,
+                                                  const RunContext* context = nullptr) const {
+    const auto triangleOf = [this](std::uint32_t component) {
+      const auto& components = topology().components;
+      return static_cast<std::uint32_t>(std::ranges::find(components, component) - components.begin());
+    };
+    return separations.find(triangleOf(from), triangleOf(to), context);
   }
 
   std::shared_ptr<const Environment> environment;
@@ -62,8 +77,8 @@ double leastLargest(std::vector<std::vector<double>> way, std::size_t from, std:
 /// All pairs of borders: first as far as an agent is high, over what it could climb; then whatever is nearest.
 struct AllPairs {
   explicit AllPairs(const Level& level) {
-    const std::vector<BorderEdge> borders = findBorders(*level.mesh, level.finder.topology());
-    const std::size_t count = level.finder.topology().componentCount;
+    const std::vector<BorderEdge> borders = findBorders(*level.mesh, level.topology());
+    const std::size_t count = level.topology().componentCount;
     open.assign(count, std::vector<double>(count, kInfinity));
     any = open;
     const LinkObstacles obstacles(level.environment, kHeight);
@@ -88,7 +103,7 @@ struct AllPairs {
 };
 
 QString chainError(const Level& level, std::uint32_t from, std::uint32_t to, int& far) {
-  const auto found = level.separations.find(from, to);
+  const auto found = level.between(from, to);
   if (!found) return "nothing found";
   std::uint32_t here = from;
   for (const BorderLink& link : found->links) {
@@ -183,7 +198,7 @@ class TestSeparation : public QObject {
     QCOMPARE(QString::fromStdString(formatFailure(path, UpAxis::Z)),
              QString("no way leads from the start to the target; the nearest place that can be reached lies 3.031 from "
                      "it; the parts are nearest at 4 1 0: a step of 0.43 up"));
-    const std::string json = formatPathJson(*level.mesh, *level.environment, path);
+    const std::string json = formatPathJson(*level.mesh, path);
     QVERIFY(json.find("\"kind\": \"open\"") != std::string::npos);
     QVERIFY(json.find("\"rise\": 0.43") != std::string::npos);
     // Turned back to where Y is up.
@@ -204,7 +219,7 @@ class TestSeparation : public QObject {
         if (at(4) == 0) soup.box({x, y, z - 1}, {x + 0.25, y + 1, z + at(20) / 8});
       }
       const Level level(soup);
-      const std::uint32_t count = level.finder.topology().componentCount;
+      const std::uint32_t count = level.topology().componentCount;
       for (std::uint32_t to = 1; to < std::min(count, 9U); ++to) {
         const QString error = chainError(level, 0, to, far);
         ++compared;
@@ -219,15 +234,16 @@ class TestSeparation : public QObject {
     for (int x = 0; x < 120; ++x)
       for (int y = 0; y < 120; ++y) soup.floor(x, y, x + 0.9375, y + 0.875, (x + y) % 3 * 0.25);
     const Level level(soup);
-    const std::uint32_t last = level.finder.topology().componentCount - 1;
+    const std::uint32_t last = level.topology().componentCount - 1;
     QElapsedTimer timer;
     timer.start();
-    const auto found = level.separations.find(0, last);
+    const auto found = level.between(0, last);
     qInfo("%u parts, %lld ms", last + 1, static_cast<long long>(timer.elapsed()));
     QVERIFY(found && found->links.size() > 100);
     QCOMPARE(found->barrier().size(), 0.25);
-    const auto cancel = [] { throw Cancelled(); };
-    QVERIFY_EXCEPTION_THROWN(level.separations.find(0, last, cancel), Cancelled);
+    RunContext cancelled;
+    cancelled.cancel();
+    QVERIFY_EXCEPTION_THROWN((void)level.between(0, last, &cancelled), Cancelled);
   }
 };
 

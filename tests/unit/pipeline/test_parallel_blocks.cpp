@@ -29,9 +29,7 @@ RunResult run(const EnvironmentPtr& environment, const std::string& pipeline, in
   return runPipeline(environment, parsePipeline(pipeline, "test"), context, cache, threads);
 }
 
-std::string bytes(const RunResult& result, const Environment& environment) {
-  return formatObj(*result.mesh, environment, {});
-}
+std::string bytes(const RunResult& result) { return formatObj(*result.mesh, {}); }
 
 /// The pipeline without its strategies and Collapse.
 std::string withoutBlocks(const std::string& pipeline) {
@@ -44,7 +42,7 @@ std::string withoutBlocks(const std::string& pipeline) {
 std::string difference(const EnvironmentPtr& environment, const std::string& pipeline, int threads) {
   const RunResult sequential = run(environment, withoutBlocks(pipeline), 1);
   const RunResult parallel = run(environment, pipeline, threads);
-  if (bytes(parallel, *environment) != bytes(sequential, *environment)) return "the export";
+  if (bytes(parallel) != bytes(sequential)) return "the export";
   std::vector<StepStatistics> steps = parallel.steps;
   std::erase_if(steps, [](const StepStatistics& s) { return findFilter(s.name)->kind != FilterKind::Filter; });
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -190,14 +188,14 @@ class TestParallelBlocks : public QObject {
     const EnvironmentPtr environment = importEnvironment(file.toStdString(), {});
     const std::string filters = "SlopeFilter 45\nVerticalClearanceFilter " + std::to_string(clearance) + "\n";
     const std::string behind = "AreaFilter " + std::to_string(clearance) + "\nSimplificationFilter\nPEELFilter\n";
-    const std::string expected = bytes(run(environment, filters + behind, 1), *environment);
+    const std::string expected = bytes(run(environment, filters + behind, 1));
     for (const char* strategy :
          {"GridStrategy 3 3", "GridStrategy 20 15", "RecursiveStrategy 50 3 true", "RecursiveStrategy 50 5 false",
           "SortedRecursiveStrategy 50 3 true", "SortedRecursiveStrategy 50 6 false", "HeightAwareStrategy 50 3 true",
           "HeightAwareStrategy 20 7 false", "AutoStrategy"}) {
       for (const int threads : {1, 3}) {
         const std::string pipeline = std::string(strategy) + "\n" + filters + "Collapse\n" + behind;
-        QVERIFY2(bytes(run(environment, pipeline, threads), *environment) == expected, strategy);
+        QVERIFY2(bytes(run(environment, pipeline, threads)) == expected, strategy);
       }
     }
   }
@@ -387,8 +385,7 @@ class TestParallelBlocks : public QObject {
     QVERIFY(again.times.postprocessing > 0 && again.times.preprocessing == 0);
     // Another clearance takes over what the block knows, and still gives the same bytes.
     const std::string higher = "GridStrategy 3 3\nSlopeFilter 45\nVerticalClearanceFilter 2.5\nCollapse\n";
-    QCOMPARE(bytes(run(environment, higher, 2, &cache), *environment),
-             bytes(run(environment, withoutBlocks(higher), 1), *environment));
+    QCOMPARE(bytes(run(environment, higher, 2, &cache)), bytes(run(environment, withoutBlocks(higher), 1)));
   }
 };
 

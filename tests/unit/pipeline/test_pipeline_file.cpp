@@ -11,9 +11,9 @@
 #include <functional>
 #include <string>
 
-#include "core/report/export_header.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/report.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

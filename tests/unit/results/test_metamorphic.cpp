@@ -74,7 +74,7 @@ Soup genSoup(const char* name) {
 }
 
 std::string objText(const Environment& environment, const std::string& filters) {
-  return formatObj(navigationMesh(runFilters(std::make_shared<Environment>(environment), filters)), environment, {});
+  return formatObj(navigationMesh(runFilters(std::make_shared<Environment>(environment), filters)), {});
 }
 
 std::vector<std::uint32_t> randomOrder(std::size_t count) {

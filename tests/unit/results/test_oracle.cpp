@@ -15,7 +15,7 @@
 #include "core/io/export.hpp"
 #include "core/io/import.hpp"
 #include "core/pipeline/runner.hpp"
-#include "core/report/export_header.hpp"
+#include "footfall/report.hpp"
 #include "tests/support/run_filters.hpp"
 
 using namespace footfall;
@@ -229,7 +229,7 @@ class TestOracle : public QObject {
     const QString source = folder.filePath("environment.obj");
     writeEnvironment(source.toStdString(), *environment);
     const QString product = folder.filePath("result.obj");
-    writeObj(product.toStdString(), *result.mesh, *environment, makeExportHeader(pipeline));
+    save(*result.mesh, product.toStdString(), {}, makeExportHeader(pipeline));
 
     // Its tolerance follows the largest coordinate; far from the origin it would overlook whole rooms.
     Question question{slope, clearance, samples, moved ? usualTolerance(*original) : 0};
@@ -257,7 +257,7 @@ class TestOracle : public QObject {
     // floor on both sides (design 3.3, contacts). Without the joins at contacts it must find none.
     if (verdict.count("leaks") > 0) {
       const QString apart = folder.filePath("without_contacts.obj");
-      writeObj(apart.toStdString(), withoutContacts(*result.mesh, *original), *environment, {});
+      save(withoutContacts(*result.mesh, *original), apart.toStdString());
       const Verdict second = askOracle(source, apart, question);
       QVERIFY2(second.count("leaks") == 0 && second.count("wrongly walkable") == 0, second.output.constData());
       qInfo("all of these leaks are walks over contacts");

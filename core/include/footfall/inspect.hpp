@@ -1,23 +1,50 @@
-// Why is a place walkable, or why not? Answered from the states that a run went through, exactly.
+// Why is a place walkable, or why not? And which parts of a walkable area are connected?
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// A place is a point of a triangle of the environment. It is walkable while the state's mesh covers it in that
-// triangle's plane, whichever triangle of the plane carries it; the first step whose state does not cover it any more
-// has rejected it. So the answer is what the steps did, not a second opinion on what they should have done. Points on
-// edges mean the area beside them, towards the middle of the triangle that was pointed at (generic_place.hpp).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "core/filters/filter.hpp"
-#include "core/inspect/components.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/navigation_mesh.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/run.hpp"
 #include "footfall/run_context.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+
+namespace detail {
+struct InspectedRun;
+}
+
+// --- Connected parts --------------------------------------------------------------------------------------------------
+
+struct Component {
+  double area = 0;  ///< of the surface, rounded; the square of the environment's unit
+  std::size_t triangles = 0;
+  Vec3 lower, upper;                  ///< the box around it
+  Vec3 centre;                        ///< of mass; it may lie beside the component
+  std::vector<std::uint32_t> layers;  ///< that it has a part in, ascending; empty when there are no layers
+  std::uint32_t firstTriangle = 0;
+};
+
+/// The connected parts of a walkable area: where can agents get to without leaving it?
+struct Components {
+  std::vector<Component> list;            ///< largest area first, then by `firstTriangle`
+  std::vector<std::uint32_t> ofTriangle;  ///< for each triangle of the mesh its place in `list`
+
+  [[nodiscard]] double totalArea() const;
+};
+
+/// Triangles belong to one component when they share an edge by its two vertices: an agent crosses it, also from layer
+/// to layer. The two sides of an obstacle edge have vertices of their own, so it parts components, and so does a single
+/// vertex in common. Linear in the mesh; on all threads. Throws Cancelled when `context` (may be null) is cancelled.
+Components findComponents(const NavigationMesh& mesh, const RunContext* context = nullptr);
+
+// --- Places -----------------------------------------------------------------------------------------------------------
 
 /// Where somebody points.
 struct PickedPlace {
@@ -73,16 +100,28 @@ struct PlaceExplanation {
   double componentArea = 0;
 };
 
-/// What one run left for questions. Immutable; shared by threads.
+/// What one run left for questions about places. A place is a point of a triangle of the environment. It is walkable while
+/// the state's mesh covers it in that triangle's plane, whichever triangle of the plane carries it; the first step whose
+/// state does not cover it any more has rejected it. So the answer is what the steps did, exactly, not a second opinion on
+/// what they should have done. Points on edges mean the area beside them, towards the middle of the triangle that was
+/// pointed at.
+///
+/// Immutable: any thread may ask.
 class Inspector {
  public:
-  /// `states` are stepStates() of the environment and the pipeline, and `product` is the run's mesh. `context` cancels.
-  Inspector(std::shared_ptr<const Environment> environment, Pipeline pipeline, std::vector<StatePtr> states,
-            std::shared_ptr<const NavigationMesh> product, RunContext& context);
+  /// `product` is the mesh that runPipeline() gave for this environment and pipeline. The states that the run went
+  /// through are taken from `cache` (may be null), and made again where it has none. `context` (may be null) cancels;
+  /// `threads` as in runPipeline(). Throws what runPipeline() throws.
+  Inspector(std::shared_ptr<const Environment> environment, Pipeline pipeline,
+            std::shared_ptr<const NavigationMesh> product, ResultCache* cache = nullptr, RunContext* context = nullptr,
+            int threads = 0);
+  ~Inspector();
+  Inspector(const Inspector&) = delete;
+  Inspector& operator=(const Inspector&) = delete;
 
   /// A point beside its triangle counts as the nearest one in it, on the way to its middle. Throws InputError when the
   /// triangle does not exist or the point is not finite, Cancelled, or std::bad_alloc. A few milliseconds.
-  [[nodiscard]] PlaceExplanation explain(const PickedPlace& place, RunContext& context) const;
+  [[nodiscard]] PlaceExplanation explain(const PickedPlace& place, RunContext* context = nullptr) const;
 
   /// The highest place at or under a point; one that is above it by no more than a millionth of the environment's
   /// diagonal is at it, as typed coordinates are rounded. Where several triangles lie there, one that faces up. Empty
@@ -93,21 +132,13 @@ class Inspector {
   /// there is none, or the point is not finite. Looks at every triangle.
   [[nodiscard]] std::optional<PickedPlace> placeNear(const Vec3& point) const;
 
-  [[nodiscard]] const Environment& environment() const { return *environment_; }
-  [[nodiscard]] const Pipeline& pipeline() const { return pipeline_; }
-  [[nodiscard]] const NavigationMesh& product() const { return *product_; }
-  [[nodiscard]] const Components& components() const { return components_; }
+  [[nodiscard]] const Environment& environment() const;
+  [[nodiscard]] const Pipeline& pipeline() const;
+  [[nodiscard]] const NavigationMesh& product() const;
+  [[nodiscard]] const Components& components() const;
 
  private:
-  void findProductPlace(PlaceExplanation& explanation) const;
-
-  std::shared_ptr<const Environment> environment_;
-  Pipeline pipeline_;
-  std::vector<std::size_t> steps_;  ///< the enabled ones
-  std::vector<StatePtr> states_;
-  std::shared_ptr<const NavigationMesh> product_;
-  Components components_;
-  std::vector<std::int32_t> faceOf_;  ///< for each triangle of the environment its number in the first state
+  std::unique_ptr<const detail::InspectedRun> inside_;
 };
 
-}  // namespace footfall::detail
+}  // namespace footfall

@@ -8,12 +8,39 @@
 #include <string>
 #include <vector>
 
-#include "core/compare/comparison_distances.hpp"
-#include "core/compare/comparison_sets.hpp"
-#include "core/io/navigation_mesh_reader.hpp"
+#include "footfall/navigation_mesh.hpp"
 #include "footfall/run_context.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+
+/// The area of a surface, in the square of the meshes' unit.
+struct SurfaceArea {
+  double surface = 0;  ///< in space
+  double plan = 0;     ///< seen from above
+};
+
+/// Two surfaces A and B as sets of points.
+struct SetDifference {
+  /// What is only in A, only in B and in both, in this order. Whether there is anything is exact; areas are correct to
+  /// 14 digits.
+  std::array<bool, 3> hasArea{};
+  std::array<SurfaceArea, 3> areas;
+  /// Of the triangles of A and of B.
+  std::array<std::vector<SurfaceArea>, 2> triangleAreas;
+  /// For each triangle whether it is known to lie in the other set. Others may as well.
+  std::array<std::vector<char>, 2> covered;
+};
+
+/// Distances from one surface to another one: Euclidean, not squared (thesis 5.5 writes squares, and its tables have
+/// distances).
+struct SurfaceDistances {
+  std::size_t samples = 0;  ///< one at each position that is a corner of a triangle
+  double min = 0, max = 0, mean = 0, rms = 0;
+  Vec3 farthest;  ///< a sample whose distance is `max`
+  /// The one-sided Hausdorff distance, over all points of the surface, lies between these two.
+  double lower = 0, upper = 0;
+  bool boundReached = true;  ///< upper - lower is not above what was asked for
+};
 
 struct ComparisonOptions {
   /// How far heights may differ where one surface still covers the other, in the file's units; default: 2^-30 of the
@@ -29,9 +56,9 @@ struct MeshPart {
   std::size_t triangles = 0;
   std::size_t degenerate = 0;  ///< of them, triangles without area
   std::size_t components = 0;  ///< parts that hang together over edges with the same two vertex indices
-  comparison::Areas areas;     ///< of its triangles, added up
+  SurfaceArea areas;     ///< of its triangles, added up
   /// What the other mesh does not cover, heights differing by the tolerance at most.
-  comparison::Areas uncovered;
+  SurfaceArea uncovered;
 };
 
 struct MeshDescription {
@@ -46,11 +73,11 @@ struct MeshDescription {
 /// Two meshes compared. A is the ground truth where one is needed (thesis 5.5).
 struct MeshComparison {
   std::array<MeshDescription, 2> meshes;
-  comparison::SetDifference sets;
+  SetDifference sets;
   double height = 0;
   double error = 0;
   /// A to B and B to A; none when a mesh is empty.
-  std::optional<std::array<comparison::Distances, 2>> distances;
+  std::optional<std::array<SurfaceDistances, 2>> distances;
 
   /// Whether both are the same set of points, exactly: whatever their triangulation, winding and order.
   [[nodiscard]] bool equal() const { return !sets.hasArea[0] && !sets.hasArea[1]; }
@@ -60,8 +87,10 @@ struct MeshComparison {
   [[nodiscard]] std::optional<double> areaRatio() const;
 };
 
-/// Throws InputError for a height or error that is no finite number above or, for the height, at 0; Cancelled.
-MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, const ComparisonOptions& options,
-                             RunContext& context);
+/// Compares two meshes of one frame: the same units, Z up. Only the positions of their triangles count for `sets` and
+/// distances. On all threads; the same input gives the same result. Throws InputError for a height or error that is no
+/// finite number above or, for the height, at 0; Cancelled when `context` (may be null) was cancelled.
+MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, const ComparisonOptions& options = {},
+                             RunContext* context = nullptr);
 
-}  // namespace footfall::detail
+}  // namespace footfall

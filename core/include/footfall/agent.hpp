@@ -1,0 +1,24 @@
+// Who is to walk, in metres and degrees, and the pipeline that computes where.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "footfall/environment.hpp"
+#include "footfall/pipeline.hpp"
+
+namespace footfall {
+
+/// An agent as a point of a given height (design section 2).
+struct Agent {
+  double maxSlope = 45;  ///< degrees, above 0 and below 90: the steepest ground that it walks on
+  double height = 2;     ///< metres, above 0: the free height that it needs
+  /// Square metres, at least 0: connected parts that are no larger are left out.
+  double minimumArea = 1;
+  bool operator==(const Agent&) const = default;
+};
+
+/// The default pipeline with the numbers of `agent`, turned into the environment's units by its metresPerUnit: weld
+/// equal vertices, drop triangles without area, slope, clearance, area, simplification, layers. For the default agent
+/// it is defaultPipeline(). Throws InputError when a number is out of range.
+Pipeline pipelineFor(const Environment& environment, const Agent& agent = {});
+
+}  // namespace footfall

@@ -1,0 +1,85 @@
+// Files: environments in, navigation meshes out and back in.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "footfall/environment.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall {
+
+/// Reads OBJ at double precision, and everything else that Assimp reads through Assimp (floats), node transforms
+/// applied, polygons triangulated. The environment is turned to Z up and keeps the file's units. Throws InputError with
+/// one line that says file, place and what to do: missing, a directory, no permission, empty, truncated, not a mesh, no
+/// triangles, NaN or infinite coordinates, indices out of range. Throws Cancelled when `context` (may be null) was
+/// cancelled while reading. Any thread may call it.
+Environment load(const std::string& path, const ImportOptions& options = {}, RunContext* context = nullptr);
+
+/// File name extensions that load() reads, lower case, without the dot ("obj", "gltf", ...).
+std::vector<std::string> importableExtensions();
+
+/// What is written, and in which frame. As it stands here, an OBJ lies exactly on the file that it came from.
+struct ExportOptions {
+  bool layers = true;         ///< false: one group "walkable"
+  bool connections = true;    ///< the lines; what is connected stays so by its indices
+  bool obstacleEdges = true;  ///< the lines; what is apart stays so by its indices
+  std::optional<UpAxis> up;   ///< empty: that of NavigationMesh::frame
+  /// Coordinates are multiplied with it; finite and above 0. They are rounded once more then, unless it is a power of
+  /// two: triangles much smaller than their coordinates can collapse.
+  double scale = 1;
+};
+
+/// Comment lines at the top of an export; makeExportHeader() (footfall/report.hpp) makes those of a pipeline.
+struct ExportHeader {
+  std::string pipeline = {};  ///< formatPipeline(), one filter a line
+  std::string agent = {};     ///< e.g. "slope 45 degrees, height 2"
+  std::string note = {};      ///< anything else, such as that coordinates are scaled
+};
+
+/// Something else to be seen beside the walkable area, such as an obstacle that was placed: a group of its own,
+/// "placed_NAME", behind everything.
+struct ExportExtra {
+  std::string name;
+  TriangleSoup soup;
+};
+
+/// Writes a mesh as OBJ (a name that ends in .obj, or has no ending), as glTF (.gltf: one JSON file) or binary (.glb),
+/// in the frame and units of the file that its environment came from. It is written beside `path` and renamed, so that
+/// a failure or a kill leaves an earlier file as it was; the same mesh gives the same bytes. docs/formats.md has what
+/// is in the files.
+///
+/// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ; glTF has floats. Throws
+/// InputError for another ending, a scale that is out of range or makes coordinates infinite, coordinates that no float
+/// holds; RunError for a read-only target, a full disk, a missing folder, a directory. Any thread may call it.
+double save(const NavigationMesh& mesh, const std::string& path, const ExportOptions& options = {},
+            const ExportHeader& header = {}, std::span<const ExportExtra> extras = {});
+
+struct NavigationMeshFile {
+  std::string path;
+  NavigationMesh mesh;  ///< Z up; without sourceTriangles
+  /// Names of the layers, by their number; one "walkable" or "all" where the file has no layers.
+  std::vector<std::string> layerNames;
+  bool isExport = false;  ///< has the comments that Footfall writes at the top
+  UpAxis up = UpAxis::Y;  ///< the file's up axis
+  std::optional<UpAxis> statedUp;
+  std::optional<double> metresPerUnit;
+  SkippedElements skipped;
+};
+
+/// Reads a navigation mesh from OBJ, at double precision: an export with all that it holds, or any other surface. Faces
+/// in groups "layer_N" get layer N, `l` elements in the groups "connections" and "obstacle_edges" become those;
+/// anything else is one surface without layers. The up axis is `up` where given, else the one that an export states,
+/// else `usualUp`. A file that is not Z up is turned as load() does, which is exact.
+///
+/// Throws InputError with one line: what load() refuses; no triangles, unless the file is an export that says so; an
+/// export that does not hold what its own comments count, because it was cut off; coordinates above 1e100, whose areas
+/// and distances no double would hold. Throws Cancelled when `context` (may be null) was cancelled.
+NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpAxis> up = std::nullopt,
+                                      UpAxis usualUp = UpAxis::Y, RunContext* context = nullptr);
+
+}  // namespace footfall

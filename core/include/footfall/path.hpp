@@ -1,0 +1,184 @@
+// Shortest paths for a point-sized agent over a navigation mesh, and what keeps two of its parts apart.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "footfall/environment.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall {
+
+namespace detail {
+struct PathGround;
+struct SeparationGround;
+}  // namespace detail
+
+// --- What keeps two parts apart
+// ---------------------------------------------------------------------------------------
+
+enum class LinkKind {
+  Open,        ///< nothing stands between: a step, a gap, or both
+  Obstacle,    ///< something lower than the agent stands between
+  LowCeiling,  ///< something hangs over the way, too low
+  Wall,        ///< something as high as the agent stands between
+  Touch        ///< both meet in one point, through which nobody fits
+};
+
+/// Where one border is near another one, and what an agent would have to overcome there. Lengths are distances in
+/// doubles (square roots), off by a few units in the last place of the coordinates.
+struct BorderLink {
+  Vec3 from, to;
+  std::uint32_t fromComponent = 0, toComponent = 0;
+  double gap = 0;   ///< between the two places in the plan
+  double rise = 0;  ///< from the first to the second, upwards
+  LinkKind kind = LinkKind::Open;
+  double obstacle = 0;     ///< LinkKind::Obstacle: its height over the lower place
+  double headroom = 0;     ///< LinkKind::LowCeiling: the free height over the higher place
+  bool isInterval = true;  ///< the borders face each other, and do not only meet in a point
+
+  /// The larger of the gap and the height that is climbed, walls left out.
+  [[nodiscard]] double size() const;
+  /// An agent of any step and gap does not get over it.
+  [[nodiscard]] bool isBlocked() const { return kind != LinkKind::Open && kind != LinkKind::Obstacle; }
+};
+
+/// The least that would have to be overcome between two parts.
+struct Separation {
+  std::vector<BorderLink> links;  ///< from the first part to the other one, over parts between
+  std::size_t largest = 0;        ///< of `links`: what to mend first; the first one where several are as large
+
+  [[nodiscard]] const BorderLink& barrier() const { return links[largest]; }
+};
+
+// --- Paths
+// ------------------------------------------------------------------------------------------------------------
+
+/// A point in the plan inside or on the border of a triangle (exactly), with its height on it (rounded).
+struct SurfacePlace {
+  Vec3 position;
+  std::uint32_t triangle = 0;
+  double distance = 0;  ///< from the point that was asked for
+};
+
+enum class PathStatus {
+  Found,
+  NothingWalkable,    ///< the mesh has no triangles
+  StartNotWalkable,   ///< no walkable place within reach of the start
+  TargetNotWalkable,  ///< none within reach of the target
+  NotConnected        ///< both are walkable, but no way leads from one to the other
+};
+
+struct PathResult {
+  PathStatus status = PathStatus::NothingWalkable;
+  Vec3 from, to;  ///< what was asked for
+  /// Where the path starts. When the start is not walkable, the nearest place that is; then there is no path.
+  std::optional<SurfacePlace> start;
+  /// Where the path ends: the target; or, when it cannot be reached, the place nearest to it (in space) among those
+  /// that can be reached from the start.
+  std::optional<SurfacePlace> end;
+  /// The walkable place at the target, where there is one: reached or not.
+  std::optional<SurfacePlace> target;
+  /// What keeps both parts apart, by addSeparation(); empty where they are not apart, and until it was called.
+  std::optional<Separation> separation;
+
+  /// The path on the surface, from start to end: each piece lies in one triangle, `triangles[i]` holds the piece from
+  /// points[i] to points[i + 1]. One point where start and end are the same place; none without a path.
+  std::vector<Vec3> points;
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::size_t> bends;  ///< points at which it turns around a corner of the border
+
+  double planLength = 0;  ///< the shortest there is, up to rounding
+  double length = 0;      ///< of this path in space
+  /// Layers in the order in which the path passes them; empty when the mesh has none.
+  std::vector<std::uint32_t> layers;
+  std::size_t connections = 0;   ///< how often it changes from one layer to another
+  double maxSlopeDegrees = 0;    ///< the steepest triangle that it crosses
+  double maxInclineDegrees = 0;  ///< the steepest that it goes up or down itself
+  std::size_t expanded = 0;      ///< nodes of the search, to judge its cost
+
+  [[nodiscard]] bool reached() const { return status == PathStatus::Found; }
+  [[nodiscard]] bool hasPath() const { return !points.empty(); }
+};
+
+/// One line that says why there is no path; empty when there is one. Heights and distances in the mesh's units.
+std::string describeFailure(const PathResult& result);
+
+/// Prepared once for a mesh (adjacency, index of places; 60,000 triangles take some 30 ms), then asked as often as one
+/// likes, from any thread. Lengths and coordinates are in the units of the mesh, Z up.
+class PathFinder {
+ public:
+  /// Vertices shared by index are passable, obstacle edges have vertices of their own and are not. Throws Cancelled
+  /// when `context` (may be null) is cancelled.
+  explicit PathFinder(std::shared_ptr<const NavigationMesh> mesh, const RunContext* context = nullptr);
+  ~PathFinder();
+  PathFinder(const PathFinder&) = delete;
+  PathFinder& operator=(const PathFinder&) = delete;
+
+  /// The shortest path in the plan from the place at `from` to that at `to` (Polyanya; Cui, Harabor and Grastien 2017).
+  /// A point means the walkable place straight above or below it, the nearest one within `reach`. Where a clearance of
+  /// h was asked for, no walkable place lies less than h below an obstacle: with reach < h, a point on an obstacle
+  /// never means the floor beneath it; placeReach() gives that reach.
+  ///
+  /// The path has the same length the other way round, up to rounding. Throws InputError for coordinates that are not
+  /// finite, and Cancelled.
+  [[nodiscard]] PathResult find(const Vec3& from, const Vec3& to,
+                                double reach = std::numeric_limits<double>::infinity(),
+                                const RunContext* context = nullptr) const;
+
+  /// The walkable place straight above or below `p` that is nearest to it, when it is no farther than `reach`.
+  [[nodiscard]] std::optional<SurfacePlace> locate(const Vec3& p,
+                                                   double reach = std::numeric_limits<double>::infinity()) const;
+
+  [[nodiscard]] const NavigationMesh& mesh() const;
+
+  /// For the library's own use.
+  [[nodiscard]] const std::shared_ptr<const detail::PathGround>& inside() const { return inside_; }
+
+ private:
+  std::shared_ptr<const detail::PathGround> inside_;
+};
+
+/// Finds what keeps two parts apart. Made once for a result (60,000 triangles take some 30 ms), then asked from any
+/// thread.
+class SeparationFinder {
+ public:
+  /// `environment` is what the finder's mesh was computed from, `height` the agent's, in the environment's units
+  /// (agentHeight()). Throws Cancelled.
+  SeparationFinder(const PathFinder& finder, std::shared_ptr<const Environment> environment, double height,
+                   const RunContext* context = nullptr);
+  ~SeparationFinder();
+  SeparationFinder(const SeparationFinder&) = delete;
+  SeparationFinder& operator=(const SeparationFinder&) = delete;
+
+  /// Between the parts of two triangles of the mesh. Nothing where they are on one part, or one of the parts has no
+  /// border. Throws Cancelled.
+  [[nodiscard]] std::optional<Separation> find(std::uint32_t fromTriangle, std::uint32_t toTriangle,
+                                               const RunContext* context = nullptr) const;
+
+ private:
+  std::unique_ptr<const detail::SeparationGround> inside_;
+};
+
+/// Where no way leads from start to target (PathStatus::NotConnected): fills in what keeps them apart. `separations`
+/// must be of the finder that gave `result`.
+void addSeparation(PathResult& result, const SeparationFinder& separations, const RunContext* context = nullptr);
+
+/// Just below the largest clearance that an enabled VerticalClearanceFilter asks for: so far above a walkable place
+/// there is no obstacle, and a point on an obstacle never means a floor beneath it (PathFinder::find). Infinite when
+/// there is no such filter.
+double placeReach(const Pipeline& pipeline);
+
+/// The height of the agent that a pipeline is for: the largest clearance that an enabled VerticalClearanceFilter asks
+/// for, or 2 metres, in the environment's units.
+double agentHeight(const Pipeline& pipeline, double metresPerUnit);
+
+}  // namespace footfall
