@@ -56,7 +56,7 @@ struct MeshPart {
   std::size_t triangles = 0;
   std::size_t degenerate = 0;  ///< of them, triangles without area
   std::size_t components = 0;  ///< parts that hang together over edges with the same two vertex indices
-  SurfaceArea areas;     ///< of its triangles, added up
+  SurfaceArea areas;           ///< of its triangles, added up
   /// What the other mesh does not cover, heights differing by the tolerance at most.
   SurfaceArea uncovered;
 };

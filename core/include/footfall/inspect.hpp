@@ -20,7 +20,7 @@ namespace detail {
 struct InspectedRun;
 }
 
-// --- Connected parts --------------------------------------------------------------------------------------------------
+// --- Connected parts -------------------------------------------------------------------------------------------------
 
 struct Component {
   double area = 0;  ///< of the surface, rounded; the square of the environment's unit
@@ -44,7 +44,7 @@ struct Components {
 /// vertex in common. Linear in the mesh; on all threads. Throws Cancelled when `context` (may be null) is cancelled.
 Components findComponents(const NavigationMesh& mesh, const RunContext* context = nullptr);
 
-// --- Places -----------------------------------------------------------------------------------------------------------
+// --- Places ----------------------------------------------------------------------------------------------------------
 
 /// Where somebody points.
 struct PickedPlace {
@@ -100,11 +100,11 @@ struct PlaceExplanation {
   double componentArea = 0;
 };
 
-/// What one run left for questions about places. A place is a point of a triangle of the environment. It is walkable while
-/// the state's mesh covers it in that triangle's plane, whichever triangle of the plane carries it; the first step whose
-/// state does not cover it any more has rejected it. So the answer is what the steps did, exactly, not a second opinion on
-/// what they should have done. Points on edges mean the area beside them, towards the middle of the triangle that was
-/// pointed at.
+/// What one run left for questions about places. A place is a point of a triangle of the environment. It is walkable
+/// while the state's mesh covers it in that triangle's plane, whichever triangle of the plane carries it; the first
+/// step whose state does not cover it any more has rejected it. So the answer is what the steps did, exactly, not a
+/// second opinion on what they should have done. Points on edges mean the area beside them, towards the middle of the
+/// triangle that was pointed at.
 ///
 /// Immutable: any thread may ask.
 class Inspector {
