@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/environment/up_axis.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::app {
 using namespace detail;

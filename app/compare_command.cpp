@@ -11,9 +11,9 @@
 #include "core/base/number_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/compare/comparison_report.hpp"
-#include "core/environment/up_axis.hpp"
 #include "footfall/compare.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::app {
 using namespace detail;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/environment/up_axis.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/up_axis.hpp"
 #include "ui/window/editor_application.hpp"
 
 namespace {
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   app.add_option("ENV", options.environment, "environment (OBJ, glTF, PLY, ...) or session (.footfall)");
   app.add_option("-p,--pipeline", pipelinePath, "pipeline file instead of the default filters");
   std::vector<std::string> ups;
-  for (const footfall::UpAxis axis : footfall::detail::kUpAxes) ups.emplace_back(footfall::detail::nameOf(axis));
+  for (const footfall::UpAxis axis : footfall::kUpAxes) ups.emplace_back(footfall::nameOf(axis));
   app.add_option("--up", up, "axis of the file that points up")->check(CLI::IsMember(ups));
   auto* scaleOption = app.add_option("--scale", scale, "metres per unit of the file")->check(CLI::PositiveNumber);
   app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
     }
     if (!pipelinePath.empty()) options.pipeline = footfall::readPipelineFile(pipelinePath);
     if (!size.empty()) options.size = sizeFrom(size);
-    options.import.up = footfall::detail::upAxisFrom(up);
+    options.import.up = footfall::upAxisFrom(up);
     if (*scaleOption) options.import.metresPerUnit = scale;
     options.top = view == "top";
     if (!theme.empty()) {

@@ -8,13 +8,13 @@
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
 #include "core/report/path_report.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/path.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::app {
 using namespace detail;

@@ -6,7 +6,6 @@
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
 #include "core/base/process_usage.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/io/export.hpp"
 #include "core/io/gltf_export.hpp"
 #include "core/report/html_report.hpp"
@@ -16,6 +15,7 @@
 #include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::app {
 using namespace detail;

@@ -9,10 +9,10 @@
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
 #include "core/base/number_text.hpp"
-#include "core/environment/up_axis.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::app {
 using namespace detail;

@@ -12,7 +12,7 @@ ui="base document view run level agents filters cells inspect path window"
 # Features still get the window where they should get what they need of it.
 pending="ui/window/editor_window.hpp"
 public="text:base errors:base geometry:base statistics:base run_context:base navigation_mesh:mesh
-  environment:environment edit:environment io:io filter:filters agent:pipeline pipeline:pipeline run:pipeline
+  environment:environment edit:environment up_axis:environment io:io filter:filters agent:pipeline pipeline:pipeline run:pipeline
   walkable_area:pipeline path:navigation inspect:inspect compare:compare report:report footfall:report version:base"
 
 grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${core}" -v ui="${ui}" -v public="${public}" -v counts="${1:-}" -v pending="${pending}" '

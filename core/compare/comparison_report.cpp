@@ -8,7 +8,7 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/compare/comparison_cover.hpp"
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/number_text.hpp"
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-namespace footfall::detail {
+namespace footfall {
 
 std::string_view nameOf(UpAxis up) {
   switch (up) {
@@ -36,4 +36,4 @@ std::optional<UpAxis> upAxisFrom(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall

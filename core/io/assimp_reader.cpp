@@ -19,11 +19,11 @@
 #include "core/base/counted_text.hpp"
 #include "core/environment/part_names.hpp"
 #include "core/environment/skipped_polygons.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/io/collada_asset.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/polygon_triangulation.hpp"
 #include "core/io/truncation_check.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
 namespace {

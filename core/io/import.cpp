@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "core/base/counted_text.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/io/assimp_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall {
 using namespace detail;

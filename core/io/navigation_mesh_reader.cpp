@@ -5,10 +5,10 @@
 #include <map>
 #include <string_view>
 
-#include "core/environment/up_axis.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 #include "footfall/io.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall {
 using namespace detail;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 
 #ifndef FOOTFALL_VERSION
 #define FOOTFALL_VERSION "unknown"

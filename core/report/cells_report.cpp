@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/base/counted_text.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/partitioning/load_balancing.hpp"
 #include "core/report/text_table.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
 namespace {

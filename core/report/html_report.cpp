@@ -18,11 +18,11 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/environment/skipped_polygons.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/io/base64.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 
 #ifndef FOOTFALL_VERSION
 #define FOOTFALL_VERSION "unknown"

@@ -9,8 +9,8 @@
 #include "core/base/number_text.hpp"
 #include "core/environment/part_names.hpp"
 #include "core/environment/skipped_polygons.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "core/environment/up_axis.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall {
 using namespace detail;

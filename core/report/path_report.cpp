@@ -6,9 +6,9 @@
 
 #include "core/base/counted_text.hpp"
 #include "core/base/number_text.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/io/obj_text.hpp"
 #include "core/navigation/separation_text.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall {
 using namespace detail;

@@ -9,10 +9,10 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/environment/skipped_polygons.hpp"
-#include "core/environment/up_axis.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/report/text_table.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall {
 using namespace detail;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
 
@@ -115,7 +115,7 @@ QString LevelUnits::upText() const { return upAxisText(up); }
 QString LevelUnits::frameText() const { return tr("Places are in the file's frame (%1), in %2").arg(upText(), name()); }
 
 LevelUnits::FileAxis LevelUnits::fileAxis(int levelAxis) const {
-  const detail::FileAxis file = fileAxes(up)[static_cast<std::size_t>(levelAxis)];
+  const footfall::FileAxis file = fileAxes(up)[static_cast<std::size_t>(levelAxis)];
   return {static_cast<int>(file.axis), file.sign > 0};
 }
 

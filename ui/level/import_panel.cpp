@@ -9,7 +9,7 @@
 #include <array>
 #include <limits>
 
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/namespaces.hpp"

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <limits>
 
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/keys_back.hpp"
 #include "ui/base/namespaces.hpp"

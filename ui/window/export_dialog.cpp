@@ -13,9 +13,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/environment/up_axis.hpp"
 #include "core/io/gltf_export.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/environment/up_axis.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/up_axis.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
@@ -225,7 +225,7 @@ std::string formatSession(const Session& session, const std::string& path) {
   json[kMark] = kVersion;
   if (!session.environment.empty()) json["environment"] = relativeTo(session.environment, path);
   Json import = Json::object();
-  if (session.import.up) import["up"] = detail::nameOf(*session.import.up);
+  if (session.import.up) import["up"] = nameOf(*session.import.up);
   if (session.import.metresPerUnit) import["metres_per_unit"] = *session.import.metresPerUnit;
   import["both_sides"] = session.import.bothSides;
   json["import"] = import;

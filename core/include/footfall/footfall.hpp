@@ -30,5 +30,6 @@
 #include "footfall/run_context.hpp"
 #include "footfall/statistics.hpp"
 #include "footfall/text.hpp"
+#include "footfall/up_axis.hpp"
 #include "footfall/version.hpp"
 #include "footfall/walkable_area.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
 
-#include "core/environment/up_axis.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
+#include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/base/background_queue.hpp"

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QSettings>
 
-#include "core/environment/up_axis.hpp"
+#include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/inspect/inspection_feature.hpp"

@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <QSettings>
 
-#include "core/environment/up_axis.hpp"
 #include "core/io/gltf_export.hpp"
 #include "footfall/report.hpp"
+#include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/window/export_dialog.hpp"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/environment/up_axis.hpp"
 #include "core/io/export.hpp"
 #include "footfall/io.hpp"
+#include "footfall/up_axis.hpp"
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/program_run.hpp"
 

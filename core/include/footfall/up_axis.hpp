@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "footfall/environment.hpp"
+#include "footfall/geometry.hpp"
 
-namespace footfall::detail {
+namespace footfall {
 
 /// All up axes, in the order in which a user is offered them.
 inline constexpr std::array<UpAxis, 6> kUpAxes{UpAxis::Y,         UpAxis::Z,         UpAxis::X,
@@ -55,8 +55,7 @@ constexpr std::array<FileAxis, 3> fileAxes(UpAxis up) {
   return {{{0, 1}, {1, 1}, {2, 1}}};
 }
 
-/// A place of a file turned to Z up, and the other way round. Exact; a zero is +0 afterwards, so that equal positions
-/// also have equal bits.
+/// A place of a file turned to Z up. Exact; a zero is +0 afterwards, so that equal positions also have equal bits.
 inline Vec3 fromFileFrame(const Vec3& place, UpAxis up) {
   const std::array<double, 3> in{place.x, place.y, place.z};
   const auto axes = fileAxes(up);
@@ -64,6 +63,7 @@ inline Vec3 fromFileFrame(const Vec3& place, UpAxis up) {
           axes[2].sign * in[axes[2].axis] + 0.0};
 }
 
+/// The other way round, as exact.
 inline Vec3 inFileFrame(const Vec3& place, UpAxis up) {
   const auto axes = fileAxes(up);
   std::array<double, 3> out{};
@@ -73,4 +73,4 @@ inline Vec3 inFileFrame(const Vec3& place, UpAxis up) {
   return {out[0], out[1], out[2]};
 }
 
-}  // namespace footfall::detail
+}  // namespace footfall
