@@ -58,12 +58,12 @@ Pipeline blockOf(const Pipeline& pipeline, const std::optional<PipelineStep>& st
   else if (first != steps.end())
     block.steps.push_back(*first);
   else
-    block.steps.push_back({findFilter("AutoStrategy"), {}});
+    block.steps.push_back({&filterDescriptor(FilterType::AutoStrategy), {}});
   if (first == steps.end()) first = steps.begin();
   std::copy_if(first, last, std::back_inserter(block.steps), [&](const PipelineStep& step) {
     return isEnabled(FilterKind::Filter)(step) && step.filter->scope == Scope::Local;
   });
-  block.steps.push_back({findFilter("Collapse"), {}});
+  block.steps.push_back({&filterDescriptor(FilterType::Collapse), {}});
   return block;
 }
 

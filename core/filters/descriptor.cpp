@@ -56,6 +56,7 @@ ParameterDescriptor optional(ParameterDescriptor parameter) {
 
 FilterDescriptor duplication() {
   return {
+      .type = FilterType::Duplication,
       .name = "DuplicationFilter",
       .aliases = {},
       .label = "Duplication",
@@ -85,6 +86,7 @@ FilterDescriptor duplication() {
 
 FilterDescriptor degeneracy() {
   return {
+      .type = FilterType::Degeneracy,
       .name = "DegeneracyFilter",
       .aliases = {},
       .label = "Degeneracy",
@@ -102,6 +104,7 @@ FilterDescriptor degeneracy() {
 
 FilterDescriptor slope() {
   return {
+      .type = FilterType::Slope,
       .name = "SlopeFilter",
       .aliases = {},
       .label = "Slope",
@@ -130,6 +133,7 @@ FilterDescriptor slope() {
 
 FilterDescriptor verticalClearance() {
   return {
+      .type = FilterType::VerticalClearance,
       .name = "VerticalClearanceFilter",
       .aliases = {},
       .label = "Vertical clearance",
@@ -162,6 +166,7 @@ FilterDescriptor verticalClearance() {
 
 FilterDescriptor area() {
   return {
+      .type = FilterType::Area,
       .name = "AreaFilter",
       .aliases = {},
       .label = "Area",
@@ -188,6 +193,7 @@ FilterDescriptor area() {
 
 FilterDescriptor simplification() {
   return {
+      .type = FilterType::Simplification,
       .name = "SimplificationFilter",
       .aliases = {},
       .label = "Simplification",
@@ -230,6 +236,7 @@ FilterDescriptor simplification() {
 
 FilterDescriptor layerSubdivision() {
   return {
+      .type = FilterType::LayerSubdivision,
       .name = "LayerSubdivisionFilter",
       .aliases = {"PEELFilter"},
       .label = "Layer subdivision",
@@ -249,6 +256,7 @@ FilterDescriptor layerSubdivision() {
 
 FilterDescriptor rounding() {
   return {
+      .type = FilterType::Rounding,
       .name = "RoundingFilter",
       .aliases = {},
       .label = "Rounding",
@@ -289,6 +297,7 @@ FilterDescriptor gridStrategy() {
                                .maximum = kLargestInteger};
   };
   return {
+      .type = FilterType::GridStrategy,
       .name = "GridStrategy",
       .aliases = {},
       .label = "Grid strategy",
@@ -306,6 +315,7 @@ FilterDescriptor gridStrategy() {
 
 FilterDescriptor recursiveStrategy() {
   return {
+      .type = FilterType::RecursiveStrategy,
       .name = "RecursiveStrategy",
       .aliases = {},
       .label = "Recursive strategy",
@@ -323,6 +333,7 @@ FilterDescriptor recursiveStrategy() {
 
 FilterDescriptor sortedRecursiveStrategy() {
   return {
+      .type = FilterType::SortedRecursiveStrategy,
       .name = "SortedRecursiveStrategy",
       .aliases = {"SmartRecursiveStrategy"},
       .label = "Sorted recursive strategy",
@@ -344,6 +355,7 @@ FilterDescriptor heightAwareStrategy() {
   least.help =
       "A cell with no more estimated work than this is not cut again. The unit is one triangle that nothing stands on.";
   return {
+      .type = FilterType::HeightAwareStrategy,
       .name = "HeightAwareStrategy",
       .aliases = {},
       .label = "Height-aware strategy",
@@ -362,6 +374,7 @@ FilterDescriptor heightAwareStrategy() {
 
 FilterDescriptor autoStrategy() {
   return {
+      .type = FilterType::AutoStrategy,
       .name = "AutoStrategy",
       .aliases = {"Auto"},
       .label = "Automatic strategy",
@@ -379,6 +392,7 @@ FilterDescriptor autoStrategy() {
 
 FilterDescriptor collapse() {
   return {
+      .type = FilterType::Collapse,
       .name = "Collapse",
       .aliases = {},
       .label = "Collapse",
@@ -414,6 +428,10 @@ std::span<const FilterDescriptor> filterDescriptors() {
       collapse(),
   };
   return descriptors;
+}
+
+const FilterDescriptor& filterDescriptor(FilterType type) {
+  return filterDescriptors()[static_cast<std::size_t>(type)];
 }
 
 const FilterDescriptor* findFilter(std::string_view nameOrAlias) {

@@ -9,9 +9,9 @@ namespace footfall::detail {
 
 FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>& values,
                       const std::shared_ptr<const PlanKernel>& kernel) {
-  if (filter.name == "DegeneracyFilter")
+  if (filter.type == FilterType::Degeneracy)
     return [kernel](Index face, ExactFallbacks&) { return kernel->mesh().degenerate[face] == 0; };
-  if (filter.name != "SlopeFilter") return {};
+  if (filter.type != FilterType::Slope) return {};
   return [kernel, limit = SlopeLimit(values[0]), degrees = values[0]](Index face, ExactFallbacks& count) {
     const SourceMesh& mesh = kernel->mesh();
     const int sign = limit.compare(mesh.normals[face], kernel->sign());

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -40,19 +41,48 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
   return state;
 }
 
+namespace {
+
+struct FilterCall {
+  const std::vector<double>& values;
+  const StatePtr& state;
+  const Recall& recall;
+  RunContext& context;
+};
+
+struct FilterFunction {
+  FilterType type;
+  FilterOutcome (*apply)(const FilterCall& call);
+};
+
+// The table of filters: what is called for each descriptor of a filter that runs on its own.
+constexpr std::array kFilterFunctions = {
+    FilterFunction{FilterType::Duplication,
+                   [](const FilterCall& f) { return applyDuplication(f.state, f.values[0], f.context); }},
+    FilterFunction{FilterType::Degeneracy, [](const FilterCall& f) { return applyDegeneracy(f.state, f.context); }},
+    FilterFunction{FilterType::Slope, [](const FilterCall& f) { return applySlope(f.state, f.values[0], f.context); }},
+    FilterFunction{
+        FilterType::VerticalClearance,
+        [](const FilterCall& f) { return applyVerticalClearance(f.state, f.values[0], f.recall, f.context); }},
+    FilterFunction{FilterType::Area, [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.context); }},
+    FilterFunction{FilterType::Simplification,
+                   [](const FilterCall& f) {
+                     return applySimplification(f.state, f.values[0] != 0, f.values[1], f.recall, f.context);
+                   }},
+    FilterFunction{FilterType::LayerSubdivision,
+                   [](const FilterCall& f) { return applyLayerSubdivision(f.state, f.recall, f.context); }},
+    FilterFunction{FilterType::Rounding, [](const FilterCall& f) { return applyRounding(f.state, f.context); }},
+};
+
+}  // namespace
+
 FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,
                           RunContext& context, const Recall& recall) {
   context.checkCancelled();
-  const std::string_view name = filter.name;
-  if (name == "DuplicationFilter") return applyDuplication(state, values[0], context);
-  if (name == "DegeneracyFilter") return applyDegeneracy(state, context);
-  if (name == "SlopeFilter") return applySlope(state, values[0], context);
-  if (name == "VerticalClearanceFilter") return applyVerticalClearance(state, values[0], recall, context);
-  if (name == "AreaFilter") return applyArea(state, values[0], context);
-  if (name == "SimplificationFilter") return applySimplification(state, values[0] != 0, values[1], recall, context);
-  if (name == "LayerSubdivisionFilter") return applyLayerSubdivision(state, recall, context);
-  if (name == "RoundingFilter") return applyRounding(state, context);
-  throw std::logic_error(std::string(name) + " is no filter that runs on its own");
+  const auto* const function = std::ranges::find(kFilterFunctions, filter.type, &FilterFunction::type);
+  if (function == kFilterFunctions.end())
+    throw std::logic_error(std::string(filter.name) + " is no filter that runs on its own");
+  return function->apply({values, state, recall, context});
 }
 
 namespace {

@@ -10,7 +10,7 @@
 namespace footfall::detail {
 
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context) {
-  const FaceTest isWithin = makeFaceTest(*findFilter("SlopeFilter"), {degrees}, state->kernel);
+  const FaceTest isWithin = makeFaceTest(filterDescriptor(FilterType::Slope), {degrees}, state->kernel);
   auto result = std::make_shared<WalkableState>(*state);
   std::atomic<std::uint64_t> fallbacks{0};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, result->walkable.size(), 1024), [&](const auto& range) {

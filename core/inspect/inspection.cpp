@@ -57,10 +57,10 @@ GenericPlace placeIn(const std::array<ExactPoint, 3>& corners, const Vec3& point
 }
 
 PlaceVerdict verdictOf(const FilterDescriptor& filter) {
-  if (filter.name == "DegeneracyFilter") return PlaceVerdict::NoArea;
-  if (filter.name == "SlopeFilter") return PlaceVerdict::TooSteep;
-  if (filter.name == "VerticalClearanceFilter") return PlaceVerdict::TooLow;
-  if (filter.name == "AreaFilter") return PlaceVerdict::RegionTooSmall;
+  if (filter.type == FilterType::Degeneracy) return PlaceVerdict::NoArea;
+  if (filter.type == FilterType::Slope) return PlaceVerdict::TooSteep;
+  if (filter.type == FilterType::VerticalClearance) return PlaceVerdict::TooLow;
+  if (filter.type == FilterType::Area) return PlaceVerdict::RegionTooSmall;
   return PlaceVerdict::Moved;
 }
 
@@ -187,7 +187,7 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
   const Index face = faceOf[picked.triangle];
   if (mesh.degenerate[face] != 0) {
     result.verdict = PlaceVerdict::NoArea;
-    const auto removes = [&](std::size_t i) { return pipeline.steps[i].filter->name == "DegeneracyFilter"; };
+    const auto removes = [&](std::size_t i) { return pipeline.steps[i].filter->type == FilterType::Degeneracy; };
     const auto step = std::find_if(steps.begin(), steps.end(), removes);
     if (step != steps.end()) result.step = *step;
     return result;
@@ -206,7 +206,7 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
   result.above = aboveIn(mesh, facesAt(mesh, place), height);
   double clearance = 0;
   for (const std::size_t i : steps)
-    if (pipeline.steps[i].filter->name == "VerticalClearanceFilter")
+    if (pipeline.steps[i].filter->type == FilterType::VerticalClearance)
       clearance = std::max(clearance, pipeline.steps[i].values[0]);
   if (clearance > 0)
     for (const Index wall : wallsAt(mesh, place.x(), place.y(), corners, mpq_class(clearance)))

@@ -42,8 +42,8 @@ struct Window {
 
 /// How far a step may move what it does not take away.
 double reachOf(const PipelineStep& step, const SourceMesh& before) {
-  if (step.filter->name == "DuplicationFilter") return step.values[0];
-  if (step.filter->name != "SimplificationFilter" || step.values[0] == 0) return 0;
+  if (step.filter->type == FilterType::Duplication) return step.values[0];
+  if (step.filter->type != FilterType::Simplification || step.values[0] == 0) return 0;
   Vec3 low = before.vertices.front(), high = low;
   for (const Vec3& v : before.vertices) {
     low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};

@@ -13,7 +13,7 @@ constexpr double kUsualHeight = 2;  // metres
 double largestClearance(const Pipeline& pipeline) {
   double clearance = 0;
   for (const PipelineStep& step : pipeline.steps)
-    if (step.enabled && step.filter->name == "VerticalClearanceFilter" && !step.values.empty())
+    if (step.enabled && step.filter->type == FilterType::VerticalClearance && !step.values.empty())
       clearance = std::max(clearance, step.values[0]);
   return clearance;
 }

@@ -2,6 +2,7 @@
 #include "core/partitioning/strategies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
 
@@ -10,8 +11,8 @@
 namespace footfall::detail {
 namespace {
 
-std::string textOf(std::string_view strategy, const std::vector<double>& values) {
-  std::string text(strategy);
+std::string textOf(FilterType strategy, const std::vector<double>& values) {
+  std::string text(filterDescriptor(strategy).name);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool isRound = i == 2;  // the third parameter, where there is one
     text += ' ';
@@ -20,47 +21,76 @@ std::string textOf(std::string_view strategy, const std::vector<double>& values)
   return text;
 }
 
+/// One call of a strategy: what it looks at, and what it says about its choice.
+class StrategyCall {
+ public:
+  StrategyCall(FilterType strategy, const std::vector<double>& strategyValues, const StrategyInput& strategyInput)
+      : values(strategyValues), input(strategyInput), name(textOf(strategy, strategyValues)) {}
+
+  /// The work on all floors, estimated once, for about so many cells.
+  const FloorWork& work(std::size_t cells) {
+    if (!estimate_) estimate_ = estimateFloorWork(input, cells);
+    return *estimate_;
+  }
+  const FloorWork& work(const RecursionLimits& limits) {
+    return work(std::size_t{1} << std::min(static_cast<int>(limits.depth), 16));
+  }
+  [[nodiscard]] bool isEstimated() const { return estimate_.has_value(); }
+  [[nodiscard]] RecursionLimits limits() const { return {values.at(0), values.at(1)}; }
+
+  const std::vector<double>& values;
+  const StrategyInput& input;
+  std::string name;  ///< as in a pipeline file; AutoStrategy replaces it by that of its choice
+  Text reason;
+
+ private:
+  std::optional<FloorWork> estimate_;
+};
+
+using CutTreePtr = std::unique_ptr<CutTree>;
+
+CutTreePtr growChosen(StrategyCall& call) {
+  const AutoChoice choice =
+      chooseStrategy(call.input, [&](const RecursionLimits& limits) { return call.work(limits).total; });
+  call.reason = choice.reason;
+  if (choice.isOneCell) {
+    call.name = textOf(FilterType::GridStrategy, {1, 1});
+    return std::make_unique<CutTree>();
+  }
+  call.name = textOf(FilterType::HeightAwareStrategy, {choice.limits.triangles, choice.limits.depth, 0});
+  return growHeightAware(choice.limits, call.work(choice.limits), call.name, call.input);
+}
+
+struct StrategyFunction {
+  FilterType type;
+  CutTreePtr (*grow)(StrategyCall& call);
+};
+
+// The table of strategies: what is called for each descriptor of one.
+constexpr std::array kStrategyFunctions = {
+    StrategyFunction{FilterType::GridStrategy,
+                     [](StrategyCall& s) { return growGrid(s.values.at(0), s.values.at(1), s.name, s.input); }},
+    StrategyFunction{FilterType::RecursiveStrategy,
+                     [](StrategyCall& s) { return growRecursive(s.limits(), s.name, s.input); }},
+    StrategyFunction{FilterType::SortedRecursiveStrategy,
+                     [](StrategyCall& s) { return growSortedRecursive(s.limits(), s.name, s.input); }},
+    StrategyFunction{FilterType::HeightAwareStrategy,
+                     [](StrategyCall& s) { return growHeightAware(s.limits(), s.work(s.limits()), s.name, s.input); }},
+    StrategyFunction{FilterType::AutoStrategy, growChosen},
+};
+
 }  // namespace
 
-Partition makePartition(std::string_view strategy, const std::vector<double>& values, const StrategyInput& input) {
-  std::string name = textOf(strategy, values);
-  Text reason;
-  std::optional<FloorWork> estimate;
-  const auto work = [&](std::size_t cells) -> const FloorWork& {
-    if (!estimate) estimate = estimateFloorWork(input, cells);
-    return *estimate;
-  };
-  const auto cellsOf = [](const RecursionLimits& l) {
-    return std::size_t{1} << std::min(static_cast<int>(l.depth), 16);
-  };
-  const auto limits = [&] { return RecursionLimits{values.at(0), values.at(1)}; };
-  std::unique_ptr<CutTree> tree;
-  if (strategy == "GridStrategy") {
-    tree = growGrid(values.at(0), values.at(1), name, input);
-  } else if (strategy == "RecursiveStrategy") {
-    tree = growRecursive(limits(), name, input);
-  } else if (strategy == "SortedRecursiveStrategy") {
-    tree = growSortedRecursive(limits(), name, input);
-  } else if (strategy == "HeightAwareStrategy") {
-    tree = growHeightAware(limits(), work(cellsOf(limits())), name, input);
-  } else if (strategy == "AutoStrategy") {
-    const AutoChoice choice = chooseStrategy(input, [&](const RecursionLimits& l) { return work(cellsOf(l)).total; });
-    reason = choice.reason;
-    if (choice.isOneCell) {
-      tree = std::make_unique<CutTree>();
-      name = textOf("GridStrategy", {1, 1});
-    } else {
-      name = textOf("HeightAwareStrategy", {choice.limits.triangles, choice.limits.depth, 0});
-      tree = growHeightAware(choice.limits, work(cellsOf(choice.limits)), name, input);
-    }
-  } else {
-    throw std::logic_error("no such strategy: " + name);
-  }
+Partition makePartition(FilterType strategy, const std::vector<double>& values, const StrategyInput& input) {
+  StrategyCall call(strategy, values, input);
+  const auto* const function = std::ranges::find(kStrategyFunctions, strategy, &StrategyFunction::type);
+  if (function == kStrategyFunctions.end()) throw std::logic_error("no such strategy: " + call.name);
+  const CutTreePtr tree = function->grow(call);
   Partition partition = partitionOf(*tree);
-  partition.strategy = std::move(name);
-  partition.reason = std::move(reason);
-  if (partition.cells.size() > 1 || estimate)
-    estimateCosts(partition, work(partition.cells.size()));
+  partition.strategy = std::move(call.name);
+  partition.reason = std::move(call.reason);
+  if (partition.cells.size() > 1 || call.isEstimated())
+    estimateCosts(partition, call.work(partition.cells.size()));
   else
     partition.cells[0].cost = static_cast<double>(
         std::count_if(input.walkable.begin(), input.walkable.end(), [](char isFloor) { return isFloor != 0; }));

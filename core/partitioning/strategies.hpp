@@ -4,11 +4,11 @@
 
 #include <functional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/exact/source_mesh.hpp"
 #include "core/partitioning/partition.hpp"
+#include "footfall/filter.hpp"
 
 namespace footfall::detail {
 
@@ -22,9 +22,9 @@ struct StrategyInput {
   std::function<void()> poll = [] {};
 };
 
-/// The cells of a strategy, by its descriptor's name and one value for each of its parameters. Deterministic: depends
+/// The cells of a strategy, by its type and one value for each of its parameters. Deterministic: depends
 /// on nothing but the arguments (and only AutoStrategy on the threads).
-Partition makePartition(std::string_view strategy, const std::vector<double>& values, const StrategyInput& input);
+Partition makePartition(FilterType strategy, const std::vector<double>& values, const StrategyInput& input);
 
 /// Which floors have a part in which cell: for cell c, floors[first[c]] to floors[first[c + 1] - 1], ascending.
 /// Conservative: a floor may be listed where it has no area.

@@ -13,8 +13,6 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::string_view kClearance = "VerticalClearanceFilter";
-
 class Block {
  public:
   Block(const BlockRequest& request, const Stopwatch& clock, RunContext& context)
@@ -55,7 +53,7 @@ class Block {
     const Stopwatch watch;
     context_.beginStep(request_.firstStep, nameOf(0));
     const StrategyInput input = strategyInput(*state_, request_.steps, request_.threads, context_);
-    partition_ = makePartition(request_.steps[0]->filter->name, request_.steps[0]->values, input);
+    partition_ = makePartition(request_.steps[0]->filter->type, request_.steps[0]->values, input);
     floors_ = assignFloors(partition_, input);
     mesh_ = state_->kernel->sharedMesh();
     BlockReport& report = outcome_.report;
@@ -91,7 +89,7 @@ class Block {
       if (!test) break;
       tests.push_back(std::move(test));
     }
-    const bool hasClearance = next < end && request_.steps[next]->filter->name == kClearance;
+    const bool hasClearance = next < end && request_.steps[next]->filter->type == FilterType::VerticalClearance;
     if (tests.empty() && !hasClearance) return runShared(k);
     runCells(k, std::move(tests), hasClearance ? request_.steps[next] : nullptr);
     return next + (hasClearance ? 1 : 0);
@@ -136,7 +134,7 @@ class Block {
 
   // What the cells found, as the filter's own state.
   void applyTest(std::size_t k, std::size_t passed, const CellRun& cells) {
-    if (request_.steps[k]->filter->name == "DegeneracyFilter") {
+    if (request_.steps[k]->filter->type == FilterType::Degeneracy) {
       FilterOutcome outcome = applyDegeneracy(state_, context_);
       state_ = std::move(outcome.state);
       note_ = std::move(outcome.note);
@@ -204,7 +202,7 @@ StrategyInput strategyInput(const WalkableState& state, const std::vector<const 
                             RunContext& context) {
   double clearance = 0;
   for (const PipelineStep* step : steps)
-    if (clearance == 0 && step->filter->name == kClearance) clearance = step->values[0];
+    if (clearance == 0 && step->filter->type == FilterType::VerticalClearance) clearance = step->values[0];
   return {state.kernel->mesh(),
           state.walkable,
           state.removed,

@@ -86,10 +86,10 @@ Text checkValue(const ParameterDescriptor& parameter, double value) {
 
 Pipeline defaultPipeline(const Environment& environment) {
   Pipeline pipeline;
-  for (const std::string_view name : {"DuplicationFilter", "DegeneracyFilter", "SlopeFilter", "VerticalClearanceFilter",
-                                      "AreaFilter", "SimplificationFilter", "LayerSubdivisionFilter"}) {
-    pipeline.steps.push_back(defaultStep(*findFilter(name), environment.metresPerUnit));
-  }
+  for (const FilterType type :
+       {FilterType::Duplication, FilterType::Degeneracy, FilterType::Slope, FilterType::VerticalClearance,
+        FilterType::Area, FilterType::Simplification, FilterType::LayerSubdivision})
+    pipeline.steps.push_back(defaultStep(filterDescriptor(type), environment.metresPerUnit));
   return pipeline;
 }
 

@@ -309,7 +309,7 @@ Partition previewPartition(const std::shared_ptr<const Environment>& environment
       const StatePtr state = makeInitialState(environment, context);
       const StrategyInput input = strategyInput(*state, steps, workers, context);
       return withPlace(placeOfStep(pipeline, step), [&] {
-        Partition partition = makePartition(steps[0]->filter->name, steps[0]->values, input);
+        Partition partition = makePartition(steps[0]->filter->type, steps[0]->values, input);
         assignFloors(partition, input);
         return partition;
       });

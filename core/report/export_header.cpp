@@ -15,10 +15,10 @@ std::string describeAgent(const Pipeline& pipeline) {
   for (const PipelineStep& step : pipeline.steps) {
     if (!step.enabled || step.values.empty()) continue;
     const ParameterDescriptor& parameter = step.filter->parameters.front();
-    if (step.filter->name == "SlopeFilter") {
+    if (step.filter->type == FilterType::Slope) {
       smallestSlope = std::min(smallestSlope.value_or(step.values[0]), step.values[0]);
       slope = "slope " + formatValue(parameter, *smallestSlope) + " degrees";
-    } else if (step.filter->name == "VerticalClearanceFilter") {
+    } else if (step.filter->type == FilterType::VerticalClearance) {
       largestHeight = std::max(largestHeight.value_or(step.values[0]), step.values[0]);
       height = "height " + formatValue(parameter, *largestHeight);
     }

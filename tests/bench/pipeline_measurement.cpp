@@ -185,7 +185,7 @@ class Measurement {
 Pipeline pipelineFor(const Subject& subject, const Environment& environment) {
   Pipeline pipeline = defaultPipeline(environment);
   for (PipelineStep& step : pipeline.steps) {
-    if (step.filter->name == "VerticalClearanceFilter") step.values[0] = subject.clearance;
+    if (step.filter->type == FilterType::VerticalClearance) step.values[0] = subject.clearance;
   }
   return pipeline;
 }

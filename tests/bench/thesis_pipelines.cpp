@@ -66,7 +66,7 @@ Pipeline thesisListing(const Pipeline& own, double metresPerUnit, const Pipeline
 Pipeline withBlock(const Pipeline& filters, const PipelineStep& strategy) {
   Listing listing;
   for (const PipelineStep& step : filters.steps) {
-    const bool inBlock = step.filter->name == "VerticalClearanceFilter";
+    const bool inBlock = step.filter->type == FilterType::VerticalClearance;
     if (inBlock) listing.add(strategy);
     listing.add(step);
     if (inBlock) listing.add("Collapse");

@@ -21,7 +21,7 @@ Pipeline blockOf(const Pipeline& pipeline, std::size_t step) {
     if (next.filter->kind != FilterKind::Filter || next.filter->scope == Scope::Global) break;
     block.steps.push_back(next);
   }
-  block.steps.push_back(defaultStep(*findFilter("Collapse"), 1));
+  block.steps.push_back(defaultStep(filterDescriptor(FilterType::Collapse), 1));
   return block;
 }
 

@@ -10,9 +10,6 @@
 namespace footfall::ui {
 namespace {
 
-constexpr const char* kSlopeFilter = "SlopeFilter";
-constexpr const char* kClearanceFilter = "VerticalClearanceFilter";
-
 QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 // Twelve digits: 40 and not 40.000000000000007, which is what a change of scale and back would leave.
@@ -25,13 +22,13 @@ double rounded(double value) {
 }  // namespace
 
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter) {
-  if (filter.name == kSlopeFilter) return AgentSize::MaxSlope;
-  if (filter.name == kClearanceFilter) return AgentSize::Height;
+  if (filter.type == FilterType::Slope) return AgentSize::MaxSlope;
+  if (filter.type == FilterType::VerticalClearance) return AgentSize::Height;
   return std::nullopt;
 }
 
 const FilterDescriptor& filterOf(AgentSize size) {
-  return *findFilter(size == AgentSize::Height ? kClearanceFilter : kSlopeFilter);
+  return filterDescriptor(size == AgentSize::Height ? FilterType::VerticalClearance : FilterType::Slope);
 }
 
 double sizeOf(const NamedAgent& agent, AgentSize size) {

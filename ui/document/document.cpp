@@ -159,17 +159,17 @@ bool Document::addParallelBlock() {
     if (current.weight == 0) current.first = i;
     current.end = i + 1;
     // Clearance is nearly all of the work.
-    current.weight += step.filter->name == "VerticalClearanceFilter" ? filters.size() : 1;
+    current.weight += step.filter->type == FilterType::VerticalClearance ? filters.size() : 1;
     if (current.weight > best.weight) best = current;
   }
   if (best.weight == 0) return false;
   DocumentState next = state_;
-  const auto insert = [&](std::size_t index, const char* name) {
+  const auto insert = [&](std::size_t index, FilterType type) {
     next.filters.insert(next.filters.begin() + static_cast<std::ptrdiff_t>(index),
-                        {nextId_++, defaultStep(*findFilter(name), 1)});
+                        {nextId_++, defaultStep(filterDescriptor(type), 1)});
   };
-  insert(best.end, "Collapse");
-  insert(best.first, "AutoStrategy");
+  insert(best.end, FilterType::Collapse);
+  insert(best.first, FilterType::AutoStrategy);
   push(std::move(next), tr("Run in parallel"));
   return true;
 }

@@ -129,7 +129,7 @@ QString WhyText::headroom(const Inspector& inspector, const PlaceExplanation& to
 Paint WhyText::paint(const Inspector& inspector, const PlaceExplanation& told) {
   if (told.verdict == PlaceVerdict::Walkable) return told.layer ? layerPaint(*told.layer) : walkablePaint();
   if (!told.step) return wallPaint();
-  const RemovalStyle* style = removalStyle(inspector.pipeline().steps[*told.step].filter->name);
+  const RemovalStyle* style = removalStyle(inspector.pipeline().steps[*told.step].filter->type);
   return style != nullptr ? style->paint : wallPaint();
 }
 

@@ -295,7 +295,7 @@ void RunController::listenTo(const std::shared_ptr<Job>& job) {
       [raw](const RunEvent& event) {
         if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < raw->prefixes.size()) {
           raw->previews->store(raw->prefixes[event.step + 1], event.part);
-          const RemovalStyle* style = removalStyle(raw->steps[event.step]->filter->name);
+          const RemovalStyle* style = removalStyle(raw->steps[event.step]->filter->type);
           if (event.step == raw->firstChanged && raw->changes.empty() && raw->changedBefore && style)
             raw->changesOfStep = changedTriangles(*raw->changedBefore, *event.part, style->paint, raw->centre);
         }

@@ -92,7 +92,7 @@ ViewContent RunController::makeContent(const Job& job, const RunResult& result) 
   const EnvironmentLayers* layers = content.environmentLayers.get();
   std::vector<MeshPtr> before;
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
-    const RemovalStyle* style = removalStyle(job.steps[i]->filter->name);
+    const RemovalStyle* style = removalStyle(job.steps[i]->filter->type);
     if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;  // it removed nothing
     if (!content.firstRemoval) {
       content.firstRemoval = style;

@@ -34,7 +34,7 @@ void RunController::keepPreviews(const Job& job) {
     const PipelineStep& step = *job.steps[i];
     if (step.values.size() != 1) continue;
     const std::string key = job.prefixes[i] + std::string(step.filter->name);
-    const EditedStep edited{step.filter->name, step.values[0], job.previews->find(job.prefixes[i]),
+    const EditedStep edited{step.filter->type, step.values[0], job.previews->find(job.prefixes[i]),
                             finished_->result.mesh};
     const auto known = editPreviews_.find(key);
     if (known != editPreviews_.end() && known->second->suits(edited)) {

@@ -83,17 +83,17 @@ QColor heatColour(double value) {
   return QColor::fromRgbF(mixed(a.redF(), b.redF()), mixed(a.greenF(), b.greenF()), mixed(a.blueF(), b.blueF()));
 }
 
-const RemovalStyle* removalStyle(std::string_view filter) {
+const RemovalStyle* removalStyle(FilterType filter) {
   static const std::array<RemovalStyle, 3> kStyles = {{
-      {"SlopeFilter",
+      {FilterType::Slope,
        QCoreApplication::translate("Legend", "Too steep"),
        {QColor(176, 150, 128), FillPattern::RisingStripes},
        {QColor(230, 159, 0), FillPattern::RisingStripes}},
-      {"VerticalClearanceFilter",
+      {FilterType::VerticalClearance,
        QCoreApplication::translate("Legend", "Too little headroom"),
        {QColor(150, 138, 176), FillPattern::FallingStripes},
        {QColor(204, 121, 167), FillPattern::FallingStripes}},
-      {"AreaFilter",
+      {FilterType::Area,
        QCoreApplication::translate("Legend", "Too small an area"),
        {QColor(146, 160, 168), FillPattern::Dots},
        {QColor(0, 114, 178), FillPattern::Dots}},

@@ -6,7 +6,8 @@
 #include <QPixmap>
 #include <QString>
 #include <cstdint>
-#include <string_view>
+
+#include "footfall/filter.hpp"
 
 namespace footfall::ui {
 
@@ -53,14 +54,14 @@ QColor heatColour(double value);
 
 /// How places that one filter removed are shown: why they are not walkable.
 struct RemovalStyle {
-  std::string_view filter;  ///< FilterDescriptor::name
-  QString reason;           ///< for the legend, e.g. "Too steep"
+  FilterType filter{};
+  QString reason;  ///< for the legend, e.g. "Too steep"
   Paint paint;
   Paint vivid;  ///< where only the reasons are of interest
 };
 
 /// Null for filters that remove no places (or none that are worth a colour).
-const RemovalStyle* removalStyle(std::string_view filter);
+const RemovalStyle* removalStyle(FilterType filter);
 
 /// A small picture of a paint, with the pattern of the view, for legends.
 QPixmap paintSwatch(const Paint& paint, const QSize& size, qreal devicePixelRatio);

@@ -72,7 +72,7 @@ class SlopePreview : public EditPreview {
       : centre_(centre), order_(step.before, anglesOf(*step.before, poll)) {}
 
   [[nodiscard]] Surfaces changes(double from, double to) const override {
-    if (to < from) return painted(order_.between(to, from), centre_, removalStyle("SlopeFilter")->paint);
+    if (to < from) return painted(order_.between(to, from), centre_, removalStyle(FilterType::Slope)->paint);
     return painted(order_.between(from, to), centre_, walkablePaint());
   }
   [[nodiscard]] bool suits(const EditedStep& step) const override { return step.before == order_.mesh(); }
@@ -101,7 +101,7 @@ class AreaPreview : public EditPreview {
       : centre_(centre), order_(step.result, areasOfRegions(*step.result, poll)) {}
 
   [[nodiscard]] Surfaces changes(double from, double to) const override {
-    return painted(order_.between(from, std::max(from, to)), centre_, removalStyle("AreaFilter")->paint);
+    return painted(order_.between(from, std::max(from, to)), centre_, removalStyle(FilterType::Area)->paint);
   }
   [[nodiscard]] bool suits(const EditedStep& step) const override { return step.result == order_.mesh(); }
 
@@ -145,9 +145,9 @@ class AreaPreview : public EditPreview {
 std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,
                                                    const std::shared_ptr<const Environment>& environment,
                                                    const Vec3& centre, const std::function<void()>& poll) {
-  if (step.filter == "SlopeFilter" && step.before) return std::make_shared<SlopePreview>(step, centre, poll);
-  if (step.filter == "AreaFilter" && step.result) return std::make_shared<AreaPreview>(step, centre, poll);
-  if (step.filter == "VerticalClearanceFilter" && step.before)
+  if (step.filter == FilterType::Slope && step.before) return std::make_shared<SlopePreview>(step, centre, poll);
+  if (step.filter == FilterType::Area && step.result) return std::make_shared<AreaPreview>(step, centre, poll);
+  if (step.filter == FilterType::VerticalClearance && step.before)
     return std::make_shared<HeadroomPreview>(step, environment, centre, poll);
   return nullptr;
 }

@@ -13,7 +13,7 @@ namespace footfall::ui {
 
 /// What there is to know of a finished run about one of its steps.
 struct EditedStep {
-  std::string_view filter;
+  FilterType filter{};
   double threshold = 0;
   std::shared_ptr<const NavigationMesh> before;  ///< what was walkable before it
   std::shared_ptr<const NavigationMesh> result;  ///< of the whole run

@@ -167,7 +167,7 @@ EditPreview::Surfaces HeadroomPreview::changes(double from, double to) const {
   std::vector<bool> changed(floors_->triangles.size(), false);
   const auto noted = [&](std::uint32_t floor) { return changed[floor] = true; };
   if (!addShadows(between, low, high, noted) || between.triangles.empty()) return {};
-  const Paint removed = removalStyle("VerticalClearanceFilter")->paint;
+  const Paint removed = removalStyle(FilterType::VerticalClearance)->paint;
   if (to > from) return {makeMeshGeometry(between, {}, removed)};
   // What comes back does so only where nothing lower stands over it.
   NavigationMesh below;

@@ -110,9 +110,9 @@ void ViewModes::enable() {
   }
 }
 
-std::optional<double> ViewModes::limitOf(const char* filter) const {
+std::optional<double> ViewModes::limitOf(FilterType filter) const {
   for (const FilterEntry& entry : window_.document().filters()) {
-    if (entry.step.enabled && entry.step.filter->name == filter && !entry.step.values.empty())
+    if (entry.step.enabled && entry.step.filter->type == filter && !entry.step.values.empty())
       return entry.step.values[0];
   }
   return std::nullopt;
@@ -122,12 +122,12 @@ std::optional<double> ViewModes::limitOf(const char* filter) const {
 double ViewModes::cap() const {
   const std::shared_ptr<const Environment> level = window_.level();
   const double usual = kUsualClearance / (level && level->metresPerUnit > 0 ? level->metresPerUnit : 1);
-  return 2 * limitOf("VerticalClearanceFilter").value_or(usual);
+  return 2 * limitOf(FilterType::VerticalClearance).value_or(usual);
 }
 
 FieldScale ViewModes::scale() const {
-  if (mode_ == ViewMode::Slope) return {0, kSteepest, limitOf("SlopeFilter"), true};
-  return {0, cap(), limitOf("VerticalClearanceFilter"), false};
+  if (mode_ == ViewMode::Slope) return {0, kSteepest, limitOf(FilterType::Slope), true};
+  return {0, cap(), limitOf(FilterType::VerticalClearance), false};
 }
 
 ViewModes::Made ViewModes::wanted() const {

@@ -47,7 +47,7 @@ class ViewModes : public QObject {
   void describe();
   void compute();
   [[nodiscard]] FieldScale scale() const;
-  [[nodiscard]] std::optional<double> limitOf(const char* filter) const;
+  [[nodiscard]] std::optional<double> limitOf(FilterType filter) const;
   [[nodiscard]] double cap() const;
 
   EditorWindow& window_;

@@ -47,7 +47,8 @@ void addRemoved(Images& images, const ViewContent& content, const SceneParts& pa
   for (const ViewContent::Removed& removed : content.removed)
     if (std::ranges::find(styles, removed.style) == styles.end()) styles.push_back(removed.style);
   for (const RemovalStyle* style : styles)
-    addPaint(images, "Not walkable: removed by " + std::string(style->filter), vivid ? style->vivid : style->paint);
+    addPaint(images, "Not walkable: removed by " + std::string(filterDescriptor(style->filter).name),
+             vivid ? style->vivid : style->paint);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,12 +31,31 @@ struct ParameterDescriptor {
   bool optional = false;
 };
 
+/// What code decides by; files and people know filters by their names. The order is that of filterDescriptors().
+enum class FilterType : std::uint8_t {
+  Duplication,
+  Degeneracy,
+  Slope,
+  VerticalClearance,
+  Area,
+  Simplification,
+  LayerSubdivision,
+  Rounding,
+  GridStrategy,
+  RecursiveStrategy,
+  SortedRecursiveStrategy,
+  HeightAwareStrategy,
+  AutoStrategy,
+  Collapse
+};
+
 enum class FilterKind { Filter, Strategy, Collapse };
 
 /// Local filters may run inside a parallel block; global ones see across cells and may not.
 enum class Scope { Local, Global };
 
 struct FilterDescriptor {
+  FilterType type{};
   std::string_view name;                  ///< as in design and pipeline files, e.g. "LayerSubdivisionFilter"
   std::vector<std::string_view> aliases;  ///< the thesis's names, e.g. "PEELFilter"
   std::string_view label;                 ///< for people, e.g. "Layer subdivision"
@@ -50,6 +70,8 @@ struct FilterDescriptor {
 
 /// All filters, in the order in which users should see them.
 std::span<const FilterDescriptor> filterDescriptors();
+
+const FilterDescriptor& filterDescriptor(FilterType type);
 
 /// By name or alias, exact case; nullptr when unknown.
 const FilterDescriptor* findFilter(std::string_view nameOrAlias);

@@ -90,7 +90,7 @@ class TestAgents : public QObject {
   void allStepsFollowAndForeignValuesLetGo() {
     open();
     addPreset("Child");
-    document().addFilter(*findFilter("VerticalClearanceFilter"), 1);
+    document().addFilter(filterDescriptor(FilterType::VerticalClearance), 1);
     QCOMPARE(document().filters().back().step.values[0], 1.2);
     QVERIFY(document().state().agent != 0);
     document().setValue(document().filters()[2].id, 0, 1.3, 1);

@@ -161,13 +161,13 @@ class TestCommandPalette : public QObject {
     QVERIFY(help.toPlainText().contains("F1"));
     const auto& rows = window_->filterList().rows();
     QTest::mouseClick(rows[0]->field(0), Qt::LeftButton);
-    const FilterDescriptor& slope = *findFilter("SlopeFilter");
+    const FilterDescriptor& slope = filterDescriptor(FilterType::Slope);
     QTRY_VERIFY(help.toPlainText().contains(filterText(slope.help)));
     QVERIFY(help.toPlainText().contains(QString("▶ ") + filterText(slope.parameters[0].label)));
     rows[1]->enabledBox()->setFocus(Qt::TabFocusReason);
-    QTRY_VERIFY(help.toPlainText().contains(filterText(findFilter("VerticalClearanceFilter")->help)));
+    QTRY_VERIFY(help.toPlainText().contains(filterText(filterDescriptor(FilterType::VerticalClearance).help)));
     window_->view().setFocus();
-    QVERIFY(help.toPlainText().contains(filterText(findFilter("VerticalClearanceFilter")->help)));
+    QVERIFY(help.toPlainText().contains(filterText(filterDescriptor(FilterType::VerticalClearance).help)));
   }
 
  private:

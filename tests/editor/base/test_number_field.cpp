@@ -11,9 +11,9 @@ using namespace footfall::test;
 
 namespace {
 
-const ParameterDescriptor& slope() { return findFilter("SlopeFilter")->parameters[0]; }
-const ParameterDescriptor& clearance() { return findFilter("VerticalClearanceFilter")->parameters[0]; }
-const ParameterDescriptor& fewest() { return findFilter("RecursiveStrategy")->parameters[0]; }
+const ParameterDescriptor& slope() { return filterDescriptor(FilterType::Slope).parameters[0]; }
+const ParameterDescriptor& clearance() { return filterDescriptor(FilterType::VerticalClearance).parameters[0]; }
+const ParameterDescriptor& fewest() { return filterDescriptor(FilterType::RecursiveStrategy).parameters[0]; }
 
 void turnWheel(QWidget* widget, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
   const QPointF at(widget->rect().center());

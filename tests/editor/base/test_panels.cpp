@@ -234,7 +234,7 @@ class TestPanels : public QObject {
   }
 
   void oneThingIsNotCountedAsMany() {
-    FilterRow row(FilterEntry{1, defaultStep(*findFilter("SlopeFilter"), 1)});
+    FilterRow row(FilterEntry{1, defaultStep(filterDescriptor(FilterType::Slope), 1)});
     StepStatus status;
     status.state = StepState::Done;
     status.trianglesIn = 3;

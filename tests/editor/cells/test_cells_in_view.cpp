@@ -316,7 +316,7 @@ class TestCellsInView : public QObject {
   void aStrategyWithoutItsEndIsPreviewedByItself() {
     QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(20)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
-    window_->document().addFilter(*findFilter("GridStrategy"), 1);  // refused, until there is a Collapse
+    window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);  // refused, until there is a Collapse
     QTRY_VERIFY(window_->cells().previewing());
     const std::size_t cells = window_->cells().shownBlock()->report.cells.size();
     window_->document().setValue(window_->document().filters()[1].id, 0, 7, 1);
@@ -371,7 +371,7 @@ class TestCellsInView : public QObject {
   void theWindowAnswersWhileAPreviewIsMade() {
     QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(174)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
-    window_->document().addFilter(*findFilter("GridStrategy"), 1);
+    window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);
     qint64 longest = 0;
     QElapsedTimer clock;
     clock.start();

@@ -25,7 +25,7 @@ class TestDocument : public QObject {
     const Pipeline start = parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 1\n", "test");
     document.reset(start, {});
     const auto id = [&](std::size_t row) { return document.filters()[row].id; };
-    document.addFilter(*findFilter("LayerSubdivisionFilter"), 1);
+    document.addFilter(filterDescriptor(FilterType::LayerSubdivision), 1);
     document.moveFilter(id(0), 2);
     document.setEnabled(id(1), false);
     document.setValue(id(2), 0, 30, 1);

@@ -130,7 +130,7 @@ class TestCompare : public QObject {
   }
   [[nodiscard]] int clearanceId() const {
     for (const FilterEntry& entry : window_->document().filters())
-      if (entry.step.filter->name == "VerticalClearanceFilter") return entry.id;
+      if (entry.step.filter->type == FilterType::VerticalClearance) return entry.id;
     return 0;
   }
   void setClearance(double height) {

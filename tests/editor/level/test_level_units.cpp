@@ -75,15 +75,15 @@ class TestLevelUnits : public QObject {
       }
     }
     // As defaults are converted.
-    const PipelineStep clearance = defaultStep(*findFilter("VerticalClearanceFilter"), 0.0254);
+    const PipelineStep clearance = defaultStep(filterDescriptor(FilterType::VerticalClearance), 0.0254);
     QCOMPARE(units(UpAxis::Z, 0.0254).stored(2), clearance.values[0]);
   }
 
   void lengthsStayTheSameInMetres() {
     Pipeline pipeline;
-    pipeline.steps.push_back(defaultStep(*findFilter("VerticalClearanceFilter"), 1));
-    pipeline.steps.push_back(defaultStep(*findFilter("AreaFilter"), 1));
-    pipeline.steps.push_back(defaultStep(*findFilter("SlopeFilter"), 1));
+    pipeline.steps.push_back(defaultStep(filterDescriptor(FilterType::VerticalClearance), 1));
+    pipeline.steps.push_back(defaultStep(filterDescriptor(FilterType::Area), 1));
+    pipeline.steps.push_back(defaultStep(filterDescriptor(FilterType::Slope), 1));
     pipeline.steps[0].values[0] = 2.54;
     pipeline.steps[1].values[0] = 4;
     const Pipeline inches = rescaleLengths(pipeline, 1, 0.0254);
@@ -92,9 +92,9 @@ class TestLevelUnits : public QObject {
     QCOMPARE(inches.steps[2].values[0], pipeline.steps[2].values[0]);
     QVERIFY(rescaleLengths(inches, 0.0254, 1) == pipeline);
     // Defaults become defaults, digit for digit.
-    pipeline.steps[0] = defaultStep(*findFilter("VerticalClearanceFilter"), 1);
+    pipeline.steps[0] = defaultStep(filterDescriptor(FilterType::VerticalClearance), 1);
     QVERIFY(rescaleLengths(pipeline, 1, 0.0254).steps[0] ==
-            defaultStep(*findFilter("VerticalClearanceFilter"), 0.0254));
+            defaultStep(filterDescriptor(FilterType::VerticalClearance), 0.0254));
   }
 
   void theScaleIsAskedFor() {

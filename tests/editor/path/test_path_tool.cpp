@@ -164,7 +164,8 @@ class TestPathTool : public QObject {
     click({2, -2, 0});
     QVERIFY(waitForResult(PathStatus::Found));
     DocumentState next = window_->document().state();
-    std::erase_if(next.filters, [](const FilterEntry& e) { return e.step.filter->name == "VerticalClearanceFilter"; });
+    std::erase_if(next.filters,
+                  [](const FilterEntry& e) { return e.step.filter->type == FilterType::VerticalClearance; });
     window_->document().edit(next, "remove the clearance");
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY(model().result() && model().result()->bends.empty());  // nothing stands in the way

@@ -44,7 +44,7 @@ class TestProvisionalContent : public QObject {
 
  private slots:
   void onlyWhatChangesIsDrawn() {
-    const Paint brown = removalStyle("SlopeFilter")->paint;
+    const Paint brown = removalStyle(FilterType::Slope)->paint;
     const auto changes = changedTriangles(trianglesOn({0, 1, 2, 3}), trianglesOn({3, 2, 7, 1}), brown, {});
     QCOMPARE(changes.size(), std::size_t{2});
     QCOMPARE(facesOf(*changes[0]), (std::vector<int>{0}));

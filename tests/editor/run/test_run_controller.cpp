@@ -81,14 +81,14 @@ class TestRunController : public QObject {
     document_->replacePipeline(parsePipeline("SlopeFilter 45\nSlopeFilter 10\nVerticalClearanceFilter 2\n", "test"),
                                "");
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
-    QVERIFY(last.firstRemoval == removalStyle("SlopeFilter"));
+    QVERIFY(last.firstRemoval == removalStyle(FilterType::Slope));
     // The waves slope by 19 or 47 degrees, and nothing is above them: the clearance removes nothing.
     QCOMPARE(last.removed.size(), std::size_t{1});
-    document_->addFilter(*findFilter("DegeneracyFilter"), 1);
+    document_->addFilter(filterDescriptor(FilterType::Degeneracy), 1);
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
     QVERIFY(controller_->status(document_->filters()[1].id).state == StepState::Cached);
     QCOMPARE(last.removed.size(), std::size_t{1});
-    QVERIFY(last.removed[0].style == removalStyle("SlopeFilter") && !last.removed[0].before->surface.empty());
+    QVERIFY(last.removed[0].style == removalStyle(FilterType::Slope) && !last.removed[0].before->surface.empty());
     QCOMPARE(last.walkable.size(), std::size_t{1});
   }
 
@@ -105,7 +105,7 @@ class TestRunController : public QObject {
     QCOMPARE(contents[0].walkable.size(), std::size_t{1});  // the result before, as it was
     const std::size_t gone = contents[0].changes[0]->surface.size();
     QVERIFY(gone > 0);
-    QCOMPARE(int{contents[0].changes[0]->surface[0].colour[0]}, removalStyle("SlopeFilter")->paint.colour.red());
+    QCOMPARE(int{contents[0].changes[0]->surface[0].colour[0]}, removalStyle(FilterType::Slope)->paint.colour.red());
 
     controller_->cancel();
     QCOMPARE(contents.size(), std::size_t{2});

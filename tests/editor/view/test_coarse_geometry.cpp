@@ -128,7 +128,7 @@ class TestCoarseGeometry : public QObject {
       ViewContent content;
       content.floorStates = states;
       content.environmentLayers = std::make_shared<const EnvironmentLayers>();
-      const RemovalStyle* const style = removalStyle("VerticalClearanceFilter");
+      const RemovalStyle* const style = removalStyle(FilterType::VerticalClearance);
       QVERIFY(style);
       content.removed.push_back({style, nullptr});
       CoarseSurface coarse;

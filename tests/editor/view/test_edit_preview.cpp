@@ -43,7 +43,7 @@ class TestEditPreview : public QObject {
  private slots:
   void facesGoAndComeWithTheirSlope() {
     load(tableObj());  // 68 without the ramp of 60 degrees, whose area is 8
-    const auto preview = prepare("SlopeFilter", 50);
+    const auto preview = prepare(FilterType::Slope, 50);
     QVERIFY(preview->changes(50, 59.9).empty());
     const auto come = preview->changes(50, 61);
     QCOMPARE(come.size(), std::size_t{1});
@@ -51,13 +51,13 @@ class TestEditPreview : public QObject {
     QVERIFY(about(areaOf(*come[0]), areaAt("SlopeFilter 61\n") - areaAt("SlopeFilter 50\n")));
     const auto gone = preview->changes(61, 50);
     QCOMPARE(gone.size(), std::size_t{1});
-    QVERIFY(isPainted(*gone[0], removalStyle("SlopeFilter")->paint));
+    QVERIFY(isPainted(*gone[0], removalStyle(FilterType::Slope)->paint));
     QVERIFY(about(areaOf(*gone[0]), areaOf(*come[0])));
   }
 
   void regionsGoWithTheirArea() {
     load(tableObj());
-    const auto preview = prepare("AreaFilter", 0);
+    const auto preview = prepare(FilterType::Area, 0);
     QVERIFY(preview->changes(0, 3.9).empty());
     for (const double minimum : {4.0, 7.9, 8.1, 100.0}) {
       const auto gone = preview->changes(0, minimum);
@@ -71,12 +71,12 @@ class TestEditPreview : public QObject {
   void floorsGoWhereObstaclesAre() {
     // A board that rises from 0.5 to 3 over the floor.
     load(floorObj() + "v -2 -1 0.5\nv 2 -1 3\nv 2 1 3\nv -2 1 0.5\nf 5 6 7 8\n");
-    const auto preview = prepare("VerticalClearanceFilter", 2);
+    const auto preview = prepare(FilterType::VerticalClearance, 2);
     for (const auto& [low, high] : {std::pair{1.0, 2.0}, std::pair{0.25, 4.0}, std::pair{2.0, 2.25}}) {
       const double lost = areaWithClearance(low) - areaWithClearance(high);
       const auto gone = preview->changes(low, high);
       QCOMPARE(gone.size(), std::size_t{1});
-      QVERIFY(isPainted(*gone[0], removalStyle("VerticalClearanceFilter")->paint));
+      QVERIFY(isPainted(*gone[0], removalStyle(FilterType::VerticalClearance)->paint));
       QVERIFY2(about(areaOf(*gone[0]), lost),
                qPrintable(QString::number(areaOf(*gone[0])) + ' ' + QString::number(lost)));
       const auto back = preview->changes(high, low);
@@ -90,17 +90,17 @@ class TestEditPreview : public QObject {
   void whatIsUnderSomethingLowerDoesNotComeBack() {
     load(tableObj() + "v -1 -1 2.5\nv 1 -1 2.5\nv 1 1 2.5\nv -1 1 2.5\nf 13 14 15 16\n");
     // The upper board stands 1.5 above the table and 2.5 above the floor, the table 1 above the floor.
-    const auto back = prepare("VerticalClearanceFilter", 3)->changes(3, 1.2);
+    const auto back = prepare(FilterType::VerticalClearance, 3)->changes(3, 1.2);
     QCOMPARE(back.size(), std::size_t{2});
     QVERIFY(about(areaOf(*back[0]), 8));  // under the board, on the table and on the floor
-    QVERIFY(isPainted(*back[1], removalStyle("VerticalClearanceFilter")->paint));
+    QVERIFY(isPainted(*back[1], removalStyle(FilterType::VerticalClearance)->paint));
     QVERIFY(about(areaOf(*back[1]), 4));  // but over the latter stands the table
   }
 
   void whatDependsOnNothingNewServesAgain() {
     load(tableObj());
-    const auto preview = prepare("VerticalClearanceFilter", 2);
-    const EditedStep same{"VerticalClearanceFilter", 2.5, before_, nullptr};
+    const auto preview = prepare(FilterType::VerticalClearance, 2);
+    const EditedStep same{FilterType::VerticalClearance, 2.5, before_, nullptr};
     QVERIFY(preview->suits(same));
     EditedStep other = same;
     other.threshold = 4;  // it knows no more than twice the clearance that it was made for
@@ -112,11 +112,11 @@ class TestEditPreview : public QObject {
 
   void preparingCanBeCancelled() {
     load(tableObj());
-    for (const char* filter : {"SlopeFilter", "AreaFilter", "VerticalClearanceFilter"}) {
+    for (const FilterType filter : {FilterType::Slope, FilterType::Area, FilterType::VerticalClearance}) {
       const EditedStep step{filter, 2, before_, before_};
       QVERIFY_THROWS_EXCEPTION(Cancelled, makeEditPreview(step, environment_, {}, [] { throw Cancelled(); }));
     }
-    QVERIFY(!makeEditPreview({"LayerSubdivisionFilter", 0, before_, before_}, environment_, {}, [] {}));
+    QVERIFY(!makeEditPreview({FilterType::LayerSubdivision, 0, before_, before_}, environment_, {}, [] {}));
   }
 
  private:
@@ -132,7 +132,7 @@ class TestEditPreview : public QObject {
     return runPipeline(environment_, parsePipeline(pipeline, "test"), context).summary.area;
   }
   double areaWithClearance(double height) { return areaAt("VerticalClearanceFilter " + std::to_string(height) + '\n'); }
-  std::shared_ptr<const EditPreview> prepare(const char* filter, double threshold) {
+  std::shared_ptr<const EditPreview> prepare(FilterType filter, double threshold) {
     return makeEditPreview({filter, threshold, before_, before_}, environment_, {}, [] {});
   }
 

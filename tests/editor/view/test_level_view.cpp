@@ -64,7 +64,7 @@ class TestLevelView : public QObject {
     // The floor and the table top are walkable, the ramp beside them is not; the rest is background.
     const double walkable = shareOf(picture, walkablePaint().colour);
     QVERIFY2(walkable > 0.2 && walkable < 0.7, qPrintable(QString::number(walkable)));
-    QVERIFY(shareOf(picture, removalStyle("SlopeFilter")->paint.colour) > 0.002);
+    QVERIFY(shareOf(picture, removalStyle(FilterType::Slope)->paint.colour) > 0.002);
     const QColor corner = picture.pixelColor(3, 3);
     QVERIFY(corner.lightness() > 200);
     QVERIFY(!looksLike(corner, walkablePaint().colour));
@@ -128,7 +128,7 @@ class TestLevelView : public QObject {
     QVERIFY(openZUp(window, writeFile(folder, "table.obj", tableObj()), "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
     QCOMPARE(window.view().content().removed.size(), std::size_t{1});
     const ViewContent::Removed& removed = window.view().content().removed[0];
-    QVERIFY(removed.style == removalStyle("VerticalClearanceFilter"));
+    QVERIFY(removed.style == removalStyle(FilterType::VerticalClearance));
     // Where the table is taken away, what was walkable before it shines through in the colour of its filter.
     CameraPose low;
     low.position = {0, -12, 0.8};
@@ -145,7 +145,7 @@ class TestLevelView : public QObject {
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "table.obj", tableObj()), "SlopeFilter 70\nVerticalClearanceFilter 2\n"));
     window.view().viewOblique();
-    const QColor brown = removalStyle("SlopeFilter")->paint.colour;
+    const QColor brown = removalStyle(FilterType::Slope)->paint.colour;
     QVERIFY(shareOf(window.view().grabFramebuffer(), brown) < 0.001);
     const ViewContent result = window.view().content();
     const QImage finished = window.view().grabFramebuffer();
@@ -154,7 +154,7 @@ class TestLevelView : public QObject {
     ramp.triangles = {window.environment()->triangles[4], window.environment()->triangles[5]};
     const Vec3 centre = makeEnvironmentGeometry(*window.environment())->centre;
     ViewContent edited = result;
-    edited.changes = changedTriangles(ramp, {}, removalStyle("SlopeFilter")->paint, centre);
+    edited.changes = changedTriangles(ramp, {}, removalStyle(FilterType::Slope)->paint, centre);
     window.view().setContent(edited);
     QVERIFY(shareOf(window.view().grabFramebuffer(), brown) > 0.005);
     // Nothing of it is left in the picture that the view keeps.

@@ -144,7 +144,7 @@ class TestSceneRules : public QObject {
     // Without walls, what was rejected stays.
     parts.environment = false;
     view().setParts(parts);
-    QVERIFY(sameHue(colourAt(ramp), removalStyle("SlopeFilter")->paint.colour));
+    QVERIFY(sameHue(colourAt(ramp), removalStyle(FilterType::Slope)->paint.colour));
     // Without the walkable area, nothing else takes its place: no reason is told that is none.
     for (const bool environment : {true, false}) {
       parts.environment = environment;
@@ -153,7 +153,7 @@ class TestSceneRules : public QObject {
       const QColor there = colourAt(walkable);
       QVERIFY2(there.hsvSaturationF() < 0.12F, qPrintable(there.name()));
       QCOMPARE(view().pick(at(walkable)).has_value(), environment);
-      QVERIFY(sameHue(colourAt(ramp), removalStyle("SlopeFilter")->paint.colour));
+      QVERIFY(sameHue(colourAt(ramp), removalStyle(FilterType::Slope)->paint.colour));
     }
   }
 
@@ -169,7 +169,7 @@ class TestSceneRules : public QObject {
     for (const Vec3& place : {Vec3{3, -3, 3}, Vec3{1, 0, 3}, Vec3{2, -1, 3}}) {
       const auto seen = view().pick(at(place));
       QVERIFY(!seen || seen->point.z < 2.95);
-      QVERIFY(!sameHue(colourAt(place), removalStyle("SlopeFilter")->paint.colour));
+      QVERIFY(!sameHue(colourAt(place), removalStyle(FilterType::Slope)->paint.colour));
     }
     // A layer goes on its own triangles as well where nothing else is drawn.
     look_->modes().setMode(ViewMode::WalkableOnly);

@@ -85,7 +85,7 @@ class TestViewModes : public QObject {
   void walkableOnlyLeavesTheRestOut() {
     open();
     const Vec3 ramp{5.6, 0.5, 1.04};
-    QVERIFY(sameHue(colourAt(ramp), removalStyle("SlopeFilter")->paint.colour));
+    QVERIFY(sameHue(colourAt(ramp), removalStyle(FilterType::Slope)->paint.colour));
     show(ViewMode::WalkableOnly);
     QVERIFY(near(colourAt(ramp), backgroundUpper(), 40));
     QVERIFY(sameHue(colourAt({2.2, 1, 0}), walkablePaint().colour));
@@ -94,7 +94,7 @@ class TestViewModes : public QObject {
   void rejectedPlacesStandOut() {
     open();
     show(ViewMode::RejectedBy);
-    QVERIFY(sameHue(colourAt({5.6, 0.5, 1.04}), removalStyle("SlopeFilter")->vivid.colour));
+    QVERIFY(sameHue(colourAt({5.6, 0.5, 1.04}), removalStyle(FilterType::Slope)->vivid.colour));
     QVERIFY(!sameHue(colourAt({2.2, 1, 0}), walkablePaint().colour));
   }
 
@@ -148,7 +148,7 @@ class TestViewModes : public QObject {
     window_->document().setValue(window_->document().filters()[0].id, 0, 70, 0);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(settled());
-    QVERIFY(!sameHue(colourAt({5.6, 0.5, 1.04}), removalStyle("SlopeFilter")->paint.colour));  // walkable now
+    QVERIFY(!sameHue(colourAt({5.6, 0.5, 1.04}), removalStyle(FilterType::Slope)->paint.colour));  // walkable now
     QVERIFY(openZUp(*window_, writeFile(folder_, "floor.obj", floorObj()), kPipeline));
     QVERIFY(settled());
     window_->view().viewFromTop();

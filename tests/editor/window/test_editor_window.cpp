@@ -186,7 +186,7 @@ class TestEditorWindow : public QObject {
 
   void failingStepsAreToldOnTheirRow() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    window_->document().addFilter(*findFilter("Collapse"), 1);
+    window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);
     QVERIFY(waitUntilIdle(*window_));
     FilterRow* row = window_->filterList().rows().back();
     QCOMPARE(row->stateText(), QString("failed"));

@@ -278,7 +278,7 @@ class TestFileSafety : public QObject {
     DocumentState next = window_->document().state();
     next.filters.push_back(next.filters.front());
     next.filters.back().id = window_->document().newFilterId();
-    next.filters.back().step = defaultStep(*findFilter("GridStrategy"), 1);
+    next.filters.back().step = defaultStep(filterDescriptor(FilterType::GridStrategy), 1);
     window_->document().edit(next, "a strategy without an end");
     QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().isVisible(); }));
     QVERIFY2(window_->messageBar().text().startsWith("step 3 (Grid strategy): "),

@@ -36,6 +36,7 @@ void TestDescriptor::namesAreUniqueAndFound() {
   for (const FilterDescriptor& filter : filterDescriptors()) {
     QVERIFY(names.insert(filter.name).second);
     QCOMPARE(findFilter(filter.name), &filter);
+    QCOMPARE(&filterDescriptor(filter.type), &filter);
     for (const std::string_view alias : filter.aliases) {
       QVERIFY(names.insert(alias).second);
       QCOMPARE(findFilter(alias), &filter);
@@ -151,19 +152,21 @@ void TestDescriptor::valuesAtTheLimits() {
 }
 
 void TestDescriptor::valuesInWords() {
-  const ParameterDescriptor& slope = findFilter("SlopeFilter")->parameters[0];
+  const ParameterDescriptor& slope = filterDescriptor(FilterType::Slope).parameters[0];
   QCOMPARE(describeRange(slope).str(), std::string("a number above 0 and below 90 (degrees)"));
   QCOMPARE(formatValue(slope, 45), std::string("45"));
   QCOMPARE(formatValue(slope, 0.1), std::string("0.1"));
-  QCOMPARE(describeRange(findFilter("GridStrategy")->parameters[0]).str(), std::string("a whole number of at least 1"));
-  QCOMPARE(formatValue(findFilter("GridStrategy")->parameters[0], 2147483647), std::string("2147483647"));
-  QCOMPARE(formatValue(findFilter("RoundingFilter")->parameters[0], 1), std::string("true"));
+  QCOMPARE(describeRange(filterDescriptor(FilterType::GridStrategy).parameters[0]).str(),
+           std::string("a whole number of at least 1"));
+  QCOMPARE(formatValue(filterDescriptor(FilterType::GridStrategy).parameters[0], 2147483647),
+           std::string("2147483647"));
+  QCOMPARE(formatValue(filterDescriptor(FilterType::Rounding).parameters[0], 1), std::string("true"));
 }
 
 void TestDescriptor::usageInWords() {
-  QCOMPARE(describeUsage(*findFilter("SimplificationFilter")),
+  QCOMPARE(describeUsage(filterDescriptor(FilterType::Simplification)),
            std::string("SimplificationFilter [approximate [tolerance]]"));
-  QCOMPARE(describeUsage(*findFilter("Collapse")), std::string("Collapse"));
+  QCOMPARE(describeUsage(filterDescriptor(FilterType::Collapse)), std::string("Collapse"));
 }
 
 void TestDescriptor::nearestName_data() {

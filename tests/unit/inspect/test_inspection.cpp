@@ -368,7 +368,8 @@ class TestInspection : public QObject {
     ResultCache small(1);
     const auto again = stepStates(level, pipeline, context, small);
     QVERIFY(same(summarize(*again.back()), summarize(*state)));
-    QVERIFY_EXCEPTION_THROWN(stepStates(level, Pipeline{{{findFilter("Collapse"), {}}}}, context, cache), InputError);
+    QVERIFY_EXCEPTION_THROWN(
+        stepStates(level, Pipeline{{{&filterDescriptor(FilterType::Collapse), {}}}}, context, cache), InputError);
     context.cancel();
     QVERIFY_EXCEPTION_THROWN(stepStates(level, pipeline, context, cache), Cancelled);
   }

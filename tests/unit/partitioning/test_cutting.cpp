@@ -450,14 +450,16 @@ class TestCutting : public QObject {
       const SourceMesh mesh = makeSourceMesh(SourceSoupView(environment->vertices, environment->triangles), false);
       std::vector<char> walkable(mesh.triangles.size()), removed(mesh.triangles.size(), 0);
       for (std::size_t t = 0; t < walkable.size(); ++t) walkable[t] = static_cast<char>(mesh.facing[t] > 0);
-      for (const auto& [strategy, values] : {std::pair{"RecursiveStrategy", std::vector<double>{500, 4, 0}},
-                                             std::pair{"HeightAwareStrategy", std::vector<double>{500, 4, 0}}}) {
+      for (const auto& [strategy, values] :
+           {std::pair{FilterType::RecursiveStrategy, std::vector<double>{500, 4, 0}},
+            std::pair{FilterType::HeightAwareStrategy, std::vector<double>{500, 4, 0}}}) {
         const Partition partition = makePartition(strategy, values, {mesh, walkable, removed, 2, 2});
         QVERIFY(partition.cells.size() > 1);
         const CutEnvironment cut = cutEnvironment(mesh, partition, {}, false);
         QVERIFY(cut.triangles.size() >= mesh.triangles.size());
         const std::string wrong = Check(mesh, partition, cut).run({});
-        QVERIFY2(wrong.empty(), (std::string(name) + ' ' + strategy + ": " + wrong).c_str());
+        QVERIFY2(wrong.empty(),
+                 (std::string(name) + ' ' + std::string(filterDescriptor(strategy).name) + ": " + wrong).c_str());
       }
     }
   }

@@ -26,11 +26,12 @@ namespace {
 using Borders = std::array<std::vector<double>, 2>;
 
 // Each strategy, with parameters that make several cells.
-const std::vector<std::pair<std::string, std::vector<double>>> kStrategies{{"GridStrategy", {3, 4}},
-                                                                           {"RecursiveStrategy", {5, 3, 0}},
-                                                                           {"SortedRecursiveStrategy", {5, 4, 1}},
-                                                                           {"HeightAwareStrategy", {5, 4, 0}},
-                                                                           {"AutoStrategy", {}}};
+const std::vector<std::pair<FilterType, std::vector<double>>> kStrategies{
+    {FilterType::GridStrategy, {3, 4}},
+    {FilterType::RecursiveStrategy, {5, 3, 0}},
+    {FilterType::SortedRecursiveStrategy, {5, 4, 1}},
+    {FilterType::HeightAwareStrategy, {5, 4, 0}},
+    {FilterType::AutoStrategy, {}}};
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -50,7 +51,7 @@ struct Case {
   explicit Case(const Soup& soup) : Case(*soup.environment()) {}
 
   [[nodiscard]] StrategyInput input() const { return {mesh, walkable, removed, clearance, threads}; }
-  [[nodiscard]] Partition partition(std::string_view strategy, const std::vector<double>& values) const {
+  [[nodiscard]] Partition partition(FilterType strategy, const std::vector<double>& values) const {
     return makePartition(strategy, values, input());
   }
 };
@@ -220,7 +221,7 @@ class TestStrategies : public QObject {
   // Figures 7 and 8 of the thesis: three columns, two rows.
   void gridCutsIntoEqualRectangles() {
     const Case given(Soup().floor(0, 0, 6, 4, 0));
-    const Partition partition = given.partition("GridStrategy", {3, 2});
+    const Partition partition = given.partition(FilterType::GridStrategy, {3, 2});
     QVERIFY((partition.borders[0] == std::vector<double>{2, 4}));
     QVERIFY((partition.borders[1] == std::vector<double>{2}));
     QCOMPARE(partition.cells.size(), std::size_t{6});
@@ -233,19 +234,19 @@ class TestStrategies : public QObject {
 
   void gridOfDegenerateEnvironments() {
     const Case nothing{Soup()};
-    QCOMPARE(nothing.partition("GridStrategy", {7, 9}).cells.size(), std::size_t{1});
+    QCOMPARE(nothing.partition(FilterType::GridStrategy, {7, 9}).cells.size(), std::size_t{1});
     const Case wall(Soup().wall(1, 0, 1, 4, 0, 3));
-    const Partition cutWall = wall.partition("GridStrategy", {4, 4});
+    const Partition cutWall = wall.partition(FilterType::GridStrategy, {4, 4});
     QVERIFY(cutWall.borders[0].empty());
     QCOMPARE(cutWall.borders[1].size(), std::size_t{3});
     const double next = std::nextafter(1.0, 2.0);
     const Case narrow(Soup().floor(1, 0, std::nextafter(next, 2.0), 1, 0));
-    QVERIFY((narrow.partition("GridStrategy", {1000, 1}).borders[0] == std::vector<double>{next}));
+    QVERIFY((narrow.partition(FilterType::GridStrategy, {1000, 1}).borders[0] == std::vector<double>{next}));
     const Case tiny(Soup().floor(0, 0, 5e-324, 1e-323, 0));
-    QVERIFY(isSound(tiny.partition("GridStrategy", {50, 50})));
+    QVERIFY(isSound(tiny.partition(FilterType::GridStrategy, {50, 50})));
     for (const double size : {1e300, std::numeric_limits<double>::max()}) {
       const Case enormous(Soup().floor(-size, -size, size, size, 0));
-      const Partition partition = enormous.partition("GridStrategy", {4, 3});
+      const Partition partition = enormous.partition(FilterType::GridStrategy, {4, 3});
       QCOMPARE(partition.cells.size(), std::size_t{12});
       QVERIFY(isSound(partition));
       QVERIFY(areFloorsListed(enormous, partition));
@@ -255,8 +256,8 @@ class TestStrategies : public QObject {
   void tooManyCellsAreRefused() {
     const Case given(Soup().floor(0, 0, 6, 4, 0));
     for (const auto& values : {std::vector<double>{2147483647, 2147483647}, {65537, 1}, {1, 2147483647}, {257, 256}})
-      QVERIFY_THROWS_EXCEPTION(InputError, given.partition("GridStrategy", values));
-    QCOMPARE(given.partition("GridStrategy", {256, 256}).cells.size(), std::size_t{65536});
+      QVERIFY_THROWS_EXCEPTION(InputError, given.partition(FilterType::GridStrategy, values));
+    QCOMPARE(given.partition(FilterType::GridStrategy, {256, 256}).cells.size(), std::size_t{65536});
   }
 
   void removedTrianglesDoNotCount() {
@@ -264,13 +265,13 @@ class TestStrategies : public QObject {
     for (std::size_t t = 0; t < given.mesh.triangles.size(); ++t)
       given.removed[t] = given.walkable[t] = static_cast<char>(given.mesh.vertices[given.mesh.triangles[t][0]].x < 50);
     std::fill(given.walkable.begin(), given.walkable.end(), 0);
-    QVERIFY((given.partition("GridStrategy", {2, 1}).borders[0] == std::vector<double>{102}));
+    QVERIFY((given.partition(FilterType::GridStrategy, {2, 1}).borders[0] == std::vector<double>{102}));
   }
 
   // A diagonal leaves out the cells beside it, also those that its box holds.
   void floorsAreNotListedWhereTheyHaveNoArea() {
     const Case given(Soup().triangle({0, 0, 0}, {8, 7, 0}, {7, 8, 0}));
-    Partition partition = given.partition("GridStrategy", {8, 8});
+    Partition partition = given.partition(FilterType::GridStrategy, {8, 8});
     std::size_t spare = 0;
     QVERIFY(areFloorsListed(given, partition, &spare));
     QCOMPARE(spare, std::size_t{0});
@@ -286,22 +287,22 @@ class TestStrategies : public QObject {
       for (const double y : {4.5, 6.5}) soup.floor(x, y, x + 1, y + 1, 0);
     soup.floor(7, 7, 8, 8, 0);
     const Case given(soup);
-    const Partition partition = given.partition("RecursiveStrategy", {4, 5, 1});
+    const Partition partition = given.partition(FilterType::RecursiveStrategy, {4, 5, 1});
     QVERIFY((partition.borders == Borders{{{4, 6}, {4, 6}}}));
     QCOMPARE(partition.cells.size(), std::size_t{7});
     QCOMPARE(partition.strategy, std::string("RecursiveStrategy 4 5 true"));
     QVERIFY(isSound(partition));
     // Cells with no more triangles than the first parameter are not cut, and no cell more often than the second.
-    QCOMPARE(given.partition("RecursiveStrategy", {16, 5, 0}).cells.size(), std::size_t{1});
-    QCOMPARE(given.partition("RecursiveStrategy", {15, 5, 0}).cells.size(), std::size_t{4});
-    QCOMPARE(given.partition("RecursiveStrategy", {1, 1, 0}).cells.size(), std::size_t{4});
+    QCOMPARE(given.partition(FilterType::RecursiveStrategy, {16, 5, 0}).cells.size(), std::size_t{1});
+    QCOMPARE(given.partition(FilterType::RecursiveStrategy, {15, 5, 0}).cells.size(), std::size_t{4});
+    QCOMPARE(given.partition(FilterType::RecursiveStrategy, {1, 1, 0}).cells.size(), std::size_t{4});
   }
 
   // Triangles are cut as the recursion goes on: one counts where it has a part, and not where only its box has.
   void recursiveCountsWhatCutsLeave() {
     const Case given(Soup().triangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}).triangle({0, 0, 5}, {8, 0, 5}, {0, 8, 5}));
-    QCOMPARE(given.partition("RecursiveStrategy", {2, 2, 0}).cells.size(), std::size_t{1});
-    const Partition partition = given.partition("RecursiveStrategy", {1, 2, 0});
+    QCOMPARE(given.partition(FilterType::RecursiveStrategy, {2, 2, 0}).cells.size(), std::size_t{1});
+    const Partition partition = given.partition(FilterType::RecursiveStrategy, {1, 2, 0});
     QCOMPARE(partition.cells.size(), std::size_t{13});
     const auto isUncut = [](const Cell& cell) { return cell.bounds.lower[0] == 4 && cell.bounds.lower[1] == 4; };
     const auto cell = std::find_if(partition.cells.begin(), partition.cells.end(), isUncut);
@@ -313,11 +314,11 @@ class TestStrategies : public QObject {
     Soup stack;
     const double end = std::nextafter(std::nextafter(1.0, 2), 2);
     for (int i = 0; i < 9; ++i) stack.floor(1, 1, end, end, i);
-    const Partition partition = Case(stack).partition("RecursiveStrategy", {1, 32, 0});
+    const Partition partition = Case(stack).partition(FilterType::RecursiveStrategy, {1, 32, 0});
     QCOMPARE(partition.cells.size(), std::size_t{4});
     Soup walls;
     for (int i = 0; i < 9; ++i) walls.wall(1, 0, 1, 8, i, i + 1);
-    const Partition cutWalls = Case(walls).partition("RecursiveStrategy", {1, 2, 0});
+    const Partition cutWalls = Case(walls).partition(FilterType::RecursiveStrategy, {1, 2, 0});
     QVERIFY((cutWalls.borders == Borders{{{}, {2, 4, 6}}}));
   }
 
@@ -325,11 +326,11 @@ class TestStrategies : public QObject {
     Soup soup;
     for (int i = 0; i < 3; ++i) soup.triangle({0, 0, double(i)}, {8, 0, double(i)}, {0, 7, double(i)});
     const Case given(soup);
-    for (const std::string_view strategy : {"RecursiveStrategy", "SortedRecursiveStrategy"})
+    for (const FilterType strategy : {FilterType::RecursiveStrategy, FilterType::SortedRecursiveStrategy})
       QCOMPARE(given.partition(strategy, {8, 32, 0}).cells.size(), std::size_t{1});
     std::string message;
     try {
-      QCOMPARE(given.partition("RecursiveStrategy", {1, 32, 1}).cells.size(), std::size_t{0});
+      QCOMPARE(given.partition(FilterType::RecursiveStrategy, {1, 32, 1}).cells.size(), std::size_t{0});
     } catch (const InputError& error) {
       message = error.what();
     }
@@ -346,27 +347,28 @@ class TestStrategies : public QObject {
       return Case(soup);
     };
     const auto cut = [&](const std::vector<double>& ends) {
-      return row(ends).partition("SortedRecursiveStrategy", {1, 1, 0}).borders[0];
+      return row(ends).partition(FilterType::SortedRecursiveStrategy, {1, 1, 0}).borders[0];
     };
     QVERIFY((cut({1, 2, 3, 4, 5, 6, 7, 8}) == std::vector<double>{5}));
     QVERIFY((cut({6, 1, 5, 3, 2, 7, 4}) == std::vector<double>{4}));
     // Figure 17: a group with the same end stays together below the cut.
     QVERIFY((cut({1, 2, 3, 3, 5, 6}) == std::vector<double>{3}));
     const Case group = row({1, 2, 3, 4, 4, 6});
-    Partition partition = group.partition("SortedRecursiveStrategy", {1, 1, 0});
+    Partition partition = group.partition(FilterType::SortedRecursiveStrategy, {1, 1, 0});
     QVERIFY((partition.borders[0] == std::vector<double>{4}));
     assignFloors(partition, group.input());
     QCOMPARE(partition.cells[0].floors, std::uint64_t{5});
     QCOMPARE(partition.cells[1].floors, std::uint64_t{1});
     // Figure 16: all end at the same coordinate; any cut would leave one side empty, so there is none.
-    QCOMPARE(row({4, 4, 4, 4, 4}).partition("SortedRecursiveStrategy", {1, 8, 0}).cells.size(), std::size_t{1});
+    QCOMPARE(row({4, 4, 4, 4, 4}).partition(FilterType::SortedRecursiveStrategy, {1, 8, 0}).cells.size(),
+             std::size_t{1});
     QVERIFY(cut({1, 2, 3, 3}).empty());
     // The next cut is across the other axis.
-    const Partition twice = row({1, 2, 3, 4, 5, 6, 7, 8}).partition("SortedRecursiveStrategy", {2, 2, 0});
+    const Partition twice = row({1, 2, 3, 4, 5, 6, 7, 8}).partition(FilterType::SortedRecursiveStrategy, {2, 2, 0});
     QVERIFY((twice.borders == Borders{{{5}, {2.5, 6.5}}}));
     QCOMPARE(twice.cells.size(), std::size_t{4});
     QVERIFY(isSound(twice));
-    QCOMPARE(row({1, 2, 3, 4}).partition("SortedRecursiveStrategy", {4, 5, 0}).cells.size(), std::size_t{1});
+    QCOMPARE(row({1, 2, 3, 4}).partition(FilterType::SortedRecursiveStrategy, {4, 5, 0}).cells.size(), std::size_t{1});
   }
 
   void storeysAreCutApart() {
@@ -375,7 +377,7 @@ class TestStrategies : public QObject {
       for (int x = 0; x < 8; ++x)
         for (int y = 0; y < 8; ++y) soup.floor(x * 4, y * 4, x * 4 + 4, y * 4 + 4, storey * 3);
     const Case given(soup);
-    Partition partition = given.partition("HeightAwareStrategy", {1, 2, 0});
+    Partition partition = given.partition(FilterType::HeightAwareStrategy, {1, 2, 0});
     QCOMPARE(partition.cells.size(), std::size_t{4});
     QVERIFY(partition.borders[0].empty() && partition.borders[1].empty());
     QVERIFY(isSound(partition));
@@ -394,7 +396,7 @@ class TestStrategies : public QObject {
     for (int x = 0; x < 20; ++x)
       for (int y = 0; y < 20; ++y) soup.wall(x * 4 + 10, y * 4 + 10, x * 4 + 12, y * 4 + 10, 0, 3);
     const Case given(soup);
-    Partition partition = given.partition("HeightAwareStrategy", {20, 3, 0});
+    Partition partition = given.partition(FilterType::HeightAwareStrategy, {20, 3, 0});
     QCOMPARE(partition.cells.size(), std::size_t{8});
     QVERIFY(isSound(partition));
     double largest = 0, total = 0;
@@ -406,7 +408,7 @@ class TestStrategies : public QObject {
     // Without a clearance every floor is the same work.
     Case plain(soup);
     plain.clearance = 0;
-    const Partition flat = plain.partition("HeightAwareStrategy", {20, 3, 0});
+    const Partition flat = plain.partition(FilterType::HeightAwareStrategy, {20, 3, 0});
     QCOMPARE(flat.cells.size(), std::size_t{1});
     QCOMPARE(flat.cells[0].cost, 2.0);
   }
@@ -419,7 +421,7 @@ class TestStrategies : public QObject {
       for (std::size_t t = 0; t < given.walkable.size(); ++t)
         if (given.walkable[t] != 0 && kept++ % (triangles / 1000) != 0 && !isGround(given.mesh, static_cast<Index>(t)))
           given.walkable[t] = 0;
-      const Partition partition = given.partition("HeightAwareStrategy", {50, 3, 0});
+      const Partition partition = given.partition(FilterType::HeightAwareStrategy, {50, 3, 0});
       QCOMPARE(partition.cells.size(), std::size_t{8});
       QVERIFY(isSound(partition));
       std::vector<double> work(8, 0);
@@ -456,7 +458,7 @@ class TestStrategies : public QObject {
         house.floor(x / 8, y, x / 8 + 1, y + 1, (x % 8) * 3);
       }
     const auto heights = [](const Soup& soup) {
-      const Partition partition = Case(soup).partition("HeightAwareStrategy", {10, 3, 0});
+      const Partition partition = Case(soup).partition(FilterType::HeightAwareStrategy, {10, 3, 0});
       return std::count_if(partition.nodes.begin(), partition.nodes.end(),
                            [](const Partition::Node& node) { return node.axis == 2; });
     };
@@ -466,7 +468,7 @@ class TestStrategies : public QObject {
 
   void automaticChoosesFromWorkAndThreads() {
     const Case small(Soup().floor(0, 0, 4, 4, 0));
-    const Partition one = small.partition("AutoStrategy", {});
+    const Partition one = small.partition(FilterType::AutoStrategy, {});
     QCOMPARE(one.cells.size(), std::size_t{1});
     QCOMPARE(one.strategy, std::string("GridStrategy 1 1"));
     QVERIFY(one.reason.str().find("2 triangles") != std::string::npos);
@@ -476,7 +478,7 @@ class TestStrategies : public QObject {
     std::set<int> seen;
     for (const int threads : {1, 2, 4, 16}) {
       large.threads = threads;
-      const Partition partition = large.partition("AutoStrategy", {});
+      const Partition partition = large.partition(FilterType::AutoStrategy, {});
       QVERIFY(!partition.reason.empty());
       QVERIFY(isSound(partition));
       if (threads == 1) {
@@ -498,7 +500,7 @@ class TestStrategies : public QObject {
     QVERIFY(seen.size() > 1);
     Case walls(Soup(randomLevel(3000)).mapped([](const Vec3& v) { return Vec3{v.x, v.z, v.y}; }));
     std::fill(walls.walkable.begin(), walls.walkable.end(), 0);
-    QCOMPARE(walls.partition("AutoStrategy", {}).cells.size(), std::size_t{1});
+    QCOMPARE(walls.partition(FilterType::AutoStrategy, {}).cells.size(), std::size_t{1});
   }
 
   void anythingCanBePartitioned() {
@@ -562,13 +564,13 @@ class TestStrategies : public QObject {
   void obstaclesAreCounted() {
     // Two storeys, and a beam above one half of each: within the clearance only of the upper one.
     const Case given(Soup().floor(0, 0, 8, 4, 0).floor(0, 0, 8, 4, 10).ceiling(4, 0, 8, 4, 11).ceiling(4, 0, 8, 4, 5));
-    Partition partition = given.partition("HeightAwareStrategy", {1, 1, 0});
+    Partition partition = given.partition(FilterType::HeightAwareStrategy, {1, 1, 0});
     QCOMPARE(partition.cells.size(), std::size_t{2});
     assignFloors(partition, given.input());
     QCOMPARE(partition.nodes[0].axis, 2);
     QCOMPARE(partition.cells[0].obstacles, std::uint64_t{2});
     QCOMPARE(partition.cells[1].obstacles, std::uint64_t{4});
-    Partition grid = given.partition("GridStrategy", {2, 1});
+    Partition grid = given.partition(FilterType::GridStrategy, {2, 1});
     assignFloors(grid, given.input());
     QCOMPARE(grid.cells[0].obstacles, std::uint64_t{4});
     QCOMPARE(grid.cells[1].obstacles, std::uint64_t{8});

@@ -68,7 +68,7 @@ Pipeline arbitraryPipeline() {
     const bool enabled = pipeline.steps.back().enabled;
     const int inside = *rc::gen::inRange(0, 3);
     for (int j = 0; j < inside; ++j) pipeline.steps.push_back(arbitraryStep(**rc::gen::elementOf(local)));
-    pipeline.steps.push_back({findFilter("Collapse"), {}, enabled, 0});
+    pipeline.steps.push_back({&filterDescriptor(FilterType::Collapse), {}, enabled, 0});
   }
   return pipeline;
 }
