@@ -95,12 +95,13 @@ Pipeline defaultPipeline(const Environment& environment) {
 
 Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
   Pipeline pipeline = defaultPipeline(environment);
-  const std::array<std::pair<std::string_view, double>, 3> numbers{
-      {{"SlopeFilter", agent.maxSlope}, {"VerticalClearanceFilter", agent.height}, {"AreaFilter", agent.minimumArea}}};
-  for (const auto& [name, value] : numbers) {
-    const FilterDescriptor* filter = findFilter(name);
-    const auto step = std::ranges::find(pipeline.steps, filter, &PipelineStep::filter);
-    const ParameterDescriptor& parameter = filter->parameters.front();
+  const std::array<std::pair<FilterType, double>, 3> numbers{{{FilterType::Slope, agent.maxSlope},
+                                                              {FilterType::VerticalClearance, agent.height},
+                                                              {FilterType::Area, agent.minimumArea}}};
+  for (const auto& [type, value] : numbers) {
+    const FilterDescriptor& filter = filterDescriptor(type);
+    const auto step = std::ranges::find(pipeline.steps, &filter, &PipelineStep::filter);
+    const ParameterDescriptor& parameter = filter.parameters.front();
     if (const Text wrong = checkValue(parameter, value); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);
     step->values.front() = inUnits(parameter, value, environment.metresPerUnit);
