@@ -211,8 +211,9 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   result->topology = nullptr;
   result->dropped = std::move(dropped);
   outcome.state = std::move(result);
-  outcome.note = regionCount == 1 ? Text(FOOTFALL_TEXT("%1 of 1 region removed"), removed)
-                                  : Text(FOOTFALL_TEXT("%1 of %2 regions removed"), removed, regionCount);
+  outcome.note = regionCount == 1
+                     ? Text(FOOTFALL_TEXT("%1 of 1 region removed"), removed)
+                     : Text(FOOTFALL_TEXT("%1 of %2 regions removed"), Text::count(removed), Text::count(regionCount));
   return outcome;
 }
 

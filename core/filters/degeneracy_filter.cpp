@@ -23,10 +23,10 @@ FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context) {
   }
   if (count == 0) return {state, {}, {}};
   // The numbers of triangles beside a note are those of walkable ones, and of these hardly any has no area.
-  Text note = walkable > 0
-                  ? Text(FOOTFALL_TEXT("triangles without area left out: %1, walkable among them: %2"), count, walkable)
-                  : countedText(count, FOOTFALL_TEXT("1 triangle without area left out; it was not walkable"),
-                                FOOTFALL_TEXT("%1 triangles without area left out; none was walkable"));
+  Text note = walkable > 0 ? Text(FOOTFALL_TEXT("triangles without area left out: %1, walkable among them: %2"),
+                                  Text::count(count), Text::count(walkable))
+                           : countedText(count, FOOTFALL_TEXT("1 triangle without area left out; it was not walkable"),
+                                         FOOTFALL_TEXT("%1 triangles without area left out; none was walkable"));
   return {result, std::move(note), {}};
 }
 

@@ -2,13 +2,16 @@
 #include "ui/base/core_text.hpp"
 
 #include <QCoreApplication>
+#include <string>
 
 #include "footfall/errors.hpp"
+#include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
 namespace {
 
 std::string translated(const Text& text) {
+  if (text.isCount()) return countText(std::stoull(text.pattern())).toStdString();
   if (!text.isPattern()) return text.pattern();
   const char* const english = text.pattern().c_str();
   QString own = QCoreApplication::translate("Core", english);

@@ -18,8 +18,8 @@ FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
   outcome.state = withMesh(startGeneration(*state, soup, context), context, outcome.fallbacks);
   if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
   const RoundingCases& c = soup.cases;
-  outcome.note = Text(FOOTFALL_TEXT("case 1: %1, case 2: %2, case 3: %3, case 4: %4, case 5: %5"), c.exact, c.edge,
-                      c.point, c.collinear, c.flipped);
+  outcome.note = Text(FOOTFALL_TEXT("case 1: %1, case 2: %2, case 3: %3, case 4: %4, case 5: %5"), Text::count(c.exact),
+                      Text::count(c.edge), Text::count(c.point), Text::count(c.collinear), Text::count(c.flipped));
   return outcome;
 }
 

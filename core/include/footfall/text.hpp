@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,9 +37,18 @@ class Text {
   requires(sizeof...(Arguments) > 0) Text(Pattern pattern, Arguments&&... arguments)
       : pattern_(pattern.english), arguments_{Text(std::forward<Arguments>(arguments))...}, isPattern_(true) {}
 
+  /// A number of things: the same in English as the plain number; elsewhere it may be shown in groups of thousands.
+  static Text count(std::uint64_t number) {
+    Text text(number);
+    text.isCount_ = true;
+    return text;
+  }
+
   [[nodiscard]] bool empty() const { return pattern_.empty(); }
   /// False: pattern() is the text itself, and a percent sign in it is one.
   [[nodiscard]] bool isPattern() const { return isPattern_; }
+  /// pattern() is the digits of a count.
+  [[nodiscard]] bool isCount() const { return isCount_; }
   [[nodiscard]] const std::string& pattern() const { return pattern_; }
   [[nodiscard]] const std::vector<Text>& arguments() const { return arguments_; }
 
@@ -53,6 +63,7 @@ class Text {
   std::string pattern_;
   std::vector<Text> arguments_;
   bool isPattern_ = false;
+  bool isCount_ = false;
 };
 
 /// `pattern` with `argument(i)` in the place %(i + 1), for i below `count`. Arguments are not searched for places.

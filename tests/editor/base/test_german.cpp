@@ -1,5 +1,6 @@
 // What the core says, in German: notes of filters, messages about files, values and pipelines.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/counted_text.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
 #include "tests/editor/editor_driver.hpp"
@@ -32,6 +33,10 @@ class TestGerman : public QObject {
     QCOMPARE(coreText(Text(Pattern{"%1: %2"}, place, "100%1")), QString("Zeile 3: 100%1"));
     QCOMPARE(coreText(Text("1 cell")), QString("1 cell"));  // a name is no sentence
     QCOMPARE(coreText(Text(FOOTFALL_TEXT("1 cell"))), QString("1 Zelle"));
+    // Counts have groups of thousands, places in files have none.
+    QCOMPARE(coreText(countedText(26815, FOOTFALL_TEXT("1 vertex"), FOOTFALL_TEXT("%1 vertices"))),
+             QString("26.815 Ecken"));
+    QCOMPARE(coreText(Text(Pattern{"%1: %2"}, 26815, "x")), QString("26815: x"));
     QCOMPARE(coreText(std::runtime_error("as it is")), QString("as it is"));
     QCOMPARE(coreText(InputError(FOOTFALL_TEXT("no such file"))), QString("diese Datei gibt es nicht"));
   }
