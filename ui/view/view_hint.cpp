@@ -32,9 +32,17 @@ ViewHint::ViewHint(const QString& setting, QWidget* view) : QFrame(view), settin
 
 void ViewHint::tell(const QString& text) {
   text_->setText(text);
-  layout()->activate();
-  adjustSize();
   setVisible(!QSettings().value(setting_).toBool());
+}
+
+void ViewHint::fitInto(int room) {
+  text_->setWordWrap(false);
+  layout()->activate();
+  const QSize whole = sizeHint();
+  if (whole.width() <= room) return resize(whole);
+  text_->setWordWrap(true);
+  layout()->activate();
+  resize(room, layout()->heightForWidth(room));
 }
 
 }  // namespace footfall::ui

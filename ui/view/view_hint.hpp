@@ -17,6 +17,8 @@ class ViewHint : public QFrame {
 
   /// Shows the text, unless it has been closed once.
   void tell(const QString& text);
+  /// As wide as its lines, but not wider than `room`: longer lines are broken.
+  void fitInto(int room);
 
  private:
   QString setting_;

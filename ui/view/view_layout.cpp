@@ -39,10 +39,15 @@ void ViewLayout::place(const QSize& view) const {
     heights->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
   }
   if (hint) {
-    hint->adjustSize();
-    const int beside = shown(heights) ? heights->x() : right;
-    hint->move(std::max(kMargin, beside - kGap - hint->width()),
-               std::max(shown(heights) ? heights->y() : top, shown(cutBar) ? 2 * kMargin + cutBar->height() : 0));
+    constexpr int kNarrow = 240;  // lines would be broken too often
+    int end = shown(heights) ? heights->x() - kGap : right;
+    int y = shown(heights) ? heights->y() : top;
+    if (shown(heights) && end - kMargin < kNarrow) {
+      end = view.width() - kMargin;
+      y = heights->geometry().bottom() + kGap;
+    }
+    hint->fitInto(std::max(1, end - kMargin));
+    hint->move(end - hint->width(), std::max(y, shown(cutBar) ? 2 * kMargin + cutBar->height() : 0));
   }
   if (legend && !legend->fitInto(view)) legend->move(kMargin, view.height() - legend->height() - kMargin);
   if (cutBar) {

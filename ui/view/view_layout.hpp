@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/view/overlay_frame.hpp"
+#include "ui/view/view_hint.hpp"
 
 namespace footfall::ui {
 
@@ -16,7 +17,7 @@ struct ViewLayout {
   OverlayFrame* legend = nullptr;  ///< lower left
   QWidget* gizmo = nullptr;        ///< upper right
   QWidget* heights = nullptr;      ///< below it, as high as there is room; else beside it
-  QWidget* hint = nullptr;         ///< beside the heights, of which it tells
+  ViewHint* hint = nullptr;        ///< beside the heights, of which it tells; below them in a narrow view
   OverlayFrame* cells = nullptr;   ///< lower right
   QWidget* cutBar = nullptr;       ///< upper left
 

@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QPolygonF>
 #include <QSettings>
+#include <QToolButton>
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
@@ -78,6 +79,24 @@ class TestViewOverlays : public QObject {
     QVERIFY(window_->legend().folded());
     window_->legend().fitInto({1100, 800});
     QVERIFY(!window_->legend().folded());
+  }
+
+  void aHintFitsIntoEveryView() {
+    ViewHint& hint = *window_->overlays().hint;
+    hint.tell(QStringLiteral("Roofs and outer walls are open: Shift+I closes them.\nThe handles show one storey."));
+    auto* close = hint.findChild<QToolButton*>("hintClose");
+    HeightSlider& heights = window_->heightSlider();
+    QVERIFY(heights.isVisible());
+    for (const int width : {260, 330, 420, 560, 900}) {
+      // As wide as docks at both sides leave it.
+      window_->overlays().place({width, 560});
+      const QRect here = hint.geometry();
+      QVERIFY2(here.left() >= 0 && here.right() < width, qPrintable(QString::number(width)));
+      QVERIFY2(!here.intersects(heights.geometry()), qPrintable(QString::number(width)));
+      QVERIFY(hint.rect().contains(close->geometry()));
+      QVERIFY(hint.height() >= hint.layout()->heightForWidth(hint.width()) || width > 500);
+    }
+    window_->placeOverlays();
   }
 
   void nothingCoversWhatIsFitted() {
