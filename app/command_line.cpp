@@ -7,6 +7,7 @@
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/version.hpp"
 
 namespace footfall::app {
 

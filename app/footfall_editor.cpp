@@ -6,6 +6,7 @@
 
 #include "footfall/errors.hpp"
 #include "footfall/up_axis.hpp"
+#include "footfall/version.hpp"
 #include "ui/window/editor_application.hpp"
 
 namespace {

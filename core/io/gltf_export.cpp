@@ -14,10 +14,7 @@
 
 #include "core/io/base64.hpp"
 #include "footfall/errors.hpp"
-
-#ifndef FOOTFALL_VERSION
-#define FOOTFALL_VERSION "unknown"
-#endif
+#include "footfall/version.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -5,10 +5,7 @@
 #include <filesystem>
 
 #include "footfall/up_axis.hpp"
-
-#ifndef FOOTFALL_VERSION
-#define FOOTFALL_VERSION "unknown"
-#endif
+#include "footfall/version.hpp"
 
 namespace footfall::detail {
 namespace {

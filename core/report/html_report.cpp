@@ -23,10 +23,7 @@
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
-
-#ifndef FOOTFALL_VERSION
-#define FOOTFALL_VERSION "unknown"
-#endif
+#include "footfall/version.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -16,6 +16,7 @@
 #include "tests/bench/recast_measurement.hpp"
 #endif
 #if FOOTFALL_BENCH_EMBREE
+#include "footfall/version.hpp"
 #include "tests/bench/floor_measurement.hpp"
 #endif
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "footfall/version.hpp"
 #include "tests/bench/markdown.hpp"
 #include "tests/bench/thesis_correctness.hpp"
 #include "tests/bench/thesis_figures.hpp"

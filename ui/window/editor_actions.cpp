@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "core/io/import.hpp"
+#include "footfall/version.hpp"
 #include "ui/base/command_bar.hpp"
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/namespaces.hpp"

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "footfall/version.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/icon.hpp"
 #include "ui/base/outline_style.hpp"

@@ -31,10 +31,12 @@ std::shared_ptr<const Environment> editEnvironment(const std::shared_ptr<const E
 std::shared_ptr<Environment> editedCopy(const std::shared_ptr<const Environment>& base,
                                         const std::vector<std::uint32_t>& removed, const TriangleSoup& added = {});
 
+/// The name of an obstacle in its EditableEnvironment; none is given twice.
 using ObstacleId = std::uint32_t;
 
 /// A level with obstacles that are moved about. Every change makes a new environment; runPipeline() with the cache of
-/// earlier runs then computes only what the change can affect, and the result is that of a run from nothing.
+/// earlier runs then computes only what the change can affect, and the result is that of a run from nothing. One thread
+/// at a time may change it; the environments that it gives never change, and any thread may use them.
 class EditableEnvironment {
  public:
   explicit EditableEnvironment(std::shared_ptr<const Environment> level) : current_(std::move(level)) {}
@@ -42,10 +44,13 @@ class EditableEnvironment {
   /// The environment as it is now.
   [[nodiscard]] const std::shared_ptr<const Environment>& environment() const { return current_; }
 
-  /// Throws InputError for a soup with wrong indices or coordinates; nothing changes then.
+  /// Coordinates are in the level's units, Z up. Throws InputError for a soup with wrong indices or coordinates;
+  /// nothing changes then.
   ObstacleId add(const TriangleSoup& obstacle);
-  /// Puts `obstacle` where the one with this id was: moved, turned, scaled or another shape altogether.
+  /// Puts `obstacle` where the one with this id was: moved, turned, scaled or another shape altogether. Throws
+  /// InputError as add() does, and for an id that is not there.
   void replace(ObstacleId id, const TriangleSoup& obstacle);
+  /// Throws InputError for an id that is not there.
   void remove(ObstacleId id);
 
  private:

@@ -59,17 +59,18 @@ struct EnvironmentPart {
 
 struct EnvironmentEdit;  // footfall/edit.hpp
 
-/// A triangle soup. Coordinates are the file's own doubles; a file whose up axis is another is turned to Z up (a Y-up
-/// file by (x, y, z) -> (x, -z, y)), which is exact and is undone on export.
+/// A triangle soup, from load() or filled by a program (checkEnvironment()). Coordinates are the file's own doubles; a
+/// file whose up axis is another is turned to Z up (a Y-up file by (x, y, z) -> (x, -z, y)), which is exact and is
+/// undone on export.
 struct Environment {
   std::string source;  ///< path as given by the user, for messages and export comments
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from the front; indices into `vertices`
   UpAxis up = UpAxis::Z;            ///< the file's up axis
   bool upGuessed = true;
-  double metresPerUnit = 1;
+  double metresPerUnit = 1;  ///< above 0; turns the metres of an Agent into units, and never moves a coordinate
   bool scaleGuessed = true;
-  bool bothSides = false;
+  bool bothSides = false;  ///< both sides of every triangle are its upper side
   SkippedElements skipped;
   std::vector<EnvironmentPart> parts;      ///< in the order of their first triangles
   std::vector<std::uint32_t> partOf;       ///< part of each triangle; empty when the file tells no parts apart

@@ -16,6 +16,7 @@ enum class ParameterType { Real, Integer, Boolean };
 /// What a value measures; lengths and areas are in the environment's units.
 enum class Unit { None, Degrees, Length, Area, Count };
 
+/// A parameter of a filter.
 struct ParameterDescriptor {
   std::string_view name;   ///< identifier, e.g. "max_slope"
   std::string_view label;  ///< for people, e.g. "Maximum slope"
@@ -49,11 +50,13 @@ enum class FilterType : std::uint8_t {
   Collapse
 };
 
+/// A strategy begins a parallel block, and Collapse ends it.
 enum class FilterKind { Filter, Strategy, Collapse };
 
 /// Local filters may run inside a parallel block; global ones see across cells and may not.
 enum class Scope { Local, Global };
 
+/// A filter. Texts live as long as the program.
 struct FilterDescriptor {
   FilterType type{};
   std::string_view name;                  ///< as in design and pipeline files, e.g. "LayerSubdivisionFilter"

@@ -21,7 +21,7 @@ enum class UpAxis { Y, Z, X, NegativeY, NegativeZ, NegativeX };
 /// Numbers of three vertices, counter-clockwise seen from the front.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Vertices and the triangles over them.
+/// Vertices and the triangles over them, in any order and not necessarily connected.
 struct TriangleSoup {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;

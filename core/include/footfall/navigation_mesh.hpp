@@ -10,6 +10,9 @@
 
 namespace footfall {
 
+/// Triangles that an agent can stand on. Two of them share an edge by its two vertex numbers exactly where the agent
+/// can cross it, also from layer to layer; the two sides of an obstacle edge have vertices of their own. Vertices,
+/// edges and layers are in an order that depends on the input alone.
 struct NavigationMesh {
   std::vector<Vec3> vertices;       ///< Z up, the environment's units
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from above

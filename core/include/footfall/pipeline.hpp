@@ -12,9 +12,10 @@
 
 namespace footfall {
 
+/// A filter with its parameters.
 struct PipelineStep {
   const FilterDescriptor* filter = nullptr;
-  std::vector<double> values;  ///< one for each parameter of the descriptor
+  std::vector<double> values;  ///< one for each parameter of the descriptor; lengths in the environment's units
   bool enabled = true;         ///< the editor can switch a step off; in text a disabled step is a comment
   int line = 0;                ///< where it stood in a file, 1-based; 0 when it came from elsewhere
   bool operator==(const PipelineStep& o) const {
@@ -22,6 +23,7 @@ struct PipelineStep {
   }
 };
 
+/// Filters in the order in which they run.
 struct Pipeline {
   std::vector<PipelineStep> steps;
   bool operator==(const Pipeline&) const = default;
@@ -37,6 +39,7 @@ Pipeline readPipelineFile(const std::string& path);
 
 /// The text form; parsePipeline gives the same pipeline back. Values are the shortest text that reads back equal.
 std::string formatPipeline(const Pipeline& pipeline);
+/// One line of it, without its end.
 std::string formatStep(const PipelineStep& step);
 
 /// A step with default values, lengths and areas converted from metres to the environment's units.

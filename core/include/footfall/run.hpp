@@ -18,12 +18,13 @@ namespace detail {
 class PrefixCache;
 }
 
+/// What a run made, and what that took. Times are milliseconds.
 struct RunResult {
-  std::vector<StepStatistics> steps;  ///< enabled steps only
-  std::shared_ptr<const NavigationMesh> mesh;
-  StateSummary summary;
-  double startMs = 0;   ///< making the first state from the environment; 0 when cached
-  double finishMs = 0;  ///< making the navigation mesh from the last state
+  std::vector<StepStatistics> steps;           ///< enabled steps only
+  std::shared_ptr<const NavigationMesh> mesh;  ///< never null
+  StateSummary summary;                        ///< of the last state
+  double startMs = 0;                          ///< making the first state from the environment; 0 when cached
+  double finishMs = 0;                         ///< making the navigation mesh from the last state
   double totalMs = 0;
   double cpuMs = 0;  ///< of the whole process during the run
   int threads = 1;
@@ -41,6 +42,7 @@ class ResultCache {
   ~ResultCache();
   ResultCache(const ResultCache&) = delete;
   ResultCache& operator=(const ResultCache&) = delete;
+  /// Drops all states.
   void clear();
 
   /// For the library's own use.
@@ -50,10 +52,11 @@ class ResultCache {
   std::unique_ptr<detail::PrefixCache> inside_;
 };
 
-/// Runs the enabled steps. `threads` limits the worker threads (0: as many as the machine has). Throws Cancelled,
-/// InputError (steps that do not run yet) or RunError; the cache keeps what was finished. Events count the enabled
-/// steps only, as RunResult::steps does, and steps from the cache are announced like others. Progress that is published
-/// after the last step has finished belongs to making the navigation mesh.
+/// Runs the enabled steps over an environment that is in order (checkEnvironment()). `threads` limits the worker
+/// threads (0: as many as the machine has). Throws Cancelled, InputError (steps that do not run yet) or RunError; the
+/// cache keeps what was finished. Events count the enabled steps only, as RunResult::steps does, and steps from the
+/// cache are announced like others. Progress that is published after the last step has finished belongs to making the
+/// navigation mesh. Several threads may run at the same time, with one cache.
 RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
                       ResultCache* cache = nullptr, int threads = 0);
 

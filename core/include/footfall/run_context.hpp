@@ -16,6 +16,7 @@ struct NavigationMesh;  // footfall/navigation_mesh.hpp
 struct BlockReport;     // footfall/statistics.hpp
 struct CellReport;
 
+/// What a run publishes. Steps are counted from 0.
 struct RunEvent {
   enum class Kind {
     StepStarted,  ///< `step`, `text` = filter name
@@ -44,15 +45,19 @@ class RunContext {
   using Listener = std::function<void(const RunEvent&)>;
 
   RunContext() = default;
+  /// `wantsParts`: events come with meshes to show, which takes time to make.
   explicit RunContext(Listener listener, bool wantsParts = false)
       : listener_(std::move(listener)), wantsParts_(wantsParts) {}
 
+  /// Makes every call that has this object throw Cancelled, soon and for good.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
   /// Throws Cancelled when cancel() was called.
   void checkCancelled() const {
     if (cancelled()) throw Cancelled();
   }
+
+  // What follows is called by runs.
 
   /// The step that the following progress() and part() calls belong to; set by the runner.
   void beginStep(std::size_t step, const std::string& name) {

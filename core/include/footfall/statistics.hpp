@@ -71,6 +71,7 @@ struct CellSpan {
   double endMs = 0;
 };
 
+/// One cell of a parallel block.
 struct CellReport {
   CellBounds bounds;
   double cost = 0;                 ///< estimated before the run, in units of one trivial triangle

@@ -1,0 +1,363 @@
+/* Footfall for C and for every language that calls C: exact walkable areas of 3D environments.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ *     footfall_environment* level = NULL;
+ *     footfall_result* result = NULL;
+ *     if (footfall_load("level.glb", NULL, NULL, &level) != FOOTFALL_OK ||
+ *         footfall_walkable_area(level, NULL, NULL, 0, &result) != FOOTFALL_OK ||
+ *         footfall_save(result, "level.obj", NULL) != FOOTFALL_OK)
+ *       fprintf(stderr, "%s\n", footfall_message());
+ *     footfall_free_result(result);
+ *     footfall_free_environment(level);
+ *
+ * Frame and units. Inside, Z is up and lengths are in the units of the file; footfall_agent is in metres. Triangles are
+ * counter-clockwise seen from the front, their numbers and those of vertices count from 0.
+ *
+ * Errors. Functions that can fail return a footfall_status; results go to the last arguments, which are written only
+ * when FOOTFALL_OK is returned. footfall_message() then says in one line what, where and what to do. No exception
+ * leaves the library, and it never prints.
+ *
+ * Ownership. What a function gives through a pointer to a handle, or as char**, is the caller's, to be freed by the
+ * function of its name, footfall_free_...; these take NULL as well. Handles keep what they need: an environment may be
+ * freed before the results that were made of it. Arrays and texts that are returned belong to the handle that they were
+ * asked of and live as long. What is handed in is copied.
+ *
+ * Threads. All functions may be called from several threads at the same time. A handle may be used by several threads
+ * that only read it; footfall_level is changed by one thread at a time. footfall_cancel() may be called at any time.
+ *
+ * Stability. Before version 1.0 a new minor version may change this header, and with it the number in the library's
+ * soname; a new patch version does not. */
+#ifndef FOOTFALL_H
+#define FOOTFALL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define FOOTFALL_API __attribute__((visibility("default")))
+#else
+#define FOOTFALL_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- Errors --------------------------------------------------------------------------------------------------------
+ */
+
+typedef enum footfall_status {
+  FOOTFALL_OK = 0,
+  FOOTFALL_INPUT_ERROR = 1, /* a file, a pipeline, an array or another argument is wrong */
+  FOOTFALL_RUN_ERROR = 2,   /* a result cannot be written, or memory or disk ran out */
+  FOOTFALL_CANCELLED = 3,   /* footfall_cancel() was called */
+  FOOTFALL_INTERNAL = 4     /* a fault of the library */
+} footfall_status;
+
+/* Why the last function that failed on this thread did, in one line; "" when none has. Lives until the next call on
+ * this thread that fails. */
+FOOTFALL_API const char* footfall_message(void);
+
+/* "0.1.0" */
+FOOTFALL_API const char* footfall_version(void);
+
+/* Frees what was given as char**. */
+FOOTFALL_API void footfall_free_text(char* text);
+
+/* --- Spans: arrays that belong to somebody else. -------------------------------------------------------------------
+ */
+
+/* `count` points of three doubles each: x, y, z. */
+typedef struct footfall_points {
+  const double* data;
+  size_t count;
+} footfall_points;
+
+/* `count` triangles of three vertex numbers each. */
+typedef struct footfall_triangles {
+  const uint32_t* data;
+  size_t count;
+} footfall_triangles;
+
+/* `count` edges of two vertex numbers each. */
+typedef struct footfall_edges {
+  const uint32_t* data;
+  size_t count;
+} footfall_edges;
+
+typedef struct footfall_numbers {
+  const uint32_t* data;
+  size_t count;
+} footfall_numbers;
+
+/* --- Progress and cancelling ---------------------------------------------------------------------------------------
+ */
+
+typedef struct footfall_context footfall_context;
+
+/* Called from worker threads, perhaps from several at once, so it must be quick: the step with that number (from 0) and
+ * filter name is done up to `fraction` in [0, 1]. `name` lives during the call only, and is "" while a step goes on. */
+typedef void (*footfall_progress)(void* user, size_t step, const char* name, double fraction);
+
+/* `progress` may be NULL. One context serves any number of calls; once cancelled it stays so. */
+FOOTFALL_API footfall_status footfall_make_context(footfall_progress progress, void* user, footfall_context** context);
+/* Every call that has this context returns FOOTFALL_CANCELLED, within 50 ms. From any thread. */
+FOOTFALL_API void footfall_cancel(footfall_context* context);
+FOOTFALL_API void footfall_free_context(footfall_context* context);
+
+/* --- Environments --------------------------------------------------------------------------------------------------
+ */
+
+typedef struct footfall_environment footfall_environment;
+
+typedef enum footfall_up_axis {
+  FOOTFALL_UP_GUESSED = 0, /* import: by what the file says, or its format; export: that of the source */
+  FOOTFALL_UP_X = 1,
+  FOOTFALL_UP_Y = 2,
+  FOOTFALL_UP_Z = 3,
+  FOOTFALL_UP_NEGATIVE_X = 4,
+  FOOTFALL_UP_NEGATIVE_Y = 5,
+  FOOTFALL_UP_NEGATIVE_Z = 6
+} footfall_up_axis;
+
+typedef struct footfall_import_options {
+  footfall_up_axis up;
+  double metres_per_unit; /* 0: guessed */
+  int both_sides;         /* not 0: both sides of every triangle are its upper side */
+} footfall_import_options;
+
+/* Reads OBJ at double precision, and glTF, FBX, DAE, PLY, STL and others at single precision. `options` (NULL: all
+ * guessed) and `context` may be NULL. */
+FOOTFALL_API footfall_status footfall_load(const char* path, const footfall_import_options* options,
+                                           footfall_context* context, footfall_environment** environment);
+/* From arrays, Z up. Coordinates must be finite and vertex numbers in range. */
+FOOTFALL_API footfall_status footfall_make_environment(footfall_points vertices, footfall_triangles triangles,
+                                                       double metres_per_unit, footfall_environment** environment);
+FOOTFALL_API footfall_points footfall_environment_vertices(const footfall_environment* environment);
+FOOTFALL_API footfall_triangles footfall_environment_triangles(const footfall_environment* environment);
+FOOTFALL_API double footfall_environment_metres_per_unit(const footfall_environment* environment);
+FOOTFALL_API void footfall_free_environment(footfall_environment* environment);
+
+/* --- Levels: environments with obstacles that are moved about
+ * --------------------------------------------------------- */
+
+typedef struct footfall_level footfall_level;
+
+FOOTFALL_API footfall_status footfall_make_level(const footfall_environment* environment, footfall_level** level);
+/* `obstacle` is for the next two; vertices are in the level's units, Z up. */
+FOOTFALL_API footfall_status footfall_add_obstacle(footfall_level* level, footfall_points vertices,
+                                                   footfall_triangles triangles, uint32_t* obstacle);
+FOOTFALL_API footfall_status footfall_replace_obstacle(footfall_level* level, uint32_t obstacle,
+                                                       footfall_points vertices, footfall_triangles triangles);
+FOOTFALL_API footfall_status footfall_remove_obstacle(footfall_level* level, uint32_t obstacle);
+/* The level as it is now. A run over it with the cache of earlier runs computes only what changed. */
+FOOTFALL_API footfall_status footfall_level_environment(const footfall_level* level,
+                                                        footfall_environment** environment);
+FOOTFALL_API void footfall_free_level(footfall_level* level);
+
+/* --- Pipelines -----------------------------------------------------------------------------------------------------
+ */
+
+typedef struct footfall_agent {
+  double max_slope;    /* degrees, above 0 and below 90 */
+  double height;       /* metres, above 0 */
+  double minimum_area; /* square metres: connected parts that are no larger are left out */
+} footfall_agent;
+
+/* 45 degrees, 2 m, 1 square metre. */
+FOOTFALL_API footfall_agent footfall_default_agent(void);
+/* The pipeline for an agent (NULL: the default one) as text, one filter a line, in the environment's units. */
+FOOTFALL_API footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,
+                                                   char** pipeline);
+/* Whether a text is a pipeline; the message of an error names line and column. */
+FOOTFALL_API footfall_status footfall_check_pipeline(const char* pipeline);
+
+/* --- Runs ----------------------------------------------------------------------------------------------------------
+ */
+
+typedef struct footfall_cache footfall_cache;
+typedef struct footfall_result footfall_result;
+
+/* Keeps states of recent runs, of about `bytes` (0: an eighth of the machine's memory). */
+FOOTFALL_API footfall_status footfall_make_cache(size_t bytes, footfall_cache** cache);
+FOOTFALL_API void footfall_free_cache(footfall_cache* cache);
+
+/* The exact walkable area for an agent (NULL: the default one). `context` may be NULL; `threads` 0: as many as the
+ * machine has; the result does not depend on it. */
+FOOTFALL_API footfall_status footfall_walkable_area(const footfall_environment* environment,
+                                                    const footfall_agent* agent, footfall_context* context, int threads,
+                                                    footfall_result** result);
+/* Runs a pipeline: its text, or NULL for the default one. `cache` and `context` may be NULL. */
+FOOTFALL_API footfall_status footfall_run(const footfall_environment* environment, const char* pipeline,
+                                          footfall_cache* cache, footfall_context* context, int threads,
+                                          footfall_result** result);
+FOOTFALL_API void footfall_free_result(footfall_result* result);
+
+/* The navigation mesh: vertices are shared by number exactly where an agent can cross. */
+FOOTFALL_API footfall_points footfall_result_vertices(const footfall_result* result);
+FOOTFALL_API footfall_triangles footfall_result_triangles(const footfall_result* result);
+/* The layer of each triangle, from 0; none when no layer filter ran. */
+FOOTFALL_API footfall_numbers footfall_result_layers(const footfall_result* result);
+FOOTFALL_API uint32_t footfall_result_layer_count(const footfall_result* result);
+/* For each triangle one of the environment in whose plane it lies. */
+FOOTFALL_API footfall_numbers footfall_result_sources(const footfall_result* result);
+/* Edges that an agent cannot cross although walkable area lies on both sides; each once. */
+FOOTFALL_API footfall_edges footfall_result_obstacle_edges(const footfall_result* result);
+/* Edges on which two layers meet. */
+FOOTFALL_API footfall_edges footfall_result_connections(const footfall_result* result);
+/* The surface area, in the square of the environment's unit. */
+FOOTFALL_API double footfall_result_area(const footfall_result* result);
+/* Counts, times and steps as JSON, as `footfall run --stats` writes them. */
+FOOTFALL_API footfall_status footfall_result_statistics(const footfall_result* result, char** json);
+
+typedef struct footfall_export_options {
+  int without_layers;         /* not 0: one group "walkable" */
+  int without_connections;    /* not 0: no lines for them */
+  int without_obstacle_edges; /* not 0: no lines for them */
+  footfall_up_axis up;
+  double scale; /* coordinates are multiplied with it; 0: 1 */
+} footfall_export_options;
+
+/* Writes OBJ, .gltf or .glb by the ending of the name, beside it and renamed, in the frame of the environment's file.
+ * The bytes are those of `footfall run -o`. `options` may be NULL. */
+FOOTFALL_API footfall_status footfall_save(const footfall_result* result, const char* path,
+                                           const footfall_export_options* options);
+
+/* --- Components: the connected parts of a result
+ * ------------------------------------------------------------------------ */
+
+typedef struct footfall_components footfall_components;
+
+typedef struct footfall_component {
+  double area; /* of the surface */
+  size_t triangles;
+  uint32_t first_triangle;
+  double lower[3], upper[3]; /* the box around it */
+} footfall_component;
+
+FOOTFALL_API footfall_status footfall_find_components(const footfall_result* result, footfall_context* context,
+                                                      footfall_components** components);
+/* Largest area first. */
+FOOTFALL_API size_t footfall_component_count(const footfall_components* components);
+FOOTFALL_API footfall_status footfall_get_component(const footfall_components* components, size_t index,
+                                                    footfall_component* component);
+/* For each triangle of the result the index of its component. */
+FOOTFALL_API footfall_numbers footfall_component_of_triangles(const footfall_components* components);
+FOOTFALL_API void footfall_free_components(footfall_components* components);
+
+/* --- Paths ---------------------------------------------------------------------------------------------------------
+ */
+
+typedef struct footfall_path_finder footfall_path_finder;
+typedef struct footfall_path footfall_path;
+
+typedef enum footfall_path_status {
+  FOOTFALL_PATH_FOUND = 0,
+  FOOTFALL_PATH_NOTHING_WALKABLE = 1,
+  FOOTFALL_PATH_START_NOT_WALKABLE = 2,
+  FOOTFALL_PATH_TARGET_NOT_WALKABLE = 3,
+  FOOTFALL_PATH_NOT_CONNECTED = 4
+} footfall_path_status;
+
+typedef enum footfall_link_kind {
+  FOOTFALL_LINK_OPEN = 0, /* a step, a gap, or both */
+  FOOTFALL_LINK_OBSTACLE = 1,
+  FOOTFALL_LINK_LOW_CEILING = 2,
+  FOOTFALL_LINK_WALL = 3,
+  FOOTFALL_LINK_TOUCH = 4
+} footfall_link_kind;
+
+/* What would have to be overcome between two parts: where one is near the other, and what stands there. */
+typedef struct footfall_barrier {
+  footfall_link_kind kind;
+  double from[3], to[3];
+  double gap;      /* in the plan */
+  double rise;     /* upwards, from `from` to `to` */
+  double obstacle; /* FOOTFALL_LINK_OBSTACLE: its height over the lower place */
+  double headroom; /* FOOTFALL_LINK_LOW_CEILING: the free height over the higher place */
+} footfall_barrier;
+
+/* Prepared once for a result, then asked as often as one likes. */
+FOOTFALL_API footfall_status footfall_make_path_finder(const footfall_result* result, footfall_context* context,
+                                                       footfall_path_finder** finder);
+/* The shortest path in the plan between the walkable places straight above or below two points (x, y, z). Where both
+ * are not connected, what keeps them apart is looked for too. That there is no path is no error. */
+FOOTFALL_API footfall_status footfall_find_path(const footfall_path_finder* finder, const double from[3],
+                                                const double to[3], footfall_context* context, footfall_path** path);
+FOOTFALL_API footfall_path_status footfall_path_found(const footfall_path* path);
+/* From start to end, on the surface; where the target cannot be reached, to the nearest place that can. */
+FOOTFALL_API footfall_points footfall_path_points(const footfall_path* path);
+/* The triangles that hold the pieces between the points. */
+FOOTFALL_API footfall_numbers footfall_path_triangles(const footfall_path* path);
+FOOTFALL_API double footfall_path_length(const footfall_path* path);
+FOOTFALL_API double footfall_path_plan_length(const footfall_path* path);
+/* Why there is no path, in one line, in the frame of the environment's file; "" when there is one. */
+FOOTFALL_API const char* footfall_path_failure(const footfall_path* path);
+/* The largest of what keeps start and target apart. Returns 0, and writes nothing, where nothing does. */
+FOOTFALL_API int footfall_path_barrier(const footfall_path* path, footfall_barrier* barrier);
+FOOTFALL_API void footfall_free_path(footfall_path* path);
+FOOTFALL_API void footfall_free_path_finder(footfall_path_finder* finder);
+
+/* --- Why a place is walkable or not
+ * ------------------------------------------------------------------------------------- */
+
+typedef struct footfall_inspector footfall_inspector;
+
+typedef enum footfall_verdict {
+  FOOTFALL_WALKABLE = 0,
+  FOOTFALL_NO_AREA = 1,          /* the triangle is degenerate */
+  FOOTFALL_VERTICAL = 2,         /* it is a wall */
+  FOOTFALL_FACES_DOWN = 3,       /* no triangle in its plane that faces up is here */
+  FOOTFALL_NEVER_FLOOR = 4,      /* it faces up, but is no floor before the first filter */
+  FOOTFALL_TOO_STEEP = 5,        /* the slope filter rejected it */
+  FOOTFALL_TOO_LOW = 6,          /* the clearance filter */
+  FOOTFALL_REGION_TOO_SMALL = 7, /* the area filter */
+  FOOTFALL_MOVED = 8             /* a filter that moves vertices left nothing here */
+} footfall_verdict;
+
+#define FOOTFALL_NONE UINT32_MAX
+
+typedef struct footfall_explanation {
+  footfall_verdict verdict;
+  double point[3];    /* on the triangle */
+  uint32_t triangle;  /* of the environment */
+  uint32_t step;      /* of the pipeline, from 0: which rejected it; or FOOTFALL_NONE */
+  double limit;       /* of that step: degrees, height or area */
+  double slope;       /* degrees, 0 to 180 */
+  double headroom;    /* the free height; infinite where nothing is above */
+  uint32_t obstacle;  /* FOOTFALL_TOO_LOW: the triangle above; or FOOTFALL_NONE */
+  uint32_t layer;     /* FOOTFALL_WALKABLE; or FOOTFALL_NONE */
+  uint32_t component; /* FOOTFALL_WALKABLE: index as in footfall_get_component(); or FOOTFALL_NONE */
+} footfall_explanation;
+
+/* For a result. `cache` is that of the run, or NULL: then its steps are computed again. */
+FOOTFALL_API footfall_status footfall_make_inspector(const footfall_result* result, footfall_cache* cache,
+                                                     footfall_context* context, footfall_inspector** inspector);
+/* Of the highest place at or under a point (x, y, z); an error where there is none. `text` (may be NULL) is the same in
+ * words, some lines, in the frame of the environment's file. */
+FOOTFALL_API footfall_status footfall_explain(const footfall_inspector* inspector, const double point[3],
+                                              footfall_context* context, footfall_explanation* explanation,
+                                              char** text);
+FOOTFALL_API void footfall_free_inspector(footfall_inspector* inspector);
+
+/* --- Comparing -----------------------------------------------------------------------------------------------------
+ */
+
+typedef struct footfall_comparison {
+  int equal;             /* not 0: the same set of points, exactly */
+  double only_first;     /* surface area that only the first has, */
+  double only_second;    /* only the second, */
+  double common;         /* and both */
+  double distance_least; /* the larger of the one-sided Hausdorff distances lies between these two; NaN where one of */
+  double distance_most;  /* both is empty */
+} footfall_comparison;
+
+/* Two results of one frame and unit. */
+FOOTFALL_API footfall_status footfall_compare(const footfall_result* first, const footfall_result* second,
+                                              footfall_context* context, footfall_comparison* comparison);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,131 @@
+// Pipelines, runs, their meshes and exports.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "handles.hpp"
+
+using namespace footfall;
+using namespace footfall::c;
+
+namespace {
+
+constexpr const char* kTextName = "pipeline";  // in messages: "pipeline:LINE:COLUMN: ..."
+
+Agent agentOf(const footfall_agent* agent) {
+  return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area};
+}
+
+footfall_result* run(const footfall_environment& environment, Pipeline pipeline, footfall_cache* cache,
+                     footfall_context* context, int threads) {
+  RunContext ownContext;
+  auto result = std::make_unique<footfall_result>();
+  result->environment = environment.environment;
+  result->pipeline = std::move(pipeline);
+  result->run = runPipeline(result->environment, result->pipeline, context == nullptr ? ownContext : context->context,
+                            cacheOf(cache), threads);
+  return result.release();
+}
+
+}  // namespace
+
+footfall_agent footfall_default_agent(void) {
+  const Agent agent;
+  return {agent.maxSlope, agent.height, agent.minimumArea};
+}
+
+footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,
+                                      char** pipeline) {
+  return guarded(__func__, [&] {
+    given(environment, "environment");
+    given(pipeline, "pipeline");
+    *pipeline = copyOf(formatPipeline(pipelineFor(*environment->environment, agentOf(agent))));
+  });
+}
+
+footfall_status footfall_check_pipeline(const char* pipeline) {
+  return guarded(__func__, [&] { (void)parsePipeline(&given(pipeline, "pipeline"), kTextName); });
+}
+
+footfall_status footfall_make_cache(size_t bytes, footfall_cache** cache) {
+  return guarded(__func__, [&] {
+    given(cache, "cache");
+    constexpr std::size_t kStates = 64;
+    *cache = new footfall_cache{ResultCache(kStates, bytes)};
+  });
+}
+
+void footfall_free_cache(footfall_cache* cache) { delete cache; }
+
+footfall_status footfall_walkable_area(const footfall_environment* environment, const footfall_agent* agent,
+                                       footfall_context* context, int threads, footfall_result** result) {
+  return guarded(__func__, [&] {
+    given(environment, "environment");
+    given(result, "result");
+    *result = run(*environment, pipelineFor(*environment->environment, agentOf(agent)), nullptr, context, threads);
+  });
+}
+
+footfall_status footfall_run(const footfall_environment* environment, const char* pipeline, footfall_cache* cache,
+                             footfall_context* context, int threads, footfall_result** result) {
+  return guarded(__func__, [&] {
+    given(environment, "environment");
+    given(result, "result");
+    Pipeline parsed =
+        pipeline == nullptr ? defaultPipeline(*environment->environment) : parsePipeline(pipeline, kTextName);
+    *result = run(*environment, std::move(parsed), cache, context, threads);
+  });
+}
+
+void footfall_free_result(footfall_result* result) { delete result; }
+
+footfall_points footfall_result_vertices(const footfall_result* result) {
+  return result == nullptr ? footfall_points{} : spanOf(result->mesh().vertices);
+}
+
+footfall_triangles footfall_result_triangles(const footfall_result* result) {
+  return result == nullptr ? footfall_triangles{} : spanOf(result->mesh().triangles);
+}
+
+footfall_numbers footfall_result_layers(const footfall_result* result) {
+  return result == nullptr ? footfall_numbers{} : spanOf(result->mesh().layers);
+}
+
+uint32_t footfall_result_layer_count(const footfall_result* result) {
+  return result == nullptr ? 0 : result->mesh().layerCount;
+}
+
+footfall_numbers footfall_result_sources(const footfall_result* result) {
+  return result == nullptr ? footfall_numbers{} : spanOf(result->mesh().sourceTriangles);
+}
+
+footfall_edges footfall_result_obstacle_edges(const footfall_result* result) {
+  return result == nullptr ? footfall_edges{} : spanOf(result->mesh().obstacleEdges);
+}
+
+footfall_edges footfall_result_connections(const footfall_result* result) {
+  return result == nullptr ? footfall_edges{} : spanOf(result->mesh().connections);
+}
+
+double footfall_result_area(const footfall_result* result) { return result == nullptr ? 0 : result->run.summary.area; }
+
+footfall_status footfall_result_statistics(const footfall_result* result, char** json) {
+  return guarded(__func__, [&] {
+    given(result, "result");
+    given(json, "json");
+    *json = copyOf(formatStatistics(*result->environment, result->run));
+  });
+}
+
+footfall_status footfall_save(const footfall_result* result, const char* path, const footfall_export_options* options) {
+  return guarded(__func__, [&] {
+    given(result, "result");
+    given(path, "path");
+    ExportOptions exported;
+    if (options != nullptr) {
+      exported.layers = options->without_layers == 0;
+      exported.connections = options->without_connections == 0;
+      exported.obstacleEdges = options->without_obstacle_edges == 0;
+      exported.up = upAxisOf(options->up);
+      if (options->scale != 0) exported.scale = options->scale;
+    }
+    save(result->mesh(), path, exported, makeExportHeader(result->pipeline));
+  });
+}

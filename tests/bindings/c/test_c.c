@@ -1,0 +1,441 @@
+/* The C interface as a C99 program uses it: test_c SAMPLE.obj SCRATCH_FOLDER EXPORT.obj, where the last is what the
+ * command line wrote for the sample. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <footfall.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+
+#define CHECK(condition) check((condition) != 0, #condition, __LINE__)
+#define CHECK_OK(call) CHECK_STATUS(call, FOOTFALL_OK)
+#define CHECK_STATUS(call, expected) checkStatus((call), (expected), #call, __LINE__)
+/* The call fails with that status, and its message says so. */
+#define CHECK_FAILS(call, expected, words) \
+  do {                                     \
+    CHECK_STATUS(call, expected);          \
+    checkMessage(words, __LINE__);         \
+  } while (0)
+
+static void check(int holds, const char* what, int line) {
+  if (holds) return;
+  ++failures;
+  fprintf(stderr, "line %d: %s\n", line, what);
+}
+
+static void checkStatus(footfall_status got, footfall_status expected, const char* what, int line) {
+  if (got == expected) return;
+  ++failures;
+  fprintf(stderr, "line %d: %s gave %d instead of %d: %s\n", line, what, (int)got, (int)expected, footfall_message());
+}
+
+static void checkMessage(const char* words, int line) {
+  if (strstr(footfall_message(), words) != NULL) return;
+  ++failures;
+  fprintf(stderr, "line %d: the message \"%s\" lacks \"%s\"\n", line, footfall_message(), words);
+}
+
+/* --- Levels --------------------------------------------------------------------------------------------------------
+ */
+
+/* A floor of 4 x 4; one beside it that lies 0.5 higher; a ceiling 1 above a quarter of the first. */
+static const double kVertices[] = {0, 0, 0,   4, 0, 0,   4, 4, 0, 0, 4, 0, 4, 0, 0.5, 8, 0, 0.5,
+                                   8, 4, 0.5, 4, 4, 0.5, 0, 0, 1, 2, 0, 1, 2, 2, 1,   0, 2, 1};
+static const uint32_t kTriangles[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 8, 10, 9, 8, 11, 10};
+static const footfall_points kPoints = {kVertices, 12};
+static const footfall_triangles kFaces = {kTriangles, 6};
+static const footfall_agent kAgent = {45, 1.8, 1};
+
+static footfall_environment* makeLevel(void) {
+  footfall_environment* level = NULL;
+  CHECK_OK(footfall_make_environment(kPoints, kFaces, 1, &level));
+  return level;
+}
+
+static footfall_result* runOn(const footfall_environment* level) {
+  footfall_result* result = NULL;
+  CHECK_OK(footfall_walkable_area(level, &kAgent, NULL, 0, &result));
+  return result;
+}
+
+/* --- Tests ---------------------------------------------------------------------------------------------------------
+ */
+
+static void testArrays(void) {
+  footfall_environment* level = makeLevel();
+  CHECK(footfall_environment_vertices(level).count == 12);
+  CHECK(memcmp(footfall_environment_vertices(level).data, kVertices, sizeof kVertices) == 0);
+  CHECK(memcmp(footfall_environment_triangles(level).data, kTriangles, sizeof kTriangles) == 0);
+  CHECK(footfall_environment_metres_per_unit(level) == 1);
+
+  footfall_result* result = runOn(level);
+  footfall_free_environment(level); /* the result keeps what it needs */
+  const footfall_points points = footfall_result_vertices(result);
+  const footfall_triangles triangles = footfall_result_triangles(result);
+  CHECK(fabs(footfall_result_area(result) - 28) < 1e-12);
+  CHECK(triangles.count > 0 && footfall_result_sources(result).count == triangles.count);
+  double area = 0;
+  for (size_t t = 0; t < triangles.count; ++t) {
+    const double* corner[3];
+    for (int k = 0; k < 3; ++k) {
+      CHECK(triangles.data[3 * t + k] < points.count);
+      corner[k] = points.data + 3 * triangles.data[3 * t + k];
+    }
+    area += ((corner[1][0] - corner[0][0]) * (corner[2][1] - corner[0][1]) -
+             (corner[1][1] - corner[0][1]) * (corner[2][0] - corner[0][0])) /
+            2;
+    CHECK(footfall_result_sources(result).data[t] < 4);
+  }
+  CHECK(fabs(area - 28) < 1e-12);
+  CHECK(footfall_result_layers(result).count == triangles.count && footfall_result_layer_count(result) == 1);
+  CHECK(footfall_result_obstacle_edges(result).count == 0 && footfall_result_connections(result).count == 0);
+  char* json = NULL;
+  CHECK_OK(footfall_result_statistics(result, &json));
+  CHECK(json != NULL && strstr(json, "\"area\": 28.0") != NULL);
+  footfall_free_text(json);
+  footfall_free_result(result);
+}
+
+static void testBadArrays(void) {
+  footfall_environment* level = NULL;
+  double vertices[sizeof kVertices / sizeof *kVertices];
+  uint32_t triangles[sizeof kTriangles / sizeof *kTriangles];
+  memcpy(vertices, kVertices, sizeof vertices);
+  memcpy(triangles, kTriangles, sizeof triangles);
+  const footfall_points points = {vertices, 12}, noPoints = {NULL, 12};
+  const footfall_triangles faces = {triangles, 6}, noFaces = {NULL, 6}, empty = {NULL, 0};
+  CHECK_FAILS(footfall_make_environment(noPoints, faces, 1, &level), FOOTFALL_INPUT_ERROR, "vertices is NULL");
+  CHECK_FAILS(footfall_make_environment(points, noFaces, 1, &level), FOOTFALL_INPUT_ERROR, "triangles is NULL");
+  CHECK_FAILS(footfall_make_environment(points, empty, 1, &level), FOOTFALL_INPUT_ERROR, "no triangles");
+  CHECK_FAILS(footfall_make_environment(points, faces, 0, &level), FOOTFALL_INPUT_ERROR, "metresPerUnit");
+  CHECK_FAILS(footfall_make_environment(points, faces, NAN, &level), FOOTFALL_INPUT_ERROR, "metresPerUnit");
+  CHECK_FAILS(footfall_make_environment(points, faces, 1, NULL), FOOTFALL_INPUT_ERROR, "environment is NULL");
+  vertices[5] = NAN;
+  CHECK_FAILS(footfall_make_environment(points, faces, 1, &level), FOOTFALL_INPUT_ERROR, "vertex 1 ");
+  vertices[5] = HUGE_VAL;
+  CHECK_FAILS(footfall_make_environment(points, faces, 1, &level), FOOTFALL_INPUT_ERROR, "not finite");
+  vertices[5] = 0;
+  triangles[4] = 12;
+  CHECK_FAILS(footfall_make_environment(points, faces, 1, &level), FOOTFALL_INPUT_ERROR, "triangle 1 names vertex 12");
+  CHECK(level == NULL);
+}
+
+static void testNull(void) {
+  footfall_result* result = NULL;
+  footfall_environment* level = makeLevel();
+  char* text = NULL;
+  CHECK_FAILS(footfall_load(NULL, NULL, NULL, &level), FOOTFALL_INPUT_ERROR, "path is NULL");
+  CHECK_FAILS(footfall_walkable_area(NULL, NULL, NULL, 0, &result), FOOTFALL_INPUT_ERROR, "environment is NULL");
+  CHECK_FAILS(footfall_walkable_area(level, NULL, NULL, 0, NULL), FOOTFALL_INPUT_ERROR, "result is NULL");
+  CHECK_FAILS(footfall_run(NULL, "", NULL, NULL, 0, &result), FOOTFALL_INPUT_ERROR, "environment is NULL");
+  CHECK_FAILS(footfall_save(NULL, "a.obj", NULL), FOOTFALL_INPUT_ERROR, "result is NULL");
+  CHECK_FAILS(footfall_result_statistics(NULL, &text), FOOTFALL_INPUT_ERROR, "result is NULL");
+  CHECK_FAILS(footfall_find_components(NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "result is NULL");
+  CHECK_FAILS(footfall_make_path_finder(NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "result is NULL");
+  CHECK_FAILS(footfall_find_path(NULL, NULL, NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "finder is NULL");
+  CHECK_FAILS(footfall_make_inspector(NULL, NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "result is NULL");
+  CHECK_FAILS(footfall_explain(NULL, NULL, NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "inspector is NULL");
+  CHECK_FAILS(footfall_compare(NULL, NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "first is NULL");
+  CHECK_FAILS(footfall_make_level(NULL, NULL), FOOTFALL_INPUT_ERROR, "environment is NULL");
+  CHECK_FAILS(footfall_level_environment(NULL, NULL), FOOTFALL_INPUT_ERROR, "level is NULL");
+  CHECK_FAILS(footfall_add_obstacle(NULL, kPoints, kFaces, NULL), FOOTFALL_INPUT_ERROR, "level is NULL");
+  CHECK_FAILS(footfall_make_context(NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "context is NULL");
+  CHECK_FAILS(footfall_make_cache(0, NULL), FOOTFALL_INPUT_ERROR, "cache is NULL");
+  CHECK_FAILS(footfall_check_pipeline(NULL), FOOTFALL_INPUT_ERROR, "pipeline is NULL");
+  CHECK_FAILS(footfall_pipeline_for(level, NULL, NULL), FOOTFALL_INPUT_ERROR, "pipeline is NULL");
+  CHECK(result == NULL && text == NULL);
+  CHECK(footfall_result_vertices(NULL).count == 0 && footfall_result_triangles(NULL).data == NULL);
+  CHECK(footfall_result_layers(NULL).count == 0 && footfall_result_layer_count(NULL) == 0);
+  CHECK(footfall_environment_vertices(NULL).count == 0 && footfall_environment_triangles(NULL).count == 0);
+  CHECK(footfall_component_count(NULL) == 0 && footfall_component_of_triangles(NULL).count == 0);
+  CHECK(footfall_path_points(NULL).count == 0 && footfall_path_barrier(NULL, NULL) == 0);
+  footfall_cancel(NULL);
+  footfall_free_context(NULL);
+  footfall_free_environment(NULL);
+  footfall_free_level(NULL);
+  footfall_free_cache(NULL);
+  footfall_free_result(NULL);
+  footfall_free_components(NULL);
+  footfall_free_path(NULL);
+  footfall_free_path_finder(NULL);
+  footfall_free_inspector(NULL);
+  footfall_free_text(NULL);
+  footfall_free_environment(level);
+}
+
+static void testPipelines(void) {
+  footfall_environment* level = makeLevel();
+  footfall_result* result = NULL;
+  char* text = NULL;
+  const footfall_agent standard = footfall_default_agent();
+  CHECK(standard.max_slope == 45 && standard.height == 2 && standard.minimum_area == 1);
+  CHECK_OK(footfall_pipeline_for(level, &kAgent, &text));
+  CHECK(text != NULL && strstr(text, "SlopeFilter 45\nVerticalClearanceFilter 1.8\nAreaFilter 1\n") != NULL);
+  CHECK_OK(footfall_check_pipeline(text));
+  CHECK_OK(footfall_run(level, text, NULL, NULL, 1, &result));
+  footfall_free_text(text);
+  footfall_result* same = runOn(level);
+  CHECK(footfall_result_triangles(result).count == footfall_result_triangles(same).count);
+  footfall_free_result(same);
+  footfall_free_result(result);
+
+  result = NULL;
+  CHECK_FAILS(footfall_check_pipeline("SlopeFilter 45\nNoFilter 2\n"), FOOTFALL_INPUT_ERROR, "pipeline:2:1:");
+  CHECK_FAILS(footfall_check_pipeline("SlopeFilter 91"), FOOTFALL_INPUT_ERROR, "pipeline:1:13:");
+  CHECK_FAILS(footfall_run(level, "SlopeFilter", NULL, NULL, 0, &result), FOOTFALL_INPUT_ERROR, "pipeline:1:");
+  footfall_agent wrong = kAgent;
+  wrong.height = -1;
+  CHECK_FAILS(footfall_walkable_area(level, &wrong, NULL, 0, &result), FOOTFALL_INPUT_ERROR, "agent: ");
+  wrong = kAgent;
+  wrong.max_slope = NAN;
+  CHECK_FAILS(footfall_walkable_area(level, &wrong, NULL, 0, &result), FOOTFALL_INPUT_ERROR, "not a finite number");
+  CHECK(result == NULL);
+  footfall_free_environment(level);
+}
+
+typedef struct Progress {
+  footfall_context* context;
+  int cancels;
+  volatile int events;
+} Progress;
+
+/* Cancels from inside: the run goes no further, on whatever thread this is called. */
+static void onProgress(void* user, size_t step, const char* name, double fraction) {
+  Progress* progress = (Progress*)user;
+  progress->events = progress->events + 1;
+  if (name == NULL || step > 6 || !(fraction >= 0 && fraction <= 1)) progress->events = -1000;
+  if (progress->cancels) footfall_cancel(progress->context);
+}
+
+static void testProgressAndCancelling(void) {
+  footfall_environment* level = makeLevel();
+  footfall_result* result = NULL;
+  Progress progress = {NULL, 0, 0};
+  CHECK_OK(footfall_make_context(onProgress, &progress, &progress.context));
+  CHECK_OK(footfall_walkable_area(level, &kAgent, progress.context, 1, &result));
+  CHECK(progress.events >= 14); /* each of seven steps begins and ends */
+  footfall_free_result(result);
+
+  result = NULL;
+  progress.cancels = 1;
+  CHECK_FAILS(footfall_walkable_area(level, &kAgent, progress.context, 1, &result), FOOTFALL_CANCELLED, "cancelled");
+  CHECK_STATUS(footfall_run(level, NULL, NULL, progress.context, 0, &result), FOOTFALL_CANCELLED);
+  CHECK(result == NULL);
+  footfall_free_context(progress.context);
+  footfall_free_environment(level);
+}
+
+static size_t countComponents(const footfall_level* level, footfall_cache* cache) {
+  footfall_environment* now = NULL;
+  footfall_result* result = NULL;
+  footfall_components* components = NULL;
+  CHECK_OK(footfall_level_environment(level, &now));
+  CHECK_OK(footfall_run(now, "SlopeFilter 45\nVerticalClearanceFilter 0.9\nAreaFilter 0\n", cache, NULL, 0, &result));
+  CHECK_OK(footfall_find_components(result, NULL, &components));
+  const size_t count = footfall_component_count(components);
+  CHECK(footfall_component_of_triangles(components).count == footfall_result_triangles(result).count);
+  footfall_component component;
+  CHECK_OK(footfall_get_component(components, 0, &component));
+  CHECK(component.area > 0 && component.triangles > 0 && component.lower[0] < component.upper[0]);
+  CHECK_FAILS(footfall_get_component(components, count, &component), FOOTFALL_INPUT_ERROR, "no component");
+  footfall_free_components(components);
+  footfall_free_result(result);
+  footfall_free_environment(now);
+  return count;
+}
+
+static void testObstacles(void) {
+  static const double wall[] = {5, -1, 0, 5, 5, 0, 5, 5, 2, 5, -1, 2}, thinner[] = {9, 0, 0, 9, 4, 0, 9, 4, 2, 9, 0, 2};
+  static const uint32_t sides[] = {0, 1, 2, 0, 2, 3}, outOfRange[] = {0, 1, 4};
+  const footfall_points points = {wall, 4}, away = {thinner, 4};
+  const footfall_triangles faces = {sides, 2}, wrong = {outOfRange, 1};
+  footfall_environment* environment = makeLevel();
+  footfall_level* level = NULL;
+  footfall_cache* cache = NULL;
+  uint32_t id = 99;
+  CHECK_OK(footfall_make_level(environment, &level));
+  CHECK_OK(footfall_make_cache(0, &cache));
+  CHECK(countComponents(level, cache) == 2);
+  CHECK_OK(footfall_add_obstacle(level, points, faces, &id));
+  CHECK(countComponents(level, cache) == 3);
+  CHECK_FAILS(footfall_replace_obstacle(level, id, points, wrong), FOOTFALL_INPUT_ERROR, "vertex 4 of 4");
+  CHECK(countComponents(level, cache) == 3);
+  CHECK_OK(footfall_replace_obstacle(level, id, away, faces));
+  CHECK(countComponents(level, cache) == 2);
+  CHECK_FAILS(footfall_remove_obstacle(level, id + 7), FOOTFALL_INPUT_ERROR, "no obstacle");
+  CHECK_OK(footfall_remove_obstacle(level, id));
+  CHECK_FAILS(footfall_remove_obstacle(level, id), FOOTFALL_INPUT_ERROR, "no obstacle");
+  footfall_free_cache(cache);
+  footfall_free_level(level);
+  footfall_free_environment(environment);
+}
+
+static void testPaths(void) {
+  footfall_environment* level = makeLevel();
+  footfall_result* result = runOn(level);
+  footfall_path_finder* finder = NULL;
+  footfall_path* path = NULL;
+  footfall_barrier barrier;
+  CHECK_OK(footfall_make_path_finder(result, NULL, &finder));
+  footfall_free_result(result);
+  footfall_free_environment(level);
+
+  /* Around the corner of what lies under the ceiling. */
+  const double from[] = {3, 1, 0}, behind[] = {1, 3, 0}, above[] = {6, 2, 0.5}, under[] = {1, 1, 0},
+               nan[] = {NAN, 0, 0};
+  CHECK_OK(footfall_find_path(finder, from, behind, NULL, &path));
+  CHECK(footfall_path_found(path) == FOOTFALL_PATH_FOUND && footfall_path_failure(path)[0] == '\0');
+  CHECK(fabs(footfall_path_length(path) - 2 * sqrt(2.0)) < 1e-12);
+  CHECK(footfall_path_plan_length(path) == footfall_path_length(path));
+  CHECK(footfall_path_triangles(path).count + 1 == footfall_path_points(path).count);
+  CHECK(memcmp(footfall_path_points(path).data, from, sizeof from) == 0);
+  CHECK(footfall_path_barrier(path, &barrier) == 0);
+  footfall_free_path(path);
+
+  CHECK_OK(footfall_find_path(finder, from, above, NULL, &path));
+  CHECK(footfall_path_found(path) == FOOTFALL_PATH_NOT_CONNECTED);
+  CHECK(strstr(footfall_path_failure(path), "a step of 0.5 up") != NULL);
+  CHECK(footfall_path_barrier(path, &barrier) == 1);
+  CHECK(barrier.kind == FOOTFALL_LINK_OPEN && barrier.gap == 0 && barrier.rise == 0.5 && barrier.from[0] == 4);
+  footfall_free_path(path);
+
+  CHECK_OK(footfall_find_path(finder, from, under, NULL, &path));
+  CHECK(footfall_path_found(path) == FOOTFALL_PATH_TARGET_NOT_WALKABLE);
+  footfall_free_path(path);
+
+  path = NULL;
+  CHECK_FAILS(footfall_find_path(finder, nan, from, NULL, &path), FOOTFALL_INPUT_ERROR, "not finite");
+  CHECK_FAILS(footfall_find_path(finder, from, NULL, NULL, &path), FOOTFALL_INPUT_ERROR, "to is NULL");
+  CHECK(path == NULL);
+  footfall_free_path_finder(finder);
+}
+
+static void testWhy(void) {
+  footfall_environment* level = makeLevel();
+  footfall_result* result = runOn(level);
+  footfall_inspector* inspector = NULL;
+  footfall_explanation why;
+  char* text = NULL;
+  CHECK_OK(footfall_make_inspector(result, NULL, NULL, &inspector));
+  const double free_[] = {3, 3, 0}, low[] = {1, 0.5, 0.5}, beside[] = {100, 0, 0};
+  CHECK_OK(footfall_explain(inspector, free_, NULL, &why, NULL));
+  CHECK(why.verdict == FOOTFALL_WALKABLE && why.step == FOOTFALL_NONE && why.layer == 0 && isinf(why.headroom));
+  CHECK_OK(footfall_explain(inspector, low, NULL, &why, &text));
+  CHECK(why.verdict == FOOTFALL_TOO_LOW && why.step == 3 && why.limit == 1.8 && why.headroom == 1);
+  CHECK(why.triangle < 2 && why.obstacle >= 4 && why.component == FOOTFALL_NONE && why.point[2] == 0);
+  CHECK(text != NULL && strstr(text, "VerticalClearanceFilter") != NULL);
+  footfall_free_text(text);
+  CHECK_FAILS(footfall_explain(inspector, beside, NULL, &why, NULL), FOOTFALL_INPUT_ERROR, "no triangle");
+  footfall_free_inspector(inspector);
+  footfall_free_result(result);
+  footfall_free_environment(level);
+}
+
+static void testComparing(void) {
+  footfall_environment* level = makeLevel();
+  footfall_result *first = runOn(level), *second = NULL, *none = NULL;
+  footfall_comparison difference;
+  CHECK_OK(footfall_run(level, "SlopeFilter 45\nVerticalClearanceFilter 0.5\n", NULL, NULL, 0, &second));
+  CHECK_OK(footfall_run(level, "AreaFilter 1000\n", NULL, NULL, 0, &none));
+  CHECK_OK(footfall_compare(first, first, NULL, &difference));
+  CHECK(difference.equal && difference.only_first == 0 && difference.distance_most == 0);
+  CHECK_OK(footfall_compare(first, second, NULL, &difference));
+  CHECK(!difference.equal && difference.only_first == 0 && fabs(difference.only_second - 4) < 1e-12);
+  CHECK(difference.distance_least > 0 && difference.distance_least <= difference.distance_most);
+  CHECK_OK(footfall_compare(first, none, NULL, &difference));
+  CHECK(!difference.equal && isnan(difference.distance_least));
+  footfall_free_result(none);
+  footfall_free_result(second);
+  footfall_free_result(first);
+  footfall_free_environment(level);
+}
+
+static char* contentsOf(const char* path, size_t* size) {
+  FILE* file = fopen(path, "rb");
+  CHECK(file != NULL);
+  if (file == NULL) return NULL;
+  fseek(file, 0, SEEK_END);
+  *size = (size_t)ftell(file);
+  rewind(file);
+  char* contents = (char*)malloc(*size + 1);
+  CHECK(contents != NULL && fread(contents, 1, *size, file) == *size);
+  fclose(file);
+  return contents;
+}
+
+static void testFiles(const char* sample, const char* folder, const char* expected) {
+  char path[4096];
+  footfall_environment *level = NULL, *none = NULL;
+  footfall_result* result = NULL;
+  CHECK_OK(footfall_load(sample, NULL, NULL, &level));
+  CHECK_OK(footfall_run(level, NULL, NULL, NULL, 0, &result));
+  snprintf(path, sizeof path, "%s/c.obj", folder);
+  CHECK_OK(footfall_save(result, path, NULL));
+  size_t size = 0, expectedSize = 1;
+  char *bytes = contentsOf(path, &size), *expectedBytes = contentsOf(expected, &expectedSize);
+  CHECK(size == expectedSize && memcmp(bytes, expectedBytes, size) == 0);
+  free(bytes);
+  free(expectedBytes);
+
+  footfall_export_options options = {1, 1, 1, FOOTFALL_UP_Z, 0};
+  CHECK_OK(footfall_save(result, path, &options));
+  bytes = contentsOf(path, &size);
+  bytes[size] = '\0';
+  CHECK(strstr(bytes, "\ng walkable\n") != NULL && strstr(bytes, "Z up") != NULL && strstr(bytes, "\nl ") == NULL);
+  free(bytes);
+  options.scale = -1;
+  CHECK_FAILS(footfall_save(result, path, &options), FOOTFALL_INPUT_ERROR, "scale");
+  options.scale = 1;
+  options.up = (footfall_up_axis)17;
+  CHECK_FAILS(footfall_save(result, path, &options), FOOTFALL_INPUT_ERROR, "up axis 17");
+  snprintf(path, sizeof path, "%s/nowhere/c.obj", folder);
+  CHECK_FAILS(footfall_save(result, path, NULL), FOOTFALL_RUN_ERROR, "folder");
+  snprintf(path, sizeof path, "%s/c.txt", folder);
+  CHECK_FAILS(footfall_save(result, path, NULL), FOOTFALL_INPUT_ERROR, ".glb");
+  snprintf(path, sizeof path, "%s/none.obj", folder);
+  CHECK_FAILS(footfall_load(path, NULL, NULL, &none), FOOTFALL_INPUT_ERROR, "none.obj");
+  CHECK_FAILS(footfall_load(folder, NULL, NULL, &none), FOOTFALL_INPUT_ERROR, "footfall_load: ");
+  CHECK(none == NULL);
+  const footfall_import_options import = {FOOTFALL_UP_Z, 0.5, 0};
+  CHECK_OK(footfall_load(sample, &import, NULL, &none));
+  CHECK(footfall_environment_metres_per_unit(none) == 0.5);
+  footfall_free_environment(none);
+  footfall_free_result(result);
+  footfall_free_environment(level);
+}
+
+/* A thread that has not failed has no message. */
+static void* failElsewhere(void* unused) {
+  (void)unused;
+  CHECK(strcmp(footfall_message(), "") == 0);
+  CHECK_FAILS(footfall_check_pipeline("Elsewhere"), FOOTFALL_INPUT_ERROR, "Elsewhere");
+  return NULL;
+}
+
+static void testMessagesOfThreads(void) {
+  pthread_t thread;
+  CHECK_FAILS(footfall_check_pipeline("Here"), FOOTFALL_INPUT_ERROR, "Here");
+  CHECK(pthread_create(&thread, NULL, failElsewhere, NULL) == 0);
+  pthread_join(thread, NULL);
+  checkMessage("Here", __LINE__);
+}
+
+int main(int count, char** arguments) {
+  if (count != 4) return 2;
+  CHECK(strchr(footfall_version(), '.') != NULL);
+  testArrays();
+  testBadArrays();
+  testNull();
+  testPipelines();
+  testProgressAndCancelling();
+  testObstacles();
+  testPaths();
+  testWhy();
+  testComparing();
+  testFiles(arguments[1], arguments[2], arguments[3]);
+  testMessagesOfThreads();
+  if (failures > 0) fprintf(stderr, "%d checks failed\n", failures);
+  return failures > 0;
+}
