@@ -42,7 +42,7 @@ for wanted in usr/bin/footfall usr/bin/footfall-editor usr/share/applications/or
   usr/share/footfall/samples/villa/villa.obj usr/share/footfall/samples/villa/villa.pipeline; do
   grep -qxF "./${wanted}" <<<"${contents}" || fail "the package lacks ${wanted}"
 done
-if grep -E '\.(hpp|a|cmake)$|/include/' <<<"${contents}"; then fail "the package holds the developer's files above"; fi
+if grep -E '\.(hpp|h|a|cmake)$|/include/|libfootfall' <<<"${contents}"; then fail "the package holds the developer's files above"; fi
 if dpkg-deb --contents "${deb}" | grep -v ' root/root '; then fail "the files above do not belong to root"; fi
 
 dpkg-deb --extract "${deb}" "${scratch}/extracted"

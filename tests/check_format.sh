@@ -9,9 +9,9 @@ if ! command -v "${formatter}" >/dev/null; then
   exit 1
 fi
 if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
-  mapfile -t files < <(git ls-files -- '*.cpp' '*.hpp')
+  mapfile -t files < <(git ls-files -- '*.cpp' '*.hpp' '*.h' '*.c')
 else
-  mapfile -t files < <(find . -path ./build -prune -o \( -name '*.cpp' -o -name '*.hpp' \) -print)
+  mapfile -t files < <(find . -path ./build -prune -o \( -name '*.cpp' -o -name '*.hpp' -o -name '*.[ch]' \) -print)
 fi
 existing=()
 for file in "${files[@]}"; do

@@ -947,6 +947,42 @@
         <source>the result needs %1 bytes, more than a .glb can hold; export as .obj or .gltf</source>
         <translation>das Ergebnis braucht %1 Bytes, mehr als eine .glb-Datei fasst; als .obj oder .gltf exportieren</translation>
     </message>
+    <message>
+        <source>%1 has %2 entries for %3 triangles; give one for each triangle, or none</source>
+        <translation>%1 hat %2 Einträge für %3 Dreiecke; geben Sie einen für jedes Dreieck oder keinen</translation>
+    </message>
+    <message>
+        <source>the environment has no triangles</source>
+        <translation>die Umgebung hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>vertex %1 has a coordinate that is not finite; vertices count from 0</source>
+        <translation>Ecke %1 hat eine Koordinate, die nicht endlich ist; Ecken zählen ab 0</translation>
+    </message>
+    <message>
+        <source>triangle %1 names vertex %2 of %3; both count from 0</source>
+        <translation>Dreieck %1 nennt Ecke %2 von %3; beide zählen ab 0</translation>
+    </message>
+    <message>
+        <source>metresPerUnit must be a positive number of metres</source>
+        <translation>metresPerUnit muss eine positive Zahl von Metern sein</translation>
+    </message>
+    <message>
+        <source>partOf names part %1 of %2; parts count from 0</source>
+        <translation>partOf nennt Teil %1 von %2; Teile zählen ab 0</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1; the mesh has %2</source>
+        <translation>Dreieck %1 gibt es nicht; das Netz hat %2</translation>
+    </message>
+    <message>
+        <source>agent: %1</source>
+        <translation>Agent: %1</translation>
+    </message>
+    <message>
+        <source>agent, in the environment&apos;s units: %1</source>
+        <translation>Agent, in den Einheiten der Umgebung: %1</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>

@@ -38,7 +38,7 @@ std::optional<UpAxis> upAxisOf(footfall_up_axis up) {
     case FOOTFALL_UP_NEGATIVE_Z:
       return UpAxis::NegativeZ;
   }
-  throw InputError(FOOTFALL_TEXT("there is no up axis %1"), static_cast<int>(up));
+  throw InputError(Pattern{"there is no up axis %1"}, static_cast<int>(up));
 }
 
 }  // namespace footfall::c

@@ -75,7 +75,7 @@ footfall_status guarded(const char* function, const Work& work) noexcept {
 /// Throws InputError when an argument is NULL.
 template <class T>
 T& given(T* argument, const char* name) {
-  if (argument == nullptr) throw InputError(FOOTFALL_TEXT("%1 is NULL"), name);
+  if (argument == nullptr) throw InputError(Pattern{"%1 is NULL"}, name);
   return *argument;
 }
 

@@ -66,7 +66,7 @@ footfall_status footfall_get_component(const footfall_components* components, si
   return guarded(__func__, [&] {
     const std::vector<Component>& list = given(components, "components").components.list;
     given(component, "component");
-    if (index >= list.size()) throw InputError(FOOTFALL_TEXT("there is no component %1 of %2"), index, list.size());
+    if (index >= list.size()) throw InputError(Pattern{"there is no component %1 of %2"}, index, list.size());
     const Component& found = list[index];
     *component = {found.area, found.triangles, found.firstTriangle, {}, {}};
     copyTo(found.lower, component->lower);
@@ -163,7 +163,7 @@ footfall_status footfall_explain(const footfall_inspector* inspector, const doub
     given(explanation, "explanation");
     const Vec3 asked = placeOf(point, "point");
     const std::optional<PickedPlace> place = inspector->inspector.placeBelow(asked);
-    if (!place) throw InputError(FOOTFALL_TEXT("no triangle is at or under the place; give a point above a floor"));
+    if (!place) throw InputError(Pattern{"no triangle is at or under the place; give a point above a floor"});
     const PlaceExplanation found = inspector->inspector.explain(*place, contextOf(context));
     if (text != nullptr) *text = copyOf(formatExplanation(inspector->inspector, found));
     *explanation = explanationOf(found);

@@ -19,6 +19,8 @@ if "${scratch}/build/three_lines" "${scratch}/none.obj" "${scratch}/out.obj" 2>"
   exit 1
 fi
 grep -q 'none\.obj' "${scratch}/error" || { echo "the error does not name the file: $(<"${scratch}/error")" >&2; exit 1; }
+"${scratch}/build/three_lines_c" "${scratch}/prefix/share/footfall/samples/house/house.obj" "${scratch}/house-c.obj"
+grep -v '^# \(pipeline\|agent\): ' "${scratch}/house-c.obj" | cmp - "${scratch}/house.obj"
 "${scratch}/build/editing_loop"
 "${scratch}/build/path_query"
 
