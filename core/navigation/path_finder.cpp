@@ -172,6 +172,8 @@ std::optional<SurfacePlace> PathFinder::locate(const Vec3& p, double reach) cons
 PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, const RunContext* context) const {
   checkPlace(from);
   checkPlace(to);
+  const std::function<void()> poll = pollOf(context);
+  poll();
   const SurfaceTopology& topology = inside_->topology;
   const PlaceIndex& places = inside_->places;
   PathResult result;
@@ -194,7 +196,7 @@ PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, cons
     result.status = PathStatus::Found;
   }
   if (!result.reached()) result.end = places.nearest(to, component);
-  addPath(*inside_->mesh, topology, result, pollOf(context));
+  addPath(*inside_->mesh, topology, result, poll);
   return result;
 }
 

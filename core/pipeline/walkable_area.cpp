@@ -8,6 +8,7 @@
 namespace footfall {
 
 NavigationMesh walkableArea(const Environment& level, const Agent& agent, RunContext* context, int threads) {
+  checkEnvironment(level);
   RunContext ownContext;
   // Lent: the run is over before the caller goes on.
   const std::shared_ptr<const Environment> lent(&level, [](const Environment*) {});
