@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_includes.sh [--counts]: fails, naming the lines, when a file of core/, ui/ or app/ includes one of a folder that
-# comes after its own in the order of docs/architecture.md. With --counts: how often each folder includes which others,
+# comes after its own in the order of docs/architecture.md, or one of bindings/ includes what is not public. With --counts: how often each folder includes which others,
 # and the order, for docs/make_architecture.sh.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -14,6 +14,11 @@ pending="ui/window/editor_window.hpp"
 public="text:base errors:base geometry:base statistics:base run_context:base navigation_mesh:mesh
   environment:environment edit:environment up_axis:environment io:io filter:filters agent:pipeline pipeline:pipeline run:pipeline
   walkable_area:pipeline path:navigation inspect:inspect compare:compare report:report footfall:report version:base"
+
+if grep -rnE '^ *#include *["<](core|ui|app)/' bindings; then
+  echo "the bindings may use public headers only"
+  exit 1
+fi
 
 grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${core}" -v ui="${ui}" -v public="${public}" -v counts="${1:-}" -v pending="${pending}" '
   BEGIN {

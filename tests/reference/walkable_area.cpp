@@ -133,7 +133,7 @@ bool isFree(const Environment& environment, std::uint32_t floor, const Point2& p
   return true;
 }
 
-WalkableArea computeWalkableArea(const Environment& environment, const Agent& agent) {
+WalkableArea computeWalkableArea(const Environment& environment, const AgentLimits& agent) {
   WalkableArea area;
   const auto count = static_cast<std::uint32_t>(environment.triangles.size());
   for (std::uint32_t t = 0; t < count; ++t) {

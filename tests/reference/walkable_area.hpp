@@ -15,7 +15,7 @@ namespace footfall::reference {
 bool isWithinSlope(const std::array<Point3, 3>& corners, double degrees);
 
 /// What an agent may ask for; empty: the filter does not run.
-struct Agent {
+struct AgentLimits {
   std::optional<double> slope;      ///< degrees
   std::optional<double> clearance;  ///< height, in the environment's units
 };
@@ -35,7 +35,7 @@ struct WalkableArea {
 /// All triangles with an area are obstacles, vertical ones too; those without any contribute nothing (thesis 3.2,
 /// filter 1). Without a clearance each region is
 /// the union of its floors and nothing blocks.
-WalkableArea computeWalkableArea(const Environment& environment, const Agent& agent);
+WalkableArea computeWalkableArea(const Environment& environment, const AgentLimits& agent);
 
 /// Where in the plan a triangle is strictly above the plane and strictly below it raised by `height` (closure; empty
 /// when it has no area).
