@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# package.sh: builds Footfall (preset release) and makes the Debian package and the portable archive of it in build/.
+# package.sh: builds Footfall (preset release) and makes the Debian packages and the portable archive of it in build/.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 # shellcheck source=installer/common.sh
@@ -10,10 +10,11 @@ prepare release
 say "building"
 cmake --build --preset release -j "$(build_jobs)" --target installable
 
-say "Debian package"
-rm -f -- "${repository}"/build/footfall_*.deb
+say "Debian packages"
+rm -f -- "${repository}"/build/footfall_*.deb "${repository}"/build/python3-footfall_*.deb
+rm -rf -- "${repository}/build/release/package"
 quietly "${repository}/build/release/package.log" cpack --config build/release/CPackConfig.cmake -G DEB \
   -B "${repository}/build/release/package"
-mv -- build/release/package/footfall_*.deb build/
-say "Debian package: $(ls build/footfall_*.deb)"
+mv -- build/release/package/*.deb build/
+say "Debian packages:" build/footfall_*.deb build/python3-footfall_*.deb
 "${repository}/installer/portable.sh"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# test_packages.sh: installs the Debian package that package.sh made into a clean Debian 12 with nothing but a virtual
-# display, runs the programs as a user would, removes it and looks for what is left; runs the portable archive in the
-# same clean root, before Qt comes into it. Needs root (or sudo) for the clean root and a Debian mirror, which is the
+# test_packages.sh: installs the Debian packages that package.sh made into a clean Debian 12 with nothing but a virtual
+# display, runs the programs and the Python module as a user would, removes them and looks for what is left; runs the
+# portable archive in the same clean root, before Qt comes into it. Needs root (or sudo) for the clean root and a Debian mirror, which is the
 # machine's own. Where the machine allows no clean root, it says so and checks package and archive from the outside,
 # in an empty environment. Ends with 1 at the first real failure. The root lies in a temporary folder and goes at the
 # end; pictures stay in build/package-test.
@@ -13,10 +13,13 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 shopt -s nullglob
 debs=("${repository}"/build/footfall_*.deb)
+python_debs=("${repository}"/build/python3-footfall_*.deb)
 archives=("${repository}"/build/footfall-*.tar.gz)
 [ "${#debs[@]}" -eq 1 ] || fail "build/ does not hold exactly one footfall_*.deb; run installer/package.sh first"
+[ "${#python_debs[@]}" -eq 1 ] ||
+  fail "build/ does not hold exactly one python3-footfall_*.deb; run installer/package.sh first"
 [ "${#archives[@]}" -eq 1 ] || fail "build/ does not hold exactly one footfall-*.tar.gz; run installer/package.sh first"
-deb="${debs[0]}" archive="${archives[0]}"
+deb="${debs[0]}" python_deb="${python_debs[0]}" archive="${archives[0]}"
 portable="$(basename -- "${archive}" .tar.gz)"
 pictures="${repository}/build/package-test"
 rm -rf -- "${pictures}"
@@ -53,6 +56,19 @@ for page in "${scratch}"/extracted/usr/share/man/man1/*.gz; do
   [ -z "${warnings}" ] || fail "$(basename -- "${page}"): ${warnings}"
 done
 
+say "contents of $(basename -- "${python_deb}")"
+dpkg-deb --info "${python_deb}" | sed -n '/^ Package:/,$p'
+contents="$(dpkg-deb --contents "${python_deb}" | awk '{ print $6 }')"
+module=usr/lib/python3/dist-packages/footfall
+for wanted in "${module}/__init__.py" "${module}/__init__.pyi" "${module}/py.typed" \
+  usr/share/doc/python3-footfall/copyright usr/share/doc/python3-footfall/examples/plot_layers.py; do
+  grep -qxF "./${wanted}" <<<"${contents}" || fail "the Python package lacks ${wanted}"
+done
+grep -qxE "\./${module}/_core\.cpython-[0-9]+-.*\.so" <<<"${contents}" || fail "the Python package lacks its module"
+if grep -E '\.(hpp|a|cmake|pyc)$|/include/|/bin/' <<<"${contents}"; then fail "the Python package holds the files above"; fi
+if dpkg-deb --contents "${python_deb}" | grep -v ' root/root '; then fail "the files above do not belong to root"; fi
+dpkg-deb --extract "${python_deb}" "${scratch}/extracted-python"
+
 # --- What a user does, in the root or out of it: NAME COMMAND... with the programs' folder in front of PATH -------------
 # Runs the command line and the editor on a sample: PREFIX-COMMAND... is put before each. Leaves pictures.
 use_programs() {
@@ -66,6 +82,21 @@ use_programs() {
   "$@" xvfb-run -a -s "-screen 0 1280x1024x24" "${programs}/footfall-editor" "${samples}/villa/villa.obj" \
     -p "${samples}/villa/villa.pipeline" --screenshot "${output}/villa-${name}.png" --size 1280x800 ||
     fail "${name}: footfall-editor cannot show the sample villa"
+}
+
+# Runs the Python module on a sample and on arrays: PREFIX-COMMAND... is put before the interpreter. Its export must be
+# the program's.
+use_python() {
+  local name="$1" samples="$2" output="$3"
+  shift 3
+  "$@" /usr/bin/python3 -c '
+import footfall, sys
+samples, target = sys.argv[1:]
+level = footfall.load(samples + "/house/house.obj")
+footfall.run(level, footfall.read_pipeline(samples + "/house/house.pipeline")).save(target)
+area = footfall.walkable_area([[0, 0, 0], [4, 0, 0], [4, 4, 0]], [[0, 1, 2]]).area
+sys.exit(0 if area == 8 else "the area of a triangle of 8 is %r" % area)
+' "${samples}" "${output}/house-${name}.obj" || fail "${name}: the Python module cannot run the sample house"
 }
 
 # The results must be there, and the picture no empty frame.
@@ -127,6 +158,12 @@ if problem="$(make_root)"; then
   quietly "${pictures}/install.log" in_root apt-get install -y --no-install-recommends /tmp/footfall.deb
   use_programs package /usr/bin /usr/share/footfall/samples /tmp/results in_root
   check_results package "${root}/tmp/results"
+  say "the Python package with its dependencies"
+  "${as_root[@]}" cp -- "${python_deb}" "${root}/tmp/python3-footfall.deb"
+  quietly "${pictures}/install-python.log" in_root apt-get install -y --no-install-recommends /tmp/python3-footfall.deb
+  use_python python /usr/share/footfall/samples /tmp/results in_root
+  cmp "${root}/tmp/results/house-python.obj" "${root}/tmp/results/house-package.obj" ||
+    fail "Python's export of the house is not the program's"
   in_root man -w footfall footfall-editor >/dev/null || fail "the man pages are not found"
   [ "$(in_root man -P cat footfall 2>&1 | wc -l)" -gt 40 ] || fail "man footfall shows nearly nothing"
   in_root update-desktop-database
@@ -138,8 +175,8 @@ if problem="$(make_root)"; then
   grep -q ':text/x-footfall-pipeline:\*\.pipeline$' "${root}/usr/share/mime/globs2" || fail "pipelines have no MIME type"
 
   # man keeps formatted pages for a while; they are not the package's.
-  say "removing the package"
-  quietly "${pictures}/remove.log" in_root apt-get purge -y footfall
+  say "removing the packages"
+  quietly "${pictures}/remove.log" in_root apt-get purge -y footfall python3-footfall
   left="$("${as_root[@]}" find "${root}" -xdev -path "${root}/tmp" -prune -o -path "${root}/var/log" -prune -o -path "${root}/var/cache/man" -prune -o \
     -iname '*footfall*' -print)"
   [ -z "${left}" ] || fail "after the removal these are left: ${left}"
@@ -161,6 +198,14 @@ else
   use_programs package "${scratch}/extracted/usr/bin" "${scratch}/extracted/usr/share/footfall/samples" \
     "${scratch}/results" "${clean_environment[@]}"
   check_results package "${scratch}/results"
+  if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+    use_python python "${scratch}/extracted/usr/share/footfall/samples" "${scratch}/results" "${clean_environment[@]}" \
+      "PYTHONPATH=${scratch}/extracted-python/usr/lib/python3/dist-packages"
+    cmp "${scratch}/results/house-python.obj" "${scratch}/results/house-package.obj" ||
+      fail "Python's export of the house is not the program's"
+  else
+    not_done+=("no numpy for /usr/bin/python3: the Python package was only unpacked")
+  fi
   # dpkg's own record of what it would install, without its dependencies and without touching the system.
   mkdir -p "${scratch}/dpkg"/{info,updates,parts} "${scratch}/instroot"
   : >"${scratch}/dpkg/status"

@@ -1,0 +1,29 @@
+// The module footfall._core; footfall/__init__.py is what users import.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+
+#include "bindings.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/version.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  namespace py = pybind11;
+  using namespace footfall::python;
+
+  // Docstrings state signatures themselves (definitions.hpp).
+  py::options options;
+  options.disable_function_signatures();
+
+  auto& input = py::register_exception<footfall::InputError>(module, "InputError", PyExc_ValueError);
+  input.doc() = "A file, an array, a pipeline or a parameter is wrong. The message says what, where and what to do.";
+  auto& run = py::register_exception<footfall::RunError>(module, "RunError", PyExc_RuntimeError);
+  run.doc() = "A result cannot be written, or memory or disk ran out.";
+
+  bindPipelines(module);
+  bindEnvironments(module);
+  bindRuns(module);
+  bindPaths(module);
+  bindInspection(module);
+  bindComparison(module);
+  module.attr("__version__") = footfall::version();
+}

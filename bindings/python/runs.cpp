@@ -1,0 +1,262 @@
+// Runs, and the meshes that they leave.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "definitions.hpp"
+#include "footfall/agent.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/inspect.hpp"
+#include "footfall/io.hpp"
+#include "footfall/report.hpp"
+#include "footfall/run.hpp"
+#include "footfall/up_axis.hpp"
+#include "interruptible.hpp"
+#include "types.hpp"
+
+namespace footfall::python {
+namespace {
+
+/// The statistics of a run as Python's own objects.
+py::object statisticsOf(const Area& area) {
+  return py::module_::import("json").attr("loads")(formatStatistics(*area.environment, area.result));
+}
+
+double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header, bool layers,
+                bool connections, bool obstacleEdges, const std::optional<std::string>& up, double scale) {
+  const ExportOptions options{layers, connections, obstacleEdges, upAxisFrom(up), scale};
+  const std::string name = path.string();
+  const py::gil_scoped_release unlocked;
+  return save(mesh, name, options, header);
+}
+
+std::shared_ptr<Mesh> meshFrom(const py::object& vertices, const py::object& triangles, const py::object& layers) {
+  auto mesh = std::make_shared<NavigationMesh>();
+  mesh->vertices = pointsFrom(vertices, "vertices");
+  mesh->triangles = trianglesFrom(triangles, "triangles", mesh->vertices.size());
+  if (!layers.is_none()) {
+    mesh->layers = numbersFrom(layers, "layers", mesh->triangles.size());
+    for (const std::uint32_t layer : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, layer + 1);
+  }
+  return std::make_shared<Mesh>(Mesh{std::move(mesh)});
+}
+
+std::string sizesOf(const NavigationMesh& mesh) {
+  return std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.triangles.size()) + " triangles, " +
+         std::to_string(mesh.layerCount) + " layers";
+}
+
+template <class Member>
+auto meshView(Member NavigationMesh::*member) {
+  return [member](const Mesh& mesh) { return viewOf(mesh.data.get()->*member, baseOf(mesh.data)); };
+}
+
+void bindMesh(py::module_& module) {
+  py::class_<Mesh, std::shared_ptr<Mesh>> mesh(module, "NavigationMesh",
+                                               R"(A walkable area as triangles. It never changes.
+
+Z is up; coordinates and areas are in the units of the environment. Two triangles share a vertex by its number
+exactly where an agent can cross; the two sides of an obstacle edge have vertices of their own. Arrays are views
+without a copy that cannot be written to, and keep what they show alive.)");
+  defineConstructor(
+      mesh, &meshFrom,
+      R"(Make a mesh of another program's arrays, which are copied, to look for paths on it or to compare it.
+
+vertices: shape (n, 3), float64, Z up. triangles: shape (m, 3), integers, counter-clockwise seen from above.
+layers: shape (m,), integers from 0, or None. Raises InputError.)",
+      py::arg("vertices"), py::arg("triangles"), py::arg("layers") = py::none());
+  mesh.def_property_readonly("vertices", meshView(&NavigationMesh::vertices), "Shape (n, 3), float64, Z up. A view.")
+      .def_property_readonly("triangles", meshView(&NavigationMesh::triangles),
+                             "Shape (m, 3), uint32: rows of `vertices`, counter-clockwise seen from above. A view.")
+      .def_property_readonly(
+          "layers",
+          [](const Mesh& m) -> py::object {
+            if (m.data->layers.empty()) return py::none();
+            return viewOf(m.data->layers, baseOf(m.data));
+          },
+          R"(Shape (m,), uint32: the layer of each triangle, from 0; layers do not overlap themselves in the plan. None
+where no layer filter ran. A view.)")
+      .def_property_readonly(
+          "layer_count", [](const Mesh& m) { return m.data->layerCount; }, "How many layers.")
+      .def_property_readonly(
+          "source_triangles",
+          [](const Mesh& m) -> py::object {
+            if (m.data->sourceTriangles.empty()) return py::none();
+            return viewOf(m.data->sourceTriangles, baseOf(m.data));
+          },
+          R"(Shape (m,), uint32: of each triangle a triangle of the environment in whose plane it lies. None where the
+mesh came from a file or from arrays. A view.)")
+      .def_property_readonly("obstacle_edges", meshView(&NavigationMesh::obstacleEdges),
+                             "Shape (k, 2), uint32: rows of `vertices`; edges inside that cannot be crossed. A view.")
+      .def_property_readonly("connections", meshView(&NavigationMesh::connections),
+                             "Shape (k, 2), uint32: rows of `vertices`; edges where two layers meet. A view.")
+      .def_property_readonly(
+          "source", [](const Mesh& m) { return m.data->frame.source; },
+          "The file of the environment; empty where there was none.")
+      .def_property_readonly(
+          "up", [](const Mesh& m) { return nameOf(m.data->frame.up); },
+          "The up axis of that file: \"z\", \"-y\", ...; `save` turns coordinates back to it.")
+      .def_property_readonly(
+          "metres_per_unit", [](const Mesh& m) { return m.data->frame.metresPerUnit; },
+          "Metres for each unit of the coordinates.")
+      .def("__repr__", [](const Mesh& m) { return "<footfall.NavigationMesh: " + sizesOf(*m.data) + ">"; });
+  define(
+      mesh, "save",
+      [](const Mesh& m, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
+         const std::optional<std::string>& up,
+         double scale) { return saveMesh(*m.data, path, {}, layers, connections, obstacleEdges, up, scale); },
+      R"(Write the mesh as OBJ (.obj), glTF (.gltf) or binary glTF (.glb), by the ending of `path`, in the frame and units
+of the environment's file. A file that is there is replaced as a whole, or stays as it was.
+
+layers: a group for each layer. connections, obstacle_edges: their lines, too.
+up: another up axis ("z", "y", "x", "-z", "-y", "-x"). scale: a factor for coordinates, above 0.
+
+Returns how far rounding moved a coordinate at most, in metres: 0.0 for OBJ; glTF has floats of 32 bits. Raises
+InputError for another ending or scale, RunError where the file cannot be written.)",
+      py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
+      py::arg("obstacle_edges") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
+  define(
+      module, "read_mesh",
+      [](const std::filesystem::path& path, const std::optional<std::string>& up) {
+        const std::optional<UpAxis> axis = upAxisFrom(up);
+        return std::make_shared<Mesh>(Mesh{interruptible(py::none(), [&](RunContext& context) {
+          NavigationMeshFile file = readNavigationMesh(path.string(), axis, UpAxis::Y, &context);
+          return std::make_shared<const NavigationMesh>(std::move(file.mesh));
+        })});
+      },
+      R"(Read a navigation mesh from an OBJ: one that Footfall wrote, with its layers, or any other surface; return a
+`NavigationMesh`.
+
+up: the file's up axis; None: what the file states, else "y". Raises InputError.)",
+      py::arg("path"), py::kw_only(), py::arg("up") = py::none());
+}
+
+void bindArea(py::module_& module) {
+  py::class_<Area, Mesh, std::shared_ptr<Area>> area(
+      module, "WalkableArea",
+      R"(The walkable area of an environment, as `run` and `walkable_area` return it: a `NavigationMesh` that knows what it
+was made from, and so can say why a place is walkable or not, and what keeps two places apart. str(area) is a
+table of the run for people.)");
+  area.def_property_readonly(
+          "environment", [](const Area& a) { return held(a.environment); },
+          "The `Environment` that the pipeline ran over.")
+      .def_property_readonly(
+          "pipeline", [](const Area& a) { return a.pipeline; }, "The `Pipeline`.")
+      .def_property_readonly(
+          "area", [](const Area& a) { return a.result.summary.area; },
+          "Of the surface, rounded, in the square of the environment's unit.")
+      .def("__str__", [](const Area& a) { return formatSummary(*a.environment, a.result); })
+      .def("__repr__", [](const Area& a) {
+        return "<footfall.WalkableArea of " + a.environment->source + ": " + sizesOf(*a.data) + ">";
+      });
+  define(
+      area, "statistics", &statisticsOf,
+      R"(Return what each step did and what it took: a dict with the keys of `footfall run --stats`, such as "steps" (a
+list of dict), "total_ms", "times", "threads" and, of parallel blocks, "blocks".)");
+  define(
+      area, "save",
+      [](const Area& a, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
+         const std::optional<std::string>& up, double scale) {
+        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, up, scale);
+      },
+      "Write the area as `NavigationMesh.save` does, with the pipeline in the comments: the same bytes as `footfall "
+      "run`.",
+      py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
+      py::arg("obstacle_edges") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
+}
+
+void bindRunning(py::module_& module) {
+  py::class_<ResultCache, std::shared_ptr<ResultCache>> cache(
+      module, "ResultCache",
+      R"(What runs keep for later ones: with the same cache, a run computes only what its environment or its pipeline
+changes. The results are the same.)");
+  defineConstructor(
+      cache, [](std::size_t capacity, std::size_t bytes) { return std::make_shared<ResultCache>(capacity, bytes); },
+      R"(capacity: how many states of runs are kept, one for each step of each run; those used last stay.
+bytes: about how much memory they may take; 0: an eighth of the machine's.)",
+      py::arg("capacity") = 32, py::arg("bytes") = 0);
+  define(
+      cache, "clear", [](ResultCache& c) { c.clear(); }, "Forget everything.");
+
+  define(
+      module, "run",
+      [](std::shared_ptr<Environment> environment, const py::object& pipeline, int threads,
+         std::shared_ptr<ResultCache> cache, const py::object& progress) {
+        Pipeline steps = pipeline.is_none() ? defaultPipeline(*environment) : pipelineFrom(pipeline);
+        return run(std::move(environment), std::move(steps), threads, std::move(cache), progress);
+      },
+      R"(Run a pipeline over an environment and return a `WalkableArea`.
+
+environment: an `Environment`.
+pipeline: a `Pipeline`, its text, or a list of steps such as ("SlopeFilter", 45); None: the default, which is
+    Environment.pipeline_for() without arguments.
+threads: how many may work, 0: as many as the machine has. The result does not depend on it.
+cache: a `ResultCache` that several runs share, or None.
+progress: called as progress(step, name, fraction), in the calling thread: a step's number from 0, its filter's
+    name, and how much of it is done, 0 to 1. What it raises cancels the run.
+
+Other Python threads go on meanwhile. Ctrl-C cancels the run and raises KeyboardInterrupt; the cache keeps what
+was finished. Raises InputError for a pipeline that is wrong, and RunError.)",
+      py::arg("environment"), py::arg("pipeline") = py::none(), py::kw_only(), py::arg("threads") = 0,
+      py::arg("cache") = py::none(), py::arg("progress") = py::none());
+
+  define(
+      module, "walkable_area",
+      [](const py::object& vertices, const py::object& triangles, double slope, double height, double minimumArea,
+         const std::string& up, double metresPerUnit, bool bothSides, const py::object& obstacleOnly, int threads,
+         const py::object& progress) {
+        const auto environment = environmentFrom(vertices, triangles, {up, metresPerUnit, bothSides, obstacleOnly});
+        return run(environment, pipelineFor(*environment, {slope, height, minimumArea}), threads, nullptr, progress);
+      },
+      R"(Return where an agent can walk on a triangle soup, exactly: a `WalkableArea`.
+
+    area = footfall.walkable_area(vertices, triangles, slope=45, height=2)
+    area.vertices, area.triangles, area.layers   # numpy arrays
+
+vertices: shape (n, 3), float64: x, y and z, finite.
+triangles: shape (m, 3), integers: the numbers of three vertices, counter-clockwise seen from the front; only
+    front sides can be walked on. They need not be connected, and may cross each other.
+slope: degrees, above 0 and below 90: the steepest ground that the agent walks on.
+height: metres, above 0: the free height that it needs.
+minimum_area: square metres: connected parts that are no larger are left out.
+up, metres_per_unit, both_sides, obstacle_only: as for `Environment`.
+threads, progress: as for `run`. Ctrl-C raises KeyboardInterrupt within some 50 ms.
+
+Raises InputError for arrays or numbers that are wrong, and RunError.)",
+      py::arg("vertices"), py::arg("triangles"), py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(),
+      py::arg("minimum_area") = 1.0, py::arg("up") = "z", py::arg("metres_per_unit") = 1.0,
+      py::arg("both_sides") = false, py::arg("obstacle_only") = py::none(), py::arg("threads") = 0,
+      py::arg("progress") = py::none());
+}
+
+}  // namespace
+
+std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
+                          std::shared_ptr<ResultCache> cache, const py::object& progress) {
+  if (threads < 0) throw InputError("threads: " + std::to_string(threads) + " is no number of threads; give 0 or more");
+  auto area = std::make_shared<Area>();
+  area->result = interruptible(
+      progress, [&](RunContext& context) { return runPipeline(environment, pipeline, context, cache.get(), threads); });
+  area->data = area->result.mesh;
+  area->environment = std::move(environment);
+  area->pipeline = std::move(pipeline);
+  area->cache = std::move(cache);
+  return area;
+}
+
+void bindRuns(py::module_& module) {
+  bindMesh(module);
+  bindArea(module);
+  bindRunning(module);
+}
+
+}  // namespace footfall::python

@@ -1,0 +1,67 @@
+// What the parts of the module hand to each other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "footfall/environment.hpp"
+#include "footfall/inspect.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/path.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::python {
+
+namespace py = pybind11;
+
+/// What Python holds of something that never changes: its classes have no method that would change it.
+template <class Type>
+std::shared_ptr<Type> held(std::shared_ptr<const Type> shared) {
+  return std::const_pointer_cast<Type>(std::move(shared));
+}
+
+/// A navigation mesh, and what is made of it once it is asked for. Only touched with the interpreter lock held.
+struct Mesh {
+  std::shared_ptr<const NavigationMesh> data;
+  std::shared_ptr<const PathFinder> finder = nullptr;
+};
+
+/// What a run leaves: its mesh, and what it was made from.
+struct Area : Mesh {
+  std::shared_ptr<const Environment> environment;
+  Pipeline pipeline;
+  RunResult result;
+  std::shared_ptr<ResultCache> cache;
+  std::shared_ptr<const SeparationFinder> separations = nullptr;
+  std::shared_ptr<const Inspector> inspector = nullptr;
+};
+
+/// A pipeline from its text, or from a sequence of steps: "SlopeFilter 45" or ("SlopeFilter", 45). Throws InputError.
+Pipeline pipelineFrom(const py::object& given);
+
+/// The up axis of a name such as "z" or "-y"; nothing for None. Throws InputError for anything else.
+std::optional<UpAxis> upAxisFrom(const std::optional<std::string>& name);
+/// Runs a pipeline; interruptible.
+std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
+                          std::shared_ptr<ResultCache> cache, const py::object& progress);
+
+/// How arrays are to be taken.
+struct ArraysOptions {
+  std::string up = "z";
+  double metresPerUnit = 1;
+  bool bothSides = false;
+  py::object obstacleOnly = py::none();
+  std::string name = "arrays";
+};
+
+/// An environment of arrays, in order for a run. Throws InputError.
+std::shared_ptr<const Environment> environmentFrom(const py::object& vertices, const py::object& triangles,
+                                                   const ArraysOptions& options);
+
+}  // namespace footfall::python
