@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parts (components) are linked where their borders come near each other (border_links.hpp). Of all chains of links
-// from one part to the other, over any parts between, the one is told whose largest link is least; the size of a link
-// is the larger of its gap in the plan and of the height that is climbed there, over what stands between. Walls and
+// from one part to the other, over any parts between, the result is the one whose largest link is least; the size of a
+// link is the larger of its gap in the plan and of the height that is climbed there, over what stands between. Walls and
 // places without headroom count only where nothing else leads across, and then by distance.
 //
 // Sizes are rounded, and so is the choice between links whose sizes differ by rounding; it does not depend on threads.

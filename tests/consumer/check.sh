@@ -9,7 +9,7 @@ scratch="$(mktemp -d)"
 trap 'rm -rf -- "${scratch}"' EXIT
 "${cmake}" --install "${build}" --prefix "${scratch}/prefix" >"${scratch}/install.log"
 "${cmake}" -G Ninja -S "${here}" -B "${scratch}/build" -DCMAKE_PREFIX_PATH="${scratch}/prefix" \
-  -DCMAKE_CXX_COMPILER="${compiler}" -DCMAKE_CXX_FLAGS="${flags}"
+  -DCMAKE_CXX_COMPILER="${compiler}" -DCMAKE_CXX_FLAGS="${flags}" -DCMAKE_C_FLAGS="${flags}"
 "${cmake}" --build "${scratch}/build"
 
 "${scratch}/build/three_lines" "${scratch}/prefix/share/footfall/samples/house/house.obj" "${scratch}/house.obj"
