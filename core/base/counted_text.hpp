@@ -13,7 +13,9 @@
 namespace footfall::detail {
 
 /// For texts that are translated: `one`, or `many` with the number in its place %1.
-inline Text countedText(std::uint64_t n, Pattern one, Pattern many) { return n == 1 ? Text(one) : Text(many, Text::count(n)); }
+inline Text countedText(std::uint64_t n, Pattern one, Pattern many) {
+  return n == 1 ? Text(one) : Text(many, Text::count(n));
+}
 
 /// For output that is English everywhere: "1 layer", "2 layers".
 inline std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {
