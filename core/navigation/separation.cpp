@@ -2,8 +2,8 @@
 //
 // Parts (components) are linked where their borders come near each other (border_links.hpp). Of all chains of links
 // from one part to the other, over any parts between, the result is the one whose largest link is least; the size of a
-// link is the larger of its gap in the plan and of the height that is climbed there, over what stands between. Walls and
-// places without headroom count only where nothing else leads across, and then by distance.
+// link is the larger of its gap in the plan and of the height that is climbed there, over what stands between. Walls
+// and places without headroom count only where nothing else leads across, and then by distance.
 //
 // Sizes are rounded, and so is the choice between links whose sizes differ by rounding; it does not depend on threads.
 // It is Kruskal's algorithm (a chain within a minimum spanning tree has the least largest link), over pairs of borders
