@@ -17,14 +17,13 @@ Index cornerOf(const MeshTriangle& t, Index vertex) {
 
 }  // namespace
 
-SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& topology,
-                               const std::function<void()>& poll) {
-  const auto& triangles = mesh.triangles;
-  const auto endOf = [&](Index side) { return triangles[side / 3].corners[next(side % 3)]; };
+SplitMesh splitAtObstacleEdges(const std::vector<MeshTriangle>& triangles, const std::vector<std::uint32_t>& layers,
+                               std::size_t vertexCount, const Adjacency& adjacency, const std::function<void()>& poll) {
+  const TriangleCorners cornersOf(triangles);
   SplitMesh result;
   result.triangles = triangles;
-  result.layers = mesh.layers;
-  std::vector<char> atObstacle(mesh.vertices.size(), 0);
+  result.layers = layers;
+  std::vector<char> atObstacle(vertexCount, 0);
   bool any = false;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (triangles[t].obstacleEdges == 0) continue;
@@ -39,9 +38,9 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
   DisjointSets corners(any ? triangles.size() * 3 : 0);
   const auto corner = [&](Index side, Index v) { return side - side % 3 + cornerOf(triangles[side / 3], v); };
   std::vector<Index> obstacles;  // edges
-  for (Index e = 0; any && e < topology.edgeCount(); ++e) {
-    const auto sides = topology.sidesOf(e);
-    const Index a = beginOf(triangles, sides[0]), b = endOf(sides[0]);
+  for (Index e = 0; any && e < adjacency.edgeCount(); ++e) {
+    const auto sides = adjacency.sidesOf(e);
+    const Index a = cornersOf.beginOf(sides[0]), b = cornersOf.endOf(sides[0]);
     if (sides.size() < 2 || (atObstacle[a] == 0 && atObstacle[b] == 0)) continue;
     if (isObstacle(triangles, sides)) {
       obstacles.push_back(e);
@@ -57,8 +56,8 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
   // Sides that still share both ends get a point in the middle each.
   std::vector<char> needs;
   for (const Index e : obstacles) {
-    const auto sides = topology.sidesOf(e);
-    const Index a = beginOf(triangles, sides[0]), b = endOf(sides[0]);
+    const auto sides = adjacency.sidesOf(e);
+    const Index a = cornersOf.beginOf(sides[0]), b = cornersOf.endOf(sides[0]);
     for (std::size_t x = 0; x < sides.size(); ++x)
       for (std::size_t y = 0; y < x; ++y) {
         if (corners.find(corner(sides[x], a)) != corners.find(corner(sides[y], a)) ||
@@ -71,11 +70,10 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
 
   poll();
   std::vector<Index> copies(any ? triangles.size() * 3 : 0, -1);  // for the first corner of each set
-  std::vector<Index> whole(mesh.vertices.size(), -1);
+  std::vector<Index> whole(vertexCount, -1);
   const auto newVertex = [&](Index origin, std::array<Index, 2> middle) {
-    result.origins.push_back(origin);
-    result.middles.push_back(middle);
-    return static_cast<Index>(result.origins.size()) - 1;
+    result.vertices.push_back({origin, middle});
+    return static_cast<Index>(result.vertices.size()) - 1;
   };
   for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -88,7 +86,7 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
   poll();
 
   std::vector<MeshTriangle> pieces;
-  std::vector<std::uint32_t> layers;
+  std::vector<std::uint32_t> layersOfPieces;
   for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) {
     EdgeVertices on{};
     std::array<std::vector<Index>, 3> inner;
@@ -99,10 +97,10 @@ SplitMesh splitAtObstacleEdges(const WalkableMesh& mesh, const MeshTopology& top
       on[k] = &inner[k];
     }
     splitTriangle(result.triangles[t], on, pieces);
-    if (!mesh.layers.empty()) layers.resize(pieces.size(), mesh.layers[t]);
+    if (!layers.empty()) layersOfPieces.resize(pieces.size(), layers[t]);
   }
   result.triangles = std::move(pieces);
-  result.layers = std::move(layers);
+  result.layers = std::move(layersOfPieces);
   return result;
 }
 

@@ -10,20 +10,19 @@
 
 namespace footfall::detail {
 
-struct SplitMesh {
-  /// For each vertex the vertex of the mesh that it is a copy of, or -1 for a point in the middle of an edge.
-  std::vector<Index> origins;
-  /// For a point in the middle: the ends of its edge, as vertices of the mesh.
-  std::vector<std::array<Index, 2>> middles;
-  std::vector<MeshTriangle> triangles;  ///< obstacle flags only where walkable area lies on both sides
-  std::vector<std::uint32_t> layers;    ///< one for each triangle, or empty
+struct SplitVertex {
+  Index origin = -1;                    ///< the vertex of the mesh that it is a copy of, or -1 in the middle of an edge
+  std::array<Index, 2> middle{-1, -1};  ///< in the middle of an edge: the edge's ends, as vertices of the mesh
 };
+/// The triangles have obstacle flags only where walkable area lies on both sides.
+using SplitMesh = TriangleMesh<SplitVertex>;
 
 /// Splits vertices along obstacle edges: the corners of two triangles stay one vertex when one can turn around the
 /// vertex from one to the other without crossing an obstacle edge. An edge whose sides still have the same two ends
-/// (a wall with two free ends) gets a point in its middle on either side. `topology` is that of the mesh. `poll` is
-/// called now and then and may throw to cancel.
+/// (a wall with two free ends) gets a point in its middle on either side. `layers` may be empty; `adjacency` is that of
+/// the triangles. `poll` is called now and then and may throw to cancel.
 SplitMesh splitAtObstacleEdges(
-    const WalkableMesh& mesh, const MeshTopology& topology, const std::function<void()>& poll = [] {});
+    const std::vector<MeshTriangle>& triangles, const std::vector<std::uint32_t>& layers, std::size_t vertexCount,
+    const Adjacency& adjacency, const std::function<void()>& poll = [] {});
 
 }  // namespace footfall::detail

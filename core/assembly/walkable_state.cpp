@@ -3,9 +3,9 @@
 
 namespace footfall::detail {
 
-std::shared_ptr<const MeshTopology> topologyOf(const WalkableState& state, const std::function<void()>& poll) {
+std::shared_ptr<const Adjacency> topologyOf(const WalkableState& state, const std::function<void()>& poll) {
   if (state.topology && state.topologyOwner.lock() == state.mesh) return state.topology;
-  return std::make_shared<MeshTopology>(findEdges(state.mesh->triangles, state.mesh->vertices.size(), poll));
+  return std::make_shared<Adjacency>(findEdges(state.mesh->triangles, state.mesh->vertices.size(), poll));
 }
 
 }  // namespace footfall::detail

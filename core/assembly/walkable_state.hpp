@@ -29,7 +29,7 @@ struct WalkableState {
   /// The mesh of walkable parts; null until a filter needed it.
   std::shared_ptr<const WalkableMesh> mesh;
   /// The edges of `topologyOwner`, when a filter found them; of use while that is still `mesh` (topologyOf()).
-  std::shared_ptr<const MeshTopology> topology;
+  std::shared_ptr<const Adjacency> topology;
   std::weak_ptr<const WalkableMesh> topologyOwner;
   /// The mesh's triangles may span several coplanar source triangles (SimplificationFilter).
   bool simplified = false;
@@ -44,7 +44,7 @@ struct WalkableState {
 };
 
 /// The topology of the state's mesh: what an earlier filter found for the same mesh, else found now.
-std::shared_ptr<const MeshTopology> topologyOf(
+std::shared_ptr<const Adjacency> topologyOf(
     const WalkableState& state, const std::function<void()>& poll = [] {});
 
 }  // namespace footfall::detail

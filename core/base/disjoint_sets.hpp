@@ -18,10 +18,23 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void unite(Index a, Index b) {
+  /// Whether they were in two sets.
+  bool unite(Index a, Index b) {
     a = find(a);
     b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+    if (a == b) return false;
+    parent_[std::max(a, b)] = std::min(a, b);
+    return true;
+  }
+  /// For each element its set; sets are numbered from 0 in the order of their smallest elements.
+  std::vector<Index> numbers(Index& setCount) {
+    std::vector<Index> numbers(parent_.size());
+    setCount = 0;
+    for (Index i = 0; i < static_cast<Index>(numbers.size()); ++i) {
+      const Index first = find(i);
+      numbers[i] = first == i ? setCount++ : numbers[first];
+    }
+    return numbers;
   }
 
  private:

@@ -6,6 +6,7 @@
 #include "core/base/disjoint_sets.hpp"
 #include "core/compare/comparison_distances.hpp"
 #include "core/compare/comparison_plan.hpp"
+#include "core/mesh/adjacency.hpp"
 #include "footfall/compare.hpp"
 #include "footfall/errors.hpp"
 
@@ -27,26 +28,19 @@ double length(const NavigationMesh& mesh, const std::vector<Edge>& edges) {
 }
 
 /// Components of each layer; everything is layer 0 where `layered` is false.
-std::vector<std::size_t> countComponents(const NavigationMesh& mesh, bool layered) {
+std::vector<std::size_t> countComponents(const NavigationMesh& mesh, const Adjacency& adjacency, bool layered) {
+  const auto layerOf = [&](Index triangle) { return layered ? mesh.layers[triangle] : 0; };
   std::vector<std::size_t> counts(layered ? mesh.layerCount : 1, 0);
-  std::vector<std::pair<std::array<std::uint32_t, 3>, Index>> sides;  // layer and edge
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::uint32_t layer = layered ? mesh.layers[i] : 0;
-    ++counts[layer];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[i][k], b = mesh.triangles[i][(k + 1) % 3];
-      sides.push_back({{layer, std::min(a, b), std::max(a, b)}, static_cast<Index>(i)});
-    }
-  }
-  std::sort(sides.begin(), sides.end());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) ++counts[layerOf(static_cast<Index>(t))];
   DisjointSets sets(mesh.triangles.size());
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (sides[i].first != sides[i - 1].first) continue;
-    const Index a = sets.find(sides[i - 1].second), b = sets.find(sides[i].second);
-    if (a == b) continue;
-    sets.unite(a, b);
-    --counts[sides[i].first[0]];
+  std::vector<Index> around;  // triangles at one edge, by layer
+  for (Index e = 0; e < adjacency.edgeCount(); ++e) {
+    around.clear();
+    for (const Index side : adjacency.sidesOf(e)) around.push_back(side / 3);
+    std::ranges::stable_sort(around, {}, layerOf);
+    for (std::size_t i = 1; i < around.size(); ++i)
+      if (layerOf(around[i]) == layerOf(around[i - 1]) && sets.unite(around[i - 1], around[i]))
+        --counts[layerOf(around[i])];
   }
   return counts;
 }
@@ -99,10 +93,11 @@ MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& 
   }
   context.checkCancelled();
   whole.addTo(description.whole);
-  description.whole.components = countComponents(mesh, false)[0];
+  const Adjacency adjacency = findEdges(mesh.triangles, mesh.vertices.size(), [&] { context.checkCancelled(); });
+  description.whole.components = countComponents(mesh, adjacency, false)[0];
   if (layers.empty()) return description;
   context.checkCancelled();
-  const std::vector<std::size_t> components = countComponents(mesh, true);
+  const std::vector<std::size_t> components = countComponents(mesh, adjacency, true);
   for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
     MeshPart& part = description.layers.emplace_back();
     part.name = "layer_" + std::to_string(layer);

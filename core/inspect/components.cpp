@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/poll.hpp"
-#include "core/mesh/mesh_topology.hpp"
+#include "core/mesh/adjacency.hpp"
 #include "footfall/inspect.hpp"
 
 namespace footfall {
@@ -63,14 +63,8 @@ double Components::totalArea() const {
 
 Components findComponents(const NavigationMesh& mesh, const RunContext* context) {
   const std::function<void()> poll = pollOf(context);
-  WalkableMesh triangles;  // corners alone: findRegions looks at nothing else
-  triangles.triangles.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    triangles.triangles.push_back({{static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2])}});
-  poll();
   Index count = 0;
-  const std::vector<Index> region =
-      findRegions(triangles, findEdges(triangles.triangles, mesh.vertices.size(), poll), count);
+  const std::vector<Index> region = findParts(mesh.triangles, mesh.vertices.size(), count, poll);
   poll();
 
   std::vector<Component> found(static_cast<std::size_t>(count));

@@ -38,7 +38,7 @@ struct SurfaceTopology {
   }
 };
 
-/// O(n log n). `poll` is called now and then and may throw.
+/// As fast as findEdges(). `poll` is called now and then and may throw.
 SurfaceTopology makeSurfaceTopology(
     const NavigationMesh& mesh, const std::function<void()>& poll = [] {});
 

@@ -26,12 +26,17 @@ struct MeshTriangle {
   std::uint8_t obstacleEdges = 0;  ///< bit k: an obstacle stands on the edge from corner k to k + 1
 };
 
-/// The walkable area, conforming: triangles that meet share whole edges, by vertex index. Both sides of an obstacle
-/// edge still have the same vertices here; they are told apart by the flag and split when the product is made.
-struct WalkableMesh {
-  std::vector<MeshVertex> vertices;
+/// Triangles over vertices of some kind.
+template <class Vertex>
+struct TriangleMesh {
+  std::vector<Vertex> vertices;
   std::vector<MeshTriangle> triangles;
   std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
+};
+
+/// The walkable area, conforming: triangles that meet share whole edges, by vertex index. Both sides of an obstacle
+/// edge still have the same vertices here; they are told apart by the flag and split when the product is made.
+struct WalkableMesh : TriangleMesh<MeshVertex> {
   std::uint32_t layerCount = 0;
 };
 

@@ -19,7 +19,7 @@ std::size_t bytesOf(const WalkableMesh& mesh) {
   return bytesOf(mesh.vertices) + bytesOf(mesh.triangles) + bytesOf(mesh.layers);
 }
 
-std::size_t bytesOf(const MeshTopology& topology) { return bytesOf(topology.sides) + bytesOf(topology.first); }
+std::size_t bytesOf(const Adjacency& topology) { return bytesOf(topology.sides) + bytesOf(topology.first); }
 
 // Faces keep their points, and about two triangles and one line a point.
 std::size_t bytesOf(const AssemblyMemory& memory) {

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
-#include <unordered_map>
 
+#include "core/mesh/adjacency.hpp"
+#include "ui/base/namespaces.hpp"
 #include "ui/view/headroom_preview.hpp"
 
 namespace footfall::ui {
@@ -109,30 +109,16 @@ class AreaPreview : public EditPreview {
   // For each triangle the area of its region. Triangles are in one region when they share an edge: the result has
   // vertices of its own on each side of an obstacle edge.
   static std::vector<double> areasOfRegions(const NavigationMesh& mesh, const std::function<void()>& poll) {
-    std::vector<std::uint32_t> parent(mesh.triangles.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    const auto find = [&](std::uint32_t t) {
-      while (parent[t] != t) t = parent[t] = parent[parent[t]];
-      return t;
-    };
-    std::unordered_map<std::uint64_t, std::uint32_t> firstOn;
-    firstOn.reserve(2 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (t % kTrianglesPerPoll == 0) poll();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
-        const auto [edge, isNew] = firstOn.try_emplace((std::uint64_t{low} << 32U) | high, t);
-        if (!isNew) parent[find(t)] = find(edge->second);
-      }
-    }
+    Index count = 0;
+    const std::vector<Index> region = findParts(mesh.triangles, mesh.vertices.size(), count, poll);
     poll();
-    std::vector<double> areas(mesh.triangles.size(), 0);
+    std::vector<double> areas(static_cast<std::size_t>(count), 0);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const Vec3 n = normalOf(mesh, mesh.triangles[t]);
-      areas[find(t)] += std::hypot(n.x, n.y, n.z) / 2;
+      areas[region[t]] += std::hypot(n.x, n.y, n.z) / 2;
     }
     std::vector<double> ofRegion(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ofRegion[t] = areas[find(t)];
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ofRegion[t] = areas[region[t]];
     return ofRegion;
   }
 

@@ -7,8 +7,10 @@
 #include <iterator>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/mesh/adjacency.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/coarse_geometry.hpp"
 #include "ui/view/floor_shares.hpp"
@@ -63,32 +65,27 @@ std::array<const Vec3*, 3> cornersOf(const std::vector<Vec3>& vertices, const Tr
   return {&vertices[triangle[0]], &vertices[triangle[1]], &vertices[triangle[2]]};
 }
 
-struct EdgeUse {
+/// An edge of the triangles: its vertices, the smaller one first, and the triangles at it, ascending.
+struct SharedEdge {
   std::uint32_t low = 0, high = 0;
-  std::uint32_t triangle = 0;
-  bool operator<(const EdgeUse& o) const {
-    return low != o.low ? low < o.low : high != o.high ? high < o.high : triangle < o.triangle;
-  }
+  std::vector<std::uint32_t> triangles;
 };
 
-// Calls visit(first, last) for the uses of each edge.
+// Calls visit(edge) for each edge with two ends, in the order of their vertices.
 template <typename Visit>
-void forEachEdge(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& ids, Visit visit) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(triangles.size() * 3);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = ids.empty() ? triangles[t][k] : ids[triangles[t][k]];
-      const std::uint32_t b = ids.empty() ? triangles[t][(k + 1) % 3] : ids[triangles[t][(k + 1) % 3]];
-      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), t});
-    }
-  }
-  std::sort(uses.begin(), uses.end());
-  for (auto first = uses.begin(); first != uses.end();) {
-    auto last = first;
-    while (last != uses.end() && last->low == first->low && last->high == first->high) ++last;
-    visit(first, last);
-    first = last;
+void forEachEdge(const std::vector<Triangle>& triangles, std::size_t vertexCount, Visit visit) {
+  const TriangleCorners corners(triangles);
+  const Adjacency adjacency = findEdges(corners, vertexCount);
+  SharedEdge edge;
+  for (Index e = 0; e < adjacency.edgeCount(); ++e) {
+    const auto sides = adjacency.sidesOf(e);
+    const auto [low, high] = std::minmax({corners.beginOf(sides[0]), corners.endOf(sides[0])});
+    if (low == high) continue;
+    edge.low = static_cast<std::uint32_t>(low);
+    edge.high = static_cast<std::uint32_t>(high);
+    edge.triangles.clear();
+    for (const Index side : sides) edge.triangles.push_back(static_cast<std::uint32_t>(side / 3));
+    visit(std::as_const(edge));
   }
 }
 
@@ -100,13 +97,16 @@ struct PositionHash {
   }
 };
 
-// The first vertex at the same position, for each vertex: soups repeat theirs.
-std::vector<std::uint32_t> weldedIds(const std::vector<Vec3>& vertices) {
+// The triangles, with the first vertex at the same position for each corner: soups repeat their vertices.
+std::vector<Triangle> welded(const std::vector<Triangle>& triangles, const std::vector<Vec3>& vertices) {
   std::unordered_map<Vec3, std::uint32_t, PositionHash> firstAt;
   firstAt.reserve(vertices.size());
   std::vector<std::uint32_t> ids(vertices.size());
   for (std::uint32_t i = 0; i < vertices.size(); ++i) ids[i] = firstAt.try_emplace(vertices[i], i).first->second;
-  return ids;
+  std::vector<Triangle> result;
+  result.reserve(triangles.size());
+  for (const Triangle& t : triangles) result.push_back({ids[t[0]], ids[t[1]], ids[t[2]]});
+  return result;
 }
 
 // The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface.
@@ -219,11 +219,10 @@ class EdgeLayers {
   explicit EdgeLayers(const NavigationMesh& mesh) : mesh_(mesh) {}
 
   /// In the order of forEachEdge(); kNoLayer without layers.
-  template <typename Use>
-  LineLayers add(Use first, Use last) {
+  LineLayers add(const SharedEdge& edge) {
     if (mesh_.layers.empty()) return {kNoLayer, kNoLayer};
-    const LineLayers layers{mesh_.layers[first->triangle], mesh_.layers[(last - 1)->triangle]};
-    if (last - first == 1 || layers[0] != layers[1]) known_.push_back({first->low, first->high, layers});
+    const LineLayers layers{mesh_.layers[edge.triangles.front()], mesh_.layers[edge.triangles.back()]};
+    if (edge.triangles.size() == 1 || layers[0] != layers[1]) known_.push_back({edge.low, edge.high, layers});
     return layers;
   }
 
@@ -338,15 +337,16 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
 
   DisjointSets regions(environment.triangles.size());
-  forEachEdge(environment.triangles, weldedIds(vertices), [&](auto first, auto last) {
-    bool crease = last - first != 2;
-    if (!crease && isFlat(normals[first->triangle], normals[(first + 1)->triangle]))
-      regions.unite(static_cast<Index>(first->triangle), static_cast<Index>((first + 1)->triangle));
-    if (!crease) crease = isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
+  forEachEdge(welded(environment.triangles, vertices), vertices.size(), [&](const SharedEdge& edge) {
+    const std::uint32_t first = edge.triangles.front(), last = edge.triangles.back();
+    bool crease = edge.triangles.size() != 2;
+    if (!crease && isFlat(normals[first], normals[last]))
+      regions.unite(static_cast<Index>(first), static_cast<Index>(last));
+    if (!crease) crease = isCrease(normals[first], normals[last]);
     if (crease) {
-      geometry->creases.push_back({toFloats(vertices[first->low], centre), toFloats(vertices[first->high], centre)});
-      geometry->creaseTriangles.push_back(last - first > 2 ? std::array{kNoLayer, kNoLayer}
-                                                           : std::array{first->triangle, (last - 1)->triangle});
+      geometry->creases.push_back({toFloats(vertices[edge.low], centre), toFloats(vertices[edge.high], centre)});
+      geometry->creaseTriangles.push_back(edge.triangles.size() > 2 ? std::array{kNoLayer, kNoLayer}
+                                                                    : std::array{first, last});
     }
   });
   if (withCovers && !environment.bothSides) markCovers(*geometry, regions);
@@ -395,12 +395,13 @@ std::shared_ptr<const NavigationMeshGeometry> makeMeshGeometry(const NavigationM
   if (paint) return geometry;  // what was removed shows no lines
   geometry->figures = figuresOf(mesh, centre);
   EdgeLayers edgeLayers(mesh);
-  forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
-    const LineLayers layers = edgeLayers.add(first, last);
-    const bool sharp = last - first == 2 && isCrease(normals[first->triangle], normals[(first + 1)->triangle]);
-    if (last - first != 1 && !sharp) return;
+  forEachEdge(mesh.triangles, mesh.vertices.size(), [&](const SharedEdge& edge) {
+    const LineLayers layers = edgeLayers.add(edge);
+    const auto& around = edge.triangles;
+    const bool sharp = around.size() == 2 && isCrease(normals[around[0]], normals[around[1]]);
+    if (around.size() != 1 && !sharp) return;
     (sharp ? geometry->creases : geometry->outline)
-        .push_back({toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+        .push_back({toFloats(mesh.vertices[edge.low], centre), toFloats(mesh.vertices[edge.high], centre)});
     if (!mesh.layers.empty()) (sharp ? geometry->creaseLayers : geometry->outlineLayers).push_back(layers);
   });
   geometry->obstacleEdges = toSegments(mesh.obstacleEdges, mesh.vertices, centre);
@@ -414,13 +415,11 @@ void addSourceEdges(const NavigationMesh& mesh, const Vec3& centre, NavigationMe
   geometry.creases.clear();
   geometry.creaseLayers.clear();
   EdgeLayers edgeLayers(mesh);
-  forEachEdge(mesh.triangles, {}, [&](auto first, auto last) {
-    const LineLayers layers = edgeLayers.add(first, last);
-    const bool border =
-        last - first != 2 || mesh.sourceTriangles[first->triangle] != mesh.sourceTriangles[(first + 1)->triangle];
-    if (!border) return;
-    geometry.creases.push_back(
-        {toFloats(mesh.vertices[first->low], centre), toFloats(mesh.vertices[first->high], centre)});
+  forEachEdge(mesh.triangles, mesh.vertices.size(), [&](const SharedEdge& edge) {
+    const LineLayers layers = edgeLayers.add(edge);
+    const auto& around = edge.triangles;
+    if (around.size() == 2 && mesh.sourceTriangles[around[0]] == mesh.sourceTriangles[around[1]]) return;
+    geometry.creases.push_back({toFloats(mesh.vertices[edge.low], centre), toFloats(mesh.vertices[edge.high], centre)});
     if (!mesh.layers.empty()) geometry.creaseLayers.push_back(layers);
   });
 }

@@ -48,8 +48,7 @@ IndexLists listsOf(const std::vector<Pair>& pairs, Index count) {
 
 class LayerSubdivision {
  public:
-  LayerSubdivision(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology,
-                   RunContext& context)
+  LayerSubdivision(const PlanKernel& kernel, const WalkableMesh& mesh, const Adjacency& topology, RunContext& context)
       : kernel_(kernel),
         mesh_(mesh),
         topology_(topology),
@@ -275,7 +274,7 @@ class LayerSubdivision {
 
   const PlanKernel& kernel_;
   const WalkableMesh& mesh_;
-  const MeshTopology& topology_;
+  const Adjacency& topology_;
   RunContext& context_;
   Index count_;
   std::vector<Pair> overlaps_;

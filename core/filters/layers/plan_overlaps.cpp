@@ -41,7 +41,7 @@ class OverlapFinder {
         }) {}
 
   /// False when there are more pairs than `most`.
-  bool findAll(const MeshTopology& topology, std::size_t most) {
+  bool findAll(const Adjacency& topology, std::size_t most) {
     most_ = most;
     findInnerSides(topology);
     findPlanTriangles();
@@ -53,7 +53,7 @@ class OverlapFinder {
   }
 
   // A region is a mesh of its own: what lies beyond its sides in other regions does not count.
-  void findWithin(const MeshTopology& topology, const std::vector<Index>& region, Index regionCount) {
+  void findWithin(const Adjacency& topology, const std::vector<Index>& region, Index regionCount) {
     findInnerSides(topology);
     findPlanTriangles();
     const auto count = static_cast<Index>(mesh_.triangles.size());
@@ -70,6 +70,7 @@ class OverlapFinder {
 
   // What is known of two triangles that are still there holds; others are compared with all.
   void update(const std::vector<Pair>& before, const MeshRelation& relation) {
+    const TriangleCorners corners(mesh_.triangles);
     across_.assign(mesh_.triangles.size() * 3, -1);
     findPlanTriangles();
     std::vector<Index> now(relation.triangleCountBefore, -1), kept, changed;
@@ -124,11 +125,12 @@ class OverlapFinder {
   };
   using Tree = BoxTree<2>;
 
-  void findInnerSides(const MeshTopology& topology) {
+  void findInnerSides(const Adjacency& topology) {
+    const TriangleCorners corners(mesh_.triangles);
     across_.assign(mesh_.triangles.size() * 3, -1);
     for (Index e = 0; e < topology.edgeCount(); ++e) {
       const auto sides = topology.sidesOf(e);
-      if (sides.size() != 2 || beginOf(mesh_.triangles, sides[0]) == beginOf(mesh_.triangles, sides[1])) continue;
+      if (sides.size() != 2 || corners.beginOf(sides[0]) == corners.beginOf(sides[1])) continue;
       across_[sides[0]] = sides[1] / 3;
       across_[sides[1]] = sides[0] / 3;
     }
@@ -238,7 +240,7 @@ class OverlapFinder {
 }  // namespace
 
 std::optional<std::vector<Pair>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
-                                                  const MeshTopology& topology, std::size_t most, RunContext& context,
+                                                  const Adjacency& topology, std::size_t most, RunContext& context,
                                                   ExactFallbacks& fallbacks) {
   OverlapFinder finder(kernel, mesh, context);
   const bool isComplete = finder.findAll(topology, most);
@@ -247,7 +249,7 @@ std::optional<std::vector<Pair>> findPlanOverlaps(const PlanKernel& kernel, cons
 }
 
 std::vector<Pair> findPlanOverlapsWithin(const std::vector<Index>& region, Index regionCount, const PlanKernel& kernel,
-                                         const WalkableMesh& mesh, const MeshTopology& topology, RunContext& context,
+                                         const WalkableMesh& mesh, const Adjacency& topology, RunContext& context,
                                          ExactFallbacks& fallbacks) {
   OverlapFinder finder(kernel, mesh, context);
   finder.findWithin(topology, region, regionCount);

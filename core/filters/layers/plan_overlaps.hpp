@@ -16,13 +16,13 @@ namespace footfall::detail {
 /// All pairs of triangles whose insides overlap in the plan, exactly; each once, in no particular order. Empty when
 /// there are more than `most`.
 std::optional<std::vector<std::array<Index, 2>>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
-                                                                  const MeshTopology& topology, std::size_t most,
+                                                                  const Adjacency& topology, std::size_t most,
                                                                   RunContext& context, ExactFallbacks& fallbacks);
 
 /// The pairs of which both triangles belong to one region, by findRegions().
 std::vector<std::array<Index, 2>> findPlanOverlapsWithin(const std::vector<Index>& region, Index regionCount,
                                                          const PlanKernel& kernel, const WalkableMesh& mesh,
-                                                         const MeshTopology& topology, RunContext& context,
+                                                         const Adjacency& topology, RunContext& context,
                                                          ExactFallbacks& fallbacks);
 
 /// The same, when the pairs of an earlier mesh are known.

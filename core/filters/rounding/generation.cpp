@@ -50,7 +50,7 @@ class SoupBuilder {
     markBorders(rounded, *topology);
     result_.cases = repairRounding(rounded, exact, context);
     if (result_.cases.anyBroken())
-      topology = std::make_shared<MeshTopology>(findEdges(rounded.triangles, rounded.vertices.size(), poll));
+      topology = std::make_shared<Adjacency>(findEdges(rounded.triangles, rounded.vertices.size(), poll));
     settleBorders(rounded, *topology);
     markClosedSlivers(rounded, *topology, {}, context);
     for (const Vec3& v : rounded.vertices) addVertex(v);

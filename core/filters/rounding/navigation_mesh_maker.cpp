@@ -43,7 +43,7 @@ void addObstacleEdges(const RoundedMesh& mesh, const std::vector<Index>& order, 
 }
 
 // Sorted by the numbers of their vertices.
-void addConnections(const RoundedMesh& mesh, const MeshTopology& topology, const std::vector<Index>& renumbered,
+void addConnections(const RoundedMesh& mesh, const Adjacency& topology, const std::vector<Index>& renumbered,
                     NavigationMesh& result) {
   if (mesh.layers.empty()) return;
   for (Index e = 0; e < topology.edgeCount(); ++e) {
@@ -60,8 +60,17 @@ void addConnections(const RoundedMesh& mesh, const MeshTopology& topology, const
 
 Vec3 middleOf(const Vec3& a, const Vec3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
+// A split mesh, with the places of the mesh that it was made from.
+RoundedMesh withPlaces(SplitMesh split, const std::vector<Vec3>& places) {
+  RoundedMesh rounded{{}, std::move(split.triangles), std::move(split.layers)};
+  rounded.vertices.reserve(split.vertices.size());
+  for (const auto& [origin, middle] : split.vertices)
+    rounded.vertices.push_back(origin >= 0 ? places[origin] : middleOf(places[middle[0]], places[middle[1]]));
+  return rounded;
+}
+
 // The split mesh of the state with rounded places, and its edges.
-RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<char>& sturdy, MeshTopology& topology,
+RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<char>& sturdy, Adjacency& topology,
                            RunContext& context) {
   const auto poll = [&context] { context.checkCancelled(); };
   std::vector<char> exact;
@@ -69,24 +78,13 @@ RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<char>& sturdy
   SplitMesh split;
   tbb::parallel_invoke([&] { places = roundVertices(*state.kernel, state.mesh->vertices, exact, context); },
                        [&] {
-                         split = splitAtObstacleEdges(*state.mesh, *topologyOf(state, poll), poll);
-                         topology = findEdges(split.triangles, split.origins.size(), poll);
+                         split = splitAtObstacleEdges(state.mesh->triangles, state.mesh->layers,
+                                                      state.mesh->vertices.size(), *topologyOf(state, poll), poll);
+                         topology = findEdges(split.triangles, split.vertices.size(), poll);
                        });
-  RoundedMesh rounded;
-  rounded.triangles = std::move(split.triangles);
-  rounded.layers = std::move(split.layers);
-  rounded.vertices.reserve(split.origins.size());
-  sturdy.reserve(split.origins.size());
-  for (std::size_t v = 0; v < split.origins.size(); ++v) {
-    if (split.origins[v] >= 0) {
-      rounded.vertices.push_back(places[split.origins[v]]);
-      sturdy.push_back(exact[split.origins[v]]);
-    } else {
-      rounded.vertices.push_back(middleOf(places[split.middles[v][0]], places[split.middles[v][1]]));
-      sturdy.push_back(0);
-    }
-  }
-  return rounded;
+  sturdy.reserve(split.vertices.size());
+  for (const SplitVertex& v : split.vertices) sturdy.push_back(v.origin >= 0 ? exact[v.origin] : char{0});
+  return withPlaces(std::move(split), places);
 }
 
 // Vertices that rounding moved, and ends of obstacle edges.
@@ -100,18 +98,8 @@ std::vector<char> suspectsOf(const RoundedMesh& mesh, const std::vector<char>& s
 }
 
 // Repairs can bring the two sides of an obstacle together: give each its own vertices once more.
-void splitAgain(RoundedMesh& mesh, const MeshTopology& topology) {
-  WalkableMesh joined;
-  joined.vertices.resize(mesh.vertices.size());
-  joined.triangles = std::move(mesh.triangles);
-  joined.layers = std::move(mesh.layers);
-  SplitMesh split = splitAtObstacleEdges(joined, topology);
-  std::vector<Vec3> vertices;
-  for (std::size_t v = 0; v < split.origins.size(); ++v)
-    vertices.push_back(split.origins[v] >= 0
-                           ? mesh.vertices[split.origins[v]]
-                           : middleOf(mesh.vertices[split.middles[v][0]], mesh.vertices[split.middles[v][1]]));
-  mesh = {std::move(vertices), std::move(split.triangles), std::move(split.layers)};
+void splitAgain(RoundedMesh& mesh, const Adjacency& topology) {
+  mesh = withPlaces(splitAtObstacleEdges(mesh.triangles, mesh.layers, mesh.vertices.size(), topology), mesh.vertices);
 }
 
 // Stable, by counting.
@@ -136,7 +124,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   const SourceMesh& source = state->kernel->mesh();
   const auto poll = [&context] { context.checkCancelled(); };
   std::vector<char> sturdy;
-  MeshTopology topology;
+  Adjacency topology;
   RoundedMesh rounded = roundSplitMesh(*state, sturdy, topology, context);
   context.checkCancelled();
   const auto edgesOf = [&] { return findEdges(rounded.triangles, rounded.vertices.size(), poll); };

@@ -29,7 +29,7 @@ struct Border {
   int k = 0;
 };
 
-std::vector<Border> findBorders(const RoundedMesh& mesh, const MeshTopology& topology) {
+std::vector<Border> findBorders(const RoundedMesh& mesh, const Adjacency& topology) {
   std::vector<Border> borders;
   for (Index e = 0; e < topology.edgeCount(); ++e) {
     const auto sides = topology.sidesOf(e);
@@ -131,12 +131,12 @@ void splitBorders(RoundedMesh& mesh, const std::vector<Border>& borders,
 
 }  // namespace
 
-void markBorders(RoundedMesh& mesh, const MeshTopology& topology) {
+void markBorders(RoundedMesh& mesh, const Adjacency& topology) {
   for (const Border& e : findBorders(mesh, topology))
     mesh.triangles[e.triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << e.k);
 }
 
-bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology) {
+bool settleBorders(RoundedMesh& mesh, const Adjacency& topology) {
   bool shared = false;
   for (Index e = 0; e < topology.edgeCount(); ++e) {
     const auto sides = topology.sidesOf(e);
@@ -153,7 +153,7 @@ bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology) {
   return shared;
 }
 
-bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const std::vector<char>& suspects,
+bool markClosedSlivers(RoundedMesh& mesh, const Adjacency& topology, const std::vector<char>& suspects,
                        RunContext& context) {
   std::vector<Border> borders = findBorders(mesh, topology);
   Contacts contacts = findContacts(mesh, borders, suspects, context);

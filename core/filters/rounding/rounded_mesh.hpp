@@ -24,11 +24,8 @@ struct RoundingCases {
   [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped != 0; }
 };
 
-struct RoundedMesh {
-  std::vector<Vec3> vertices;  ///< environment units
-  std::vector<MeshTriangle> triangles;
-  std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
-};
+/// In the environment's units.
+using RoundedMesh = TriangleMesh<Vec3>;
 
 /// Positions of all vertices, each coordinate the nearest double to the exact one. `exact[v]` tells what was exact.
 std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices,
@@ -41,11 +38,11 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
 RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
 
 /// Sets the obstacle flag of every edge with a triangle on one side only, so that repairs carry along what is a border.
-void markBorders(RoundedMesh& mesh, const MeshTopology& topology);
+void markBorders(RoundedMesh& mesh, const Adjacency& topology);
 
 /// After the repairs: borders lose that flag again; where repairs brought a border together with another edge by index,
 /// it is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.
-bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology);
+bool settleBorders(RoundedMesh& mesh, const Adjacency& topology);
 
 /// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
 /// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
@@ -56,7 +53,7 @@ bool settleBorders(RoundedMesh& mesh, const MeshTopology& topology);
 /// of obstacle edges: before rounding the mesh is conforming, so borders that have a piece in common are one edge
 /// there, or the two sides of an obstacle edge; and if no end of two borders moved, they have in common what they had
 /// before.
-bool markClosedSlivers(RoundedMesh& mesh, const MeshTopology& topology, const std::vector<char>& suspects,
+bool markClosedSlivers(RoundedMesh& mesh, const Adjacency& topology, const std::vector<char>& suspects,
                        RunContext& context);
 
 }  // namespace footfall::detail

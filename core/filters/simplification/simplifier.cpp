@@ -135,7 +135,8 @@ bool Simplifier::isInner(std::span<const Index> sides) const {
   if (sides.size() != 2 || isObstacle(mesh_.triangles, sides)) return false;
   const auto& layers = given_.layers;
   if (!layers.empty() && layers[sides[0] / 3] != layers[sides[1] / 3]) return false;
-  return beginOf(mesh_.triangles, sides[0]) != beginOf(mesh_.triangles, sides[1]);
+  const TriangleCorners corners(mesh_.triangles);
+  return corners.beginOf(sides[0]) != corners.beginOf(sides[1]);
 }
 
 // Both sides of an edge belong to one region when it is inner and their planes agree.

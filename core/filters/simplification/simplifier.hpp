@@ -32,7 +32,7 @@ struct SimplifierMemory {
 class Simplifier {
  public:
   /// Exact unless `approximate` says otherwise. `topology` is that of `mesh`; all must outlive this.
-  Simplifier(const PlanKernel& kernel, const WalkableMesh& mesh, const MeshTopology& topology,
+  Simplifier(const PlanKernel& kernel, const WalkableMesh& mesh, const Adjacency& topology,
              const ApproximateSimplification& approximate, RunContext& context)
       : kernel_(kernel),
         given_(mesh),
@@ -84,7 +84,7 @@ class Simplifier {
 
   const PlanKernel& kernel_;
   const WalkableMesh& given_;
-  const MeshTopology& topology_;
+  const Adjacency& topology_;
   ApproximateSimplification approximate_;
   RunContext& context_;
   SimplifiedMesh mesh_;

@@ -29,7 +29,7 @@ using namespace footfall::test;
 
 namespace {
 
-MeshTopology topologyOf(const WalkableMesh& mesh) { return findEdges(mesh.triangles, mesh.vertices.size()); }
+Adjacency topologyOf(const WalkableMesh& mesh) { return findEdges(mesh.triangles, mesh.vertices.size()); }
 
 /// A hilly floor of n x n squares with random heights, `z` above the ground.
 Soup hills(int n, double z, unsigned seed) {
@@ -122,7 +122,7 @@ class TestMeshStructure : public QObject {
         const Index a = triangles[s / 3].corners[s % 3], b = triangles[s / 3].corners[(s + 1) % 3];
         expected[{std::min(a, b), std::max(a, b)}].push_back(s);
       }
-      const MeshTopology topology = topologyOf(*state->mesh);
+      const Adjacency topology = topologyOf(*state->mesh);
       RC_ASSERT(topology.edgeCount() == static_cast<Index>(expected.size()));
       Index e = 0;
       for (const auto& [vertices, sides] : expected) {
@@ -201,14 +201,15 @@ class TestMeshStructure : public QObject {
       Soup soup = soupOf(*gridTriangles(12, 5, 4)).add(buildingOf(*buildingParts(4)));
       const StatePtr state = runFilters(soup.environment(true), minimalPipeline(1, 60));
       RunContext context;
-      SplitMesh split = splitAtObstacleEdges(*state->mesh, topologyOf(*state->mesh));
+      SplitMesh split = splitAtObstacleEdges(state->mesh->triangles, state->mesh->layers, state->mesh->vertices.size(),
+                                             topologyOf(*state->mesh));
       std::vector<char> exact, sturdy;
       const auto places = roundVertices(*state->kernel, state->mesh->vertices, exact, context);
       RoundedMesh mesh;
-      for (std::size_t v = 0; v < split.origins.size(); ++v) {
-        RC_PRE(split.origins[v] >= 0);
-        mesh.vertices.push_back(places[split.origins[v]]);
-        sturdy.push_back(exact[split.origins[v]]);
+      for (const SplitVertex& v : split.vertices) {
+        RC_PRE(v.origin >= 0);
+        mesh.vertices.push_back(places[v.origin]);
+        sturdy.push_back(exact[v.origin]);
       }
       mesh.triangles = split.triangles;
       std::vector<char> suspects;
@@ -216,7 +217,7 @@ class TestMeshStructure : public QObject {
       for (const MeshTriangle& t : mesh.triangles)
         for (int k = 0; k < 3; ++k)
           if ((t.obstacleEdges >> k & 1) != 0) suspects[t.corners[k]] = suspects[t.corners[(k + 1) % 3]] = 1;
-      MeshTopology topology = findEdges(mesh.triangles, mesh.vertices.size());
+      Adjacency topology = findEdges(mesh.triangles, mesh.vertices.size());
       markBorders(mesh, topology);
       RC_PRE(!repairRounding(mesh, sturdy, context).anyBroken());
       settleBorders(mesh, topology);
