@@ -7,6 +7,7 @@
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
+#include "core/base/poll.hpp"
 #include "core/partitioning/cut_export.hpp"
 #include "core/partitioning/cutting.hpp"
 #include "core/pipeline/runner.hpp"
@@ -78,7 +79,7 @@ bool isRounding(const PipelineStep& strategy) {
 /// Cuts the environment, writes it, and counts what came out.
 CutCounts exportCut(const CellsOptions& options, const Environment& environment, const Partition& partition,
                     const Pipeline& block, RunContext& context) {
-  const auto poll = [&context] { context.checkCancelled(); };
+  const Poll poll(context);
   const SourceMesh mesh =
       makeSourceMesh(SourceSoupView(environment.vertices, environment.triangles), environment.bothSides, nullptr, poll);
   const CutEnvironment cut = cutEnvironment(mesh, partition, {}, isRounding(block.steps[0]), poll);

@@ -33,7 +33,7 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
     ids.push_back(static_cast<std::int32_t>(i));
   }
   TriangleTree tree;
-  tree.build(std::move(boxes), std::move(ids), [&context] { context.checkCancelled(); });
+  tree.build(std::move(boxes), std::move(ids), context);
 
   using Place = std::array<mpq_class, 3>;
   const auto placeOf = [&](const MeshVertex& v) { return kernel.exactPosition(v.point, v.face); };

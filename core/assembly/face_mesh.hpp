@@ -7,6 +7,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/exact/face_cuts.hpp"
 #include "core/exact/face_triangulation.hpp"
 
@@ -42,7 +43,7 @@ using FaceMeshes = std::vector<std::shared_ptr<const FaceMesh>>;
 class FaceMesher {
  public:
   /// `advance(n)` (may be empty) is called when n more segments are in.
-  FaceMesher(const PlanKernel& kernel, std::function<void()> poll, std::function<void(std::size_t)> advance = {})
+  FaceMesher(const PlanKernel& kernel, Poll poll, std::function<void(std::size_t)> advance = {})
       : geometry_(kernel), triangulation_(geometry_, std::move(poll)), advance_(std::move(advance)) {}
 
   FaceMesh mesh(Index face, const FaceCuts* cuts, bool covered = false);

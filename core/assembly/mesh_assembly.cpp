@@ -146,9 +146,7 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
   std::atomic<std::size_t> nextFace{0};
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t) {
     auto& mesher = meshers.local();
-    if (!mesher)
-      mesher = std::make_unique<FaceMesher>(
-          kernel, [&context] { context.checkCancelled(); }, advance);
+    if (!mesher) mesher = std::make_unique<FaceMesher>(kernel, context, advance);
     std::vector<Index> mine;
     for (std::size_t k = 0; k < facesPerTask; ++k) {
       const std::size_t i = nextFace.fetch_add(1, std::memory_order_relaxed);

@@ -242,7 +242,7 @@ void MeshJoiner::findIncidences(RunContext& context) {
         const Outline& o = outlines_[twins.first[n]];
         return whole(boxOf(o.from), boxOf(o.to));
       },
-      [&context] { context.checkCancelled(); });
+      context);
 
   struct Local {
     std::vector<Incidence> between;

@@ -18,7 +18,7 @@ Index cornerOf(const MeshTriangle& t, Index vertex) {
 }  // namespace
 
 SplitMesh splitAtObstacleEdges(const std::vector<MeshTriangle>& triangles, const std::vector<std::uint32_t>& layers,
-                               std::size_t vertexCount, const Adjacency& adjacency, const std::function<void()>& poll) {
+                               std::size_t vertexCount, const Adjacency& adjacency, Poll poll) {
   const TriangleCorners cornersOf(triangles);
   SplitMesh result;
   result.triangles = triangles;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
 namespace footfall::detail {
@@ -21,8 +21,7 @@ using SplitMesh = TriangleMesh<SplitVertex>;
 /// vertex from one to the other without crossing an obstacle edge. An edge whose sides still have the same two ends
 /// (a wall with two free ends) gets a point in its middle on either side. `layers` may be empty; `adjacency` is that of
 /// the triangles. `poll` is called now and then and may throw to cancel.
-SplitMesh splitAtObstacleEdges(
-    const std::vector<MeshTriangle>& triangles, const std::vector<std::uint32_t>& layers, std::size_t vertexCount,
-    const Adjacency& adjacency, const std::function<void()>& poll = [] {});
+SplitMesh splitAtObstacleEdges(const std::vector<MeshTriangle>& triangles, const std::vector<std::uint32_t>& layers,
+                               std::size_t vertexCount, const Adjacency& adjacency, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -3,7 +3,7 @@
 
 namespace footfall::detail {
 
-std::shared_ptr<const Adjacency> topologyOf(const WalkableState& state, const std::function<void()>& poll) {
+std::shared_ptr<const Adjacency> topologyOf(const WalkableState& state, Poll poll) {
   if (state.topology && state.topologyOwner.lock() == state.mesh) return state.topology;
   return std::make_shared<Adjacency>(findEdges(state.mesh->triangles, state.mesh->vertices.size(), poll));
 }

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/exact/face_cuts.hpp"
 #include "core/exact/plan_kernel.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -44,7 +44,6 @@ struct WalkableState {
 };
 
 /// The topology of the state's mesh: what an earlier filter found for the same mesh, else found now.
-std::shared_ptr<const Adjacency> topologyOf(
-    const WalkableState& state, const std::function<void()>& poll = [] {});
+std::shared_ptr<const Adjacency> topologyOf(const WalkableState& state, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -8,12 +8,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "core/base/geometry.hpp"
+#include "core/base/poll.hpp"
 
 namespace footfall::detail {
 
@@ -33,7 +33,7 @@ class BoxTree {
   /// `boundsOf(id)` gives the box of each of `ids`; it may be called from any thread. `poll` is called now and then,
   /// from any thread, and may throw.
   template <class BoundsOf>
-  void build(const std::vector<Index>& ids, BoundsOf boundsOf, const std::function<void()>& poll) {
+  void build(const std::vector<Index>& ids, BoundsOf boundsOf, Poll poll) {
     const auto count = static_cast<Index>(ids.size());
     levels_.clear();
     ids_.resize(count);
@@ -138,7 +138,7 @@ class BoxTree {
   static constexpr Index kPolled = 1 << 16;
 
   template <class Work>
-  static void forBlocks(Index count, const std::function<void()>& poll, Work work) {
+  static void forBlocks(Index count, Poll poll, Work work) {
     if (count <= kPerTask) {
       for (Index i = 0; i < count; ++i) work(i);
       return;
@@ -157,7 +157,7 @@ class BoxTree {
   }
 
   /// Radix sort, stable.
-  static void sortByKey(std::vector<std::pair<std::uint32_t, Index>>& order, const std::function<void()>& poll) {
+  static void sortByKey(std::vector<std::pair<std::uint32_t, Index>>& order, Poll poll) {
     if (order.size() < 256) {
       std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       return;

@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/poll.hpp"
 
 namespace footfall::detail {
 
@@ -21,7 +21,7 @@ namespace footfall::detail {
 template <class ValueOf>
 class LexicographicOrder {
  public:
-  LexicographicOrder(std::size_t count, const ValueOf& valueOf, const std::function<void()>& poll)
+  LexicographicOrder(std::size_t count, const ValueOf& valueOf, Poll poll)
       : valueOf_(valueOf), poll_(poll), entries_(count), scratch_(count) {}
 
   std::vector<std::uint32_t> order() {
@@ -114,15 +114,14 @@ class LexicographicOrder {
   }
 
   const ValueOf& valueOf_;
-  const std::function<void()>& poll_;
+  Poll poll_;
   std::vector<Entry> entries_, scratch_;
 };
 
 /// The numbers from 0 to count - 1 in the order of valueOf(i, 0), then valueOf(i, 1), then valueOf(i, 2), then i; the
 /// values are finite doubles. `valueOf` and `poll`, which may throw, are called by any thread.
 template <class ValueOf>
-std::vector<std::uint32_t> lexicographicOrder(std::size_t count, const ValueOf& valueOf,
-                                              const std::function<void()>& poll) {
+std::vector<std::uint32_t> lexicographicOrder(std::size_t count, const ValueOf& valueOf, Poll poll) {
   return LexicographicOrder<ValueOf>(count, valueOf, poll).order();
 }
 

@@ -78,7 +78,7 @@ std::size_t blocksOf(std::size_t count) { return (count + kBlockSize - 1) / kBlo
 
 /// Calls work(block, items) for each of the blocks of the items.
 template <class Work>
-void forBlocks(std::span<TreeItem> items, const std::function<void()>& poll, const Work& work) {
+void forBlocks(std::span<TreeItem> items, Poll poll, const Work& work) {
   forRanges(blocksOf(items.size()), 1, [&](std::size_t block, std::size_t) {
     poll();
     const std::size_t first = block * kBlockSize;
@@ -86,7 +86,7 @@ void forBlocks(std::span<TreeItem> items, const std::function<void()>& poll, con
   });
 }
 
-Part partOf(std::span<TreeItem> items, const std::function<void()>& poll) {
+Part partOf(std::span<TreeItem> items, Poll poll) {
   if (items.size() <= kBlockSize) return Part(items);
   std::vector<Part> parts(blocksOf(items.size()));
   forBlocks(items, poll, [&](std::size_t block, std::span<TreeItem> some) { parts[block] = Part(some); });
@@ -104,7 +104,7 @@ Part partOf(std::span<TreeItem> items, const std::function<void()>& poll) {
 /// children. One for each thread: it holds working memory.
 class ItemDivider {
  public:
-  explicit ItemDivider(const std::function<void()>& poll) : poll_(poll) {}
+  explicit ItemDivider(Poll poll) : poll_(poll) {}
 
   /// Makes up to four parts, of which none is empty.
   std::size_t divide(const Part& whole, int depth, std::array<Part, kWidth>& parts) {
@@ -279,7 +279,7 @@ class ItemDivider {
     return middle;
   }
 
-  const std::function<void()>& poll_;
+  Poll poll_;
   std::unique_ptr<TreeItem[]> scratch_;
 };
 
@@ -289,7 +289,7 @@ class TriangleTreeBuilder {
  public:
   using Node = TriangleTree::Node;
 
-  TriangleTreeBuilder(const std::function<void()>& poll, UnfilledArray<Node>& nodes) : poll_(poll), nodes_(nodes) {}
+  TriangleTreeBuilder(Poll poll, UnfilledArray<Node>& nodes) : poll_(poll), nodes_(nodes) {}
 
   void build(std::span<TreeItem> items) {
     if (items.empty()) return;
@@ -388,12 +388,11 @@ class TriangleTreeBuilder {
     placed.tree->nodes = {};
   }
 
-  const std::function<void()>& poll_;
+  Poll poll_;
   UnfilledArray<Node>& nodes_;
 };
 
-void TriangleTree::build(std::span<const Box> boxes, std::span<const std::int32_t> ids,
-                         const std::function<void()>& poll) {
+void TriangleTree::build(std::span<const Box> boxes, std::span<const std::int32_t> ids, Poll poll) {
   Box bounds;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   bounds.lower.fill(kInfinity);
@@ -423,7 +422,7 @@ void TriangleTree::setFrame(const Box& bounds) {
   scale_ = std::ldexp(1.0, -std::max(exponent, -1000));
 }
 
-void TriangleTree::grow(std::span<TreeItem> items, const std::function<void()>& poll) {
+void TriangleTree::grow(std::span<TreeItem> items, Poll poll) {
   nodes_ = {};
   TriangleTreeBuilder(poll, nodes_).build(items);
 }

@@ -12,7 +12,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,6 +21,7 @@
 
 #include "core/base/geometry.hpp"
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/poll.hpp"
 #include "core/base/unfilled_array.hpp"
 
 namespace footfall::detail {
@@ -42,14 +42,11 @@ class TriangleTree {
  public:
   /// `ids[i]`, which must not be negative, is reported for `boxes[i]`, which must not hold NaN. O(n log n), in
   /// parallel; the tree depends on nothing but its input. `poll` is called now and then, by any thread, and may throw.
-  void build(
-      std::span<const Box> boxes, std::span<const std::int32_t> ids, const std::function<void()>& poll = [] {});
+  void build(std::span<const Box> boxes, std::span<const std::int32_t> ids, Poll poll = {});
 
   /// The same without a list of boxes: `boxOf(i)` is the i-th, called by any thread; all must lie inside `bounds`.
   template <class BoxOf>
-  void build(
-      const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf,
-      const std::function<void()>& poll = [] {}) {
+  void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf, Poll poll = {}) {
     setFrame(bounds);
     const auto items = std::make_unique_for_overwrite<TreeItem[]>(ids.size());
     forRanges(ids.size(), kParallelSize, [&](std::size_t first, std::size_t last) {
@@ -125,7 +122,7 @@ class TriangleTree {
   }
 
   void setFrame(const Box& bounds);
-  void grow(std::span<TreeItem> items, const std::function<void()>& poll);
+  void grow(std::span<TreeItem> items, Poll poll);
 
   std::array<double, 3> origin_{};
   double scale_ = 1;

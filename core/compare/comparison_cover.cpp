@@ -39,7 +39,7 @@ bool isIn(CoverPart part, const Jump& windings) {
 
 class Arrangement {
  public:
-  Arrangement(const std::vector<CoverPoint>& points, const std::function<void()>& poll, bool withBorders)
+  Arrangement(const std::vector<CoverPoint>& points, Poll poll, bool withBorders)
       : poll_(poll), given_(points), withBorders_(withBorders) {
     // Moved to the corner of what is there, so that all numbers are as small as they can be.
     points_.reserve(points.size());
@@ -372,7 +372,7 @@ class Arrangement {
     return result;
   }
 
-  const std::function<void()>& poll_;
+  Poll poll_;
   const std::vector<CoverPoint>& given_;
   bool withBorders_;
   std::vector<CoverPoint> points_;  ///< the given ones, moved
@@ -386,8 +386,8 @@ class Arrangement {
 
 }  // namespace
 
-CoverResult coverAreas(const std::vector<CoverPoint>& points, const std::vector<CoverEdge>& edges,
-                       const std::function<void()>& poll, std::vector<CoverPiece>* borders) {
+CoverResult coverAreas(const std::vector<CoverPoint>& points, const std::vector<CoverEdge>& edges, Poll poll,
+                       std::vector<CoverPiece>* borders) {
   return Arrangement(points, poll, borders != nullptr).areas(edges, borders);
 }
 

@@ -11,8 +11,9 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
+
+#include "core/base/poll.hpp"
 
 namespace footfall::detail::comparison {
 
@@ -56,7 +57,7 @@ struct CoverResult {
 /// Each polygon's edges must close around it counter-clockwise; polygons may overlap and touch as they like. Points
 /// may be equal; where equal ones have one index it is faster. `poll` may throw. `borders` (may be null) receives the
 /// borders of the parts that are only in one set, complete and exactly chosen.
-CoverResult coverAreas(const std::vector<CoverPoint>& points, const std::vector<CoverEdge>& edges,
-                       const std::function<void()>& poll, std::vector<CoverPiece>* borders = nullptr);
+CoverResult coverAreas(const std::vector<CoverPoint>& points, const std::vector<CoverEdge>& edges, Poll poll,
+                       std::vector<CoverPiece>* borders = nullptr);
 
 }  // namespace footfall::detail::comparison

@@ -101,7 +101,7 @@ class Target {
       ids.push_back(static_cast<std::int32_t>(ids.size()));
     }
     for (const std::uint32_t v : target.positions) isCorner_[v] = true;
-    boxTree_.build(boxes, ids, [&context] { context.checkCancelled(); });
+    boxTree_.build(boxes, ids, context);
     context.checkCancelled();
     tree_.insert(kernelTriangles_.begin(), kernelTriangles_.end());
     tree_.build();

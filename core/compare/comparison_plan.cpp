@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 
 namespace footfall::detail::comparison {
@@ -37,7 +38,7 @@ class CoveredPart {
         normals_[i] = exactNormal(positions_, other.triangles[i]);
       }
     });
-    tree_.build(boxes, ids, [this] { context_.checkCancelled(); });
+    tree_.build(boxes, ids, context_);
   }
 
   /// The part of the triangle's area in the plan that is not covered. `parts` (may be null) receives it.
@@ -54,7 +55,7 @@ class CoveredPart {
     });
     if (!any && parts == nullptr) return 1;
     std::vector<CoverPiece> borders;
-    const auto poll = [this] { context_.checkCancelled(); };
+    const Poll poll(context_);
     const CoverResult result = coverAreas(outlines.points, outlines.edges, poll, parts != nullptr ? &borders : nullptr);
     if (parts != nullptr) *parts = partsOf(outlines, borders);
     if (!result.hasArea[kOnlyFirst]) return 0;
@@ -74,7 +75,7 @@ class CoveredPart {
     std::erase_if(borders, [](const CoverPiece& piece) { return piece.part != kOnlyFirst; });
     std::vector<std::uint32_t> positions(outlines.points.size(), CoverCorner::kNoPoint);
     for (const auto& [position, point] : outlines.numbers) positions[point] = position;
-    std::vector<CoverTriangle> parts = triangulatePart(borders, [this] { context_.checkCancelled(); });
+    std::vector<CoverTriangle> parts = triangulatePart(borders, context_);
     const int unit = positions_.unit - static_cast<int>(finer_);
     for (CoverTriangle& part : parts) {
       for (CoverCorner& corner : part.corners) {

@@ -165,8 +165,7 @@ class SetSubtraction {
       for (std::size_t k = 0; k < 3; ++k) edges.push_back({corners[k], corners[(k + 1) % 3], plane.set});
     }
     DifferentPlane different;
-    const CoverResult result = coverAreas(
-        points, edges, [this] { context_.checkCancelled(); }, borders_ != nullptr ? &different.borders : nullptr);
+    const CoverResult result = coverAreas(points, edges, context_, borders_ != nullptr ? &different.borders : nullptr);
     Covered covered = inSpace(result, normal, axis);
     if (different.borders.empty()) return covered;
     for (std::size_t k = 0; k < 4; ++k) different.numbers[k] = normal[k].get_d();

@@ -20,7 +20,7 @@ struct Trapezoid {
 
 class PartSweep {
  public:
-  PartSweep(const std::vector<CoverPiece>& borders, const std::function<void()>& poll) : poll_(poll) {
+  PartSweep(const std::vector<CoverPiece>& borders, Poll poll) : poll_(poll) {
     for (const CoverPiece& piece : borders)
       if (piece.from.x < piece.to.x) pieces_.push_back(piece);
     byEnd_.resize(pieces_.size());
@@ -141,7 +141,7 @@ class PartSweep {
     return result;
   }
 
-  const std::function<void()>& poll_;
+  Poll poll_;
   std::vector<CoverPiece> pieces_;
   std::vector<std::uint32_t> byStart_, byEnd_;
   std::vector<std::uint32_t> active_;
@@ -151,7 +151,7 @@ class PartSweep {
 
 }  // namespace
 
-std::vector<CoverTriangle> triangulatePart(const std::vector<CoverPiece>& borders, const std::function<void()>& poll) {
+std::vector<CoverTriangle> triangulatePart(const std::vector<CoverPiece>& borders, Poll poll) {
   return PartSweep(borders, poll).run();
 }
 

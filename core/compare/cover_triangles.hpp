@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/compare/comparison_cover.hpp"
 
 namespace footfall::detail::comparison {
@@ -19,6 +19,6 @@ struct CoverTriangle {
 /// The area of one part whose complete border these pieces are: cut into trapezoids by vertical lines through the ends
 /// of pieces (a sweep from left to right), and those into triangles. Which piece bounds which trapezoid follows from
 /// the pieces; corners on other pieces are rounded. `poll` may throw.
-std::vector<CoverTriangle> triangulatePart(const std::vector<CoverPiece>& borders, const std::function<void()>& poll);
+std::vector<CoverTriangle> triangulatePart(const std::vector<CoverPiece>& borders, Poll poll);
 
 }  // namespace footfall::detail::comparison

@@ -93,7 +93,7 @@ MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& 
   }
   context.checkCancelled();
   whole.addTo(description.whole);
-  const Adjacency adjacency = findEdges(mesh.triangles, mesh.vertices.size(), [&] { context.checkCancelled(); });
+  const Adjacency adjacency = findEdges(mesh.triangles, mesh.vertices.size(), context);
   description.whole.components = countComponents(mesh, adjacency, false)[0];
   if (layers.empty()) return description;
   context.checkCancelled();

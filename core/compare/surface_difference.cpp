@@ -66,7 +66,7 @@ class Reduction {
     }
     if (boxes.empty()) return {};
     TriangleTree tree;
-    tree.build(boxes, ids, [this] { context_.checkCancelled(); });
+    tree.build(boxes, ids, context_);
     std::array<NavigationMesh, 2> reduced;
     for (std::size_t m = 0; m < 2; ++m) {
       keepNeighbours(m, tree);
@@ -224,7 +224,7 @@ void addPlanes(const comparison::DifferenceBorders& borders, const comparison::P
         std::vector<CoverPiece> pieces;
         for (const CoverPiece& piece : plane.borders)
           if (piece.part == m) pieces.push_back(piece);
-        for (const CoverTriangle& t : triangulatePart(pieces, [&] { context.checkCancelled(); })) {
+        for (const CoverTriangle& t : triangulatePart(pieces, context)) {
           lifted[i].triangles[m].push_back({lift.at(t.corners[0]), lift.at(t.corners[1]), lift.at(t.corners[2])});
           lifted[i].groups[m].push_back(t.region);
         }

@@ -8,9 +8,9 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/exact/face_geometry.hpp"
 
 namespace footfall::detail {
@@ -27,7 +27,7 @@ class FaceTriangulation {
   };
 
   /// `poll` is called now and then and may throw to cancel.
-  FaceTriangulation(FaceGeometry& geometry, std::function<void()> poll) : geometry_(geometry), poll_(std::move(poll)) {}
+  FaceTriangulation(FaceGeometry& geometry, Poll poll) : geometry_(geometry), poll_(poll) {}
 
   /// Starts with the face of the geometry as the only cell.
   void start();
@@ -68,7 +68,7 @@ class FaceTriangulation {
   void poll();
 
   FaceGeometry& geometry_;
-  std::function<void()> poll_;
+  Poll poll_;
   std::vector<Cell> cells_;
   std::vector<Index> cellOf_;          ///< a cell at each vertex
   std::vector<Index> representative_;  ///< -1: not inserted

@@ -26,7 +26,7 @@ struct SortedTriangle {
 
 class Editor {
  public:
-  Editor(const SourceMesh& base, const EditedSoup& soup, const std::function<void()>& poll)
+  Editor(const SourceMesh& base, const EditedSoup& soup, Poll poll)
       : base_(base), soup_(soup), poll_(poll), changes_(std::make_shared<SourceEdit>()) {}
 
   std::shared_ptr<SourceMesh> run() {
@@ -180,7 +180,7 @@ class Editor {
 
   const SourceMesh& base_;
   const EditedSoup& soup_;
-  const std::function<void()>& poll_;
+  Poll poll_;
   std::shared_ptr<SourceEdit> changes_;
   SourceMesh mesh_;
 };
@@ -188,7 +188,7 @@ class Editor {
 }  // namespace
 
 std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base, const EditedSoup& soup,
-                                                 const std::function<void()>& poll) {
+                                                 Poll poll) {
   if (base->welded.empty() || !base->obstacleEdges.empty()) return nullptr;
   Editor editor(*base, soup, poll);
   auto mesh = editor.run();

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/exact/source_mesh.hpp"
 
 namespace footfall::detail {
@@ -36,6 +36,6 @@ struct EditedSoup {
 /// do not fit together, or when the edit changes the scale of the grid. `poll` is called now and then and may throw to
 /// cancel.
 std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base, const EditedSoup& soup,
-                                                 const std::function<void()>& poll);
+                                                 Poll poll);
 
 }  // namespace footfall::detail

@@ -19,7 +19,7 @@ constexpr std::size_t kPerTask = 4096;
 
 // Calls body(i) for 0 <= i < count, in parallel where there are many.
 template <class Body>
-void forEach(std::size_t count, const std::function<void()>& poll, const Body& body) {
+void forEach(std::size_t count, Poll poll, const Body& body) {
   forRanges(count, kPerTask, [&](std::size_t first, std::size_t last) {
     poll();
     for (std::size_t i = first; i < last; ++i) body(i);
@@ -28,7 +28,7 @@ void forEach(std::size_t count, const std::function<void()>& poll, const Body& b
 
 // The same in the order of i, on this thread.
 template <class Body>
-void forEachInOrder(std::size_t count, const std::function<void()>& poll, const Body& body) {
+void forEachInOrder(std::size_t count, Poll poll, const Body& body) {
   for (std::size_t begin = 0; begin < count; begin += kPerTask) {
     poll();
     for (std::size_t i = begin; i < std::min(count, begin + kPerTask); ++i) body(i);
@@ -68,7 +68,7 @@ std::array<Index, 3> turnedTriangle(const SourceMesh& mesh, const Triangle& t, b
 namespace {
 
 // Sorts and welds the used vertices; returns for each input vertex its new index.
-std::vector<Index> weldVertices(std::span<const Vec3> vertices, SourceMesh& mesh, const std::function<void()>& poll) {
+std::vector<Index> weldVertices(std::span<const Vec3> vertices, SourceMesh& mesh, Poll poll) {
   const std::vector<std::uint32_t> order = lexicographicOrder(
       vertices.size(), [&](std::size_t i, int axis) { return coordinate(vertices[i], axis); }, poll);
   std::vector<Index> welded(vertices.size());
@@ -89,7 +89,7 @@ std::vector<Index> weldVertices(std::span<const Vec3> vertices, SourceMesh& mesh
 
 }  // namespace
 
-void chooseGrid(SourceMesh& mesh, const std::function<void()>& poll) {
+void chooseGrid(SourceMesh& mesh, Poll poll) {
   forEachInOrder(mesh.vertices.size(), poll, [&](std::size_t i) {
     const Vec3& v = mesh.vertices[i];
     mesh.grid.include(v.x);
@@ -112,7 +112,7 @@ namespace {
 
 // The order of triangles by their vertices, then by number. By counting for the first vertex, which few share.
 std::vector<std::uint32_t> orderOf(const std::vector<std::array<Index, 3>>& triangles, std::size_t vertexCount,
-                                   const std::function<void()>& poll) {
+                                   Poll poll) {
   std::vector<std::uint32_t> ends(vertexCount, 0), order(triangles.size());
   forEachInOrder(triangles.size(), poll, [&](std::size_t i) { ++ends[triangles[i][0]]; });
   std::uint32_t before = 0;
@@ -137,8 +137,7 @@ std::vector<std::uint32_t> orderOf(const std::vector<std::array<Index, 3>>& tria
 }
 
 // Turns the triangles of the soup to start at their smallest vertex, and sorts them; returns the order.
-std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSides, SourceMesh& mesh,
-                                         const std::function<void()>& poll) {
+std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSides, SourceMesh& mesh, Poll poll) {
   const std::size_t count = soup.triangles.size();
   std::vector<std::array<Index, 3>> turned(count);
   forEach(count, poll, [&](std::size_t i) { turned[i] = turnedTriangle(mesh, soup.triangles[i], bothSides); });
@@ -158,7 +157,7 @@ void makeRoom(SourceMesh& mesh, std::size_t triangles) {
   mesh.inputTriangles.resize(triangles);
 }
 
-void classify(SourceMesh& mesh, const std::function<void()>& poll) {
+void classify(SourceMesh& mesh, Poll poll) {
   const SignRule sign = mesh.grid.signRule(mesh.grid.scaleExponent());
   forEach(mesh.triangles.size(), poll, [&](std::size_t t) { classifyTriangle(mesh, static_cast<Index>(t), sign); });
 }
@@ -172,7 +171,7 @@ Box boxOf(const SourceMesh& mesh, Index t) {
           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
 
-void buildTree(SourceMesh& mesh, const std::function<void()>& poll) {
+void buildTree(SourceMesh& mesh, Poll poll) {
   if (mesh.vertices.empty()) return;
   const Vec3& corner = mesh.vertices.front();
   Box bounds{{corner.x, corner.y, corner.z}, {mesh.vertices.back().x, corner.y, corner.z}};
@@ -197,8 +196,7 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
          std::binary_search(obstacleEdges.begin(), obstacleEdges.end(), std::make_pair(std::min(a, b), std::max(a, b)));
 }
 
-SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order,
-                          const std::function<void()>& poll) {
+SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order, Poll poll) {
   SourceMesh mesh;
   // One thread sorts for long, another has the time to clear memory.
   tbb::parallel_invoke([&] { mesh.welded = weldVertices(soup.vertices, mesh, poll); },

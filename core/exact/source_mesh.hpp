@@ -8,12 +8,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/geometry.hpp"
+#include "core/base/poll.hpp"
 #include "core/exact/error_double.hpp"
 #include "core/exact/grid.hpp"
 #include "core/exact/source_tree.hpp"
@@ -67,11 +67,11 @@ struct SourceSoup {
 /// A triangle of the soup that starts at its smallest vertex.
 std::array<Index, 3> turnedTriangle(const SourceMesh& mesh, const Triangle& triangle, bool bothSides);
 /// Finds the grid and the scaled coordinates of the vertices.
-void chooseGrid(SourceMesh& mesh, const std::function<void()>& poll);
+void chooseGrid(SourceMesh& mesh, Poll poll);
 /// The box of a triangle.
 [[nodiscard]] Box boxOf(const SourceMesh& mesh, Index triangle);
 /// Builds the tree over all triangles that are not degenerate.
-void buildTree(SourceMesh& mesh, const std::function<void()>& poll);
+void buildTree(SourceMesh& mesh, Poll poll);
 /// Finds normal, facing and degeneracy of a triangle.
 void classifyTriangle(SourceMesh& mesh, Index triangle, const SignRule& sign);
 
@@ -94,8 +94,7 @@ struct SourceSoupView {
 /// Welds, sorts and classifies, in parallel where there is much to do. `bothSides` turns triangles that face down.
 /// `order` (may be null) receives for each triangle of the mesh its number in the soup. `poll` is called every few
 /// milliseconds, by any thread, and may throw to cancel.
-SourceMesh makeSourceMesh(
-    const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
-    const std::function<void()>& poll = [] {});
+SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
+                          Poll poll = {});
 
 }  // namespace footfall::detail

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 
 namespace footfall::detail {
@@ -19,8 +19,7 @@ class SourceTree {
  public:
   /// As TriangleTree::build().
   template <class BoxOf>
-  void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf,
-             const std::function<void()>& poll) {
+  void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf, Poll poll) {
     auto tree = std::make_shared<TriangleTree>();
     tree->build(bounds, ids, boxOf, poll);
     tree_ = std::move(tree);

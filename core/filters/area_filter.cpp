@@ -16,6 +16,7 @@
 #include <string>
 
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/poll.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
@@ -121,7 +122,7 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
   const PlanKernel& kernel = *state->kernel;
   const WalkableMesh& mesh = *state->mesh;
-  const auto poll = [&context] { context.checkCancelled(); };
+  const Poll poll(context);
   const auto topology = topologyOf(*state, poll);
   Index regionCount = 0;
   const std::vector<Index> region = findRegions(mesh, *topology, regionCount);

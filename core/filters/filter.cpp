@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/base/poll.hpp"
 #include "core/exact/source_edit.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -18,7 +19,7 @@ namespace footfall::detail {
 
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context, const Recall& recall) {
   context.checkCancelled();
-  const auto poll = [&context] { context.checkCancelled(); };
+  const Poll poll(context);
   std::shared_ptr<const SourceMesh> mesh;
   if (recall.before && environment->edit && recall.before->environment == environment->edit->base.lock())
     mesh = editSourceMesh(recall.before->kernel->sharedMesh(),

@@ -62,7 +62,7 @@ double Components::totalArea() const {
 }
 
 Components findComponents(const NavigationMesh& mesh, const RunContext* context) {
-  const std::function<void()> poll = pollOf(context);
+  const Poll poll(context);
   Index count = 0;
   const std::vector<Index> region = findParts(mesh.triangles, mesh.vertices.size(), count, poll);
   poll();

@@ -50,7 +50,7 @@ ErrorDouble heightAbove(const std::array<Vec3, 3>& corners, const Vec3& place) {
 
 }  // namespace
 
-HeadroomTree::HeadroomTree(std::shared_ptr<const Environment> environment, const std::function<void()>& poll)
+HeadroomTree::HeadroomTree(std::shared_ptr<const Environment> environment, Poll poll)
     : environment_(std::move(environment)) {
   const auto& vertices = environment_->vertices;
   const auto& triangles = environment_->triangles;
@@ -94,8 +94,7 @@ std::optional<HeadroomTree::Above> HeadroomTree::lowestAbove(const Vec3& place, 
   return lowest;
 }
 
-std::vector<float> headroomAt(const HeadroomTree& tree, std::span<const Vec3> places, double cap,
-                              const std::function<void()>& poll) {
+std::vector<float> headroomAt(const HeadroomTree& tree, std::span<const Vec3> places, double cap, Poll poll) {
   std::vector<float> heights(places.size());
   forRanges(places.size(), kPlacesPerRange, [&](std::size_t first, std::size_t last) {
     poll();
@@ -108,8 +107,7 @@ std::vector<float> headroomAt(const HeadroomTree& tree, std::span<const Vec3> pl
   return heights;
 }
 
-std::vector<float> cornerHeadroom(const HeadroomTree& tree, const NavigationMesh& mesh, double cap,
-                                  const std::function<void()>& poll) {
+std::vector<float> cornerHeadroom(const HeadroomTree& tree, const NavigationMesh& mesh, double cap, Poll poll) {
   std::vector<Vec3> places(mesh.triangles.size() * 3);
   forRanges(mesh.triangles.size(), 8192, [&](std::size_t first, std::size_t last) {
     poll();

@@ -6,13 +6,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/navigation_mesh.hpp"
@@ -23,8 +23,7 @@ namespace footfall::detail {
 class HeadroomTree {
  public:
   /// O(n log n), in parallel. `poll` is called every few milliseconds, by any thread, and may throw to cancel.
-  explicit HeadroomTree(
-      std::shared_ptr<const Environment> environment, const std::function<void()>& poll = [] {});
+  explicit HeadroomTree(std::shared_ptr<const Environment> environment, Poll poll = {});
 
   struct Above {
     double height = 0;           ///< of the triangle above the place, > 0
@@ -45,12 +44,10 @@ class HeadroomTree {
 
 /// For each place the free height above it, or `cap` where that is at least `cap` (environment units, > 0; infinity is
 /// fine). In parallel; `poll` as above, about every millisecond.
-std::vector<float> headroomAt(
-    const HeadroomTree& tree, std::span<const Vec3> places, double cap, const std::function<void()>& poll = [] {});
+std::vector<float> headroomAt(const HeadroomTree& tree, std::span<const Vec3> places, double cap, Poll poll = {});
 
 /// The same at the corners of a mesh's triangles, three for each, as seen from inside the triangle: where a walkable
 /// triangle ends below the edge of a table, its corner is beside the table and not under it.
-std::vector<float> cornerHeadroom(
-    const HeadroomTree& tree, const NavigationMesh& mesh, double cap, const std::function<void()>& poll = [] {});
+std::vector<float> cornerHeadroom(const HeadroomTree& tree, const NavigationMesh& mesh, double cap, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -9,6 +9,7 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/walkable_state.hpp"
+#include "core/base/poll.hpp"
 #include "core/inspect/place_cover.hpp"
 #include "core/mesh/mesh_topology.hpp"
 #include "core/pipeline/runner.hpp"
@@ -83,7 +84,7 @@ double regionAreaAt(const StatePtr& before, PlaceFollower follower, const Pipeli
   const StatePtr state = withMesh(before, context, fallbacks);
   const auto cover = follower.follow(*state, step);
   if (!cover) return 0;
-  const auto poll = [&context] { context.checkCancelled(); };
+  const Poll poll(context);
   Index count = 0;
   const std::vector<Index> region = findRegions(*state->mesh, *topologyOf(*state, poll), count);
   context.checkCancelled();

@@ -72,7 +72,7 @@ std::vector<std::size_t> insertionOrder(std::span<const Vec3> corners, std::span
 
 class OutlineTriangulation {
  public:
-  OutlineTriangulation(std::span<const Vec3> corners, const std::function<void()>& poll)
+  OutlineTriangulation(std::span<const Vec3> corners, Poll poll)
       : corners_(corners), poll_(poll), vertexAt_(corners.size()), uses_(corners.size(), 0) {}
 
   std::vector<std::array<std::size_t, 3>> inside() {
@@ -186,7 +186,7 @@ class OutlineTriangulation {
   }
 
   std::span<const Vec3> corners_;
-  const std::function<void()>& poll_;
+  Poll poll_;
   Triangulation triangulation_;
   std::vector<Vertex> vertexAt_;
   std::vector<std::size_t> uses_;  ///< how many corners lie at a place, by its first corner
@@ -194,8 +194,7 @@ class OutlineTriangulation {
 
 }  // namespace
 
-std::vector<std::array<std::size_t, 3>> triangulateOutline(std::span<const Vec3> corners,
-                                                           const std::function<void()>& poll) {
+std::vector<std::array<std::size_t, 3>> triangulateOutline(std::span<const Vec3> corners, Poll poll) {
   if (corners.size() < 3) return {};
   return OutlineTriangulation(corners, poll).inside();
 }

@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "footfall/environment.hpp"
 
 namespace footfall::detail {
@@ -23,7 +23,6 @@ namespace footfall::detail {
 /// and when there is no area.
 ///
 /// `poll` is called every few microseconds and may throw to cancel.
-std::vector<std::array<std::size_t, 3>> triangulateOutline(std::span<const Vec3> corners,
-                                                           const std::function<void()>& poll);
+std::vector<std::array<std::size_t, 3>> triangulateOutline(std::span<const Vec3> corners, Poll poll);
 
 }  // namespace footfall::detail

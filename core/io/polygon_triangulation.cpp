@@ -149,7 +149,7 @@ std::vector<LocalTriangle> clipEars(const ProjectedPolygon& polygon) {
 }  // namespace
 
 bool triangulatePolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
-                        std::vector<Triangle>& triangles, const std::function<void()>& poll) {
+                        std::vector<Triangle>& triangles, Poll poll) {
   if (corners.size() == 3) {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return false;
     triangles.push_back({corners[0], corners[1], corners[2]});

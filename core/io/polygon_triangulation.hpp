@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "footfall/environment.hpp"
 
 namespace footfall::detail {
@@ -24,9 +24,8 @@ namespace footfall::detail {
 ///
 /// Returns false, and appends nothing, when fewer than three of the corners are distinct vertices. A corner that
 /// follows itself counts once. `poll` is called now and then for large polygons and may throw to cancel.
-bool triangulatePolygon(
-    std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices, std::vector<Triangle>& triangles,
-    const std::function<void()>& poll = [] {});
+bool triangulatePolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
+                        std::vector<Triangle>& triangles, Poll poll = {});
 
 /// The most corners of a polygon whose ears are clipped: few enough for some milliseconds, whatever its shape.
 inline constexpr std::size_t kMostClippedCorners = 500;

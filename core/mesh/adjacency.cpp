@@ -39,7 +39,7 @@ void sortEntries(Entry* begin, Entry* end) {
 }
 
 template <class Work>
-void forVertices(Index count, const std::function<void()>& poll, Work work) {
+void forVertices(Index count, Poll poll, Work work) {
   const auto polled = [&](Index first, Index last) {
     poll();
     work(first, last);
@@ -56,7 +56,7 @@ void forVertices(Index count, const std::function<void()>& poll, Work work) {
 }  // namespace
 
 // A counting sort by the smaller vertex, then each vertex's few sides by the larger one.
-Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, const std::function<void()>& poll) {
+Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, Poll poll) {
   const Index count = triangles.size(), vertices = static_cast<Index>(vertexCount);
   std::vector<Index> bucket(vertexCount + 1, 0);
   // Each part looks at all triangles, and deals with the sides of its own vertices.
@@ -117,8 +117,7 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, c
   return adjacency;
 }
 
-std::vector<Index> findParts(const TriangleCorners& triangles, std::size_t vertexCount, Index& partCount,
-                             const std::function<void()>& poll) {
+std::vector<Index> findParts(const TriangleCorners& triangles, std::size_t vertexCount, Index& partCount, Poll poll) {
   const Adjacency adjacency = findEdges(triangles, vertexCount, poll);
   DisjointSets sets(static_cast<std::size_t>(triangles.size()));
   for (Index e = 0; e < adjacency.edgeCount(); ++e) {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/mesh/triangle_corners.hpp"
 
 namespace footfall::detail {
@@ -25,13 +25,11 @@ struct Adjacency {
 
 /// Vertices are numbered below `vertexCount`. Linear in the mesh while no vertex has very many edges; on all threads.
 /// `poll` is called now and then, from any thread, and may throw to cancel.
-Adjacency findEdges(
-    const TriangleCorners& triangles, std::size_t vertexCount, const std::function<void()>& poll = [] {});
+Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, Poll poll = {});
 
 /// For each triangle its part: triangles that share an edge belong to one. Parts are numbered from 0 in the order of
 /// their first triangles. `poll` as above.
-std::vector<Index> findParts(
-    const TriangleCorners& triangles, std::size_t vertexCount, Index& partCount,
-    const std::function<void()>& poll = [] {});
+std::vector<Index> findParts(const TriangleCorners& triangles, std::size_t vertexCount, Index& partCount,
+                             Poll poll = {});
 
 }  // namespace footfall::detail

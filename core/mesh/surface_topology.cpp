@@ -14,7 +14,7 @@ constexpr std::uint32_t kNone = SurfaceTopology::kNone;
 
 }  // namespace
 
-SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, const std::function<void()>& poll) {
+SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll) {
   const std::size_t count = mesh.triangles.size();
   SurfaceTopology topology;
   topology.neighbours.assign(count, {kNone, kNone, kNone});

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "footfall/navigation_mesh.hpp"
 
 namespace footfall::detail {
@@ -39,7 +39,6 @@ struct SurfaceTopology {
 };
 
 /// As fast as findEdges(). `poll` is called now and then and may throw.
-SurfaceTopology makeSurfaceTopology(
-    const NavigationMesh& mesh, const std::function<void()>& poll = [] {});
+SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll = {});
 
 }  // namespace footfall::detail

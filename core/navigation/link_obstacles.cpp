@@ -98,8 +98,7 @@ Box boxOf(const Way& way, double low, double high) {
 
 }  // namespace
 
-LinkObstacles::LinkObstacles(std::shared_ptr<const Environment> environment, double height,
-                             const std::function<void()>& poll)
+LinkObstacles::LinkObstacles(std::shared_ptr<const Environment> environment, double height, Poll poll)
     : environment_(std::move(environment)), height_(height) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/navigation/border_links.hpp"
 #include "footfall/environment.hpp"
@@ -19,8 +19,7 @@ class LinkObstacles {
   struct Way;
 
   /// `height` is that of the agent, in the environment's units. `poll` may throw.
-  LinkObstacles(
-      std::shared_ptr<const Environment> environment, double height, const std::function<void()>& poll = [] {});
+  LinkObstacles(std::shared_ptr<const Environment> environment, double height, Poll poll = {});
 
   /// Looks at what lies over the way between the two places of a link, from border `a` to border `b`: above the higher
   /// of both, and less than the agent's height above it. Sets the kind of an open link, and its obstacle or headroom.

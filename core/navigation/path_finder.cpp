@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/number_text.hpp"
+#include "core/base/poll.hpp"
 #include "core/navigation/path_ground.hpp"
 #include "core/navigation/path_search.hpp"
 #include "core/navigation/plan_crossing.hpp"
@@ -121,8 +122,7 @@ std::string shortNumber(double x) {
   return text;
 }
 
-void addPath(const NavigationMesh& mesh, const SurfaceTopology& topology, PathResult& result,
-             const std::function<void()>& poll) {
+void addPath(const NavigationMesh& mesh, const SurfaceTopology& topology, PathResult& result, Poll poll) {
   const SidePath sides = searchPath(mesh, topology, result.start->position, result.start->triangle,
                                     result.end->position, result.end->triangle, poll);
   result.expanded = sides.expanded;
@@ -172,7 +172,7 @@ std::optional<SurfacePlace> PathFinder::locate(const Vec3& p, double reach) cons
 PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, const RunContext* context) const {
   checkPlace(from);
   checkPlace(to);
-  const std::function<void()> poll = pollOf(context);
+  const Poll poll(context);
   poll();
   const SurfaceTopology& topology = inside_->topology;
   const PlaceIndex& places = inside_->places;

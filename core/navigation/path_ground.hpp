@@ -14,8 +14,8 @@ namespace footfall::detail {
 struct PathGround {
   PathGround(std::shared_ptr<const NavigationMesh> givenMesh, const RunContext* context)
       : mesh(std::move(givenMesh)),
-        topology(makeSurfaceTopology(*mesh, pollOf(context))),
-        places(*mesh, topology, pollOf(context)) {}
+        topology(makeSurfaceTopology(*mesh, Poll(context))),
+        places(*mesh, topology, Poll(context)) {}
   PathGround(const PathGround&) = delete;
   PathGround& operator=(const PathGround&) = delete;
 

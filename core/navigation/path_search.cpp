@@ -47,7 +47,7 @@ class Search {
         goal_(goal),
         rootLengths_(topology.fanVertices.size(), std::numeric_limits<double>::infinity()) {}
 
-  SidePath run(std::uint32_t startTriangle, std::uint32_t goalTriangle, const std::function<void()>& poll) {
+  SidePath run(std::uint32_t startTriangle, std::uint32_t goalTriangle, Poll poll) {
     goalTriangles_ = trianglesAt(goal_, goalTriangle);
     const std::vector<std::uint32_t> startTriangles = trianglesAt(start_, startTriangle);
     SidePath path;
@@ -276,8 +276,7 @@ class Search {
 }  // namespace
 
 SidePath searchPath(const NavigationMesh& mesh, const SurfaceTopology& topology, const Vec3& start,
-                    std::uint32_t startTriangle, const Vec3& goal, std::uint32_t goalTriangle,
-                    const std::function<void()>& poll) {
+                    std::uint32_t startTriangle, const Vec3& goal, std::uint32_t goalTriangle, Poll poll) {
   return Search(mesh, topology, start, goal).run(startTriangle, goalTriangle, poll);
 }
 

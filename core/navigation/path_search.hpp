@@ -17,9 +17,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/navigation_mesh.hpp"
 
@@ -42,7 +42,6 @@ struct SidePath {
 /// `start` and `goal` lie in the closed plan of their triangles (exactly). They are taken to be in all triangles around
 /// the side or the fan on which they lie. Throws what `poll` throws.
 SidePath searchPath(const NavigationMesh& mesh, const SurfaceTopology& topology, const Vec3& start,
-                    std::uint32_t startTriangle, const Vec3& goal, std::uint32_t goalTriangle,
-                    const std::function<void()>& poll);
+                    std::uint32_t startTriangle, const Vec3& goal, std::uint32_t goalTriangle, Poll poll);
 
 }  // namespace footfall::detail

@@ -21,6 +21,7 @@
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/navigation/link_obstacles.hpp"
 #include "core/navigation/path_ground.hpp"
@@ -65,8 +66,7 @@ struct Pair {
 /// One question. Parts that are linked are one set.
 class SeparationSearch {
  public:
-  SeparationSearch(const SeparationGround& ground, std::uint32_t from, std::uint32_t to,
-                   const std::function<void()>& poll)
+  SeparationSearch(const SeparationGround& ground, std::uint32_t from, std::uint32_t to, Poll poll)
       : ground_(ground), from_(from), to_(to), poll_(poll), sets_(ground.ground->topology.componentCount) {}
 
   std::optional<Separation> run() {
@@ -274,7 +274,7 @@ class SeparationSearch {
 
   const SeparationGround& ground_;
   std::uint32_t from_, to_;
-  std::function<void()> poll_;
+  Poll poll_;
   DisjointSets sets_;
   std::vector<BorderLink> links_;
   std::priority_queue<Pair, std::vector<Pair>, std::greater<>> waiting_;
@@ -282,7 +282,7 @@ class SeparationSearch {
   bool fromSmaller_ = true;
 };
 
-TriangleTree treeOver(const std::vector<BorderEdge>& borders, const std::function<void()>& poll) {
+TriangleTree treeOver(const std::vector<BorderEdge>& borders, Poll poll) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;
   boxes.reserve(borders.size());
@@ -299,7 +299,7 @@ TriangleTree treeOver(const std::vector<BorderEdge>& borders, const std::functio
 
 SeparationFinder::SeparationFinder(const PathFinder& finder, std::shared_ptr<const Environment> environment,
                                    double height, const RunContext* context) {
-  const std::function<void()> poll = pollOf(context);
+  const Poll poll(context);
   const std::shared_ptr<const PathGround>& ground = finder.inside();
   std::vector<BorderEdge> borders = findBorders(*ground->mesh, ground->topology);
   TriangleTree tree = treeOver(borders, poll);
@@ -317,7 +317,7 @@ std::optional<Separation> SeparationFinder::find(std::uint32_t fromTriangle, std
       throw InputError(FOOTFALL_TEXT("there is no triangle %1; the mesh has %2"), triangle, components.size());
   const std::uint32_t from = components[fromTriangle], to = components[toTriangle];
   if (from == to) return std::nullopt;
-  return SeparationSearch(*inside_, from, to, pollOf(context)).run();
+  return SeparationSearch(*inside_, from, to, Poll(context)).run();
 }
 
 void addSeparation(PathResult& result, const SeparationFinder& separations, const RunContext* context) {

@@ -73,7 +73,7 @@ double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y
 
 }  // namespace
 
-PlaceIndex::PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, const std::function<void()>& poll)
+PlaceIndex::PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, Poll poll)
     : mesh_(mesh), topology_(topology) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;

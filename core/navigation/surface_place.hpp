@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 
+#include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/navigation_mesh.hpp"
@@ -16,8 +16,7 @@ namespace footfall::detail {
 /// Index over a mesh and its topology, which must outlive it. Thread-safe once made.
 class PlaceIndex {
  public:
-  PlaceIndex(
-      const NavigationMesh& mesh, const SurfaceTopology& topology, const std::function<void()>& poll = [] {});
+  PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, Poll poll = {});
 
   /// The walkable place straight above or below `p` that is nearest to it, when it is no farther than `reach`; the
   /// first triangle where two are equally near. Which triangles lie there is decided exactly.

@@ -73,8 +73,7 @@ class EdgePoints {
 
 class Cutting {
  public:
-  Cutting(const SourceMesh& mesh, const Partition& partition, std::span<const char> included,
-          const std::function<void()>& poll)
+  Cutting(const SourceMesh& mesh, const Partition& partition, std::span<const char> included, Poll poll)
       : mesh_(mesh), geometry_(mesh, partition), cutter_(geometry_, partition), included_(included), poll_(poll) {}
 
   CutEnvironment run() {
@@ -309,7 +308,7 @@ class Cutting {
   CutGeometry geometry_;
   TriangleCutter cutter_;
   std::span<const char> included_;
-  const std::function<void()>& poll_;
+  Poll poll_;
 
   /// For each triangle: -1 - its cell, or its number among the divided ones, or kLeftOut.
   std::vector<Index> child_;
@@ -321,7 +320,7 @@ class Cutting {
 bool isSamePlace(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 // Vertices in one place become the first of them, and triangles that lose a corner by that go.
-void weldRounded(CutEnvironment& cut, std::size_t sources, const std::function<void()>& poll) {
+void weldRounded(CutEnvironment& cut, std::size_t sources, Poll poll) {
   poll();
   std::vector<Index> order(cut.places.size() - sources);
   std::iota(order.begin(), order.end(), static_cast<Index>(sources));
@@ -361,7 +360,7 @@ void weldRounded(CutEnvironment& cut, std::size_t sources, const std::function<v
 }  // namespace
 
 CutEnvironment cutEnvironment(const SourceMesh& mesh, const Partition& partition, std::span<const char> included,
-                              bool round, const std::function<void()>& poll) {
+                              bool round, Poll poll) {
   CutEnvironment result = Cutting(mesh, partition, included, poll).run();
   if (round) weldRounded(result, mesh.vertices.size(), poll);
   return result;

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/partitioning/cut_vertex.hpp"
 #include "core/partitioning/partition.hpp"
 
@@ -36,8 +36,7 @@ struct CutEnvironment {
 /// (thesis 5.1.1): those that come together become one, and only rounding can break what is said above. Where the
 /// exact place of a vertex is wanted: CutGeometry::exactPlace(). Parallel; deterministic; `poll` is called every few
 /// milliseconds, by any thread, and may throw to cancel.
-CutEnvironment cutEnvironment(
-    const SourceMesh& mesh, const Partition& partition, std::span<const char> included, bool round,
-    const std::function<void()>& poll = [] {});
+CutEnvironment cutEnvironment(const SourceMesh& mesh, const Partition& partition, std::span<const char> included,
+                              bool round, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/exact/source_mesh.hpp"
 #include "core/partitioning/partition.hpp"
 #include "footfall/filter.hpp"
@@ -19,7 +19,7 @@ struct StrategyInput {
   std::span<const char> removed;   ///< for each triangle: it is not there any more
   double clearance = 0;            ///< of the block's first clearance filter, in the environment's units; 0: none
   int threads = 1;                 ///< that will work on the cells
-  std::function<void()> poll = [] {};
+  Poll poll = {};
 };
 
 /// The cells of a strategy, by its type and one value for each of its parameters. Deterministic: depends

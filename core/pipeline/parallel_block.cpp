@@ -203,12 +203,7 @@ StrategyInput strategyInput(const WalkableState& state, const std::vector<const 
   double clearance = 0;
   for (const PipelineStep* step : steps)
     if (clearance == 0 && step->filter->type == FilterType::VerticalClearance) clearance = step->values[0];
-  return {state.kernel->mesh(),
-          state.walkable,
-          state.removed,
-          clearance,
-          threads,
-          [&context] { context.checkCancelled(); }};
+  return {state.kernel->mesh(), state.walkable, state.removed, clearance, threads, context};
 }
 
 BlockOutcome runBlock(const BlockRequest& request, const Stopwatch& clock, RunContext& context) {

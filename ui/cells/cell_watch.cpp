@@ -142,7 +142,7 @@ void CellWatch::drape() {
   queue_.post([this, context = drapes_, environment = environment_, centre = centre_, shapes = draped_] {
     std::shared_ptr<const CellGeometry> geometry;
     try {
-      geometry = makeCellGeometry(*environment, centre, *shapes, [&] { context->checkCancelled(); });
+      geometry = makeCellGeometry(*environment, centre, *shapes, *context);
     } catch (const std::exception&) {
       // Cancelled, or memory ran out: then the view goes without.
     }

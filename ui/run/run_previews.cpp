@@ -54,7 +54,7 @@ void RunController::preparePreviews() {
       std::shared_ptr<const EditPreview> made;
       try {
         context->checkCancelled();
-        made = makeEditPreview(step, environment, centre, [&] { context->checkCancelled(); });
+        made = makeEditPreview(step, environment, centre, *context);
       } catch (const std::exception&) {
         return;  // cancelled, or memory ran out: then a run shows the first change
       }

@@ -112,7 +112,7 @@ class Draper {
     if (environment.vertices.empty()) box_.add({});
   }
 
-  void drape(const std::function<void()>& poll) {
+  void drape(Poll poll) {
     CellLookup lookup(cells_, box_);
     const bool heights = std::ranges::any_of(
         cells_, [](const CellBounds& cell) { return std::isfinite(cell.lower[2]) || std::isfinite(cell.upper[2]); });
@@ -237,8 +237,7 @@ struct Hit {
 }  // namespace
 
 std::shared_ptr<const CellGeometry> makeCellGeometry(const Environment& environment, const Vec3& centre,
-                                                     const std::vector<CellBounds>& cells,
-                                                     const std::function<void()>& poll) {
+                                                     const std::vector<CellBounds>& cells, Poll poll) {
   Draper draper(environment, centre, cells);
   draper.drape(poll);
   return draper.finish();

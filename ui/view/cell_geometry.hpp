@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/partitioning/partition.hpp"
 #include "footfall/environment.hpp"
 #include "ui/base/namespaces.hpp"
@@ -39,8 +39,7 @@ struct CellGeometry {
 /// Drapes the cells over the triangles that face up. `poll` is called often and may throw. Computed in doubles: this is
 /// for looking at, the core decides elsewhere what belongs to which cell.
 std::shared_ptr<const CellGeometry> makeCellGeometry(const Environment& environment, const Vec3& centre,
-                                                     const std::vector<CellBounds>& cells,
-                                                     const std::function<void()>& poll);
+                                                     const std::vector<CellBounds>& cells, Poll poll);
 
 /// The twelve edges of a box.
 std::vector<LineSegment> edgesOf(const CellBox& box);

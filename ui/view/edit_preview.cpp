@@ -68,7 +68,7 @@ EditPreview::Surfaces painted(const NavigationMesh& mesh, const Vec3& centre, co
 /// SlopeFilter: whole faces come and go with their angle.
 class SlopePreview : public EditPreview {
  public:
-  SlopePreview(const EditedStep& step, const Vec3& centre, const std::function<void()>& poll)
+  SlopePreview(const EditedStep& step, const Vec3& centre, Poll poll)
       : centre_(centre), order_(step.before, anglesOf(*step.before, poll)) {}
 
   [[nodiscard]] Surfaces changes(double from, double to) const override {
@@ -78,7 +78,7 @@ class SlopePreview : public EditPreview {
   [[nodiscard]] bool suits(const EditedStep& step) const override { return step.before == order_.mesh(); }
 
  private:
-  static std::vector<double> anglesOf(const NavigationMesh& mesh, const std::function<void()>& poll) {
+  static std::vector<double> anglesOf(const NavigationMesh& mesh, Poll poll) {
     std::vector<double> angles;
     angles.reserve(mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles) {
@@ -97,7 +97,7 @@ class SlopePreview : public EditPreview {
 /// away is not known by regions.
 class AreaPreview : public EditPreview {
  public:
-  AreaPreview(const EditedStep& step, const Vec3& centre, const std::function<void()>& poll)
+  AreaPreview(const EditedStep& step, const Vec3& centre, Poll poll)
       : centre_(centre), order_(step.result, areasOfRegions(*step.result, poll)) {}
 
   [[nodiscard]] Surfaces changes(double from, double to) const override {
@@ -108,7 +108,7 @@ class AreaPreview : public EditPreview {
  private:
   // For each triangle the area of its region. Triangles are in one region when they share an edge: the result has
   // vertices of its own on each side of an obstacle edge.
-  static std::vector<double> areasOfRegions(const NavigationMesh& mesh, const std::function<void()>& poll) {
+  static std::vector<double> areasOfRegions(const NavigationMesh& mesh, Poll poll) {
     Index count = 0;
     const std::vector<Index> region = findParts(mesh.triangles, mesh.vertices.size(), count, poll);
     poll();
@@ -130,7 +130,7 @@ class AreaPreview : public EditPreview {
 
 std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,
                                                    const std::shared_ptr<const Environment>& environment,
-                                                   const Vec3& centre, const std::function<void()>& poll) {
+                                                   const Vec3& centre, Poll poll) {
   if (step.filter == FilterType::Slope && step.before) return std::make_shared<SlopePreview>(step, centre, poll);
   if (step.filter == FilterType::Area && step.result) return std::make_shared<AreaPreview>(step, centre, poll);
   if (step.filter == FilterType::VerticalClearance && step.before)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {
@@ -40,6 +40,6 @@ inline constexpr std::size_t kMostPreviewed = 100'000;
 /// Null for filters of which only a run tells anything. `poll` is called now and then and may throw.
 std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,
                                                    const std::shared_ptr<const Environment>& environment,
-                                                   const Vec3& centre, const std::function<void()>& poll);
+                                                   const Vec3& centre, Poll poll);
 
 }  // namespace footfall::ui

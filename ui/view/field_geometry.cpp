@@ -43,7 +43,7 @@ Normal normalOf(const std::array<Vec3, 3>& p) {
   return {x, y, z, std::sqrt(x * x + y * y + z * z)};
 }
 
-std::vector<Piece> floorsOf(const Environment& environment, const std::function<void()>& poll) {
+std::vector<Piece> floorsOf(const Environment& environment, Poll poll) {
   std::vector<Piece> floors;
   for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
     if (t % kPollEvery == 0) poll();
@@ -81,8 +81,7 @@ double longestEdge(const Piece& piece) {
 }
 
 /// Cuts everything larger than `edge`.
-std::vector<Piece> cutTo(std::vector<Piece> pieces, double edge, std::size_t budget,
-                         const std::function<void()>& poll) {
+std::vector<Piece> cutTo(std::vector<Piece> pieces, double edge, std::size_t budget, Poll poll) {
   std::vector<Piece> small;
   small.reserve(pieces.size());
   std::size_t visited = 0;
@@ -102,8 +101,7 @@ std::vector<Piece> cutTo(std::vector<Piece> pieces, double edge, std::size_t bud
 }
 
 /// The free height at three corners and in the middle of each piece.
-std::vector<float> heightsAbove(const HeadroomTree& tree, const std::vector<Piece>& pieces, double cap,
-                                const std::function<void()>& poll) {
+std::vector<float> heightsAbove(const HeadroomTree& tree, const std::vector<Piece>& pieces, double cap, Poll poll) {
   std::vector<Vec3> places;
   places.reserve(pieces.size() * kPlaces);
   for (const Piece& piece : pieces) {
@@ -138,8 +136,7 @@ void add(FieldGeometry& field, const Piece& piece, const std::array<float, 3>& v
 
 }  // namespace
 
-std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environment, const Vec3& centre,
-                                                    const std::function<void()>& poll) {
+std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environment, const Vec3& centre, Poll poll) {
   auto field = std::make_shared<FieldGeometry>();
   const std::vector<Piece> floors = floorsOf(environment, poll);
   field->surface.reserve(floors.size() * 3);
@@ -154,8 +151,7 @@ std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environme
 }
 
 std::shared_ptr<const FieldGeometry> makeClearanceField(const std::shared_ptr<const Environment>& environment,
-                                                        const Vec3& centre, double cap, std::size_t budget,
-                                                        const std::function<void()>& poll) {
+                                                        const Vec3& centre, double cap, std::size_t budget, Poll poll) {
   const HeadroomTree tree(environment, poll);
   auto field = std::make_shared<FieldGeometry>();
   std::vector<Piece> pieces = floorsOf(*environment, poll);

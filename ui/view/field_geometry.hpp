@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "footfall/environment.hpp"
 
 namespace footfall::ui {
@@ -35,13 +35,11 @@ struct FieldScale {
 
 /// Angles to the ground in degrees, of all triangles that face up and are no walls. Of a picture's precision: what is
 /// walkable, SlopeFilter decides. `poll` is called often and may throw to cancel.
-std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environment, const Vec3& centre,
-                                                    const std::function<void()>& poll);
+std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environment, const Vec3& centre, Poll poll);
 
 /// Free heights above all triangles that face up and are no walls, `cap` (units, above 0) where it is that or more.
 /// Floors are cut into smaller pieces where the height changes, about `budget` pieces in all. In parallel.
 std::shared_ptr<const FieldGeometry> makeClearanceField(const std::shared_ptr<const Environment>& environment,
-                                                        const Vec3& centre, double cap, std::size_t budget,
-                                                        const std::function<void()>& poll);
+                                                        const Vec3& centre, double cap, std::size_t budget, Poll poll);
 
 }  // namespace footfall::ui

@@ -22,7 +22,7 @@ double cross(double ax, double ay, double bx, double by) { return ax * by - ay *
 }  // namespace
 
 HeadroomPreview::HeadroomPreview(const EditedStep& step, std::shared_ptr<const Environment> environment,
-                                 const Vec3& centre, const std::function<void()>& poll)
+                                 const Vec3& centre, Poll poll)
     : floors_(step.before), environment_(std::move(environment)), centre_(centre), limit_(kReach * step.threshold) {
   findPairs(poll);
 }
@@ -37,7 +37,7 @@ std::array<Vec3, 3> HeadroomPreview::cornersOf(const std::vector<Vec3>& vertices
   return corners;
 }
 
-void HeadroomPreview::findPairs(const std::function<void()>& poll) {
+void HeadroomPreview::findPairs(Poll poll) {
   const auto boxOf = [](const std::array<Vec3, 3>& p) {
     const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [y0, y1] = std::minmax({p[0].y, p[1].y, p[2].y});

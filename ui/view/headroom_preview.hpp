@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/poll.hpp"
 #include "ui/view/edit_preview.hpp"
 
 namespace footfall::ui {
@@ -15,7 +16,7 @@ namespace footfall::ui {
 class HeadroomPreview : public EditPreview {
  public:
   HeadroomPreview(const EditedStep& step, std::shared_ptr<const Environment> environment, const Vec3& centre,
-                  const std::function<void()>& poll);
+                  Poll poll);
 
   [[nodiscard]] Surfaces changes(double from, double to) const override;
   [[nodiscard]] bool suits(const EditedStep& step) const override;
@@ -37,7 +38,7 @@ class HeadroomPreview : public EditPreview {
     std::size_t size = 0;
   };
 
-  void findPairs(const std::function<void()>& poll);
+  void findPairs(Poll poll);
   [[nodiscard]] std::array<Vec3, 3> cornersOf(const std::vector<Vec3>& vertices, const Triangle& triangle) const;
   [[nodiscard]] Polygon overlap(const Pair& pair, double low, double high) const;
   void addShadow(NavigationMesh& mesh, const Pair& pair, double low, double high) const;

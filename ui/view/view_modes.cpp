@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "core/base/poll.hpp"
 #include "core/base/worker_arena.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
@@ -181,7 +182,7 @@ void ViewModes::compute() {
     std::shared_ptr<const FieldGeometry> field;
     std::shared_ptr<const NavigationMeshGeometry> sources;
     QString error;
-    const auto poll = [&] { context->checkCancelled(); };
+    const Poll poll(*context);
     try {
       poll();
       if (made.mode == ViewMode::Slope) field = makeSlopeField(*made.level, centre, poll);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/poll.hpp"
+
 namespace footfall::detail {
 namespace {
 
@@ -27,14 +29,14 @@ Box clearanceBox(const SourceMesh& mesh, Index face, double height) {
 }
 
 ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
-                                         std::function<void()> poll)
+                                         Poll poll)
     : kernel_(kernel),
       mesh_(kernel.mesh()),
       isFloor_(std::move(isFloor)),
       level_(level),
       height_(kernel.heights()[level - 1]),
       scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
-      poll_(std::move(poll)) {
+      poll_(poll) {
   Grid grid = mesh_.grid;
   exactOrientations_ = !grid.empty() && areOrientationsExact(grid.top - grid.low) && kernel.sign().zeroValid;
   grid.include(height_);

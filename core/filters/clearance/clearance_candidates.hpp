@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/exact/plan_kernel.hpp"
 #include "footfall/statistics.hpp"
 
@@ -30,8 +31,7 @@ class ClearanceCandidates {
  public:
   /// `isFloor(t)`: triangle t takes part as a floor (coplanar floors are kept once). `level` is the clearance's level
   /// in the kernel. `poll` is called now and then and may throw to cancel.
-  ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
-                      std::function<void()> poll);
+  ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
   /// All triangles that reach into the clearance and overlap the face in the plan, and of those in its plane the floors
   /// that come before it; in the order of the triangles. Good until the next call.
@@ -70,7 +70,7 @@ class ClearanceCandidates {
   Index level_;
   double height_;
   double scaledHeight_;
-  std::function<void()> poll_;
+  Poll poll_;
   std::uint32_t polls_ = 0;
   bool exactOrientations_ = false, exactHeights_ = false;
 

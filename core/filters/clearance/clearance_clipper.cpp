@@ -9,6 +9,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "core/base/poll.hpp"
 #include "core/exact/insertion_order.hpp"
 #include "core/filters/clearance/covered_obstacles.hpp"
 
@@ -19,8 +20,7 @@ int next(int k) { return k == 2 ? 0 : k + 1; }
 
 }  // namespace
 
-ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
-                                   std::function<void()> poll)
+ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll)
     : mesh_(kernel.mesh()),
       level_(level),
       poll_(poll),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/assembly/face_share.hpp"
+#include "core/base/poll.hpp"
 #include "core/exact/face_cuts.hpp"
 #include "core/exact/face_geometry.hpp"
 #include "core/filters/clearance/clearance_candidates.hpp"
@@ -19,8 +20,7 @@ namespace footfall::detail {
 class ClearanceClipper {
  public:
   /// As ClearanceCandidates.
-  ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level,
-                   std::function<void()> poll);
+  ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null).
   FaceCuts clip(Index face, const FaceCuts* earlier);
@@ -88,7 +88,7 @@ class ClearanceClipper {
 
   const SourceMesh& mesh_;
   Index level_;
-  std::function<void()> poll_;
+  Poll poll_;
   std::uint32_t polls_ = 0;
 
   FaceGeometry geometry_;

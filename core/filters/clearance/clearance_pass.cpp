@@ -68,9 +68,8 @@ void checkHeight(const SourceMesh& mesh, double height) {
 ClearancePass::Worker::Worker(const ClearancePass& pass, RunContext& context)
     : floors(pass.state_->walkable, pass.tests_),
       clipper_(
-          *pass.result_->kernel, [this](Index face) { return floors.isFloor(face); }, pass.level_,
-          [&context] { context.checkCancelled(); }),
-      mesher_(*pass.result_->kernel, [&context] { context.checkCancelled(); }),
+          *pass.result_->kernel, [this](Index face) { return floors.isFloor(face); }, pass.level_, context),
+      mesher_(*pass.result_->kernel, context),
       copies_(makeCopyMemory()) {}
 
 ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<FaceTest> tests,
@@ -157,8 +156,7 @@ void ClearancePass::keepCandidates(Index face, std::vector<Index> found) {
 FaceShare ClearancePass::clipShare(Index face, std::span<const CellSide> sides, Worker& own) {
   if (!own.shareClipper_)
     own.shareClipper_ = std::make_unique<ClearanceClipper>(
-        *borderKernel_, [&own](Index f) { return own.floors.isFloor(f); }, level_,
-        [this] { context_.checkCancelled(); });
+        *borderKernel_, [&own](Index f) { return own.floors.isFloor(f); }, level_, context_);
   return own.shareClipper_->clipShare(face, sides);
 }
 

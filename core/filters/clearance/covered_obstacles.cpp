@@ -17,8 +17,7 @@ namespace {
 /// has taken so long that the obstacles themselves are no more work.
 class CoverSearch {
  public:
-  CoverSearch(const PlanKernel& kernel, Index face, std::span<const ClearanceCandidate> candidates,
-              const std::function<void()>& poll)
+  CoverSearch(const PlanKernel& kernel, Index face, std::span<const ClearanceCandidate> candidates, Poll poll)
       : mesh_(kernel.mesh()),
         slack_(kernel.sign().slack),
         face_(face),
@@ -144,7 +143,7 @@ class CoverSearch {
   double slack_;
   Index face_;
   std::span<const ClearanceCandidate> candidates_;
-  const std::function<void()>& poll_;
+  Poll poll_;
   std::vector<double> lower_, upper_;  ///< of the face's box in the plan, scaled
   std::vector<char> needed_;
   std::deque<Open> open_;
@@ -170,7 +169,7 @@ void Crowding::add(Index obstacle) {
 }
 
 std::vector<char> findCovered(const PlanKernel& kernel, Index face, std::span<const ClearanceCandidate> candidates,
-                              const std::function<void()>& poll) {
+                              Poll poll) {
   return CoverSearch(kernel, face, candidates, poll).run();
 }
 

@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/filters/clearance/clearance_candidates.hpp"
 
 namespace footfall::detail {
@@ -33,6 +33,6 @@ class Crowding {
 /// all of them take from the floor is the same without. A function of face and candidates alone; never wrong, because
 /// cells of a quadtree count as covered only where rounded coordinates prove it.
 std::vector<char> findCovered(const PlanKernel& kernel, Index face, std::span<const ClearanceCandidate> candidates,
-                              const std::function<void()>& poll);
+                              Poll poll);
 
 }  // namespace footfall::detail

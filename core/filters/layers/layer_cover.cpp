@@ -180,7 +180,7 @@ void LayerCover::add(const Piece& piece, std::uint32_t layer) {
   }
   trees.emplace_back();
   trees.back().build(
-      together, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
+      together, [this](Index t) { return boundsOf(t); }, context_);
 }
 
 }  // namespace footfall::detail

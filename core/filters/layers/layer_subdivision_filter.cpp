@@ -292,7 +292,7 @@ class LayerSubdivision {
 FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
-  const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
+  const auto topology = topologyOf(*state, context);
   LayerSubdivision subdivision(*state->kernel, *state->mesh, *topology, context);
   std::shared_ptr<WalkableMesh> mesh;
   std::vector<std::uint32_t> layers;

@@ -160,7 +160,7 @@ class OverlapFinder {
   [[nodiscard]] Tree treeOf(const std::vector<Index>& triangles) const {
     Tree tree;
     tree.build(
-        triangles, [this](Index t) { return boundsOf(t); }, [this] { context_.checkCancelled(); });
+        triangles, [this](Index t) { return boundsOf(t); }, context_);
     return tree;
   }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/assembly/face_mesh.hpp"
+#include "core/base/poll.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -45,7 +46,7 @@ class SoupBuilder {
     std::vector<char> exact;
     rounded.vertices = roundVertices(*state_.kernel, state_.mesh->vertices, exact, context);
     rounded.triangles = state_.mesh->triangles;
-    const auto poll = [&context] { context.checkCancelled(); };
+    const Poll poll(context);
     auto topology = topologyOf(state_, poll);
     markBorders(rounded, *topology);
     result_.cases = repairRounding(rounded, exact, context);
@@ -83,7 +84,7 @@ class SoupBuilder {
     std::vector<CoveredParts> parts;
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t)
       if (isDivided(t)) parts.push_back({t, {}, {}});
-    const auto poll = [&context] { context.checkCancelled(); };
+    const Poll poll(context);
     tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), kFacesPerTask), [&](const auto& range) {
       auto& mesher = meshers.local();
@@ -160,8 +161,7 @@ GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& contex
 
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context) {
   std::vector<std::uint32_t> order;
-  auto mesh = std::make_shared<SourceMesh>(
-      makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, [&context] { context.checkCancelled(); }));
+  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, context));
   auto state = std::make_shared<WalkableState>();
   state->environment = earlier.environment;
   state->removed.assign(order.size(), 0);

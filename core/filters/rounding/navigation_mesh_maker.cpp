@@ -9,6 +9,7 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/obstacle_split.hpp"
+#include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 
@@ -72,7 +73,7 @@ RoundedMesh withPlaces(SplitMesh split, const std::vector<Vec3>& places) {
 // The split mesh of the state with rounded places, and its edges.
 RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<char>& sturdy, Adjacency& topology,
                            RunContext& context) {
-  const auto poll = [&context] { context.checkCancelled(); };
+  const Poll poll(context);
   std::vector<char> exact;
   std::vector<Vec3> places;
   SplitMesh split;
@@ -122,7 +123,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   ExactFallbacks fallbacks;
   const StatePtr state = withMesh(given, context, fallbacks);
   const SourceMesh& source = state->kernel->mesh();
-  const auto poll = [&context] { context.checkCancelled(); };
+  const Poll poll(context);
   std::vector<char> sturdy;
   Adjacency topology;
   RoundedMesh rounded = roundSplitMesh(*state, sturdy, topology, context);

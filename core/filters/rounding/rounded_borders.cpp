@@ -69,7 +69,7 @@ Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& border
   Contacts result;
   if (queries.empty()) return result;
   Tree tree;
-  tree.build(all, boundsOf, [&context] { context.checkCancelled(); });
+  tree.build(all, boundsOf, context);
 
   tbb::enumerable_thread_specific<Contacts> locals;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), kBordersPerTask), [&](const auto& range) {
@@ -161,8 +161,7 @@ bool markClosedSlivers(RoundedMesh& mesh, const Adjacency& topology, const std::
   if (split) {
     // Now no border ends inside another one.
     splitBorders(mesh, borders, contacts.innerEnds);
-    borders =
-        findBorders(mesh, findEdges(mesh.triangles, mesh.vertices.size(), [&context] { context.checkCancelled(); }));
+    borders = findBorders(mesh, findEdges(mesh.triangles, mesh.vertices.size(), context));
     contacts = findContacts(mesh, borders, {}, context);
   }
   for (const Index i : contacts.closed)

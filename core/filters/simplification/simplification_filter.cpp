@@ -24,7 +24,7 @@ double diagonal(const SourceMesh& mesh) {
 
 StatePtr simplify(const StatePtr& state, const ApproximateSimplification& approximate, const Recall& recall,
                   RunContext& context, ExactFallbacks& fallbacks) {
-  const auto topology = topologyOf(*state, [&context] { context.checkCancelled(); });
+  const auto topology = topologyOf(*state, context);
   Simplifier simplifier(*state->kernel, *state->mesh, *topology, approximate, context);
   const auto earlier = EarlierResult::relate(recall.before, *state->kernel);
   if (earlier && recall.before->simplifierMemory) simplifier.reuse(*recall.before->simplifierMemory, *earlier);

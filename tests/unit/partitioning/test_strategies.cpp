@@ -550,12 +550,14 @@ class TestStrategies : public QObject {
     for (const auto& [strategy, values] : kStrategies) {
       StrategyInput input = given.input();
       std::atomic<int> polls{0};
-      input.poll = [&] { ++polls; };
+      const auto count = [&] { ++polls; };
+      input.poll = count;
       Partition partition = makePartition(strategy, values, input);
       const int making = polls;
       assignFloors(partition, input);
       QVERIFY(making >= 3 && polls >= making + 8);
-      input.poll = [] { throw Cancelled(); };
+      const auto cancel = [] { throw Cancelled(); };
+      input.poll = cancel;
       QVERIFY_THROWS_EXCEPTION(Cancelled, makePartition(strategy, values, input));
       QVERIFY_THROWS_EXCEPTION(Cancelled, assignFloors(partition, input));
     }
