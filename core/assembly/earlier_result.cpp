@@ -22,8 +22,8 @@ bool overlaps(const Box& a, const Box& b) {
 // Whether a point depends on a height above a floor.
 bool usesLevel(const PlanPoint& point) {
   const auto isRaised = [](const PlanLine& line) { return line.kind == PlanLine::Trace && line.b != 0; };
-  if (point.kind == PlanPoint::EdgePlane) return point.d != 0;
-  return point.kind == PlanPoint::Crossing && (isRaised(point.firstLine()) || isRaised(point.secondLine()));
+  if (point.kind() == PlanPoint::EdgePlane) return point.level() != 0;
+  return point.kind() == PlanPoint::Crossing && (isRaised(point.firstLine()) || isRaised(point.secondLine()));
 }
 
 // A copy that is never destroyed: all that it has lies in the memory as well.
@@ -115,26 +115,17 @@ PlanLine EarlierResult::renumbered(PlanLine line) const {
   return line;
 }
 
-PlanPoint EarlierResult::renumbered(PlanPoint point) const {
-  switch (point.kind) {
+PlanPoint EarlierResult::renumbered(const PlanPoint& point) const {
+  switch (point.kind()) {
     case PlanPoint::Source:
-      point.a = edit_->planOf[point.a];
-      break;
+      return PlanPoint::source(edit_->planOf[point.planId()]);
     case PlanPoint::EdgePlane:
-      point.a = edit_->vertexOf[point.a];
-      point.b = edit_->vertexOf[point.b];
-      point.c = edit_->triangleOf[point.c];
-      break;
-    default: {
-      const PlanLine first = renumbered(point.firstLine()), second = renumbered(point.secondLine());
-      point.b = first.a;
-      point.c = first.b;
-      point.e = second.a;
-      point.f = second.b;
-      if (point.face >= 0) point.face = edit_->triangleOf[point.face];
-    }
+      return PlanPoint::edgePlane(edit_->vertexOf[point.edgeBegin()], edit_->vertexOf[point.edgeEnd()],
+                                  edit_->triangleOf[point.triangle()], point.level());
+    default:
+      return PlanPoint::crossing(renumbered(point.firstLine()), renumbered(point.secondLine()),
+                                 point.face() >= 0 ? edit_->triangleOf[point.face()] : -1);
   }
-  return point;
 }
 
 std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore, const CopyMemory& memory) const {

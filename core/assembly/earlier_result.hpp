@@ -48,7 +48,7 @@ class EarlierResult {
 
  private:
   EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, bool sameHeights);
-  [[nodiscard]] PlanPoint renumbered(PlanPoint point) const;
+  [[nodiscard]] PlanPoint renumbered(const PlanPoint& point) const;
   [[nodiscard]] PlanLine renumbered(PlanLine line) const;
 
   StatePtr before_;

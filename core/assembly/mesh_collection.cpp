@@ -114,13 +114,15 @@ void MeshJoiner::nameUses(std::size_t entry, Index first, Index last, Additions&
     if (p < 0) return kUnused;
     if (p < 3) return f[p];
     const PlanPoint& point = given.parts->points[p];
-    if (point.kind == PlanPoint::Source) {
+    if (point.kind() == PlanPoint::Source) {
       // an obstacle's vertex seen from above: it may itself lie on the floor
-      for (Index v = point.a; v < static_cast<Index>(mesh_.planIds.size()) && mesh_.planIds[v] == point.a; ++v)
+      for (Index v = point.planId(); v < static_cast<Index>(mesh_.planIds.size()) && mesh_.planIds[v] == point.planId();
+           ++v)
         if (kernel_.heightSign(given.face, v, 0, fallbacks) == 0) return v;
     }
-    const bool isOnSourceEdge = point.kind == PlanPoint::EdgePlane &&
-                                ((isCorner(point.a) && isCorner(point.b)) || (point.c == given.face && point.d == 0));
+    const bool isOnSourceEdge =
+        point.kind() == PlanPoint::EdgePlane && ((isCorner(point.edgeBegin()) && isCorner(point.edgeEnd())) ||
+                                                 (point.triangle() == given.face && point.level() == 0));
     return isOnSourceEdge ? kOnSourceEdge : kOfOneFace;
   };
   for (Index place = first; place < last; ++place) additions.names[place] = nameOf(additions.pointOf[place]);
@@ -202,7 +204,7 @@ void MeshJoiner::numberUses(Additions& additions, RunContext& context) {
 
 MeshVertex MeshJoiner::sourceVertex(Index source, Index face) const {
   const Vec3& p = mesh_.scaled[source];
-  return {{PlanPoint::Source, mesh_.planIds[source]}, face, source, p.x, p.y, p.z, kernel_.sign().slack};
+  return {PlanPoint::source(mesh_.planIds[source]), face, source, p.x, p.y, p.z, kernel_.sign().slack};
 }
 
 MeshVertex MeshJoiner::constructedVertex(Index face, const PlanPoint& point,

@@ -53,10 +53,10 @@ constexpr double kCoarse = 0x1p-26;
 bool MeshJoiner::liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const {
   if (vertex.source >= 0) return vertex.source == edge.first || vertex.source == edge.second;
   const PlanPoint& p = vertex.point;
-  if (p.kind != PlanPoint::EdgePlane || p.a != edge.first || p.b != edge.second) return false;
+  if (p.kind() != PlanPoint::EdgePlane || p.edgeBegin() != edge.first || p.edgeEnd() != edge.second) return false;
   const auto& f = mesh_.triangles[vertex.face];
   const auto isCorner = [&](Index v) { return f[0] == v || f[1] == v || f[2] == v; };
-  return (isCorner(p.a) && isCorner(p.b)) || (p.c == vertex.face && p.d == 0);
+  return (isCorner(p.edgeBegin()) && isCorner(p.edgeEnd())) || (p.triangle() == vertex.face && p.level() == 0);
 }
 
 int MeshJoiner::compareCoordinate(Index a, Index b, int axis, bool exactly, ExactFallbacks& count) const {

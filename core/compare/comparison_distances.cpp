@@ -12,6 +12,7 @@
 
 #include "core/base/parallel_ranges.hpp"
 #include "core/base/triangle_tree.hpp"
+#include "core/base/vector.hpp"
 
 namespace footfall::detail::comparison {
 namespace {
@@ -29,14 +30,6 @@ constexpr std::size_t kMostQueries = std::size_t{1} << 21;
 constexpr double kSlack = 256 * std::numeric_limits<double>::epsilon();
 constexpr double kNear = 0x1p-24;  // closer than this, exact numbers tell whether a sample lies on the surface
 
-Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 operator*(double f, const Vec3& a) { return {f * a.x, f * a.y, f * a.z}; }
-double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 Vec3 middle(const Vec3& a, const Vec3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
 using Corners = std::array<Vec3, 3>;

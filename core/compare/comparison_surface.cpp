@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/vector.hpp"
 #include "core/exact/grid.hpp"
 #include "core/exact/source_predicates.hpp"
 
@@ -95,13 +96,7 @@ mpz_class onGrid(double x, int unit) {
 std::array<mpz_class, 3> exactNormal(const Positions& positions, const Triangle& triangle) {
   const auto& [a, b, c] =
       std::tie(positions.integers[triangle[0]], positions.integers[triangle[1]], positions.integers[triangle[2]]);
-  std::array<mpz_class, 3> u, v;
-  for (std::size_t k = 0; k < 3; ++k) {
-    u[k] = b[k] - a[k];
-    v[k] = c[k] - a[k];
-  }
-  return {mpz_class(u[1] * v[2] - u[2] * v[1]), mpz_class(u[2] * v[0] - u[0] * v[2]),
-          mpz_class(u[0] * v[1] - u[1] * v[0])};
+  return cross(b - a, c - a);
 }
 
 ComparedSurfaces makeSurfaces(const NavigationMesh& a, const NavigationMesh& b, double extra, RunContext& context) {

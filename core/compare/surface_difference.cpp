@@ -13,6 +13,7 @@
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/parallel_ranges.hpp"
 #include "core/base/triangle_tree.hpp"
+#include "core/base/vector.hpp"
 #include "core/compare/comparison_plan.hpp"
 #include "core/compare/cover_triangles.hpp"
 
@@ -235,12 +236,6 @@ void addPlanes(const comparison::DifferenceBorders& borders, const comparison::P
     for (std::size_t m = 0; m < 2; ++m) parts[m].add(plane.triangles[m], plane.groups[m]);
 }
 
-double areaOf(const std::array<Vec3, 3>& t) {
-  const double ux = t[1].x - t[0].x, uy = t[1].y - t[0].y, uz = t[1].z - t[0].z;
-  const double vx = t[2].x - t[0].x, vy = t[2].y - t[0].y, vz = t[2].z - t[0].z;
-  return std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
-}
-
 /// Joins groups whose corners meet, and lists what comes out.
 void addRegions(const PartTriangles& part, std::uint32_t mesh, SurfaceDifference& difference) {
   DisjointSets sets(part.groupCount);
@@ -261,7 +256,7 @@ void addRegions(const PartTriangles& part, std::uint32_t mesh, SurfaceDifference
       difference.regions.push_back({mesh, 0, p, p});
     }
     DifferentRegion& region = difference.regions[number->second];
-    region.area += areaOf(part.triangles[i]);
+    region.area += areaOf(part.triangles[i][0], part.triangles[i][1], part.triangles[i][2]);
     for (const Vec3& p : part.triangles[i]) {
       region.lower = {std::min(region.lower.x, p.x), std::min(region.lower.y, p.y), std::min(region.lower.z, p.z)};
       region.upper = {std::max(region.upper.x, p.x), std::max(region.upper.y, p.y), std::max(region.upper.z, p.z)};

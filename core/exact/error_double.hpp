@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace footfall::detail {
 
@@ -56,32 +57,32 @@ inline ErrorDouble operator/(ErrorDouble a, ErrorDouble b) {
   return {quotient, ((a.error + std::fabs(quotient) * b.error + std::fabs(residual)) / smallest) * kInflate};
 }
 
-/// A sign, or that the doubles could not tell.
-inline constexpr int kUnknownSign = 2;
+/// -1, 0 or 1; nothing where doubles could not decide.
+using MaybeSign = std::optional<int>;
 
 /// How far a computed sign may be trusted in one environment (SourceMesh chooses it, see there for the proof).
 struct SignRule {
   double slack = 0;       ///< absolute bound of everything that underflow can have done
   bool zeroValid = true;  ///< a value of 0 with error 0 is exactly 0
 
-  [[nodiscard]] int operator()(ErrorDouble x) const {
+  [[nodiscard]] MaybeSign operator()(ErrorDouble x) const {
     const double bound = x.error + slack;
     if (x.value > bound) return 1;
     if (x.value < -bound) return -1;
     if (zeroValid && x.error == 0 && x.value == 0) return 0;
-    return kUnknownSign;
+    return std::nullopt;
   }
 };
 
-/// Sign of ax by - ay bx for rounded differences of doubles, or kUnknownSign. Each factor and product loses at most u,
+/// Sign of ax by - ay bx for rounded differences of doubles, never 0. Each factor and product loses at most u,
 /// the difference one more: 4 u (|l| + |r|); 6 u covers the bound's own loss. `slack` stands for underflow.
-inline int filteredArea(double ax, double ay, double bx, double by, double slack) {
+inline MaybeSign filteredArea(double ax, double ay, double bx, double by, double slack) {
   const double left = ax * by, right = ay * bx;
   const double value = left - right;
   const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  return kUnknownSign;
+  return std::nullopt;
 }
 
 }  // namespace footfall::detail

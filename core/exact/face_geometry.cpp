@@ -8,7 +8,8 @@
 
 namespace footfall::detail {
 
-int filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c, double slack) {
+MaybeSign filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c,
+                              double slack) {
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
   const double left = ax * by, right = ay * bx;
   const double value = left - right;
@@ -21,7 +22,7 @@ int filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, co
                        slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  return kUnknownSign;
+  return std::nullopt;
 }
 
 void FaceGeometry::start(Index face) {
@@ -35,7 +36,7 @@ void FaceGeometry::start(Index face) {
   lineValues_.clear();
   exact_.clear();
   for (int k = 0; k < 3; ++k) {
-    const Index p = point({PlanPoint::Source, mesh.planIds[corners[k]]});
+    const Index p = point(PlanPoint::source(mesh.planIds[corners[k]]));
     addBorder(p, static_cast<std::uint8_t>((1 << k) | (1 << ((k + 2) % 3))));
   }
   for (int k = 0; k < 3; ++k) {
@@ -50,8 +51,8 @@ Index FaceGeometry::point(const PlanPoint& p) {
   const auto [id, isNew] = points_.insert(p);
   if (isNew) {
     Place& place = places_.emplace_back();
-    if (p.kind == PlanPoint::Source) {
-      place.approximate = kernel_.approximateSource(p.a, origin_);
+    if (p.kind() == PlanPoint::Source) {
+      place.approximate = kernel_.approximateSource(p.planId(), origin_);
     } else if (const auto quick = kernel_.approximateQuickly(p, origin_)) {
       place.approximate = *quick;
     } else {
@@ -77,10 +78,10 @@ Index FaceGeometry::crossing(Index line1, Index line2) {
   PlanLine l = lines_[line1];
   PlanLine m = lines_[line2];
   if (l.kind == PlanLine::Edge && m.kind == PlanLine::Edge) {
-    if (l.a == m.a || l.a == m.b) return point({PlanPoint::Source, l.a});
-    if (l.b == m.a || l.b == m.b) return point({PlanPoint::Source, l.b});
+    if (l.a == m.a || l.a == m.b) return point(PlanPoint::source(l.a));
+    if (l.b == m.a || l.b == m.b) return point(PlanPoint::source(l.b));
     if (m.a < l.a || (m.a == l.a && m.b < l.b)) std::swap(l, m);
-    return point({PlanPoint::Crossing, l.kind, l.a, l.b, m.kind, m.a, m.b, -1});
+    return point(PlanPoint::crossing(l, m, -1));
   }
   if (l.kind == PlanLine::Border || m.kind == PlanLine::Border) return borderCrossing(l, m);
   if (l.kind == PlanLine::Trace) std::swap(l, m);
@@ -96,12 +97,12 @@ Index FaceGeometry::crossing(Index line1, Index line2) {
       }
       return {-1, -1};
     };
-    if (const auto [u, v] = edgeOf(face_); u >= 0) return point({PlanPoint::EdgePlane, u, v, m.a, -m.b});
-    if (const auto [u, v] = edgeOf(m.a); u >= 0) return point({PlanPoint::EdgePlane, u, v, face_, m.b});
+    if (const auto [u, v] = edgeOf(face_); u >= 0) return point(PlanPoint::edgePlane(u, v, m.a, -m.b));
+    if (const auto [u, v] = edgeOf(m.a); u >= 0) return point(PlanPoint::edgePlane(u, v, face_, m.b));
   } else if (m.a < l.a || (m.a == l.a && m.b < l.b)) {
     std::swap(l, m);
   }
-  return point({PlanPoint::Crossing, l.kind, l.a, l.b, m.kind, m.a, m.b, face_});
+  return point(PlanPoint::crossing(l, m, face_));
 }
 
 // Without a trace, the same on every face.
@@ -110,9 +111,9 @@ Index FaceGeometry::borderCrossing(PlanLine l, PlanLine m) {
   if (l.kind == PlanLine::Edge) {
     const double c = kernel_.borderCoordinate(m);
     for (const Index end : {l.a, l.b})
-      if (coordinate(kernel_.mesh().vertices[end], m.a) == c) return point({PlanPoint::Source, end});
+      if (coordinate(kernel_.mesh().vertices[end], m.a) == c) return point(PlanPoint::source(end));
   }
-  return point({PlanPoint::Crossing, l.kind, l.a, l.b, m.kind, m.a, m.b, l.kind == PlanLine::Trace ? face_ : -1});
+  return point(PlanPoint::crossing(l, m, l.kind == PlanLine::Trace ? face_ : -1));
 }
 
 const Homogeneous<ErrorDouble>& FaceGeometry::homogeneous(Index point) {
@@ -162,8 +163,7 @@ int FaceGeometry::side(Index line, Index point) {
   } else if (kernel_.isKnownOn(lines_[line], face_, points_[point])) {
     return 0;
   }
-  const int s = kernel_.sign()(lineAtPoint<ErrorDouble>(values.coefficients, homogeneous(point)));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s = kernel_.sign()(lineAtPoint<ErrorDouble>(values.coefficients, homogeneous(point)))) return *s;
   ++fallbacks.side;
   const Index l = exactLine(line), h = exact(point);
   if (kernel_.fitsFixedIntegers()) return sgn(lineAtPoint<FixedInteger>(exact_[l], exact_[h]));
@@ -184,12 +184,12 @@ bool FaceGeometry::areKnownCollinear(Index a, Index b, Index c) const {
 
 int FaceGeometry::orientation(Index a, Index b, Index c) {
   if (a == b || b == c || a == c) return 0;
-  const int filtered =
+  const MaybeSign filtered =
       filteredOrientation(places_[a].approximate, places_[b].approximate, places_[c].approximate, kernel_.sign().slack);
-  if (filtered != kUnknownSign) return filtered;
+  if (filtered) return *filtered;
   if (areKnownCollinear(a, b, c)) return 0;
-  const int s = kernel_.sign()(determinant<ErrorDouble>(homogeneous(a), homogeneous(b), homogeneous(c)));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s = kernel_.sign()(determinant<ErrorDouble>(homogeneous(a), homogeneous(b), homogeneous(c))))
+    return *s;
   ++fallbacks.orientation;
   const Index x = exact(a), y = exact(b), z = exact(c);
   if (kernel_.fitsFixedIntegers()) return sgn(determinant<FixedInteger>(exact_[x], exact_[y], exact_[z]));
@@ -205,8 +205,8 @@ int FaceGeometry::compare(Index a, Index b, int axis) {
   if (u - v > bound) return 1;
   if (u - v < -bound) return -1;
   if (const auto known = kernel_.compareKnown(points_[a], points_[b], axis)) return *known;
-  const int s = kernel_.sign()(coordinateDifference<ErrorDouble>(homogeneous(a), homogeneous(b), axis));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s = kernel_.sign()(coordinateDifference<ErrorDouble>(homogeneous(a), homogeneous(b), axis)))
+    return *s;
   ++fallbacks.order;
   const Index x = exact(a), y = exact(b);
   if (kernel_.fitsFixedIntegers()) return sgn(coordinateDifference<FixedInteger>(exact_[x], exact_[y], axis));

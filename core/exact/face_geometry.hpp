@@ -84,7 +84,8 @@ class FaceGeometry {
   IntegerTriples exact_;
 };
 
-/// Orientation of three rounded points relative to one origin, or kUnknownSign.
-int filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c, double slack);
+/// Orientation of three rounded points relative to one origin, never 0.
+MaybeSign filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c,
+                              double slack);
 
 }  // namespace footfall::detail

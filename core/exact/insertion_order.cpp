@@ -3,20 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
 
 #include "core/base/hilbert_curve.hpp"
 
 namespace footfall::detail {
-namespace {
-
-bool isBefore(const PlanPoint& p, const PlanPoint& q) {
-  const auto key = [](const PlanPoint& v) { return std::tie(v.kind, v.a, v.b, v.c, v.d, v.e, v.f, v.face); };
-  return key(p) < key(q);
-}
-
-}  // namespace
-
 void sortAlongCurve(const FaceGeometry& geometry, std::vector<Index>& points) {
   double left = 0, right = 0, bottom = 0, top = 0;
   for (int k = 0; k < 3; ++k) {
@@ -35,8 +25,7 @@ void sortAlongCurve(const FaceGeometry& geometry, std::vector<Index>& points) {
     order.emplace_back(hilbertIndex(cell((a.x - left) * scale), cell((a.y - bottom) * scale)), p);
   }
   std::sort(order.begin(), order.end(), [&](const auto& p, const auto& q) {
-    return p.first != q.first ? p.first < q.first
-                              : p.second != q.second && isBefore(geometry[p.second], geometry[q.second]);
+    return p.first != q.first ? p.first < q.first : p.second != q.second && geometry[p.second] < geometry[q.second];
   });
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = order[i].second;
 }

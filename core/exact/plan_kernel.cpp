@@ -91,15 +91,13 @@ int PlanKernel::exactSign(Index origin, const Evaluate& evaluate) const {
 }
 
 int PlanKernel::heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const {
-  const int s = sign_(heightValue(doubleContext(0), face, vertex, level));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s = sign_(heightValue(doubleContext(0), face, vertex, level))) return *s;
   ++count.height;
   return exactSign(0, [&](const auto& c) { return heightValue(c, face, vertex, level); });
 }
 
 int PlanKernel::orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const {
-  const int s = sign_(planArea(doubleContext(0), a, b, c));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s = sign_(planArea(doubleContext(0), a, b, c))) return *s;
   ++count.orientation;
   return exactSign(0, [&](const auto& context) { return planArea(context, a, b, c); });
 }
@@ -113,19 +111,20 @@ bool PlanKernel::coplanar(Index face, Index other, ExactFallbacks& count) const 
 
 bool PlanKernel::isKnownOn(const PlanLine& line, Index face, const PlanPoint& p) const {
   if (line.kind == PlanLine::Edge) {
-    if (p.kind == PlanPoint::Source) return p.a == line.a || p.a == line.b;
-    if (p.kind == PlanPoint::EdgePlane) return edgeLineOf(p) == line;
+    if (p.kind() == PlanPoint::Source) return p.planId() == line.a || p.planId() == line.b;
+    if (p.kind() == PlanPoint::EdgePlane) return edgeLineOf(p) == line;
     if (p.firstLine() == line || p.secondLine() == line) return true;
     // the second of two lines, if any, is a border: the edge may lie along it
     return p.secondLine().kind == PlanLine::Border && isKnownAlong(line, p);
   }
   if (line.kind == PlanLine::Border) return knownCoordinate(p, line.a) == borderCoordinate(line);
-  if (p.kind == PlanPoint::EdgePlane) {
+  if (p.kind() == PlanPoint::EdgePlane) {
     // an edge of the obstacle at the level, or an edge of the face in the obstacle's lowered plane
-    return (p.c == face && p.d == line.b && hasCorners(*mesh_, line.a, p.a, p.b)) ||
-           (p.c == line.a && p.d == -line.b && hasCorners(*mesh_, face, p.a, p.b));
+    const Index a = p.edgeBegin(), b = p.edgeEnd();
+    return (p.triangle() == face && p.level() == line.b && hasCorners(*mesh_, line.a, a, b)) ||
+           (p.triangle() == line.a && p.level() == -line.b && hasCorners(*mesh_, face, a, b));
   }
-  return p.kind == PlanPoint::Crossing && p.face == face && (p.firstLine() == line || p.secondLine() == line);
+  return p.kind() == PlanPoint::Crossing && p.face() == face && (p.firstLine() == line || p.secondLine() == line);
 }
 
 bool PlanKernel::isKnownAlong(const PlanLine& edge, const PlanPoint& p) const {
@@ -137,15 +136,15 @@ bool PlanKernel::isKnownAlong(const PlanLine& edge, const PlanPoint& p) const {
 }
 
 PlanLine PlanKernel::edgeLineOf(const PlanPoint& p) const {
-  const Index a = mesh_->planIds[p.a], b = mesh_->planIds[p.b];
+  const Index a = mesh_->planIds[p.edgeBegin()], b = mesh_->planIds[p.edgeEnd()];
   return {PlanLine::Edge, std::min(a, b), std::max(a, b)};
 }
 
 std::optional<double> PlanKernel::knownCoordinate(const PlanPoint& p, int axis) const {
   const auto at = [&](Index v) { return coordinate(mesh_->vertices[v], axis); };
-  if (p.kind == PlanPoint::Source) return at(p.a);
-  if (p.kind == PlanPoint::EdgePlane) {
-    if (at(p.a) == at(p.b)) return at(p.a);
+  if (p.kind() == PlanPoint::Source) return at(p.planId());
+  if (p.kind() == PlanPoint::EdgePlane) {
+    if (at(p.edgeBegin()) == at(p.edgeEnd())) return at(p.edgeBegin());
     return std::nullopt;
   }
   for (const PlanLine& l : {p.firstLine(), p.secondLine()}) {
@@ -179,8 +178,8 @@ bool PlanKernel::areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const
     const auto holds = [&, q = q, r = r](const PlanLine& l, Index face) {
       return isKnownOn(l, face, *q) && isKnownOn(l, face, *r);
     };
-    if (p->kind == PlanPoint::EdgePlane && holds(edgeLineOf(*p), -1)) return true;
-    if (p->kind == PlanPoint::Crossing && (holds(p->firstLine(), p->face) || holds(p->secondLine(), p->face)))
+    if (p->kind() == PlanPoint::EdgePlane && holds(edgeLineOf(*p), -1)) return true;
+    if (p->kind() == PlanPoint::Crossing && (holds(p->firstLine(), p->face()) || holds(p->secondLine(), p->face())))
       return true;
   }
   return false;
@@ -201,7 +200,7 @@ bool PlanKernel::isKnownLevel(const PlanPoint& point, Index f, Index g) const {
 
 Homogeneous<ErrorDouble> PlanKernel::homogeneous(const PlanPoint& point, Index origin) const {
   auto h = rawHomogeneous(doubleContext(origin), point);
-  const int s = sign_(h[2]);
+  const MaybeSign s = sign_(h[2]);
   if (s == 1) return h;
   if (s == -1) return {-h[0], -h[1], -h[2]};
   const ErrorDouble unknown(0, std::numeric_limits<double>::infinity());
@@ -273,13 +272,14 @@ std::optional<ApproximatePoint> PlanKernel::approximateQuickly(const PlanPoint& 
   if (!sign_.zeroValid) return std::nullopt;
   const auto& scaled = mesh_->scaled;
   Bounded n{}, d{};
-  Index a = point.a, b = point.b;
-  if (point.kind == PlanPoint::EdgePlane) {
-    n = quickHeight(*mesh_, scaledHeights_, point.c, a, point.d);
-    const Bounded end = quickHeight(*mesh_, scaledHeights_, point.c, b, point.d);
+  Index a = -1, b = -1;
+  if (point.kind() == PlanPoint::EdgePlane) {
+    a = point.edgeBegin(), b = point.edgeEnd();
+    n = quickHeight(*mesh_, scaledHeights_, point.triangle(), a, point.level());
+    const Bounded end = quickHeight(*mesh_, scaledHeights_, point.triangle(), b, point.level());
     d.value = n.value - end.value;
     d.error = n.error + end.error + std::fabs(d.value) * kU;
-  } else if (point.kind == PlanPoint::Crossing && point.firstLine().kind == PlanLine::Edge &&
+  } else if (point.kind() == PlanPoint::Crossing && point.firstLine().kind == PlanLine::Edge &&
              point.secondLine().kind == PlanLine::Edge) {
     const PlanLine first = point.firstLine(), second = point.secondLine();
     a = first.a, b = first.b;
@@ -312,7 +312,7 @@ std::optional<ApproximatePoint> PlanKernel::approximateQuickly(const PlanPoint& 
 
 ApproximatePoint PlanKernel::approximate(const Homogeneous<ErrorDouble>& h, const PlanPoint& point,
                                          Index origin) const {
-  if (point.kind == PlanPoint::Source) return approximateSource(point.a, origin);
+  if (point.kind() == PlanPoint::Source) return approximateSource(point.planId(), origin);
   const ErrorDouble x = h[0] / h[2];
   const ErrorDouble y = h[1] / h[2];
   const double error = std::max(x.error, y.error);
@@ -331,11 +331,12 @@ ApproximatePoint PlanKernel::approximate(const Homogeneous<ErrorDouble>& h, cons
 int PlanKernel::orientation(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, Index origin,
                             ExactFallbacks& count) const {
   if (a == b || b == c || a == c) return 0;
-  if (a.kind == PlanPoint::Source && b.kind == PlanPoint::Source && c.kind == PlanPoint::Source)
-    return orientation(a.a, b.a, c.a, count);
+  if (a.kind() == PlanPoint::Source && b.kind() == PlanPoint::Source && c.kind() == PlanPoint::Source)
+    return orientation(a.planId(), b.planId(), c.planId(), count);
   if (areKnownCollinear(a, b, c)) return 0;
-  const int s = sign_(determinant<ErrorDouble>(homogeneous(a, origin), homogeneous(b, origin), homogeneous(c, origin)));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s =
+          sign_(determinant<ErrorDouble>(homogeneous(a, origin), homogeneous(b, origin), homogeneous(c, origin))))
+    return *s;
   ++count.orientation;
   return exactSign(origin, [&](const auto& context) {
     using T = typename std::decay_t<decltype(context)>::T;
@@ -346,8 +347,9 @@ int PlanKernel::orientation(const PlanPoint& a, const PlanPoint& b, const PlanPo
 int PlanKernel::compare(const PlanPoint& a, const PlanPoint& b, int axis, Index origin, ExactFallbacks& count) const {
   if (a == b) return 0;
   if (const auto known = compareKnown(a, b, axis)) return *known;
-  const int s = sign_(coordinateDifference<ErrorDouble>(homogeneous(a, origin), homogeneous(b, origin), axis));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s =
+          sign_(coordinateDifference<ErrorDouble>(homogeneous(a, origin), homogeneous(b, origin), axis)))
+    return *s;
   ++count.order;
   return exactSign(origin, [&](const auto& context) {
     using T = typename std::decay_t<decltype(context)>::T;
@@ -359,8 +361,8 @@ int PlanKernel::compareHeight(const PlanPoint& point, Index f, Index g, ExactFal
   if (f == g || isKnownLevel(point, f, g)) return 0;
   const Index origin = mesh_->triangles[f][0];
   const int flip = mesh_->facing[f] * mesh_->facing[g];
-  const int s = sign_(heightDifference(doubleContext(origin), homogeneous(point, origin), f, g));
-  if (s != kUnknownSign) return s * flip;
+  if (const MaybeSign s = sign_(heightDifference(doubleContext(origin), homogeneous(point, origin), f, g)))
+    return *s * flip;
   ++count.height;
   return flip * exactSign(origin, [&](const auto& context) {
            return heightDifference(context, homogeneousOn(context, point), f, g);
@@ -374,8 +376,8 @@ int PlanKernel::side(const PlanLine& line, Index face, const PlanPoint& point, I
   } else if (isKnownOn(line, face, point)) {
     return 0;
   }
-  const int s = sign_(lineAtPoint<ErrorDouble>(coefficients(line, face, origin), homogeneous(point, origin)));
-  if (s != kUnknownSign) return s;
+  if (const MaybeSign s = sign_(lineAtPoint<ErrorDouble>(coefficients(line, face, origin), homogeneous(point, origin))))
+    return *s;
   ++count.side;
   return exactSign(origin, [&](const auto& context) {
     using T = typename std::decay_t<decltype(context)>::T;

@@ -12,6 +12,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <compare>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,19 +33,49 @@ struct PlanLine {
   bool operator==(const PlanLine&) const = default;
 };
 
-/// A point in the plan. Fields that a kind does not use stay -1.
-struct PlanPoint {
+/// A point in the plan: what it was made of. Equal points may have been made in different ways.
+class PlanPoint {
+ public:
   enum Kind : Index {
-    Source,     ///< plan id `a`
-    EdgePlane,  ///< where the source edge of vertices (a < b) meets the plane of triangle c raised by level d
-    Crossing    ///< of the lines (a, b, c) < (d, e, f), traces taken on `face`
+    Source,     ///< a source vertex
+    EdgePlane,  ///< where a source edge meets the plane of a triangle raised by a level
+    Crossing    ///< of two lines
   };
-  Index kind = Source;
-  Index a = -1, b = -1, c = -1, d = -1, e = -1, f = -1;
-  Index face = -1;
+
+  PlanPoint() = default;
+  static PlanPoint source(Index planId) { return {Source, {planId, -1, -1, -1, -1, -1}, -1}; }
+  /// The edge from vertex u to vertex v, in either order.
+  static PlanPoint edgePlane(Index u, Index v, Index triangle, Index level) {
+    return {EdgePlane, {u < v ? u : v, u < v ? v : u, triangle, level, -1, -1}, -1};
+  }
+  /// Traces are taken on `face`; -1 where neither line is one.
+  static PlanPoint crossing(const PlanLine& first, const PlanLine& second, Index face) {
+    return {Crossing, {first.kind, first.a, first.b, second.kind, second.a, second.b}, face};
+  }
+
+  [[nodiscard]] Kind kind() const { return static_cast<Kind>(kind_); }
+  // Of a source vertex.
+  [[nodiscard]] Index planId() const { return numbers_[0]; }
+  // Of an edge and a plane: the edge's vertices, the smaller one first.
+  [[nodiscard]] Index edgeBegin() const { return numbers_[0]; }
+  [[nodiscard]] Index edgeEnd() const { return numbers_[1]; }
+  [[nodiscard]] Index triangle() const { return numbers_[2]; }
+  [[nodiscard]] Index level() const { return numbers_[3]; }
+  // Of a crossing.
+  [[nodiscard]] PlanLine firstLine() const { return {numbers_[0], numbers_[1], numbers_[2]}; }
+  [[nodiscard]] PlanLine secondLine() const { return {numbers_[3], numbers_[4], numbers_[5]}; }
+  [[nodiscard]] Index face() const { return face_; }
+
   bool operator==(const PlanPoint&) const = default;
-  [[nodiscard]] PlanLine firstLine() const { return {a, b, c}; }
-  [[nodiscard]] PlanLine secondLine() const { return {d, e, f}; }
+  /// Some order.
+  auto operator<=>(const PlanPoint&) const = default;
+
+ private:
+  PlanPoint(Kind kind, const std::array<Index, 6>& numbers, Index face) : kind_(kind), numbers_(numbers), face_(face) {}
+
+  Index kind_ = Source;
+  std::array<Index, 6> numbers_{-1, -1, -1, -1, -1, -1};
+  Index face_ = -1;
 };
 
 /// Homogeneous plan coordinates relative to an origin vertex: (x, y, w), w > 0, the point is (x / w, y / w).
@@ -89,8 +120,8 @@ class PlanKernel {
   /// Orientation in the plan of three source vertices.
   int orientation(Index a, Index b, Index c, ExactFallbacks& count) const {
     const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
-    const int filtered = filteredArea(pa.x - pc.x, pa.y - pc.y, pb.x - pc.x, pb.y - pc.y, sign_.slack);
-    return filtered != kUnknownSign ? filtered : orientationBeyondFilter(a, b, c, count);
+    const MaybeSign filtered = filteredArea(pa.x - pc.x, pa.y - pc.y, pb.x - pc.x, pb.y - pc.y, sign_.slack);
+    return filtered ? *filtered : orientationBeyondFilter(a, b, c, count);
   }
   /// True when both triangles lie in one plane (the face must face up).
   bool coplanar(Index face, Index other, ExactFallbacks& count) const;

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/vector.hpp"
 #include "core/exact/fixed_integer.hpp"
 #include "core/exact/grid_integer.hpp"
 #include "core/exact/plan_kernel.hpp"
@@ -71,7 +72,7 @@ struct GridContext {
     const auto& f = mesh.triangles[t];
     const std::array<T, 3> u{difference(f[1], f[0], 0), difference(f[1], f[0], 1), difference(f[1], f[0], 2)};
     const std::array<T, 3> v{difference(f[2], f[0], 0), difference(f[2], f[0], 1), difference(f[2], f[0], 2)};
-    return {T(u[1] * v[2] - u[2] * v[1]), T(u[2] * v[0] - u[0] * v[2]), T(u[0] * v[1] - u[1] * v[0])};
+    return cross(u, v);
   }
 
   struct Normal {
@@ -134,14 +135,15 @@ std::array<typename C::T, 3> lineCoefficients(const C& c, const PlanLine& line, 
 template <class C>
 Homogeneous<typename C::T> rawHomogeneous(const C& c, const PlanPoint& p) {
   using T = typename C::T;
-  if (p.kind == PlanPoint::Source) return {c.local(p.a, 0), c.local(p.a, 1), c.one()};
-  if (p.kind == PlanPoint::EdgePlane) {
-    const T ha = heightValue(c, p.c, p.a, p.d);
-    const T hb = heightValue(c, p.c, p.b, p.d);
-    return {T(c.local(p.a, 0) * hb - c.local(p.b, 0) * ha), T(c.local(p.a, 1) * hb - c.local(p.b, 1) * ha), T(hb - ha)};
+  if (p.kind() == PlanPoint::Source) return {c.local(p.planId(), 0), c.local(p.planId(), 1), c.one()};
+  if (p.kind() == PlanPoint::EdgePlane) {
+    const Index a = p.edgeBegin(), b = p.edgeEnd();
+    const T ha = heightValue(c, p.triangle(), a, p.level());
+    const T hb = heightValue(c, p.triangle(), b, p.level());
+    return {T(c.local(a, 0) * hb - c.local(b, 0) * ha), T(c.local(a, 1) * hb - c.local(b, 1) * ha), T(hb - ha)};
   }
-  const auto l = lineCoefficients(c, p.firstLine(), p.face);
-  const auto m = lineCoefficients(c, p.secondLine(), p.face);
+  const auto l = lineCoefficients(c, p.firstLine(), p.face());
+  const auto m = lineCoefficients(c, p.secondLine(), p.face());
   return {T(l[1] * m[2] - m[1] * l[2]), T(l[2] * m[0] - m[2] * l[0]), T(l[0] * m[1] - m[0] * l[1])};
 }
 

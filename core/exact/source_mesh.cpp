@@ -9,6 +9,7 @@
 
 #include "core/base/lexicographic_order.hpp"
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/vector.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall::detail {
@@ -46,14 +47,14 @@ void classifyTriangle(SourceMesh& mesh, Index t, const SignRule& sign) {
   const std::array<E, 3> u{E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)};
   const std::array<E, 3> v{E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)};
   auto& n = mesh.normals[t];
-  n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  n = cross(u, v);
   const Vec3 &ra = mesh.vertices[ia], &rb = mesh.vertices[ib], &rc = mesh.vertices[ic];
-  const int facingSign = sign(n[2]);
-  mesh.facing[t] = static_cast<std::int8_t>(facingSign != kUnknownSign ? facingSign : facing(ra, rb, rc));
+  const MaybeSign facingSign = sign(n[2]);
+  mesh.facing[t] = static_cast<std::int8_t>(facingSign ? *facingSign : facing(ra, rb, rc));
   if (mesh.facing[t] != 0) return;
   n[2] = 0;
-  const int x = sign(n[0]), y = sign(n[1]);
-  if (x == 1 || x == -1 || y == 1 || y == -1) return;
+  const MaybeSign x = sign(n[0]), y = sign(n[1]);
+  if (x.value_or(0) != 0 || y.value_or(0) != 0) return;
   mesh.degenerate[t] = static_cast<char>((x == 0 && y == 0) || isDegenerate(ra, rb, rc));
   if (mesh.degenerate[t] != 0) n = {};
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/vector.hpp"
 #include "core/exact/error_double.hpp"
 #include "core/exact/grid_integer.hpp"
 
@@ -25,11 +26,6 @@ bool areModerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (const Vec3* p : {&a, &b, &c})
     if (!isModerate(p->x) || !isModerate(p->y) || !isModerate(p->z)) return false;
   return true;
-}
-
-template <class T>
-std::array<T, 3> cross(const std::array<T, 3>& u, const std::array<T, 3>& v) {
-  return {T(u[1] * v[2] - u[2] * v[1]), T(u[2] * v[0] - u[0] * v[2]), T(u[0] * v[1] - u[1] * v[0])};
 }
 
 std::array<ErrorDouble, 3> normal(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -113,14 +109,14 @@ int compareWithIrrationalSlope(const std::array<mpz_class, 3>& n, double degrees
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   const std::array<double, 3> u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}})
-    if (filteredArea(u[i], u[j], v[i], v[j], kUnderflow) != kUnknownSign) return false;
+    if (filteredArea(u[i], u[j], v[i], v[j], kUnderflow)) return false;
   if (areModerate(a, b, c)) {
     const SignRule sign;
     bool unknown = false;
     for (const ErrorDouble& component : normal(a, b, c)) {
-      const int s = sign(component);
-      if (s == 1 || s == -1) return false;
-      unknown = unknown || s == kUnknownSign;
+      const MaybeSign s = sign(component);
+      if (s.value_or(0) != 0) return false;
+      unknown = unknown || !s;
     }
     if (!unknown) return true;
   }
@@ -128,12 +124,9 @@ bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 int facing(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const int filtered = filteredArea(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y, kUnderflow);
-  if (filtered != kUnknownSign) return filtered;
-  if (areModerate(a, b, c)) {
-    const int s = SignRule{}(normal(a, b, c)[2]);
-    if (s != kUnknownSign) return s;
-  }
+  if (const MaybeSign s = filteredArea(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y, kUnderflow)) return *s;
+  if (areModerate(a, b, c))
+    if (const MaybeSign s = SignRule{}(normal(a, b, c)[2])) return *s;
   return withExactNormal(a, b, c, [](const auto& n) { return sgn(n[2]); });
 }
 
@@ -147,7 +140,7 @@ SlopeLimit::SlopeLimit(double degrees) : quarters_(quartersOfSquaredCosine(degre
 // 2^-53. The square of the length is off by at most 2 m e + 3 e^2, its product with cos^2 <= 1 by no more, nz^2 by
 // 2 m e + e^2: together below 4 e (m + e). The error of cos^2, at most 2^-46, and the roundings, each at most u of
 // numbers that are at most m^2, cost less than 2^-45 m^2; twice as much is allowed, for the bound's own roundings.
-int SlopeLimit::compare(const std::array<ErrorDouble, 3>& normal, const SignRule& sign) const {
+MaybeSign SlopeLimit::compare(const std::array<ErrorDouble, 3>& normal, const SignRule& sign) const {
   const double x = normal[0].value, y = normal[1].value, z = normal[2].value;
   const double e = std::max({normal[0].error, normal[1].error, normal[2].error}) + sign.slack;
   const double m = std::fabs(x) + std::fabs(y) + std::fabs(z);
@@ -156,19 +149,17 @@ int SlopeLimit::compare(const std::array<ErrorDouble, 3>& normal, const SignRule
   if (m > 0x1p-400 && std::fabs(value) > bound) return value > 0 ? 1 : -1;
 
   const ErrorDouble steep = normal[2] * normal[2], flat = normal[0] * normal[0] + normal[1] * normal[1];
-  const int exactly = sign(quarters_ != 0 ? steep * ErrorDouble(4 - quarters_) - flat * ErrorDouble(quarters_)
-                                          : steep - squared_ * (steep + flat));
+  const MaybeSign exactly = sign(quarters_ != 0 ? steep * ErrorDouble(4 - quarters_) - flat * ErrorDouble(quarters_)
+                                                : steep - squared_ * (steep + flat));
   // no angle with an irrational squared cosine is ever met exactly
-  if (exactly == kUnknownSign || (exactly == 0 && quarters_ == 0)) return kUnknownSign;
-  return exactly >= 0 ? 1 : -1;
+  if (!exactly || (*exactly == 0 && quarters_ == 0)) return std::nullopt;
+  return *exactly >= 0 ? 1 : -1;
 }
 
 bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, bool* beyondDoubles) {
   if (facing(a, b, c) <= 0) return false;
-  if (areModerate(a, b, c)) {
-    const int s = SlopeLimit(degrees).compare(normal(a, b, c), SignRule{});
-    if (s != kUnknownSign) return s > 0;
-  }
+  if (areModerate(a, b, c))
+    if (const MaybeSign s = SlopeLimit(degrees).compare(normal(a, b, c), SignRule{})) return *s > 0;
   if (beyondDoubles != nullptr) *beyondDoubles = true;
   const int quarters = quartersOfSquaredCosine(degrees);
   if (quarters != 0)

@@ -25,9 +25,9 @@ class SlopeLimit {
  public:
   explicit SlopeLimit(double degrees);
 
-  /// +1: a normal that faces up is within the angle, -1: it is not, kUnknownSign: doubles cannot tell. The components
+  /// +1: a normal that faces up is within the angle, -1: it is not. The components
   /// may have any common scale; `sign` says what to think of them.
-  [[nodiscard]] int compare(const std::array<ErrorDouble, 3>& normal, const SignRule& sign) const;
+  [[nodiscard]] MaybeSign compare(const std::array<ErrorDouble, 3>& normal, const SignRule& sign) const;
 
  private:
   int quarters_;         ///< cos^2 of the angle where it is rational, as numerator over 4; 0 elsewhere

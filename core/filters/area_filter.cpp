@@ -17,6 +17,7 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/vector.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
@@ -85,12 +86,7 @@ int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, std::span
       const Vec3& p = kernel.mesh().vertices[f[k]];
       v[k] = {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)};
     }
-    std::array<mpq_class, 3> a, b;
-    for (int k = 0; k < 3; ++k) {
-      a[k] = v[1][k] - v[0][k];
-      b[k] = v[2][k] - v[0][k];
-    }
-    const mpq_class nx = a[1] * b[2] - a[2] * b[1], ny = a[2] * b[0] - a[0] * b[2], nz = a[0] * b[1] - a[1] * b[0];
+    const auto [nx, ny, nz] = cross(v[1] - v[0], v[2] - v[0]);
     squares.emplace_back(plan * plan * (nx * nx + ny * ny + nz * nz) / (nz * nz));
   }
   const mpq_class limit = mpq_class(minimum) * 2;
@@ -147,8 +143,8 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
       const std::span<const Index> triangles(members.data() + firstOf[r], members.data() + firstOf[r + 1]);
       ErrorDouble area;
       for (const Index t : triangles) area = area + twiceArea(kernel, mesh, mesh.triangles[t]);
-      int sign = kernel.sign()(area - ErrorDouble(limit));
-      if (sign == kUnknownSign || sign == 0) {
+      int sign = kernel.sign()(area - ErrorDouble(limit)).value_or(0);
+      if (sign == 0) {
         context.checkCancelled();
         decidedExactly[r] = 1;
         sign = compareExactly(kernel, mesh, triangles, minimum);

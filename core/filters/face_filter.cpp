@@ -14,8 +14,7 @@ FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>&
   if (filter.type != FilterType::Slope) return {};
   return [kernel, limit = SlopeLimit(values[0]), degrees = values[0]](Index face, ExactFallbacks& count) {
     const SourceMesh& mesh = kernel->mesh();
-    const int sign = limit.compare(mesh.normals[face], kernel->sign());
-    if (sign != kUnknownSign) return sign > 0;
+    if (const MaybeSign sign = limit.compare(mesh.normals[face], kernel->sign())) return *sign > 0;
     const auto& f = mesh.triangles[face];
     bool beyondDoubles = false;
     const bool within =

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/poll.hpp"
+#include "core/base/vector.hpp"
 #include "core/exact/source_edit.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -102,12 +103,12 @@ double sumOf(std::size_t count, Term term) {
 }
 
 // Half the length of a normal; scaled coordinates are below 2^38, so the squares stay far from the largest double.
-double areaOf(double x, double y, double z) { return 0.5 * std::sqrt(x * x + y * y + z * z); }
+double halfLength(double x, double y, double z) { return 0.5 * std::sqrt(x * x + y * y + z * z); }
 
 double areaOf(const WalkableMesh& mesh, const MeshTriangle& t) {
   const MeshVertex &a = mesh.vertices[t.corners[0]], &b = mesh.vertices[t.corners[1]], &c = mesh.vertices[t.corners[2]];
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  return areaOf(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+  const Vec3 n = normalOf({a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z});
+  return halfLength(n.x, n.y, n.z);
 }
 
 }  // namespace
@@ -137,7 +138,7 @@ StateSummary summarize(const WalkableState& state) {
                                     [&](std::size_t t) {
                                       const auto& n = source.normals[t];
                                       return state.removed[t] == 0 && state.walkable[t] != 0
-                                                 ? areaOf(n[0].value, n[1].value, n[2].value)
+                                                 ? halfLength(n[0].value, n[1].value, n[2].value)
                                                  : 0.0;
                                     }),
                               unscale);

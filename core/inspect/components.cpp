@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/poll.hpp"
+#include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "footfall/inspect.hpp"
 
@@ -13,11 +14,6 @@ using namespace detail;
 namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
-
-double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  return 0.5 * std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
-}
 
 void include(Component& component, const Vec3& p) {
   Vec3 &lower = component.lower, &upper = component.upper;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/vector.hpp"
 #include "core/exact/error_double.hpp"
 #include "core/exact/source_predicates.hpp"
 
@@ -44,7 +45,7 @@ ErrorDouble heightAbove(const std::array<Vec3, 3>& corners, const Vec3& place) {
     side = {ErrorDouble(to.x) - ErrorDouble(from.x), ErrorDouble(to.y) - ErrorDouble(from.y),
             ErrorDouble(to.z) - ErrorDouble(from.z)};
   }
-  const ErrorDouble nx = u[1] * v[2] - u[2] * v[1], ny = u[2] * v[0] - u[0] * v[2], nz = u[0] * v[1] - u[1] * v[0];
+  const auto [nx, ny, nz] = cross(u, v);
   return z[0] + (nx * x[0] + ny * y[0]) / nz;
 }
 

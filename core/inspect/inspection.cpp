@@ -10,6 +10,7 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/walkable_state.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/vector.hpp"
 #include "core/inspect/place_cover.hpp"
 #include "core/mesh/mesh_topology.hpp"
 #include "core/pipeline/runner.hpp"
@@ -74,8 +75,7 @@ std::optional<TriangleAbove> aboveIn(const SourceMesh& mesh, const std::vector<C
 
 double areaOf(const WalkableMesh& mesh, const MeshTriangle& t) {
   const MeshVertex &a = mesh.vertices[t.corners[0]], &b = mesh.vertices[t.corners[1]], &c = mesh.vertices[t.corners[2]];
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  return 0.5 * std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+  return detail::areaOf({a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z});
 }
 
 /// Of the region around a place, as AreaFilter saw it.
@@ -96,23 +96,17 @@ double regionAreaAt(const StatePtr& before, PlaceFollower follower, const Pipeli
 
 /// The square of the distance between a point and a triangle, in doubles; for choosing among neighbours.
 double squaredDistance(const Vec3& p, const std::array<Vec3, 3>& t) {
-  const auto minus = [](const Vec3& a, const Vec3& b) { return Vec3{a.x - b.x, a.y - b.y, a.z - b.z}; };
-  const auto dot = [](const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
   const auto toSegment = [&](const Vec3& a, const Vec3& b) {
-    const Vec3 ab = minus(b, a), ap = minus(p, a);
+    const Vec3 ab = b - a, ap = p - a;
     const double length = dot(ab, ab);
     const double along = length > 0 ? std::clamp(dot(ap, ab) / length, 0.0, 1.0) : 0;
-    const Vec3 rest{ap.x - along * ab.x, ap.y - along * ab.y, ap.z - along * ab.z};
+    const Vec3 rest = ap - along * ab;
     return dot(rest, rest);
   };
-  const Vec3 u = minus(t[1], t[0]), v = minus(t[2], t[0]), w = minus(p, t[0]);
-  const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = p - t[0], n = cross(u, v);
   const double nn = dot(n, n);
   if (nn > 0) {
-    const auto share = [&](const Vec3& a, const Vec3& b) {
-      return (a.y * b.z - a.z * b.y) * n.x + (a.z * b.x - a.x * b.z) * n.y + (a.x * b.y - a.y * b.x) * n.z;
-    };
-    const double second = share(w, v), third = share(u, w);
+    const double second = dot(cross(w, v), n), third = dot(cross(u, w), n);
     if (second >= 0 && third >= 0 && second + third <= nn) return dot(w, n) * dot(w, n) / nn;
   }
   return std::min({toSegment(t[0], t[1]), toSegment(t[1], t[2]), toSegment(t[2], t[0])});

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/vector.hpp"
+
 namespace footfall::detail {
 namespace {
 
@@ -55,12 +57,7 @@ double reachOf(const PipelineStep& step, const SourceMesh& before) {
 /// Whether the plane of a triangle is at most `reach` from a point `height` above it.
 bool isWithin(const std::array<ExactPoint, 3>& corners, const mpq_class& height, double reach) {
   const auto& [a, b, c] = corners;
-  std::array<mpq_class, 3> u, v;
-  for (std::size_t k = 0; k < 3; ++k) {
-    u[k] = b[k] - a[k];
-    v[k] = c[k] - a[k];
-  }
-  const mpq_class nx = u[1] * v[2] - u[2] * v[1], ny = u[2] * v[0] - u[0] * v[2], nz = u[0] * v[1] - u[1] * v[0];
+  const auto [nx, ny, nz] = cross(b - a, c - a);
   const mpq_class limit(reach);
   return height * height * nz * nz <= limit * limit * (nx * nx + ny * ny + nz * nz);
 }

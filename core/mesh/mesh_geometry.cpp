@@ -22,15 +22,15 @@ PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshT
 
 Index MeshGeometry::origin(Index vertex) const { return kernel_.mesh().triangles[vertices_[vertex].face][0]; }
 
-int MeshGeometry::filtered(Index a, Index b, Index c) const {
+MaybeSign MeshGeometry::filtered(Index a, Index b, Index c) const {
   const MeshVertex &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
   return filteredOrientation({p.x, p.y, p.error}, {q.x, q.y, q.error}, {r.x, r.y, r.error}, kernel_.sign().slack);
 }
 
 int MeshGeometry::orientation(Index a, Index b, Index c) {
   if (a == b || b == c || a == c) return 0;
-  const int sign = filtered(a, b, c);
-  return sign != kUnknownSign ? sign : doubtfulOrientation(a, b, c);
+  const MaybeSign sign = filtered(a, b, c);
+  return sign ? *sign : doubtfulOrientation(a, b, c);
 }
 
 // By what the points are, else by their values.
@@ -39,14 +39,14 @@ int MeshGeometry::doubtfulOrientation(Index a, Index b, Index c) {
   if (p.source >= 0 && q.source >= 0 && r.source >= 0)
     return kernel_.orientation(p.source, q.source, r.source, fallbacks);
   const auto areOnLineOf = [&](const PlanPoint& x, const PlanPoint& y, const PlanPoint& z) {
-    if (x.kind == PlanPoint::EdgePlane) {
+    if (x.kind() == PlanPoint::EdgePlane) {
       const PlanLine line = edgeOf(x);
-      return isKnownOn(line, x.face, y) && isKnownOn(line, x.face, z);
+      return isKnownOn(line, x.face(), y) && isKnownOn(line, x.face(), z);
     }
-    if (x.kind != PlanPoint::Crossing) return false;
+    if (x.kind() != PlanPoint::Crossing) return false;
     const PlanLine first = x.firstLine(), second = x.secondLine();
-    return (isKnownOn(first, x.face, y) && isKnownOn(first, x.face, z)) ||
-           (isKnownOn(second, x.face, y) && isKnownOn(second, x.face, z));
+    return (isKnownOn(first, x.face(), y) && isKnownOn(first, x.face(), z)) ||
+           (isKnownOn(second, x.face(), y) && isKnownOn(second, x.face(), z));
   };
   if (areOnLineOf(p.point, q.point, r.point) || areOnLineOf(q.point, r.point, p.point) ||
       areOnLineOf(r.point, p.point, q.point))
@@ -55,16 +55,16 @@ int MeshGeometry::doubtfulOrientation(Index a, Index b, Index c) {
 }
 
 PlanLine MeshGeometry::edgeOf(const PlanPoint& p) const {
-  const Index a = kernel_.mesh().planIds[p.a], b = kernel_.mesh().planIds[p.b];
+  const Index a = kernel_.mesh().planIds[p.edgeBegin()], b = kernel_.mesh().planIds[p.edgeEnd()];
   return {PlanLine::Edge, std::min(a, b), std::max(a, b)};
 }
 
 // Traces are the same line only on the same face.
 bool MeshGeometry::isKnownOn(const PlanLine& line, Index face, const PlanPoint& p) const {
-  if (p.kind == PlanPoint::Crossing)
-    return (line.kind == PlanLine::Edge || p.face == face) && (p.firstLine() == line || p.secondLine() == line);
+  if (p.kind() == PlanPoint::Crossing)
+    return (line.kind == PlanLine::Edge || p.face() == face) && (p.firstLine() == line || p.secondLine() == line);
   if (line.kind != PlanLine::Edge) return false;
-  if (p.kind == PlanPoint::Source) return p.a == line.a || p.a == line.b;
+  if (p.kind() == PlanPoint::Source) return p.planId() == line.a || p.planId() == line.b;
   return edgeOf(p) == line;
 }
 

@@ -36,8 +36,8 @@ class MeshGeometry {
   ExactFallbacks fallbacks;
 
  private:
-  /// The orientation as far as rounded coordinates tell.
-  [[nodiscard]] int filtered(Index a, Index b, Index c) const;
+  /// The orientation by rounded coordinates.
+  [[nodiscard]] MaybeSign filtered(Index a, Index b, Index c) const;
   int doubtfulOrientation(Index a, Index b, Index c);
   /// The line of the source edge on which an EdgePlane point lies.
   [[nodiscard]] PlanLine edgeOf(const PlanPoint& p) const;

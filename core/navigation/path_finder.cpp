@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/vector.hpp"
 #include "core/navigation/path_ground.hpp"
 #include "core/navigation/path_search.hpp"
 #include "core/navigation/plan_crossing.hpp"
@@ -22,9 +23,8 @@ double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x,
 
 double slopeDegrees(const NavigationMesh& mesh, std::uint32_t t) {
   const Triangle& f = mesh.triangles[t];
-  const Vec3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  return std::atan2(std::hypot(uy * vz - uz * vy, uz * vx - ux * vz), ux * vy - uy * vx) * kDegrees;
+  const Vec3 n = normalOf(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]);
+  return std::atan2(std::hypot(n.x, n.y), n.z) * kDegrees;
 }
 
 /// Puts the points of a path together: where it crosses a side, it is on the side, at the height that the side has.

@@ -17,6 +17,7 @@
 
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
+#include "core/base/vector.hpp"
 #include "core/environment/skipped_polygons.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/io/base64.hpp"
@@ -127,9 +128,7 @@ std::string percent(double part, double whole) {
 }
 
 double areaOf(const NavigationMesh& mesh, const Triangle& t) {
-  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-  const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-  return std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+  return detail::areaOf(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
 }
 
 struct Group {

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/vector.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/handle_colours.hpp"
 
@@ -105,7 +106,7 @@ void addSquareBox(ViewOverlay::Surface& surface, const Vec3& middle, double half
 
 void addArrowHead(ViewOverlay::Surface& surface, const Vec3& tip, const Vec3& axis, double length) {
   const Vec3 u = std::abs(axis.z) > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-  const Vec3 v{axis.y * u.z - axis.z * u.y, axis.z * u.x - axis.x * u.z, axis.x * u.y - axis.y * u.x};
+  const Vec3 v = detail::cross(axis, u);
   const Vec3 foot = tip - axis * length;
   constexpr int kSides = 12;
   const auto rim = [&](int i) {

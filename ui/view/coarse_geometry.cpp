@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/vector.hpp"
 #include "ui/view/floor_shares.hpp"
 
 namespace footfall::ui {
@@ -18,7 +19,8 @@ template <typename Corner>
 double areaOf(const Corner& a, const Corner& b, const Corner& c) {
   const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+  const auto [x, y, z] = detail::cross(u, v);
+  return std::hypot(x, y, z) / 2;
 }
 
 }  // namespace

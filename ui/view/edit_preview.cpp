@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/headroom_preview.hpp"
@@ -54,10 +55,7 @@ class ThresholdOrder {
 };
 
 Vec3 normalOf(const NavigationMesh& mesh, const Triangle& triangle) {
-  const Vec3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
-  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
-  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  return detail::normalOf(mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]);
 }
 
 EditPreview::Surfaces painted(const NavigationMesh& mesh, const Vec3& centre, const Paint& paint) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/poll.hpp"
+#include "ui/base/namespaces.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {

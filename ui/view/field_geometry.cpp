@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/vector.hpp"
 #include "core/inspect/headroom.hpp"
 #include "ui/base/namespaces.hpp"
 
@@ -35,11 +36,7 @@ double squaredLength(const Vec3& a, const Vec3& b) {
 }
 
 Normal normalOf(const std::array<Vec3, 3>& p) {
-  const Vec3 u{p[1].x - p[0].x, p[1].y - p[0].y, p[1].z - p[0].z};
-  const Vec3 v{p[2].x - p[0].x, p[2].y - p[0].y, p[2].z - p[0].z};
-  const double x = u.y * v.z - u.z * v.y;
-  const double y = u.z * v.x - u.x * v.z;
-  const double z = u.x * v.y - u.y * v.x;
+  const auto [x, y, z] = detail::normalOf(p[0], p[1], p[2]);
   return {x, y, z, std::sqrt(x * x + y * y + z * z)};
 }
 

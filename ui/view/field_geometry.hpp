@@ -10,6 +10,7 @@
 
 #include "core/base/poll.hpp"
 #include "footfall/environment.hpp"
+#include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/triangle_tree.hpp"
+#include "core/base/vector.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
@@ -29,11 +30,7 @@ double cross(const Vec3& a, const Vec3& b, const Vec3& c) {
 // Twice the area in the plan, above 0 where it faces up.
 double planArea(const Corners& p) { return cross(p[0], p[1], p[2]); }
 
-double areaOf(const Corners& p) {
-  const Vec3 u{p[1].x - p[0].x, p[1].y - p[0].y, p[1].z - p[0].z};
-  const Vec3 v{p[2].x - p[0].x, p[2].y - p[0].y, p[2].z - p[0].z};
-  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
-}
+double areaOf(const Corners& p) { return detail::areaOf(p[0], p[1], p[2]); }
 
 double heightAt(const Corners& p, double x, double y) {
   const double area = planArea(p);

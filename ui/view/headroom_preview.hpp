@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/base/poll.hpp"
+#include "ui/base/namespaces.hpp"
 #include "ui/view/edit_preview.hpp"
 
 namespace footfall::ui {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/vector.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
@@ -31,11 +32,7 @@ constexpr double kSide = 0.2;           // of a side of the level's box, what a 
 
 using Point = std::array<float, 3>;
 
-Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 float dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Point scaled(const Point& a, float factor) { return {a[0] * factor, a[1] * factor, a[2] * factor}; }
 
 struct Direction {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/coarse_geometry.hpp"
@@ -30,17 +31,9 @@ std::array<float, 3> toFloats(const Vec3& p, const Vec3& centre) {
 }
 
 Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
-  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
-  const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const Vec3 n = normalOf(a, b, c);
   const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
   return length > 0 ? Vec3{n.x / length, n.y / length, n.z / length} : Vec3{0, 0, 1};
-}
-
-double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z};
-  const Vec3 v{c.x - a.x, c.y - a.y, c.z - a.z};
-  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
 }
 
 bool isFlat(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z > kFlatCosine; }

@@ -4,21 +4,19 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/vector.hpp"
+#include "ui/base/namespaces.hpp"
+
 namespace footfall::ui {
 
 // Möller and Trumbore 1997.
 std::optional<double> meet(const Ray& ray, const std::array<Vec3, 3>& p) {
-  const auto minus = [](const Vec3& a, const Vec3& b) { return Vec3{a.x - b.x, a.y - b.y, a.z - b.z}; };
-  const auto dot = [](const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
-  const auto cross = [](const Vec3& a, const Vec3& b) {
-    return Vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  };
-  const Vec3 u = minus(p[1], p[0]);
-  const Vec3 v = minus(p[2], p[0]);
+  const Vec3 u = p[1] - p[0];
+  const Vec3 v = p[2] - p[0];
   const Vec3 h = cross(ray.direction, v);
   const double determinant = dot(u, h);
   if (determinant == 0) return std::nullopt;
-  const Vec3 s = minus(ray.origin, p[0]);
+  const Vec3 s = ray.origin - p[0];
   const double a = dot(s, h) / determinant;
   if (a < 0 || a > 1) return std::nullopt;
   const Vec3 q = cross(s, u);
@@ -34,10 +32,7 @@ Vec3 pointOn(const Ray& ray, double distance) {
 }
 
 bool meetsFront(const Ray& ray, const std::array<Vec3, 3>& p) {
-  const Vec3 u{p[1].x - p[0].x, p[1].y - p[0].y, p[1].z - p[0].z};
-  const Vec3 v{p[2].x - p[0].x, p[2].y - p[0].y, p[2].z - p[0].z};
-  const Vec3& d = ray.direction;
-  return d.x * (u.y * v.z - u.z * v.y) + d.y * (u.z * v.x - u.x * v.z) + d.z * (u.x * v.y - u.y * v.x) < 0;
+  return dot(ray.direction, normalOf(p[0], p[1], p[2])) < 0;
 }
 
 namespace {

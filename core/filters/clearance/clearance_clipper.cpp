@@ -184,7 +184,7 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
     const int i = up ? j : 2 - j;
     const int i2 = up ? next(j) : (4 - j) % 3;
     const Index a = plan[o[i]], b = plan[o[i2]];
-    polygon.push({geometry_.point({PlanPoint::Source, a}), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
+    polygon.push({geometry_.point(PlanPoint::source(a)), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
                   candidate.ceiling[i]});
   }
   if (!candidate.coplanar) {
@@ -200,9 +200,10 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
         const Index p = polygon.corners[i].point;
         if (zeros >= 2) {
           geometry_.sideOfEdge(k, p);
-        } else if (zeros == 1 && geometry_[p].kind == PlanPoint::Source) {
+        } else if (zeros == 1 && geometry_[p].kind() == PlanPoint::Source) {
           for (int j = 0; j < 3; ++j)
-            if (s[j] == 0 && geometry_[p].a == plan[o[j]]) geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
+            if (s[j] == 0 && geometry_[p].planId() == plan[o[j]])
+              geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
         }
       }
       continue;
@@ -245,7 +246,7 @@ void ClearanceClipper::clipToLevel(Polygon& polygon, Index obstacle, bool ceilin
       const Index u = o[j], v = o[next(j)];
       const Index a = mesh_.planIds[u], b = mesh_.planIds[v];
       if (std::min(a, b) == l.a && std::max(a, b) == l.b)
-        return geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
+        return geometry_.point(PlanPoint::edgePlane(u, v, face_, level));
     }
     return geometry_.crossing(line, trace);
   };
@@ -381,10 +382,10 @@ void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
     const bool upright = plan[u] == plan[v];
     if (!upright && line < 0) line = geometry_.edgeLine(plan[u], plan[v]);
     if (candidate.floor[k] >= 0 && candidate.ceiling[k] <= 0)
-      points[count++] = geometry_.point({PlanPoint::Source, plan[u]});
+      points[count++] = geometry_.point(PlanPoint::source(plan[u]));
     const auto addCrossing = [&](Index level) {
-      points[count++] = upright ? geometry_.point({PlanPoint::Source, plan[u]})
-                                : geometry_.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face_, level});
+      points[count++] = upright ? geometry_.point(PlanPoint::source(plan[u]))
+                                : geometry_.point(PlanPoint::edgePlane(u, v, face_, level));
     };
     if (candidate.floor[k] * candidate.floor[next(k)] < 0) addCrossing(0);
     if (candidate.ceiling[k] * candidate.ceiling[next(k)] < 0) addCrossing(level_);

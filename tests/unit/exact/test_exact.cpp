@@ -113,8 +113,7 @@ class TestExact : public QObject {
         }
       }
       QVERIFY(abs(truth - mpq_class(x.value)) <= mpq_class(x.error));
-      const int sign = SignRule{}(x);
-      if (sign != kUnknownSign) QCOMPARE(sign, sgn(truth));
+      if (const MaybeSign sign = SignRule{}(x)) QCOMPARE(*sign, sgn(truth));
     }
   }
 
@@ -286,8 +285,8 @@ class TestExact : public QObject {
     const Index a = planIds[u], b = planIds[v];
     if (a == b) return;
     const Index line = geometry.edgeLine(a, b);
-    Index from = geometry.point({PlanPoint::Source, std::min(a, b)});
-    Index to = geometry.point({PlanPoint::Source, std::max(a, b)});
+    Index from = geometry.point(PlanPoint::source(std::min(a, b)));
+    Index to = geometry.point(PlanPoint::source(std::max(a, b)));
     for (int k = 0; k < 3; ++k) {
       const int s = geometry.sideOfEdge(k, from), t = geometry.sideOfEdge(k, to);
       if (s <= 0 && t <= 0 && !(s == 0 && t == 0)) return;

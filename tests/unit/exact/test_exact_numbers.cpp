@@ -222,14 +222,18 @@ class TestExactNumbers : public QObject {
     for (int filling = 0; filling < test::rounds(300); ++filling) {
       const int count = filling % 50 == 0 ? 3000 : integer(random, 0, 40);
       const auto text = [](const PlanPoint& p) {
-        return std::to_string(p.kind) + " " + std::to_string(p.a) + " " + std::to_string(p.b) + " " +
-               std::to_string(p.face);
+        const PlanLine first = p.firstLine(), second = p.secondLine();
+        std::string words = std::to_string(p.kind());
+        for (const Index number : {first.kind, first.a, first.b, second.kind, second.a, second.b, p.face()})
+          words.append(1, ' ').append(std::to_string(number));
+        return words;
       };
       std::unordered_map<std::string, int> truth;
       for (int i = 0; i < 2 * count; ++i) {
-        PlanPoint p{integer(random, 0, 1) == 0 ? PlanPoint::Source : PlanPoint::EdgePlane, integer(random, 0, count)};
-        p.b = integer(random, -1, 3);
-        p.face = integer(random, -1, 1);
+        const int some = integer(random, 0, count);
+        const PlanPoint p = integer(random, 0, 1) == 0 ? PlanPoint::edgePlane(some, integer(random, -1, 3), 4, -1)
+                                                       : PlanPoint::crossing({0, some, integer(random, -1, 3)},
+                                                                             {1, 2, 3}, integer(random, -1, 1));
         const auto [it, isNew] = truth.try_emplace(text(p), static_cast<int>(truth.size()));
         const auto [number, added] = table.insert(p);
         QCOMPARE(number, it->second);

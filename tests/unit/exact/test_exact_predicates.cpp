@@ -143,17 +143,17 @@ class Reference {
   }
   /// Place in the plan.
   [[nodiscard]] Rational3 point(const PlanPoint& p) const {
-    if (p.kind == PlanPoint::Source) return vertex(p.a);
-    if (p.kind == PlanPoint::EdgePlane) {
-      const Rational3 a = vertex(p.a), b = vertex(p.b);
-      const mpq_class ha = a[2] - planeHeight(p.c, a[0], a[1]) - level(p.d);
-      const mpq_class hb = b[2] - planeHeight(p.c, b[0], b[1]) - level(p.d);
+    if (p.kind() == PlanPoint::Source) return vertex(p.planId());
+    if (p.kind() == PlanPoint::EdgePlane) {
+      const Rational3 a = vertex(p.edgeBegin()), b = vertex(p.edgeEnd());
+      const mpq_class ha = a[2] - planeHeight(p.triangle(), a[0], a[1]) - level(p.level());
+      const mpq_class hb = b[2] - planeHeight(p.triangle(), b[0], b[1]) - level(p.level());
       const mpq_class t = ha / (ha - hb);
       return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0};
     }
-    const auto [a, b] = slope(p.firstLine(), p.face);
-    const auto [c, d] = slope(p.secondLine(), p.face);
-    const mpq_class l = lineAt(p.firstLine(), p.face, 0, 0), m = lineAt(p.secondLine(), p.face, 0, 0),
+    const auto [a, b] = slope(p.firstLine(), p.face());
+    const auto [c, d] = slope(p.secondLine(), p.face());
+    const mpq_class l = lineAt(p.firstLine(), p.face(), 0, 0), m = lineAt(p.secondLine(), p.face(), 0, 0),
                     w = a * d - b * c;
     return {(b * m - d * l) / w, (c * l - a * m) / w, 0};
   }
@@ -330,21 +330,21 @@ class TestExactPredicates : public QObject {
       const Vec3 &a = mesh->vertices[f[k]], &b = mesh->vertices[f[(k + 1) % 3]];
       if (a.x == b.x) continue;  // parallel
       const Index corner = geometry.crossing(origin, k);
-      QCOMPARE(Index(geometry[corner].kind), Index(PlanPoint::Source));
+      QCOMPARE(Index(geometry[corner].kind()), Index(PlanPoint::Source));
       const Index inner = geometry.crossing(k, x);
       QCOMPARE(inner, geometry.crossing(x, k));
       QVERIFY(geometry[inner].firstLine() == geometry.lineAt(k));
       QVERIFY(geometry[inner].secondLine() == (PlanLine{PlanLine::Border, 0, 1}));
-      QCOMPARE(geometry[inner].face, -1);
+      QCOMPARE(geometry[inner].face(), -1);
       QVERIFY(is(inner, 2, a.y == b.y ? 0 : 2));
     }
     const Index both = geometry.crossing(y, x);
     QCOMPARE(both, geometry.crossing(x, y));
-    QVERIFY(geometry[both] == (PlanPoint{PlanPoint::Crossing, PlanLine::Border, 0, 1, PlanLine::Border, 1, 0, -1}));
+    QVERIFY(geometry[both] == PlanPoint::crossing({PlanLine::Border, 0, 1}, {PlanLine::Border, 1, 0}, -1));
     QVERIFY(is(both, 2, 1.5));
     const Index onTrace = geometry.crossing(y, trace);
     QCOMPARE(onTrace, geometry.crossing(trace, y));
-    QCOMPARE(geometry[onTrace].face, face);
+    QCOMPARE(geometry[onTrace].face(), face);
     QVERIFY(is(onTrace, 2, 1.5));
     QCOMPARE(geometry.side(x, onTrace), 0);
     QCOMPARE(geometry.side(y, onTrace), 0);
@@ -414,13 +414,13 @@ class TestExactPredicates : public QObject {
       const auto& f = mesh.triangles[o];
       for (int k = 0; k < 3; ++k) {
         const Index u = f[k], v = f[(k + 1) % 3];
-        points.push_back(geometry.point({PlanPoint::Source, mesh.planIds[u]}));
+        points.push_back(geometry.point(PlanPoint::source(mesh.planIds[u])));
         if (mesh.planIds[u] == mesh.planIds[v]) continue;
         lines.push_back(geometry.edgeLine(mesh.planIds[u], mesh.planIds[v]));
         for (const Index level : {0, 1}) {
           const int a = kernel.heightSign(face, u, level, count), b = kernel.heightSign(face, v, level, count);
           if (o != face && a != b && a * b <= 0)
-            points.push_back(geometry.point({PlanPoint::EdgePlane, std::min(u, v), std::max(u, v), face, level}));
+            points.push_back(geometry.point(PlanPoint::edgePlane(u, v, face, level)));
         }
       }
       if (o == face || mesh.facing[o] == 0) continue;
@@ -470,7 +470,7 @@ class TestExactPredicates : public QObject {
       if (geometry.lineAt(l).kind == PlanLine::Border) {
         const auto known = kernel.knownSide(geometry.lineAt(l), p);
         QVERIFY(!known || *known == side);
-        QVERIFY(p.kind != PlanPoint::Source || known);
+        QVERIFY(p.kind() != PlanPoint::Source || known);
       }
       const Index other = integer(random, 0, triangles - 1);
       if (mesh.facing[other] != 0)
@@ -501,8 +501,8 @@ class TestExactPredicates : public QObject {
     const PlanPoint& p = geometry[point];
     for (const int axis : {0, 1})
       if (const auto known = kernel.knownCoordinate(p, axis)) QVERIFY(mpq_class(*known) == place[axis]);
-    if (p.kind == PlanPoint::Crossing) {
-      QVERIFY(kernel.isKnownOn(p.firstLine(), p.face, p) && kernel.isKnownOn(p.secondLine(), p.face, p));
+    if (p.kind() == PlanPoint::Crossing) {
+      QVERIFY(kernel.isKnownOn(p.firstLine(), p.face(), p) && kernel.isKnownOn(p.secondLine(), p.face(), p));
       for (const PlanLine& line : {p.firstLine(), p.secondLine()})
         if (line.kind == PlanLine::Border) {
           const auto known = kernel.knownCoordinate(p, line.a);
