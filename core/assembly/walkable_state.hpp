@@ -35,11 +35,11 @@ struct WalkableState {
   bool simplified = false;
   /// Pieces that AreaFilter took away since the cuts were made: obstacles still, but no floor any more.
   std::shared_ptr<const WalkableMesh> dropped;
-  /// How the mesh of the last clearance filter came about, for later runs to take over; null when nobody asked for it.
+  /// How the last clearance filter made its mesh, which later runs reuse; null unless the run was asked to keep it.
   std::shared_ptr<const AssemblyMemory> memory;
   /// The same of the last SimplificationFilter.
   std::shared_ptr<const SimplifierMemory> simplifierMemory;
-  /// Pairs of triangles that the last LayerSubdivisionFilter found above one another; null when nobody asked for it.
+  /// Pairs of triangles that the last LayerSubdivisionFilter found above one another; null unless it was to keep them.
   std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
 };
 

@@ -131,9 +131,9 @@ class PlanKernel {
   /// Coordinate `axis` (0 or 1) where the point's making says that a double holds it exactly.
   [[nodiscard]] std::optional<double> knownCoordinate(const PlanPoint& point, int axis) const;
 
-  /// Sign of a's minus b's coordinate where knownCoordinate() tells both.
+  /// Sign of a's minus b's coordinate where knownCoordinate() has both.
   [[nodiscard]] std::optional<int> compareKnown(const PlanPoint& a, const PlanPoint& b, int axis) const;
-  /// Side of a border at a point where knownCoordinate() tells.
+  /// Side of a border at a point where knownCoordinate() has a value.
   [[nodiscard]] std::optional<int> knownSide(const PlanLine& border, const PlanPoint& point) const;
   /// True when the points' making says that they lie on one line. False says nothing.
   [[nodiscard]] bool areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) const;
@@ -166,7 +166,7 @@ class PlanKernel {
 
   /// The exact coordinates of a plan point lifted to a face, in the environment's units.
   [[nodiscard]] std::array<mpq_class, 3> exactPosition(const PlanPoint& point, Index face) const;
-  /// The same, each coordinate rounded to the nearest double; `exact` (may be null) tells whether nothing was lost.
+  /// The same, each coordinate rounded to the nearest double; `exact` (may be null) is set to whether nothing was lost.
   [[nodiscard]] Vec3 roundedPosition(const PlanPoint& point, Index face, bool* exact = nullptr) const;
 
  private:

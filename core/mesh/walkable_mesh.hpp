@@ -35,7 +35,7 @@ struct TriangleMesh {
 };
 
 /// The walkable area, conforming: triangles that meet share whole edges, by vertex index. Both sides of an obstacle
-/// edge still have the same vertices here; they are told apart by the flag and split when the product is made.
+/// edge still have the same vertices here; the flag distinguishes them, and they are split when the product is made.
 struct WalkableMesh : TriangleMesh<MeshVertex> {
   std::uint32_t layerCount = 0;
 };
