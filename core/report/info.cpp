@@ -10,6 +10,7 @@
 #include "core/environment/part_names.hpp"
 #include "core/environment/skipped_polygons.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "core/mesh/adjacency.hpp"
 #include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
@@ -34,27 +35,15 @@ std::vector<std::uint32_t> numberPositions(const std::vector<Vec3>& vertices) {
   return position;
 }
 
-/// Calls `visit` with the length of each run of equal elements.
-template <class T, class Visit>
-void forEachRun(std::vector<T>& elements, Visit visit) {
-  std::sort(elements.begin(), elements.end());
-  for (std::size_t start = 0, stop = 0; start < elements.size(); start = stop) {
-    while (stop < elements.size() && elements[stop] == elements[start]) ++stop;
-    visit(stop - start);
-  }
-}
-
-void countEdges(const std::vector<Triangle>& byPosition, EnvironmentInfo& info) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  edges.reserve(3 * byPosition.size());
-  for (const Triangle& t : byPosition) {
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;  // folded onto itself: bounds nothing
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax({t[i], t[(i + 1) % 3]}));
-  }
-  forEachRun(edges, [&](std::size_t triangles) {
+void countEdges(std::vector<Triangle> byPosition, std::size_t positionCount, EnvironmentInfo& info) {
+  // What is folded onto itself bounds nothing.
+  std::erase_if(byPosition, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  const Adjacency adjacency = findEdges(byPosition, positionCount);
+  for (Index e = 0; e < adjacency.edgeCount(); ++e) {
+    const std::size_t triangles = adjacency.sidesOf(e).size();
     if (triangles == 1) ++info.openEdges;
     if (triangles > 2) ++info.nonManifoldEdges;
-  });
+  }
 }
 
 void appendLine(std::string& text, const char* label, const std::string& value) {
@@ -102,8 +91,9 @@ EnvironmentInfo inspectEnvironment(const Environment& environment) {
     for (std::uint32_t& corner : t) corner = position[corner];
     std::sort(t.begin(), t.end());
   }
-  countEdges(byPosition, info);
-  forEachRun(byPosition, [&](std::size_t copies) { info.duplicate += copies - 1; });
+  countEdges(byPosition, environment.vertices.size(), info);
+  std::sort(byPosition.begin(), byPosition.end());
+  info.duplicate = static_cast<std::size_t>(byPosition.end() - std::unique(byPosition.begin(), byPosition.end()));
   return info;
 }
 

@@ -27,7 +27,7 @@ struct RoundingCases {
 /// In the environment's units.
 using RoundedMesh = TriangleMesh<Vec3>;
 
-/// Positions of all vertices, each coordinate the nearest double to the exact one. `exact[v]` is 1 where nothing was lost.
+/// Positions of all vertices, each coordinate the nearest double to the exact one. `exact[v]` is 1 where none was lost.
 std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices,
                                 std::vector<char>& exact, RunContext& context);
 
