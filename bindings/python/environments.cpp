@@ -36,7 +36,7 @@ SharedEnvironment loadFile(const std::filesystem::path& path, const std::optiona
   });
 }
 
-/// Only the first mesh and material name of a part, as Python shows it.
+/// The mesh and the material of each part.
 std::vector<std::pair<std::string, std::string>> partsOf(const Environment& environment) {
   std::vector<std::pair<std::string, std::string>> parts;
   for (const EnvironmentPart& part : environment.parts) parts.emplace_back(part.mesh, part.material);

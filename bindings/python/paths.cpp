@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "arrays.hpp"
@@ -21,38 +20,6 @@
 
 namespace footfall::python {
 namespace {
-
-std::string_view wordFor(PathStatus status) {
-  switch (status) {
-    case PathStatus::Found:
-      return "found";
-    case PathStatus::NothingWalkable:
-      return "nothing_walkable";
-    case PathStatus::StartNotWalkable:
-      return "start_not_walkable";
-    case PathStatus::TargetNotWalkable:
-      return "target_not_walkable";
-    case PathStatus::NotConnected:
-      break;
-  }
-  return "not_connected";
-}
-
-std::string_view wordFor(LinkKind kind) {
-  switch (kind) {
-    case LinkKind::Open:
-      return "open";
-    case LinkKind::Obstacle:
-      return "obstacle";
-    case LinkKind::LowCeiling:
-      return "low_ceiling";
-    case LinkKind::Wall:
-      return "wall";
-    case LinkKind::Touch:
-      break;
-  }
-  return "touch";
-}
 
 py::object placeOf(const std::optional<SurfacePlace>& place) {
   if (!place) return py::none();
@@ -124,7 +91,7 @@ overcome there. Lengths are in the units of the environment.)")
       .def_property_readonly(
           "rise", [](const BorderLink& l) { return l.rise; }, "From start to end, upwards.")
       .def_property_readonly(
-          "kind", [](const BorderLink& l) { return wordFor(l.kind); },
+          "kind", [](const BorderLink& l) { return linkWord(l.kind); },
           R"(What stands between: "open" (nothing: a step, a gap, or both), "obstacle" (lower than
 the agent), "low_ceiling", "wall" (as high as the agent), or "touch" (both meet in one
 point only).)")
@@ -137,7 +104,7 @@ point only).)")
       .def_property_readonly("size", &BorderLink::size, "The larger of the gap and of the height that is climbed.")
       .def_property_readonly("is_blocked", &BorderLink::isBlocked, "Whether no step or jump gets over it.")
       .def("__repr__", [](const BorderLink& l) {
-        return "<footfall.BorderLink " + std::string(wordFor(l.kind)) + ": gap " +
+        return "<footfall.BorderLink " + std::string(linkWord(l.kind)) + ": gap " +
                std::string(py::str(py::float_(l.gap))) + ", rise " + std::string(py::str(py::float_(l.rise))) + ">";
       });
 }
@@ -149,7 +116,7 @@ void bindPath(py::module_& module) {
 
 Where the target cannot be reached, the path leads to the place nearest to it that can be.)");
   path.def_property_readonly(
-          "status", [](const PathResult& p) { return wordFor(p.status); },
+          "status", [](const PathResult& p) { return statusWord(p.status); },
           R"("found", "nothing_walkable", "start_not_walkable", "target_not_walkable" (no walkable
 place within reach) or "not_connected".)")
       .def_property_readonly("reached", &PathResult::reached, "Whether the status is \"found\".")
@@ -206,7 +173,7 @@ largest of them is least. None where nothing does, and on a mesh that knows no e
              return (failure.empty() ? failure : failure + "\n") + formatPath(p, UpAxis::Z);
            })
       .def("__repr__", [](const PathResult& p) {
-        return "<footfall.Path " + std::string(wordFor(p.status)) + ": length " +
+        return "<footfall.Path " + std::string(statusWord(p.status)) + ": length " +
                std::string(py::str(py::float_(p.length))) + ">";
       });
 }

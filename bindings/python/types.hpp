@@ -20,7 +20,7 @@ namespace footfall::python {
 
 namespace py = pybind11;
 
-/// What Python holds of something that never changes: its classes have no method that would change it.
+/// The pointer that Python holds of something that never changes: its classes have no method that would change it.
 template <class Type>
 std::shared_ptr<Type> held(std::shared_ptr<const Type> shared) {
   return std::const_pointer_cast<Type>(std::move(shared));
@@ -47,6 +47,7 @@ Pipeline pipelineFrom(const py::object& given);
 
 /// The up axis of a name such as "z" or "-y"; nothing for None. Throws InputError for anything else.
 std::optional<UpAxis> upAxisFrom(const std::optional<std::string>& name);
+
 /// Runs a pipeline; interruptible.
 std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
                           std::shared_ptr<ResultCache> cache, const py::object& progress);

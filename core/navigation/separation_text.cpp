@@ -42,6 +42,10 @@ Text barrierText(const BorderLink& link, const std::function<std::string(double)
   return {};
 }
 
+}  // namespace footfall::detail
+
+namespace footfall {
+
 std::string_view linkWord(LinkKind kind) {
   switch (kind) {
     case LinkKind::Open:
@@ -58,4 +62,20 @@ std::string_view linkWord(LinkKind kind) {
   return {};
 }
 
-}  // namespace footfall::detail
+std::string_view statusWord(PathStatus status) {
+  switch (status) {
+    case PathStatus::Found:
+      return "found";
+    case PathStatus::NothingWalkable:
+      return "nothing_walkable";
+    case PathStatus::StartNotWalkable:
+      return "start_not_walkable";
+    case PathStatus::TargetNotWalkable:
+      return "target_not_walkable";
+    case PathStatus::NotConnected:
+      return "not_connected";
+  }
+  return {};
+}
+
+}  // namespace footfall

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 
 #include "footfall/path.hpp"
 #include "footfall/text.hpp"
@@ -14,8 +13,5 @@ namespace footfall::detail {
 /// What stands between the two borders, "a step of 0.43 up" or "a gap of 0.12"; `length` writes lengths, given in the
 /// mesh's units.
 Text barrierText(const BorderLink& link, const std::function<std::string(double)>& length);
-
-/// The word for a kind in JSON, e.g. "low_ceiling".
-std::string_view linkWord(LinkKind kind);
 
 }  // namespace footfall::detail

@@ -69,22 +69,6 @@ nlohmann::ordered_json placeJson(const NavigationMesh& mesh, const std::optional
   return json;
 }
 
-const char* statusName(PathStatus status) {
-  switch (status) {
-    case PathStatus::Found:
-      return "found";
-    case PathStatus::StartNotWalkable:
-      return "start_not_walkable";
-    case PathStatus::TargetNotWalkable:
-      return "target_not_walkable";
-    case PathStatus::NotConnected:
-      return "not_connected";
-    case PathStatus::NothingWalkable:
-      break;
-  }
-  return "nothing_walkable";
-}
-
 }  // namespace
 
 std::string detail::formatPlace(const Vec3& p, UpAxis up) {
@@ -126,7 +110,7 @@ std::string formatPath(const PathResult& path, UpAxis up) {
 std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path) {
   const UpAxis up = mesh.frame.up;
   nlohmann::ordered_json json;
-  json["status"] = statusName(path.status);
+  json["status"] = statusWord(path.status);
   json["message"] = formatFailure(path, up);
   json["from"] = pointJson(path.from, up);
   json["to"] = pointJson(path.to, up);

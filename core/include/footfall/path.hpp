@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "footfall/environment.hpp"
@@ -108,6 +109,10 @@ struct PathResult {
   [[nodiscard]] bool reached() const { return status == PathStatus::Found; }
   [[nodiscard]] bool hasPath() const { return !points.empty(); }
 };
+
+/// The words for a status and for a kind in JSON, e.g. "not_connected" and "low_ceiling".
+std::string_view statusWord(PathStatus status);
+std::string_view linkWord(LinkKind kind);
 
 /// One line that says why there is no path; empty when there is one. Heights and distances in the mesh's units.
 std::string describeFailure(const PathResult& result);
