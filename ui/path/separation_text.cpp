@@ -8,6 +8,7 @@
 #include "core/navigation/separation_text.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/palette.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -17,7 +18,7 @@ struct SeparationText {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::SeparationText)
 };
 
-QColor barrierColour() { return {213, 94, 0}; }
+QColor barrierColour() { return toColour(kVermilion); }
 
 }  // namespace
 
