@@ -10,7 +10,7 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 core="base exact mesh environment io assembly filters partitioning pipeline navigation inspect compare report"
 ui="base document view run level agents filters cells inspect path window"
 # Features still get the window where they should get what they need of it.
-pending="ui/window/editor_window.hpp"
+pending=""
 public="text:base errors:base geometry:base statistics:base run_context:base navigation_mesh:mesh
   environment:environment edit:environment up_axis:environment io:io filter:filters agent:pipeline pipeline:pipeline run:pipeline
   walkable_area:pipeline path:navigation inspect:inspect compare:compare report:report footfall:report version:base"
