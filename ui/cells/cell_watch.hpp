@@ -34,8 +34,8 @@ class CellWatch : public QObject {
   [[nodiscard]] int firstStrategy() const;
   /// The view's geometry belongs to the model's cells.
   [[nodiscard]] bool upToDate() const { return !draping_.busy() && !preview_.busy(); }
-  /// To be told when the view shows cells or does not any more, and the same of the load panel. What nobody looks at is
-  /// not previewed unless it is asked for.
+  /// The caller says when the view shows cells or does not any more, and the same of the load panel. What is not shown
+  /// is not previewed unless it is asked for.
   void showCells(bool on);
   void showLoad(bool on) { loadShown_ = on; }
 

@@ -42,9 +42,9 @@ class InspectionWatch : public QObject {
   /// componentShown() follows with what to draw of one of components(), now and after each run while it is there.
   void showComponent(std::uint32_t component);
 
-  /// Of the last run that was looked at; null when there is none.
+  /// The inspector of the last run that was looked at; null when there is none.
   [[nodiscard]] std::shared_ptr<const Inspector> inspector() const { return inspector_; }
-  /// Of asked(), by inspector(); empty until it is there.
+  /// The answer for asked(), by inspector(); empty until it is there.
   [[nodiscard]] const std::optional<PlaceExplanation>& explanation() const { return explanation_; }
   /// Something is being made.
   [[nodiscard]] bool busy() const { return work_.busy(); }

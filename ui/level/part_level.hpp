@@ -36,9 +36,9 @@ class PartLevel : public QObject {
   /// A run on base(), or on it with obstacles, has finished.
   void setComputed();
 
-  /// With all roles, ignored parts left out. Older than the rules while busy().
+  /// The level with all roles, ignored parts left out. Older than the rules while busy().
   [[nodiscard]] const EnvironmentPtr& base() const { return base_; }
-  /// Of base(), around the centre of the first version; that of everything until it is made.
+  /// The geometry of base(), around the centre of the first version; that of everything until it is made.
   [[nodiscard]] const GeometryPtr& geometry() const { return geometry_; }
   [[nodiscard]] bool busy() const { return work_.busy(); }
 

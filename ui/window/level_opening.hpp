@@ -55,7 +55,7 @@ class LevelOpening : public QObject {
   void openKept(const KeptSession& kept);
   /// Opens what was open when a window was closed last.
   void continueLastSession();
-  /// With the pipeline in a file; empty: none.
+  /// Opens a sample with the pipeline in a file; empty: with the default one.
   void openSample(const QString& path, const QString& pipeline);
   void askForFile();
   void useDefaultFilters();

@@ -17,7 +17,7 @@
 #include "ui/view/level_view.hpp"
 #include "ui/window/file_writer.hpp"
 
-namespace footfall::detail {
+namespace footfall {
 struct ExportExtra;
 }
 
@@ -66,7 +66,7 @@ class ResultExport : public QObject {
   void writePicture(const QString& path, const ExportSettings& settings);
   void writeReport(const QString& path, bool pictures);
   void writeWaiting();
-  [[nodiscard]] std::vector<detail::ExportExtra> placedExtras() const;
+  [[nodiscard]] std::vector<ExportExtra> placedExtras() const;
 
   Uses uses_;
   bool remembering_ = true;
