@@ -23,7 +23,7 @@ QColor barrierColour() { return toColour(kVermilion); }
 }  // namespace
 
 QString barrierText(const BorderLink& link, const LevelWriter& write) {
-  return coreText(barrierText(link, [&](double length) { return write.length(length).toStdString(); }));
+  return coreText(detail::barrierText(link, [&](double length) { return write.length(length).toStdString(); }));
 }
 
 QString separationText(const Separation& separation, const LevelWriter& write) {
