@@ -1805,6 +1805,22 @@
         <source>Show and type lengths as the file has them</source>
         <translation>Längen zeigen und eingeben, wie die Datei sie hat</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open sample %1</source>
+        <translation>Beispiel %1 öffnen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::AgentModel</name>
@@ -2343,6 +2359,45 @@
     </message>
 </context>
 <context>
+    <name>footfall::ui::CellsFeature</name>
+    <message>
+        <source>Load</source>
+        <translation>Auslastung</translation>
+    </message>
+    <message>
+        <source>Run in &amp;parallel</source>
+        <translation>&amp;Parallel ausführen</translation>
+    </message>
+    <message>
+        <source>Put an automatic strategy and a Collapse around the local filters</source>
+        <translation>Eine automatische Strategie und ein Collapse um die lokalen Filter setzen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view cells</source>
+        <translation>Zellen-&amp;Vorschau</translation>
+    </message>
+    <message>
+        <source>&amp;Cells</source>
+        <translation>&amp;Zellen</translation>
+    </message>
+    <message>
+        <source>Show the cells of the parallel block</source>
+        <translation>Die Zellen des parallelen Blocks zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Load</source>
+        <translation>A&amp;uslastung</translation>
+    </message>
+    <message>
+        <source>Show how the work was spread over threads</source>
+        <translation>Zeigen, wie die Arbeit auf Threads verteilt war</translation>
+    </message>
+    <message>
+        <source>No local filter can run in parallel; add a clearance filter first.</source>
+        <translation>Kein lokaler Filter kann parallel laufen; fügen Sie zuerst einen Höhenfilter hinzu.</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::CommandPalette</name>
     <message>
         <source> (on)</source>
@@ -2707,14 +2762,6 @@
         <translation>Laden oder Lauf anhalten; das letzte Ergebnis bleibt (Esc)</translation>
     </message>
     <message>
-        <source>Files and view</source>
-        <translation>Dateien und Ansicht</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -2871,74 +2918,6 @@
         <translation>&lt;b&gt;Footfall %1&lt;/b&gt;&lt;p&gt;Die exakte begehbare Fläche von 3D-Umgebungen.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU GPL, Version 3 oder später.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Environments and sessions (%1)</source>
-        <translation>Umgebungen und Sitzungen (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open a pipeline</source>
-        <translation>Eine Pipeline öffnen</translation>
-    </message>
-    <message>
-        <source>Pipelines (*.pipeline *.txt);;All files (*)</source>
-        <translation>Pipelines (*.pipeline *.txt);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the pipeline</source>
-        <translation>Pipeline speichern</translation>
-    </message>
-    <message>
-        <source>Pipelines (*.pipeline)</source>
-        <translation>Pipelines (*.pipeline)</translation>
-    </message>
-    <message>
-        <source>Save the session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
-        <source>Sessions (*.%1)</source>
-        <translation>Sitzungen (*.%1)</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Auslastung</translation>
-    </message>
-    <message>
-        <source>Run in &amp;parallel</source>
-        <translation>&amp;Parallel ausführen</translation>
-    </message>
-    <message>
-        <source>Put an automatic strategy and a Collapse around the local filters</source>
-        <translation>Eine automatische Strategie und ein Collapse um die lokalen Filter setzen</translation>
-    </message>
-    <message>
-        <source>Pre&amp;view cells</source>
-        <translation>Zellen-&amp;Vorschau</translation>
-    </message>
-    <message>
-        <source>&amp;Cells</source>
-        <translation>&amp;Zellen</translation>
-    </message>
-    <message>
-        <source>Show the cells of the parallel block</source>
-        <translation>Die Zellen des parallelen Blocks zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Load</source>
-        <translation>A&amp;uslastung</translation>
-    </message>
-    <message>
-        <source>Show how the work was spread over threads</source>
-        <translation>Zeigen, wie die Arbeit auf Threads verteilt war</translation>
-    </message>
-    <message>
-        <source>No local filter can run in parallel; add a clearance filter first.</source>
-        <translation>Kein lokaler Filter kann parallel laufen; fügen Sie zuerst einen Höhenfilter hinzu.</translation>
-    </message>
-    <message>
         <source>Help</source>
         <translation>Hilfe</translation>
     </message>
@@ -2954,61 +2933,6 @@
         <source>Put all panels and tool bars back to where they were at first</source>
         <translation>Alle Tafeln und Leisten dorthin zurückstellen, wo sie anfangs waren</translation>
     </message>
-    <message numerus="yes">
-        <source>Opened %1: %n triangle(s)</source>
-        <translation>
-            <numerusform>%1 geöffnet: %n Dreieck</numerusform>
-            <numerusform>%1 geöffnet: %n Dreiecke</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The run was cancelled</source>
-        <translation>Der Lauf wurde abgebrochen</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>What was opened, run and written, and all errors</source>
-        <translation>Was geöffnet, ausgeführt und geschrieben wurde, und alle Fehler</translation>
-    </message>
-    <message>
-        <source>Save the log</source>
-        <translation>Protokoll speichern</translation>
-    </message>
-    <message>
-        <source>Text files (*.txt);;All files (*)</source>
-        <translation>Textdateien (*.txt);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Run finished: %1</source>
-        <translation>Lauf beendet: %1</translation>
-    </message>
-    <message>
-        <source>%1: %2 ms</source>
-        <translation>%1: %2 ms</translation>
-    </message>
-    <message>
-        <source>, %1 → %2 triangles</source>
-        <translation>, %1 → %2 Dreiecke</translation>
-    </message>
-    <message>
-        <source>Add %1</source>
-        <translation>%1 hinzufügen</translation>
-    </message>
-    <message>
-        <source>Filter</source>
-        <translation>Filter</translation>
-    </message>
-    <message>
-        <source>Open %1</source>
-        <translation>%1 öffnen</translation>
-    </message>
-    <message>
-        <source>Open sample %1</source>
-        <translation>Beispiel %1 öffnen</translation>
-    </message>
     <message>
         <source>&amp;Find a command...</source>
         <translation>&amp;Befehl suchen...</translation>
@@ -3018,40 +2942,8 @@
         <translation>Alles, was man tun kann, mit wenigen Buchstaben</translation>
     </message>
     <message>
-        <source>&amp;Welcome</source>
-        <translation>&amp;Willkommen</translation>
-    </message>
-    <message>
-        <source>Samples, recent files and the last session</source>
-        <translation>Beispiele, zuletzt geöffnete Dateien und die letzte Sitzung</translation>
-    </message>
-    <message>
         <source>Writing %1</source>
         <translation>%1 wird geschrieben</translation>
-    </message>
-    <message>
-        <source>Wrote %1</source>
-        <translation>%1 geschrieben</translation>
-    </message>
-    <message>
-        <source>nothing to export; open an environment first</source>
-        <translation>Es gibt nichts zu exportieren; öffnen Sie zuerst eine Umgebung</translation>
-    </message>
-    <message>
-        <source>session, &apos;%1&apos;: %2; this part was left out</source>
-        <translation>Sitzung, „%1“: %2; dieser Teil wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Ungespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Loading %1</source>
@@ -3070,54 +2962,6 @@
         <translation>Der Lauf ist fehlgeschlagen; die Ansicht zeigt das vorige Ergebnis</translation>
     </message>
     <message>
-        <source>Your filters were kept for this environment.</source>
-        <translation>Ihre Filter wurden für diese Umgebung behalten.</translation>
-    </message>
-    <message>
-        <source>Use default filters</source>
-        <translation>Vorgegebene Filter verwenden</translation>
-    </message>
-    <message>
-        <source>Change import options</source>
-        <translation>Importoptionen ändern</translation>
-    </message>
-    <message>
-        <source>walkable triangle</source>
-        <translation>begehbares Dreieck</translation>
-    </message>
-    <message>
-        <source>walkable triangles</source>
-        <translation>begehbare Dreiecke</translation>
-    </message>
-    <message>
-        <source>layer</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>layers</source>
-        <translation>Ebenen</translation>
-    </message>
-    <message>
-        <source>connection</source>
-        <translation>Verbindung</translation>
-    </message>
-    <message>
-        <source>connections</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>obstacle edge</source>
-        <translation>Hinderniskante</translation>
-    </message>
-    <message>
-        <source>obstacle edges</source>
-        <translation>Hinderniskanten</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>no environment</source>
         <translation>keine Umgebung</translation>
     </message>
@@ -3132,10 +2976,6 @@
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size</source>
-        <translation>%1: Ein Bild von %2 × %3 kann hier nicht gezeichnet werden; wählen Sie eine kleinere Größe</translation>
     </message>
     <message>
         <source>&amp;Agents</source>
@@ -3182,64 +3022,8 @@
         <translation>Die Schritte, aus denen die begehbare Fläche entsteht</translation>
     </message>
     <message>
-        <source>, %1 → 1 triangle</source>
-        <translation>, %1 → 1 Dreieck</translation>
-    </message>
-    <message>
-        <source>%1 is written once the run has finished</source>
-        <translation>%1 wird geschrieben, sobald der Lauf beendet ist</translation>
-    </message>
-    <message>
-        <source>Save the changes as a session?</source>
-        <translation>Die Änderungen als Sitzung speichern?</translation>
-    </message>
-    <message>
-        <source>Save the changes to the session %1?</source>
-        <translation>Die Änderungen in der Sitzung %1 speichern?</translation>
-    </message>
-    <message>
-        <source>Filters, agents, obstacles and settings of %1 have changed, and are lost otherwise. The file %1 itself stays as it is.</source>
-        <translation>Filter, Agenten, Hindernisse und Einstellungen von %1 haben sich geändert und gehen sonst verloren. Die Datei %1 selbst bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Closes when the file is written; close again to close at once</source>
-        <translation>Schließt, wenn die Datei geschrieben ist; noch einmal schließen schließt sofort</translation>
-    </message>
-    <message>
-        <source>Not written yet</source>
-        <translation>Noch nicht geschrieben</translation>
-    </message>
-    <message>
-        <source>%1 waits for the run.</source>
-        <translation>%1 wartet auf den Lauf.</translation>
-    </message>
-    <message>
-        <source>&amp;Write, then close</source>
-        <translation>&amp;Schreiben, dann schließen</translation>
-    </message>
-    <message>
-        <source>Close &amp;without it</source>
-        <translation>&amp;Ohne sie schließen</translation>
-    </message>
-    <message>
-        <source>Footfall ended unexpectedly while %1 was open (last change %2). Restore the session?</source>
-        <translation>Footfall wurde unerwartet beendet, während %1 geöffnet war (letzte Änderung %2). Die Sitzung wiederherstellen?</translation>
-    </message>
-    <message>
-        <source>%1: not written, as the run was cancelled; export again</source>
-        <translation>%1: nicht geschrieben, weil der Lauf abgebrochen wurde; exportieren Sie noch einmal</translation>
-    </message>
-    <message>
         <source>%1. Not written: %2</source>
         <translation>%1. Nicht geschrieben: %2</translation>
-    </message>
-    <message>
-        <source>%1: not written, as another environment was opened; open the one before and export again</source>
-        <translation>%1: nicht geschrieben, weil eine andere Umgebung geöffnet wurde; öffnen Sie die vorige, und exportieren Sie noch einmal</translation>
-    </message>
-    <message>
-        <source>area %1</source>
-        <translation>Fläche %1</translation>
     </message>
 </context>
 <context>
@@ -3512,6 +3296,13 @@
     <message>
         <source>4K, 3840 × 2160</source>
         <translation>4K, 3840 × 2160</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::FileWriter</name>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
     </message>
 </context>
 <context>
@@ -3878,6 +3669,13 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>&lt;p&gt;Click on a filter, or go to it with Tab: this tells what it does, what its values mean and what it needs.&lt;/p&gt;&lt;p&gt;F1 lists all keys. Ctrl+K finds every command by a few letters.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Klicken Sie auf einen Filter, oder gehen Sie mit Tab hin: Hier steht, was er tut, was seine Werte bedeuten und was er braucht.&lt;/p&gt;&lt;p&gt;F1 zeigt alle Tasten. Strg+K findet jeden Befehl mit wenigen Buchstaben.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::ImportEdits</name>
+    <message>
+        <source>Change import options</source>
+        <translation>Importoptionen ändern</translation>
     </message>
 </context>
 <context>
@@ -4285,6 +4083,33 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
 The handles of Height show a single storey.</source>
         <translation>Dächer und Außenwände sind offen: %1 schließt sie.
 Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::LevelOpening</name>
+    <message>
+        <source>Environments and sessions (%1)</source>
+        <translation>Umgebungen und Sitzungen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open an environment or a session</source>
+        <translation>Eine Umgebung oder eine Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Your filters were kept for this environment.</source>
+        <translation>Ihre Filter wurden für diese Umgebung behalten.</translation>
+    </message>
+    <message>
+        <source>Use default filters</source>
+        <translation>Vorgegebene Filter verwenden</translation>
     </message>
 </context>
 <context>
@@ -5276,6 +5101,29 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::PipelineFiles</name>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open a pipeline</source>
+        <translation>Eine Pipeline öffnen</translation>
+    </message>
+    <message>
+        <source>Pipelines (*.pipeline *.txt);;All files (*)</source>
+        <translation>Pipelines (*.pipeline *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the pipeline</source>
+        <translation>Pipeline speichern</translation>
+    </message>
+    <message>
+        <source>Pipelines (*.pipeline)</source>
+        <translation>Pipelines (*.pipeline)</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::PlaceFields</name>
     <message>
         <source>%1, %2</source>
@@ -5453,6 +5301,72 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::ResultExport</name>
+    <message>
+        <source>%1: not written, as the run was cancelled; export again</source>
+        <translation>%1: nicht geschrieben, weil der Lauf abgebrochen wurde; exportieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: not written, as another environment was opened; open the one before and export again</source>
+        <translation>%1: nicht geschrieben, weil eine andere Umgebung geöffnet wurde; öffnen Sie die vorige, und exportieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>nothing to export; open an environment first</source>
+        <translation>Es gibt nichts zu exportieren; öffnen Sie zuerst eine Umgebung</translation>
+    </message>
+    <message>
+        <source>%1 is written once the run has finished</source>
+        <translation>%1 wird geschrieben, sobald der Lauf beendet ist</translation>
+    </message>
+    <message>
+        <source>%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size</source>
+        <translation>%1: Ein Bild von %2 × %3 kann hier nicht gezeichnet werden; wählen Sie eine kleinere Größe</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::ResultSummary</name>
+    <message>
+        <source>walkable triangle</source>
+        <translation>begehbares Dreieck</translation>
+    </message>
+    <message>
+        <source>walkable triangles</source>
+        <translation>begehbare Dreiecke</translation>
+    </message>
+    <message>
+        <source>area %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>obstacle edge</source>
+        <translation>Hinderniskante</translation>
+    </message>
+    <message>
+        <source>obstacle edges</source>
+        <translation>Hinderniskanten</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::RunController</name>
     <message>
         <source>memory ran out; close other programs or use a smaller environment</source>
@@ -5473,6 +5387,52 @@ Material: %2</translation>
     <message>
         <source>%1 of 1 cell finished</source>
         <translation>%1 von 1 Zelle fertig</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::RunLog</name>
+    <message>
+        <source>The run was cancelled</source>
+        <translation>Der Lauf wurde abgebrochen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opened %1: %n triangle(s)</source>
+        <translation>
+            <numerusform>%1 geöffnet: %n Dreieck</numerusform>
+            <numerusform>%1 geöffnet: %n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>What was opened, run and written, and all errors</source>
+        <translation>Was geöffnet, ausgeführt und geschrieben wurde, und alle Fehler</translation>
+    </message>
+    <message>
+        <source>Save the log</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt);;All files (*)</source>
+        <translation>Textdateien (*.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Run finished: %1</source>
+        <translation>Lauf beendet: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 ms</source>
+        <translation>%1: %2 ms</translation>
+    </message>
+    <message>
+        <source>, %1 → 1 triangle</source>
+        <translation>, %1 → 1 Dreieck</translation>
+    </message>
+    <message>
+        <source>, %1 → %2 triangles</source>
+        <translation>, %1 → %2 Dreiecke</translation>
     </message>
 </context>
 <context>
@@ -5582,6 +5542,45 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::SessionFiles</name>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.%1)</source>
+        <translation>Sitzungen (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save the changes as a session?</source>
+        <translation>Die Änderungen als Sitzung speichern?</translation>
+    </message>
+    <message>
+        <source>Save the changes to the session %1?</source>
+        <translation>Die Änderungen in der Sitzung %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Filters, agents, obstacles and settings of %1 have changed, and are lost otherwise. The file %1 itself stays as it is.</source>
+        <translation>Filter, Agenten, Hindernisse und Einstellungen von %1 haben sich geändert und gehen sonst verloren. Die Datei %1 selbst bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Footfall ended unexpectedly while %1 was open (last change %2). Restore the session?</source>
+        <translation>Footfall wurde unerwartet beendet, während %1 geöffnet war (letzte Änderung %2). Die Sitzung wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::SessionKeeper</name>
     <message>
         <source>%1: the session cannot be kept for after a crash; make this folder writable</source>
@@ -5590,6 +5589,13 @@ Material: %2</translation>
     <message>
         <source>The session cannot be kept for after a crash: %1</source>
         <translation>Die Sitzung kann nicht für den Fall eines Absturzes behalten werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::SessionSections</name>
+    <message>
+        <source>session, &apos;%1&apos;: %2; this part was left out</source>
+        <translation>Sitzung, „%1“: %2; dieser Teil wurde ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +5915,17 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::ToolBars</name>
+    <message>
+        <source>Files and view</source>
+        <translation>Dateien und Ansicht</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::ViewHint</name>
     <message>
         <source>Close</source>
@@ -5940,6 +5957,17 @@ Material: %2</translation>
     <message>
         <source>view: memory ran out; choose another view mode or a smaller environment</source>
         <translation>Ansicht: Der Speicher reicht nicht; wählen Sie eine andere Ansichtsart oder eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::Welcome</name>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Willkommen</translation>
+    </message>
+    <message>
+        <source>Samples, recent files and the last session</source>
+        <translation>Beispiele, zuletzt geöffnete Dateien und die letzte Sitzung</translation>
     </message>
 </context>
 <context>
@@ -6126,6 +6154,29 @@ Material: %2</translation>
     <message>
         <source>Go to step %1: %2</source>
         <translation>Zu Schritt %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::WindowClosing</name>
+    <message>
+        <source>Closes when the file is written; close again to close at once</source>
+        <translation>Schließt, wenn die Datei geschrieben ist; noch einmal schließen schließt sofort</translation>
+    </message>
+    <message>
+        <source>Not written yet</source>
+        <translation>Noch nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 waits for the run.</source>
+        <translation>%1 wartet auf den Lauf.</translation>
+    </message>
+    <message>
+        <source>&amp;Write, then close</source>
+        <translation>&amp;Schreiben, dann schließen</translation>
+    </message>
+    <message>
+        <source>Close &amp;without it</source>
+        <translation>&amp;Ohne sie schließen</translation>
     </message>
 </context>
 </TS>

@@ -39,7 +39,7 @@
     </message>
 </context>
 <context>
-    <name>footfall::ui::EditorWindow</name>
+    <name>footfall::ui::RunLog</name>
     <message numerus="yes">
         <source>Opened %1: %n triangle(s)</source>
         <translation>

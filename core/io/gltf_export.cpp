@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/palette.hpp"
 #include "core/io/base64.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
@@ -20,20 +21,17 @@ namespace footfall::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Colour = std::array<int, 3>;
 
-// The layers' colours in the editor (Okabe and Ito 2008); from the seventh on darker, then lighter.
-Colour layerColour(std::size_t layer) {
-  constexpr std::array<Colour, 6> kColours{
-      {{0, 158, 115}, {86, 180, 233}, {240, 228, 66}, {0, 114, 178}, {204, 121, 167}, {230, 159, 0}}};
-  Colour colour = kColours[layer % kColours.size()];
-  const std::size_t round = layer / kColours.size() % 3;
+// From the seventh on darker, then lighter.
+Rgb layerColour(std::size_t layer) {
+  Rgb colour = kLayerColours[layer % kLayerColours.size()];
+  const std::size_t round = layer / kLayerColours.size() % 3;
   for (int& part : colour) part = round == 0 ? part : round == 1 ? part * 7 / 10 : part + (255 - part) * 4 / 10;
   return colour;
 }
-constexpr Colour kObstacleEdges{213, 94, 0};
-constexpr Colour kConnections{255, 255, 255};
-constexpr Colour kPlaced{150, 150, 150};
+constexpr Rgb kObstacleEdges = kVermilion;
+constexpr Rgb kConnections{255, 255, 255};
+constexpr Rgb kPlaced{150, 150, 150};
 
 /// What glTF means by a colour is linear, what everybody else writes is sRGB.
 float linear(int part) {
@@ -59,7 +57,7 @@ class GltfMaker {
   /// Adds a mesh of the elements (two or three corners each) over the vertices that they use, in the order of their
   /// first use.
   template <class Elements>
-  void add(const std::string& name, const Colour& colour, const std::vector<Vec3>& vertices, const Elements& elements) {
+  void add(const std::string& name, const Rgb& colour, const std::vector<Vec3>& vertices, const Elements& elements) {
     constexpr std::size_t kCorners = std::tuple_size_v<typename Elements::value_type>;
     if (elements.empty()) return;
     const std::size_t number = meshes_.size();
@@ -161,7 +159,7 @@ class GltfMaker {
     return rounded;
   }
 
-  void addMaterial(const std::string& name, const Colour& colour) {
+  void addMaterial(const std::string& name, const Rgb& colour) {
     Json look;
     if (colour != kConnections)  // white is what the format takes without a word
       look["baseColorFactor"] = {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1.0};

@@ -103,6 +103,31 @@ inline void answerFileDialog(const QString& path) {
   QTest::keyClick(name, Qt::Key_Return);
 }
 
+/// Where a place of the level is in the view; (-1, -1) when it is behind the eye.
+inline QPoint placeInView(EditorWindow& window, const Vec3& place) {
+  const auto found = window.view().project(place);
+  return found ? found->toPoint() : QPoint(-1, -1);
+}
+
+inline void clickInView(EditorWindow& window, const Vec3& place, Qt::KeyboardModifiers modifiers = {}) {
+  QTest::mouseClick(&window.view(), Qt::LeftButton, modifiers, placeInView(window, place));
+}
+
+inline QColor colourInView(EditorWindow& window, const Vec3& place) {
+  const QImage picture = window.view().grabFramebuffer();
+  const auto at = window.view().project(place);
+  return at ? picture.pixelColor((*at * picture.devicePixelRatio()).toPoint()) : QColor();
+}
+
+/// Writes a picture for eyes into the folder FOOTFALL_TEST_PICTURES; nothing where that is not set.
+inline void shoot(QWidget& widget, const QString& name) {
+  const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
+  if (folder.isEmpty()) return;
+  QTest::qWait(200);
+  if (auto* window = qobject_cast<EditorWindow*>(&widget)) window->view().grabFramebuffer();  // all of it drawn
+  QVERIFY(widget.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png")));
+}
+
 /// Fresh settings, OpenGL and the program's looks; then all tests of one suite.
 template <typename Suite>
 int runSuite(int argc, char** argv) {

@@ -55,7 +55,7 @@ struct LevelUnits {
   [[nodiscard]] QString placeNumbers(const Vec3& place) const;
   /// "x 1.2, y 0, z -3.4 m".
   [[nodiscard]] QString place(const Vec3& place) const;
-  /// Of a height in the level: the file's coordinate along its up axis, in the shown unit.
+  /// A height in the level as the file's coordinate along its up axis, in the shown unit.
   [[nodiscard]] double shownHeight(double z) const;
 
   /// What a place is in: "Places are in the file's frame (Y up), in m".

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ui/base/palette.hpp"
 #include "ui/base/plot_theme.hpp"
 #include "ui/view/cell_colours.hpp"
 
@@ -38,9 +39,9 @@ LoadFigures figuresOf(const CellBlock& block) {
 
 std::array<PhaseTime, 6> phasesOf(const RunTimes& times) {
   return {{{BusyPlot::tr("pre-processing"), times.preprocessing, {150, 160, 173}},
-           {BusyPlot::tr("partitioning"), times.partitioning, {230, 159, 0}},
-           {BusyPlot::tr("cells"), times.parallel, {0, 114, 178}},
-           {BusyPlot::tr("merging"), times.merging, {204, 121, 167}},
+           {BusyPlot::tr("partitioning"), times.partitioning, toColour(kOrange)},
+           {BusyPlot::tr("cells"), times.parallel, toColour(kBlue)},
+           {BusyPlot::tr("merging"), times.merging, toColour(kReddishPurple)},
            {BusyPlot::tr("post-processing"), times.postprocessing, {92, 103, 118}},
            {BusyPlot::tr("overhead"), times.overhead, {214, 219, 226}}}};
 }
@@ -58,10 +59,10 @@ BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
   bars_ = new QCPBars(yAxis, xAxis);  // the plot owns it
   bars_->setWidth(0.72);
   bars_->setPen(Qt::NoPen);
-  bars_->setBrush(QColor(0, 114, 178));
+  bars_->setBrush(toColour(kBlue));
   bars_->setAntialiased(false);
   mean_ = new QCPItemStraightLine(this);
-  mean_->setPen(QPen(QColor(213, 94, 0), 1.5, Qt::DashLine));
+  mean_->setPen(QPen(toColour(kVermilion), 1.5, Qt::DashLine));
   mean_->setClipToAxisRect(true);
 }
 
@@ -83,7 +84,7 @@ void BusyPlot::showLoads(const std::vector<double>& loads) {
   QVector<double> keys(threads);
   std::iota(keys.begin(), keys.end(), 0.0);
   bars_->setData(keys, QVector<double>(loads.begin(), loads.end()), true);
-  bars_->setBrush(planned_ ? QColor(150, 160, 173) : QColor(0, 114, 178));
+  bars_->setBrush(planned_ ? QColor(150, 160, 173) : toColour(kBlue));
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   for (int i = 0; i < threads; i += std::max(1, threads / 12)) ticker->addTick(i, tr("Thread %1").arg(i));
   yAxis->setTicker(ticker);

@@ -29,7 +29,8 @@ class CellModel : public QObject {
 
   using QObject::QObject;
 
-  /// Of the run under way or the last one. Figures that come while it goes on keep hover and selection.
+  /// Shows the blocks of the run under way or of the last one. Figures that come while it goes on keep hover and
+  /// selection.
   void setBlocks(CellBlocks blocks);
   /// Shown until endPreview() or other blocks.
   void showPreview(const Partition& partition);

@@ -33,40 +33,14 @@ CellPreview::CellPreview(QObject* parent, Make make) : QObject(parent), make_(st
              int threads) { return previewPartition(environment, block, 0, context, threads); };
 }
 
-CellPreview::~CellPreview() { cancel(); }
-
-void CellPreview::cancel() {
-  if (context_) context_->cancel();
-  context_.reset();
-}
-
 void CellPreview::request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step,
                           int threads) {
-  cancel();
-  context_ = std::make_shared<RunContext>();
-  queue_.post(
-      [this, context = context_, environment = std::move(environment), block = blockOf(pipeline, step), threads] {
-        auto partition = std::make_shared<Partition>();
-        QString error;
-        try {
-          context->checkCancelled();
-          *partition = make_(environment, block, *context, threads);
-        } catch (const Cancelled&) {
-          return;
-        } catch (const std::exception& problem) {
-          error = coreText(problem);
-        }
-        const auto tell = [this, context, partition, error] {
-          if (context != context_) return;  // overtaken
-          context_.reset();
-          if (error.isEmpty()) {
-            emit ready(*partition);
-          } else {
-            emit failed(error);
-          }
-        };
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-      });
+  work_.start(
+      *this,
+      [make = make_, environment = std::move(environment), block = blockOf(pipeline, step),
+       threads](RunContext& context) { return make(environment, block, context, threads); },
+      [this](const Partition& partition) { emit ready(partition); },
+      [this](const std::exception& error) { emit failed(coreText(error)); });
 }
 
 }  // namespace footfall::ui

@@ -10,7 +10,7 @@
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run_context.hpp"
-#include "ui/base/background_queue.hpp"
+#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
@@ -26,14 +26,13 @@ class CellPreview : public QObject {
 
   /// `make` runs in the background; by default it is the core's previewPartition.
   explicit CellPreview(QObject* parent = nullptr, Make make = {});
-  ~CellPreview() override;
 
   /// Cells of the strategy at `step` of the pipeline, which may be switched off, and whose block may lack its end;
   /// as a run on so many threads would have them (0: on all).
   void request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step, int threads);
   /// Drops the request under way: nothing is told of it any more.
-  void cancel();
-  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+  void cancel() { work_.stop(); }
+  [[nodiscard]] bool busy() const { return work_.busy(); }
 
  signals:
   void ready(const footfall::detail::Partition& partition);
@@ -41,8 +40,7 @@ class CellPreview : public QObject {
 
  private:
   Make make_;
-  std::shared_ptr<RunContext> context_;  ///< of the request under way
-  BackgroundQueue queue_;                // last: its thread ends before the rest goes
+  LatestWork work_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall::ui

@@ -37,7 +37,7 @@ CellWatch::CellWatch(Document& document, RunController& controller, LevelView& v
   connect(&preview_, &CellPreview::failed, this, &CellWatch::previewFailed);
   connect(&model_, &CellModel::shapesChanged, this, &CellWatch::drape);
   connect(&model_, &CellModel::figuresChanged, this, [this] {
-    if (!drapes_ && draped_ && draped_ == model_.shapes()) view_.setCellColours(colours());
+    if (!draping_.busy() && draped_ && draped_ == model_.shapes()) view_.setCellColours(colours());
   });
   connect(&model_, &CellModel::hoveredChanged, this, &CellWatch::mark);
   connect(&model_, &CellModel::selectedChanged, this, &CellWatch::mark);
@@ -54,18 +54,13 @@ CellWatch::CellWatch(Document& document, RunController& controller, LevelView& v
   });
 }
 
-CellWatch::~CellWatch() {
-  if (drapes_) drapes_->cancel();
-}
-
 void CellWatch::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
   editTimer_.stop();
   preview_.cancel();
   environment_ = std::move(environment);
   centre_ = centre;
   draped_.reset();
-  if (drapes_) drapes_->cancel();
-  drapes_.reset();
+  draping_.stop();
   model_.setBlocks({});
 }
 
@@ -132,28 +127,22 @@ CellColours CellWatch::colours() const {
 void CellWatch::drape() {
   if (draped_ == model_.shapes()) return;
   draped_ = shown_ ? model_.shapes() : nullptr;
-  if (drapes_) drapes_->cancel();
-  drapes_.reset();
+  draping_.stop();
   if (!draped_ || !environment_) {
     view_.setCells(nullptr, {});
     return;
   }
-  drapes_ = std::make_shared<RunContext>();
-  queue_.post([this, context = drapes_, environment = environment_, centre = centre_, shapes = draped_] {
-    std::shared_ptr<const CellGeometry> geometry;
-    try {
-      geometry = makeCellGeometry(*environment, centre, *shapes, *context);
-    } catch (const std::exception&) {
-      // Cancelled, or memory ran out: then the view goes without.
-    }
-    const auto show = [this, context, geometry] {
-      if (context != drapes_) return;  // overtaken
-      drapes_.reset();
-      view_.setCells(geometry, colours());
-      mark();
-    };
-    QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
-  });
+  using Geometry = std::shared_ptr<const CellGeometry>;
+  const auto show = [this](const Geometry& geometry) {
+    view_.setCells(geometry, colours());
+    mark();
+  };
+  draping_.start(
+      *this,
+      [environment = environment_, centre = centre_, shapes = draped_](RunContext& context) -> Geometry {
+        return makeCellGeometry(*environment, centre, *shapes, context);
+      },
+      show, [show](const std::exception&) { show(nullptr); });  // memory ran out: the view goes without
 }
 
 }  // namespace footfall::ui

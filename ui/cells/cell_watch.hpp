@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "ui/base/background_queue.hpp"
+#include "ui/base/latest_work.hpp"
 #include "ui/cells/cell_legend.hpp"
 #include "ui/cells/cell_model.hpp"
 #include "ui/cells/cell_preview.hpp"
@@ -24,7 +24,6 @@ class CellWatch : public QObject {
  public:
   CellWatch(Document& document, RunController& controller, LevelView& view, CellModel& model,
             QObject* parent = nullptr);
-  ~CellWatch() override;
 
   void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
   /// The same level with something changed: the cells in sight stay until the next run has its own.
@@ -34,9 +33,9 @@ class CellWatch : public QObject {
   /// The strategy whose cells a preview would show when nothing else is said: the first one; -1 when there is none.
   [[nodiscard]] int firstStrategy() const;
   /// The view's geometry belongs to the model's cells.
-  [[nodiscard]] bool upToDate() const { return !drapes_ && !preview_.busy(); }
-  /// To be told when the view shows cells or does not any more, and the same of the load panel. What nobody looks at is
-  /// not previewed unless it is asked for.
+  [[nodiscard]] bool upToDate() const { return !draping_.busy() && !preview_.busy(); }
+  /// The caller says when the view shows cells or does not any more, and the same of the load panel. What is not shown
+  /// is not previewed unless it is asked for.
   void showCells(bool on);
   void showLoad(bool on) { loadShown_ = on; }
 
@@ -60,13 +59,12 @@ class CellWatch : public QObject {
   std::shared_ptr<const Environment> environment_;
   Vec3 centre_;
   bool shown_ = false, loadShown_ = false;
-  CellModel::Shapes draped_;            ///< what the view has, or will have when it is there
-  std::shared_ptr<RunContext> drapes_;  ///< of the geometry under way
-  std::vector<FilterEntry> filters_;    ///< as they were when they were last looked at
-  int edited_ = -1;                     ///< the strategy that an edit has changed
+  CellModel::Shapes draped_;          ///< what the view has, or will have when it is there
+  std::vector<FilterEntry> filters_;  ///< as they were when they were last looked at
+  int edited_ = -1;                   ///< the strategy that an edit has changed
   QTimer editTimer_;
   CellPreview preview_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  LatestWork draping_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall::ui

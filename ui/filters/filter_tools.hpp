@@ -1,11 +1,16 @@
-// What belongs to the filter list in the window: commands, the history of edits, agents, and running by hand.
+// The commands of the filter list, the history of edits, agents, and running by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 namespace footfall::ui {
 
-class EditorWindow;
+class Document;
+class FilterList;
+class LevelView;
+class RunController;
+struct FeatureHost;
 
-void addFilterTools(EditorWindow& window);
+void addFilterTools(const FeatureHost& host, LevelView& view, Document& document, RunController& controller,
+                    FilterList& list);
 
 }  // namespace footfall::ui

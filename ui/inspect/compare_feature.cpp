@@ -30,27 +30,37 @@ std::vector<std::array<Vec3, 2>> edgesOf(const DifferentRegion& region) {
 
 }  // namespace
 
-CompareFeature::CompareFeature(EditorWindow& window)
-    : QObject(&window), window_(window), watch_(new CompareWatch(this)), panel_(new ComparePanel) {
+CompareFeature::CompareFeature(const FeatureHost& host, LevelView& view, ViewLayout& layout, Document& document,
+                               LevelFile& file, RunController& controller)
+    : QObject(&host.window),
+      window_(host.window),
+      view_(view),
+      layout_(layout),
+      document_(document),
+      file_(file),
+      controller_(controller),
+      units_(host.units),
+      watch_(new CompareWatch(this)),
+      panel_(new ComparePanel) {
   setObjectName(QStringLiteral("compare"));
-  dock_ = window_.addPanel({QStringLiteral("panel.compare"),
-                            tr("Compare"),
-                            tr("Show what appeared and what went since the last edit, or beside a saved result"),
-                            {},
-                            {},
-                            Qt::RightDockWidgetArea,
-                            false},
-                           panel_);
-  addCommands();
+  dock_ = host.panels.add({QStringLiteral("panel.compare"),
+                           tr("Compare"),
+                           tr("Show what appeared and what went since the last edit, or beside a saved result"),
+                           {},
+                           {},
+                           Qt::RightDockWidgetArea,
+                           false},
+                          panel_);
+  addCommands(host.commands);
   connect(panel_, &ComparePanel::chosen, this, &CompareFeature::choose);
   connect(panel_, &ComparePanel::frameRequested, this, &CompareFeature::frame);
   connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
     if (!on) watch_->compareWithNothing();
   });
   connect(watch_, &CompareWatch::changed, this, &CompareFeature::show);
-  connect(watch_, &CompareWatch::failed, &window_.messageBar(), &MessageBar::showError);
-  connect(&window_.controller(), &RunController::finished, this, &CompareFeature::takeResult);
-  connect(&window_.controller(), &RunController::started, this, [this] {
+  connect(watch_, &CompareWatch::failed, &host.messages, &MessageBar::showError);
+  connect(&controller_, &RunController::finished, this, &CompareFeature::takeResult);
+  connect(&controller_, &RunController::started, this, [this] {
     isComputed_ = true;
     watch_->stop();
     panel_->setWaiting(watch_->with() != CompareWith::Nothing);
@@ -59,36 +69,36 @@ CompareFeature::CompareFeature(EditorWindow& window)
     watch_->resume();
     panel_->setWaiting(watch_->busy());
   };
-  connect(&window_.controller(), &RunController::cancelled, this, resume);
-  connect(&window_.controller(), &RunController::failed, this, resume);
-  connect(&window_, &EditorWindow::environmentLoaded, watch_, &CompareWatch::forget);
-  connect(&window_.units(), &UnitChoice::changed, this, &CompareFeature::show);
+  connect(&controller_, &RunController::cancelled, this, resume);
+  connect(&controller_, &RunController::failed, this, resume);
+  connect(&file_, &LevelFile::opened, watch_, &CompareWatch::forget);
+  connect(&units_, &UnitChoice::changed, this, &CompareFeature::show);
   // While the window goes, its docks still hide, and the view is gone by then.
-  connect(&window_.commands(), &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
+  connect(&host.commands, &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
   show();
 }
 
-void CompareFeature::addCommands() {
-  lastEdit_ = window_.commands().add(
-      {QStringLiteral("view.compareEdit"),
-       CommandMenu::View,
-       QStringLiteral("compare"),
-       tr("Compare with the Last Edit"),
-       tr("Show over the view what the last edit has made walkable, and what is not walkable any more"),
-       {},
-       {},
-       true},
-      [this](bool on) {
-        if (on) {
-          choose(ComparePanel::LastEdit);
-        } else if (watch_->with() == CompareWith::LastEdit) {
-          choose(ComparePanel::Nothing);
-        }
-      });
-  window_.commands().add({QStringLiteral("view.compareSaved"), CommandMenu::View, QStringLiteral("compare"),
-                          tr("Compare with a Saved Result…"),
-                          tr("Show over the view what an exported result, or another tool's mesh, has not or has")},
-                         [this](bool) { chooseFile(); });
+void CompareFeature::addCommands(CommandRegistry& commands) {
+  lastEdit_ =
+      commands.add({QStringLiteral("view.compareEdit"),
+                    CommandMenu::View,
+                    QStringLiteral("compare"),
+                    tr("Compare with the Last Edit"),
+                    tr("Show over the view what the last edit has made walkable, and what is not walkable any more"),
+                    {},
+                    {},
+                    true},
+                   [this](bool on) {
+                     if (on) {
+                       choose(ComparePanel::LastEdit);
+                     } else if (watch_->with() == CompareWith::LastEdit) {
+                       choose(ComparePanel::Nothing);
+                     }
+                   });
+  commands.add({QStringLiteral("view.compareSaved"), CommandMenu::View, QStringLiteral("compare"),
+                tr("Compare with a Saved Result…"),
+                tr("Show over the view what an exported result, or another tool's mesh, has not or has")},
+               [this](bool) { chooseFile(); });
 }
 
 void CompareFeature::choose(int choice) {
@@ -109,7 +119,7 @@ void CompareFeature::chooseFile() {
   auto* dialog = new QFileDialog(&window_, tr("Compare with a saved result"), QString(), tr("Results (*.obj)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  if (const auto environment = window_.environment())
+  if (const auto environment = file_.environment())
     dialog->setDirectory(QFileInfo(QString::fromStdString(environment->source)).path());
   connect(dialog, &QFileDialog::fileSelected, this, &CompareFeature::openSaved);
   dialog->open();
@@ -117,7 +127,7 @@ void CompareFeature::chooseFile() {
 
 void CompareFeature::openSaved(const QString& path) {
   showPanel();
-  watch_->compareWithSaved(path, window_.environment() ? window_.environment()->up : UpAxis::Y);
+  watch_->compareWithSaved(path, file_.environment() ? file_.environment()->up : UpAxis::Y);
 }
 
 void CompareFeature::showPanel() {
@@ -127,8 +137,8 @@ void CompareFeature::showPanel() {
 
 void CompareFeature::takeResult() {
   const auto take = [this] {
-    const auto run = window_.controller().finishedRun();
-    if (run) watch_->takeResult(run->result.mesh, window_.document().undoStack()->index());
+    const auto run = controller_.finishedRun();
+    if (run) watch_->takeResult(run->result.mesh, document_.undoStack()->index());
   };
   // A result that was known already comes while the undo stack still moves: it then tells where it was.
   if (std::exchange(isComputed_, false)) {
@@ -139,7 +149,7 @@ void CompareFeature::takeResult() {
 }
 
 CompareWriter CompareFeature::writer() const {
-  const LevelUnits units = window_.units().units();
+  const LevelUnits units = units_.units();
   return {[units](double area) { return units.area(area); }, [units](const Vec3& place) { return units.place(place); }};
 }
 
@@ -160,7 +170,7 @@ void CompareFeature::show() {
     return;  // the last difference stays in sight
   } else {
     panel_->showNote(with == CompareWith::Nothing ? tr("Choose what to compare the result with.")
-                     : !window_.controller().finishedRun()
+                     : !controller_.finishedRun()
                          ? tr("There is no result yet; the comparison follows when a run has finished.")
                          : tr("Nothing was edited yet; after the next edit, what it changed is shown."));
   }
@@ -171,8 +181,8 @@ void CompareFeature::draw() {
   const auto& difference = watch_->difference();
   std::vector<Legend::Note> notes;
   if (!difference) {
-    window_.view().removeOverlay(kOverlay);
-    window_.view().setSelectionBounds(kOverlay, std::nullopt);
+    view_.removeOverlay(kOverlay);
+    view_.setSelectionBounds(kOverlay, std::nullopt);
   } else {
     ViewOverlay overlay;
     overlay.throughWalls = true;
@@ -195,14 +205,14 @@ void CompareFeature::draw() {
       const DifferentRegion& region = difference->regions[static_cast<std::size_t>(chosenRegion_)];
       overlay.lines.push_back({edgesOf(region), colours[region.mesh], 2, QColor(Qt::white)});
     }
-    window_.view().setOverlay(kOverlay, std::move(overlay));
+    view_.setOverlay(kOverlay, std::move(overlay));
     const CompareWriter write = writer();
     notes = {{appearedColour(), appearedText(*difference, write)}, {wentColour(), wentText(*difference, write)}};
     if (count < triangles.size())
       notes.push_back({QColor(), tr("Only the largest %n regions are drawn", "", static_cast<int>(count))});
   }
-  window_.legend().setNotes(notes);
-  window_.placeOverlays();
+  layout_.legend().setNotes(notes);
+  layout_.update();
 }
 
 void CompareFeature::frame(int region) {
@@ -211,8 +221,8 @@ void CompareFeature::frame(int region) {
   chosenRegion_ = region;
   draw();
   const DifferentRegion& chosen = difference->regions[static_cast<std::size_t>(region)];
-  window_.view().setSelectionBounds(kOverlay, SceneBox{chosen.lower, chosen.upper});
-  window_.view().frame(chosen.lower, chosen.upper);
+  view_.setSelectionBounds(kOverlay, SceneBox{chosen.lower, chosen.upper});
+  view_.frame(chosen.lower, chosen.upper);
 }
 
 }  // namespace footfall::ui

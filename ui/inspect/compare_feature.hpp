@@ -1,13 +1,17 @@
-// Brings the comparison of two results into the window: panel, commands, what is drawn, and the legend.
+// The comparison of two results: panel, commands, what the view and the legend show of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QDockWidget>
 #include <QObject>
 
+#include "ui/document/document.hpp"
 #include "ui/inspect/compare_panel.hpp"
 #include "ui/inspect/compare_watch.hpp"
-#include "ui/window/editor_window.hpp"
+#include "ui/level/level_file.hpp"
+#include "ui/run/run_controller.hpp"
+#include "ui/view/feature_host.hpp"
+#include "ui/view/view_layout.hpp"
 
 namespace footfall::ui {
 
@@ -16,7 +20,8 @@ class CompareFeature : public QObject {
   Q_OBJECT
 
  public:
-  explicit CompareFeature(EditorWindow& window);
+  CompareFeature(const FeatureHost& host, LevelView& view, ViewLayout& layout, Document& document, LevelFile& file,
+                 RunController& controller);
 
   [[nodiscard]] CompareWatch& watch() { return *watch_; }
   [[nodiscard]] ComparePanel& panel() { return *panel_; }
@@ -24,7 +29,7 @@ class CompareFeature : public QObject {
   void openSaved(const QString& path);
 
  private:
-  void addCommands();
+  void addCommands(CommandRegistry& commands);
   void choose(int choice);
   void chooseFile();
   void showPanel();
@@ -34,7 +39,13 @@ class CompareFeature : public QObject {
   void frame(int region);
   [[nodiscard]] CompareWriter writer() const;
 
-  EditorWindow& window_;
+  QWidget& window_;  ///< parent of dialogs
+  LevelView& view_;
+  ViewLayout& layout_;
+  Document& document_;
+  LevelFile& file_;
+  RunController& controller_;
+  UnitChoice& units_;
   CompareWatch* watch_;
   ComparePanel* panel_;
   QDockWidget* dock_;

@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/base/list_table.hpp"
+
 namespace footfall::ui {
 namespace {
 
@@ -60,28 +62,15 @@ ComparePanel::ComparePanel(QWidget* parent)
   table_->setToolTip(tr("Click a region, or press Return on it, to bring it into sight"));
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels({tr("Region"), tr("Area"), tr("Middle")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->setWordWrap(false);
-  table_->setAlternatingRowColors(true);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
+  prepareList(*table_);
   table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setHighlightSections(false);
-  const int unit = table_->fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  table_->setColumnWidth(What, 12 * unit);
-  table_->setColumnWidth(Area, 11 * unit);
+  setColumnWidths(*table_, {{What, 12}, {Area, 11}});
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);
   layout->addWidget(summary_);
   layout->addWidget(table_, 1);
   connect(choice_, &QComboBox::activated, this, &ComparePanel::chosen);
-  const auto frame = [this](const QModelIndex& index) { emit frameRequested(index.row()); };
-  connect(table_, &QTableView::clicked, this, frame);
-  connect(table_, &QTableView::activated, this, frame);
+  onRowChosen(*table_, [this](int row) { emit frameRequested(row); });
 }
 
 void ComparePanel::setChoice(Choice choice, const QString& file) {

@@ -13,7 +13,7 @@
 
 namespace footfall::ui {
 
-/// Of the difference in the view, the legend and the panel. `went` is what only the other result has.
+/// The colours of the difference in view, legend and panel: what only this result has, and what only the other one has.
 QColor appearedColour();
 QColor wentColour();
 
@@ -38,7 +38,7 @@ class ComparePanel : public QWidget {
   /// Says why there is no difference to show.
   void showNote(const QString& note);
   void showDifference(const SurfaceDifference& difference, const CompareWriter& write);
-  /// Another difference is on its way.
+  /// Whether another difference is being computed.
   void setWaiting(bool waiting);
 
   [[nodiscard]] QComboBox* choiceBox() const { return choice_; }

@@ -14,17 +14,7 @@
 
 namespace footfall::ui {
 
-struct CompareWatch::Answer {
-  MeshPtr saved;
-  std::shared_ptr<const SurfaceDifference> difference;
-  QString error;
-};
-
 CompareWatch::CompareWatch(QObject* parent) : QObject(parent) {}
-
-CompareWatch::~CompareWatch() {
-  if (context_) context_->cancel();
-}
 
 void CompareWatch::forget() {
   before_.reset();
@@ -45,9 +35,8 @@ void CompareWatch::takeResult(const MeshPtr& mesh, int edit) {
 }
 
 void CompareWatch::stop() {
-  if (!context_) return;
-  context_->cancel();  // it ends by itself, soon
-  context_.reset();
+  if (!work_.busy()) return;
+  work_.stop();
   isDropped_ = true;
 }
 
@@ -87,45 +76,31 @@ void CompareWatch::refresh() {
     emit changed();
     return;
   }
-  context_ = std::make_shared<RunContext>();
   const MeshPtr other = with_ == CompareWith::LastEdit ? before_ : saved_;
-  queue_.post([this, context = context_, other, result = result_, path = path_, up = up_] {
-    Answer answer{other, nullptr, {}};
-    try {
-      onThreads(0, [&](int) {
-        context->checkCancelled();
-        if (!answer.saved)
-          answer.saved = std::make_shared<NavigationMesh>(
-              readNavigationMesh(QFile::encodeName(path).toStdString(), std::nullopt, up, context.get()).mesh);
-        answer.difference = std::make_shared<SurfaceDifference>(
-            subtractSurfaces(*answer.saved, *result, *context, roundingHeight(*answer.saved, *result)));
-        return true;
+  work_.start(
+      *this,
+      [other, result = result_, path = path_, up = up_](RunContext& context) {
+        return onThreads(0, [&](int) {
+          Answer answer{other, nullptr};
+          if (!answer.saved)
+            answer.saved = std::make_shared<NavigationMesh>(
+                readNavigationMesh(QFile::encodeName(path).toStdString(), std::nullopt, up, &context).mesh);
+          answer.difference = std::make_shared<SurfaceDifference>(
+              subtractSurfaces(*answer.saved, *result, context, roundingHeight(*answer.saved, *result)));
+          return answer;
+        });
+      },
+      [this](const Answer& answer) { take(answer); },
+      [this](const std::exception& error) {
+        compareWithNothing();
+        emit failed(dynamic_cast<const std::bad_alloc*>(&error) != nullptr
+                        ? tr("The comparison: memory ran out; close other programs or use a smaller environment")
+                        : coreText(error));
       });
-    } catch (const Cancelled&) {
-      return;  // whoever cancelled it knows
-    } catch (const std::bad_alloc&) {
-      answer.error = tr("The comparison: memory ran out; close other programs or use a smaller environment");
-    } catch (const std::exception& error) {
-      answer.error = coreText(error);
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, context, answer] {
-          if (context != context_) return;  // overtaken
-          context_.reset();
-          take(answer);
-        },
-        Qt::QueuedConnection);
-  });
   emit changed();
 }
 
 void CompareWatch::take(const Answer& answer) {
-  if (!answer.error.isEmpty()) {
-    compareWithNothing();
-    emit failed(answer.error);
-    return;
-  }
   if (with_ == CompareWith::SavedResult) saved_ = answer.saved;
   difference_ = answer.difference;
   emit changed();

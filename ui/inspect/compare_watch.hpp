@@ -9,15 +9,14 @@
 
 #include "core/compare/surface_difference.hpp"
 #include "footfall/environment.hpp"
-#include "footfall/run_context.hpp"
-#include "ui/base/background_queue.hpp"
+#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
 
 enum class CompareWith { Nothing, LastEdit, SavedResult };
 
-/// Lives on the window's thread and never waits there. Everything is found anew when a result or the choice changes;
+/// Never waits. Everything is found anew when a result or the choice changes;
 /// what was overtaken is cancelled. Nothing is computed while it compares with nothing.
 class CompareWatch : public QObject {
   Q_OBJECT
@@ -26,7 +25,6 @@ class CompareWatch : public QObject {
   using MeshPtr = std::shared_ptr<const NavigationMesh>;
 
   explicit CompareWatch(QObject* parent = nullptr);
-  ~CompareWatch() override;
 
   /// Another level: no result of the one before counts.
   void forget();
@@ -46,7 +44,7 @@ class CompareWatch : public QObject {
   [[nodiscard]] const QString& path() const { return path_; }
   /// There is something to compare with: an edit, or the file.
   [[nodiscard]] bool hasOther() const { return with_ == CompareWith::SavedResult || before_ != nullptr; }
-  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+  [[nodiscard]] bool busy() const { return work_.busy(); }
   /// First mesh: the other one, so that its parts went; second: the result, whose parts appeared. Null while there is
   /// none; of an older result while busy().
   [[nodiscard]] const std::shared_ptr<const SurfaceDifference>& difference() const { return difference_; }
@@ -56,21 +54,23 @@ class CompareWatch : public QObject {
   void failed(const QString& message);
 
  private:
-  struct Answer;
+  struct Answer {
+    MeshPtr saved;
+    std::shared_ptr<const SurfaceDifference> difference;
+  };
   void set(CompareWith with);
   void refresh();
   void take(const Answer& answer);
 
   CompareWith with_ = CompareWith::Nothing;
   MeshPtr before_, result_;
-  int edit_ = 0;            ///< that result_ belongs to
-  bool isDropped_ = false;  ///< work, by stop()
+  int edit_ = 0;            ///< the edit that result_ belongs to
+  bool isDropped_ = false;  ///< stop() has cancelled work
   QString path_;
   UpAxis up_ = UpAxis::Y;
   MeshPtr saved_;  ///< what path_ held; null until it was read
   std::shared_ptr<const SurfaceDifference> difference_;
-  std::shared_ptr<RunContext> context_;  ///< of the work under way; null when there is none
-  BackgroundQueue queue_;                // last: its thread ends before the rest goes
+  LatestWork work_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall::ui

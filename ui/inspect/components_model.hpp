@@ -28,7 +28,7 @@ class ComponentsModel : public QAbstractTableModel {
   void setSmallerThan(std::optional<double> area);
 
   [[nodiscard]] const std::shared_ptr<const Inspector>& inspector() const { return inspector_; }
-  /// Of a row: its place among the components.
+  /// The component of a row: its place in Components::list.
   [[nodiscard]] std::uint32_t componentOf(int row) const { return static_cast<std::uint32_t>(row) + first_; }
   /// -1 where it is left out.
   [[nodiscard]] int rowOf(std::uint32_t component) const;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ui/base/keys_back.hpp"
+#include "ui/base/list_table.hpp"
 #include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
@@ -38,21 +39,9 @@ ComponentsPanel::ComponentsPanel(QWidget* parent)
   table_->setAccessibleName(tr("Components, largest first"));
   table_->setToolTip(tr("Click a component, or press Return on it, to bring it into sight"));
   table_->setModel(&model_);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->setWordWrap(false);
-  table_->setAlternatingRowColors(true);
-  table_->verticalHeader()->hide();
-  // Of one height: nothing is measured but what is seen.
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
+  prepareList(*table_);
   table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setHighlightSections(false);
-  const int unit = table_->fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  for (const auto& [column, digits] : {std::pair{0, 6}, std::pair{1, 11}, std::pair{2, 10}, std::pair{3, 8}})
-    table_->setColumnWidth(column, digits * unit);
+  setColumnWidths(*table_, {{0, 6}, {1, 11}, {2, 10}, {3, 8}});
 
   total_->setObjectName(QStringLiteral("componentsTotal"));
   total_->setWordWrap(true);
@@ -82,9 +71,7 @@ ComponentsPanel::ComponentsPanel(QWidget* parent)
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
     if (current.isValid()) emit chosen(model_.componentOf(current.row()));
   });
-  const auto frame = [this](const QModelIndex& index) { emit frameRequested(model_.componentOf(index.row())); };
-  connect(table_, &QTableView::clicked, this, frame);
-  connect(table_, &QTableView::activated, this, frame);
+  onRowChosen(*table_, [this](int row) { emit frameRequested(model_.componentOf(row)); });
   connect(copy_, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(model_.toText()); });
   describe();
 }

@@ -23,7 +23,7 @@ class ComponentsPanel : public QWidget {
   void choose(std::uint32_t component);
   void setUnits(const LevelUnits& units);
 
-  /// Wide enough for all columns.
+  /// The panel is wide enough for all columns.
   [[nodiscard]] QSize sizeHint() const override;
 
   [[nodiscard]] ComponentsModel& model() { return model_; }

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "ui/base/panel_dock.hpp"
-#include "ui/window/editor_window.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -28,23 +27,30 @@ bool isNear(const Vec3& point, const std::array<Vec3, 3>& corners) {
 
 }  // namespace
 
-InspectionFeature::InspectionFeature(EditorWindow& window)
-    : QObject(&window),
-      window_(window),
-      watch_(new InspectionWatch(window.controller(), this)),
+InspectionFeature::InspectionFeature(const FeatureHost& host, LevelView& view, const Document& document,
+                                     LevelFile& file, LevelComposer& composer, RunController& controller,
+                                     FilterList& filters)
+    : QObject(&host.window),
+      view_(view),
+      document_(document),
+      composer_(composer),
+      filters_(filters),
+      status_(host.status),
+      units_(host.units),
+      watch_(new InspectionWatch(controller, this)),
       tool_([this](const QPoint& place) { ask(place); }, [this] { takeAnswerBack(); }) {
   setObjectName(QStringLiteral("inspection"));
-  createWhy();
-  createComponents();
+  createWhy(host, controller);
+  createComponents(host);
   // While the window goes, its docks still hide, and what is asked about is gone by then.
-  connect(&window_.commands(), &QObject::destroyed, this, [this] {
+  connect(&host.commands, &QObject::destroyed, this, [this] {
     for (QDockWidget* dock : {whyDock_, componentsDock_}) dock->toggleViewAction()->disconnect(this);
   });
-  connect(&window_.units(), &UnitChoice::changed, this, &InspectionFeature::takeUnits);
+  connect(&units_, &UnitChoice::changed, this, &InspectionFeature::takeUnits);
   takeUnits();
-  connect(watch_, &InspectionWatch::failed, &window_.messageBar(), &MessageBar::showError);
-  connect(&window_, &EditorWindow::environmentLoaded, this, [this] {
-    const QString source = QString::fromStdString(window_.environment()->source);
+  connect(watch_, &InspectionWatch::failed, &host.messages, &MessageBar::showError);
+  connect(&file, &LevelFile::opened, this, [this, &file] {
+    const QString source = QString::fromStdString(file.environment()->source);
     if (source == source_) return;  // the same file again: the place is still meant
     source_ = source;
     watch_->forget();
@@ -54,30 +60,30 @@ InspectionFeature::InspectionFeature(EditorWindow& window)
   });
 }
 
-void InspectionFeature::createWhy() {
+void InspectionFeature::createWhy(const FeatureHost& host, RunController& controller) {
   why_ = new WhyPanel;
-  whyDock_ = window_.addPanel({QStringLiteral("inspect.whyPanel"),
-                               tr("Why?"),
-                               tr("Show why the last place that was asked for is walkable or not"),
-                               {},
-                               QStringLiteral("why")},
-                              why_);
-  QAction* action = window_.addTool({QStringLiteral("inspect.why"),
-                                     CommandMenu::Tools,
-                                     QStringLiteral("inspect"),
-                                     tr("&Why?"),
-                                     tr("Click a place to learn why it is walkable, or what stands in the way"),
-                                     {Qt::Key_Y},
-                                     QStringLiteral("why")},
-                                    &tool_, whyDock_);
+  whyDock_ = host.panels.add({QStringLiteral("inspect.whyPanel"),
+                              tr("Why?"),
+                              tr("Show why the last place that was asked for is walkable or not"),
+                              {},
+                              QStringLiteral("why")},
+                             why_);
+  QAction* action = host.tools.add({QStringLiteral("inspect.why"),
+                                    CommandMenu::Tools,
+                                    QStringLiteral("inspect"),
+                                    tr("&Why?"),
+                                    tr("Click a place to learn why it is walkable, or what stands in the way"),
+                                    {Qt::Key_Y},
+                                    QStringLiteral("why")},
+                                   &tool_, whyDock_);
   connect(watch_, &InspectionWatch::explained, this, &InspectionFeature::showAnswer);
-  connect(&window_.controller(), &RunController::started, why_, [this] { why_->setWaiting(true); });
+  connect(&controller, &RunController::started, why_, [this] { why_->setWaiting(true); });
   for (const auto signal : {&RunController::cancelled, &RunController::finished})
-    connect(&window_.controller(), signal, why_, [this] { why_->setWaiting(watch_->busy()); });
+    connect(&controller, signal, why_, [this] { why_->setWaiting(watch_->busy()); });
   connect(whyDock_->toggleViewAction(), &QAction::toggled, this, [this, action](bool on) {
     if (on) return;
     action->setChecked(false);
-    if (window_.view().tool() == &tool_) window_.view().setTool(nullptr);
+    if (view_.tool() == &tool_) view_.setTool(nullptr);
     takeAnswerBack();
     watch_->forget();
     why_->clear();
@@ -91,14 +97,14 @@ void InspectionFeature::createWhy() {
   connect(why_, &WhyPanel::showFilterRequested, this, &InspectionFeature::showFilter);
 }
 
-void InspectionFeature::createComponents() {
+void InspectionFeature::createComponents(const FeatureHost& host) {
   components_ = new ComponentsPanel;
-  componentsDock_ = window_.addPanel({QStringLiteral("inspect.components"),
-                                      tr("Components"),
-                                      tr("List the connected parts of the walkable area by their size"),
-                                      {},
-                                      QStringLiteral("components")},
-                                     components_);
+  componentsDock_ = host.panels.add({QStringLiteral("inspect.components"),
+                                     tr("Components"),
+                                     tr("List the connected parts of the walkable area by their size"),
+                                     {},
+                                     QStringLiteral("components")},
+                                    components_);
   connect(componentsDock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
     watch_->setComponentsWanted(on);
     components_->setInspector(on ? watch_->inspector() : nullptr);
@@ -112,19 +118,19 @@ void InspectionFeature::createComponents() {
   connect(components_, &ComponentsPanel::chosen, this, [this](std::uint32_t component) {
     watch_->showComponent(component);
     if (const Component* chosen = componentAt(component))
-      window_.view().setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
+      view_.setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
   });
   connect(components_, &ComponentsPanel::frameRequested, this, &InspectionFeature::frameComponent);
   connect(watch_, &InspectionWatch::componentShown, this, [this](const ViewOverlay& overlay) {
-    if (!componentsDock_->isHidden()) window_.view().setOverlay(kComponentOverlay, overlay);
+    if (!componentsDock_->isHidden()) view_.setOverlay(kComponentOverlay, overlay);
   });
 }
 
 void InspectionFeature::ask(const QPoint& place) {
-  const auto level = window_.level();
-  const std::optional<SurfacePoint> picked = window_.view().pick(place);
+  const auto level = composer_.level();
+  const std::optional<SurfacePoint> picked = view_.pick(place);
   if (!level || !picked) {
-    window_.say(tr("Nothing is there; click the level itself."), StatusSubject::Tool);
+    status_.say(StatusSubject::Tool, tr("Nothing is there; click the level itself."));
     return;
   }
   AskedPlace asked;
@@ -139,11 +145,11 @@ void InspectionFeature::ask(const QPoint& place) {
   why_->setWaiting(true);
   watch_->ask(asked);
   if (!watch_->busy())
-    window_.say(tr("There is no result yet; the answer follows when a run has finished."), StatusSubject::Tool);
+    status_.say(StatusSubject::Tool, tr("There is no result yet; the answer follows when a run has finished."));
 }
 
 void InspectionFeature::takeUnits() {
-  components_->setUnits(window_.units().units());
+  components_->setUnits(units_.units());
   if (watch_->explanation()) showAnswer();
 }
 
@@ -154,19 +160,19 @@ void InspectionFeature::showAnswer() {
     takeAnswerBack();
     return;
   }
-  why_->show(watch_->inspector(), *told, window_.units().units());
-  ViewOverlay overlay = whyOverlay(*watch_->inspector(), *told, window_.units().units());
-  window_.view().setOverlay(kWhyOverlay, std::move(overlay));
+  why_->show(watch_->inspector(), *told, units_.units());
+  ViewOverlay overlay = whyOverlay(*watch_->inspector(), *told, units_.units());
+  view_.setOverlay(kWhyOverlay, std::move(overlay));
   const auto corners = cornersOf(watch_->inspector()->environment(), told->place.triangle);
   const auto [x0, x1] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [y0, y1] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const auto [z0, z1] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-  window_.view().setSelectionBounds(kWhyOverlay, SceneBox{{x0, y0, z0}, {x1, y1, z1}});
+  view_.setSelectionBounds(kWhyOverlay, SceneBox{{x0, y0, z0}, {x1, y1, z1}});
 }
 
 void InspectionFeature::takeAnswerBack() {
-  window_.view().removeOverlay(kWhyOverlay);
-  window_.view().setSelectionBounds(kWhyOverlay, std::nullopt);
+  view_.removeOverlay(kWhyOverlay);
+  view_.setSelectionBounds(kWhyOverlay, std::nullopt);
 }
 
 void InspectionFeature::frame(const std::vector<std::uint32_t>& triangles) {
@@ -180,24 +186,24 @@ void InspectionFeature::frame(const std::vector<std::uint32_t>& triangles) {
       upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
     }
   }
-  window_.view().setOverlay(kWhyOverlay, whyOverlay(*inspector, *told, window_.units().units()));
-  window_.view().frame(lower, upper);
+  view_.setOverlay(kWhyOverlay, whyOverlay(*inspector, *told, units_.units()));
+  view_.frame(lower, upper);
 }
 
 void InspectionFeature::showFilter() {
   const auto& told = watch_->explanation();
   if (!told || !told->step) return;
   const PipelineStep& step = watch_->inspector()->pipeline().steps[*told->step];
-  const std::vector<FilterEntry>& filters = window_.document().filters();
+  const std::vector<FilterEntry>& filters = document_.filters();
   // The list may have been edited since: the same place in it when it is still that filter, else the first like it.
   const auto sameFilter = [&](const FilterEntry& entry) { return entry.step.filter == step.filter; };
   auto entry = filters.begin() + static_cast<std::ptrdiff_t>(std::min(*told->step, filters.size()));
   if (entry == filters.end() || !sameFilter(*entry)) entry = std::find_if(filters.begin(), filters.end(), sameFilter);
   if (entry == filters.end()) {
-    window_.say(tr("This filter is not in the list any more."));
+    status_.say(StatusSubject::Note, tr("This filter is not in the list any more."));
     return;
   }
-  for (FilterRow* row : window_.filterList().rows()) {
+  for (FilterRow* row : filters_.rows()) {
     if (row->entryId() != entry->id) continue;
     for (QWidget* parent = row->parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
       if (auto* dock = qobject_cast<QDockWidget*>(parent)) bringToFront(*dock);
@@ -216,16 +222,16 @@ const Component* InspectionFeature::componentAt(std::uint32_t component) const {
 }
 
 void InspectionFeature::forgetComponent() {
-  window_.view().removeOverlay(kComponentOverlay);
-  window_.view().setSelectionBounds(kComponentOverlay, std::nullopt);
+  view_.removeOverlay(kComponentOverlay);
+  view_.setSelectionBounds(kComponentOverlay, std::nullopt);
 }
 
 void InspectionFeature::frameComponent(std::uint32_t component) {
   const Component* const chosen = componentAt(component);
   if (!chosen) return;
   watch_->showComponent(component);
-  window_.view().setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
-  window_.view().frame(chosen->lower, chosen->upper);
+  view_.setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
+  view_.frame(chosen->lower, chosen->upper);
 }
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// Puts the questions "why?" and "which components?" into the window.
+// The questions "why?" and "which components?": tool, panels, and what the view shows of the answers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,21 +7,26 @@
 #include <QPoint>
 #include <QString>
 
+#include "ui/document/document.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/inspect/components_panel.hpp"
 #include "ui/inspect/inspection_watch.hpp"
 #include "ui/inspect/why_panel.hpp"
 #include "ui/inspect/why_tool.hpp"
+#include "ui/level/level_composer.hpp"
+#include "ui/level/level_file.hpp"
+#include "ui/run/run_controller.hpp"
+#include "ui/view/feature_host.hpp"
 
 namespace footfall::ui {
 
-class EditorWindow;
-
+/// A child of its window; found as window.findChild<InspectionFeature*>().
 class InspectionFeature : public QObject {
   Q_OBJECT
 
  public:
-  /// Belongs to the window.
-  explicit InspectionFeature(EditorWindow& window);
+  InspectionFeature(const FeatureHost& host, LevelView& view, const Document& document, LevelFile& file,
+                    LevelComposer& composer, RunController& controller, FilterList& filters);
 
   [[nodiscard]] InspectionWatch& watch() { return *watch_; }
   [[nodiscard]] WhyPanel& whyPanel() { return *why_; }
@@ -30,8 +35,8 @@ class InspectionFeature : public QObject {
   void ask(const QPoint& place);
 
  private:
-  void createWhy();
-  void createComponents();
+  void createWhy(const FeatureHost& host, RunController& controller);
+  void createComponents(const FeatureHost& host);
   void takeUnits();
   void showAnswer();
   void takeAnswerBack();
@@ -41,7 +46,12 @@ class InspectionFeature : public QObject {
   void forgetComponent();
   void frameComponent(std::uint32_t component);
 
-  EditorWindow& window_;
+  LevelView& view_;
+  const Document& document_;
+  LevelComposer& composer_;
+  FilterList& filters_;
+  StatusLine& status_;
+  UnitChoice& units_;
   InspectionWatch* watch_;
   WhyTool tool_;
   WhyPanel* why_ = nullptr;

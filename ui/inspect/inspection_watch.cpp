@@ -32,20 +32,9 @@ std::optional<PickedPlace> resolve(const Inspector& inspector, const AskedPlace&
 
 }  // namespace
 
-struct InspectionWatch::Answer {
-  std::shared_ptr<const Inspector> inspector;
-  std::shared_ptr<const FinishedRun> run;
-  std::optional<PlaceExplanation> explanation;
-  QString error;
-};
-
 InspectionWatch::InspectionWatch(RunController& controller, QObject* parent)
     : QObject(parent), controller_(controller) {
   connect(&controller_, &RunController::finished, this, &InspectionWatch::refresh);
-}
-
-InspectionWatch::~InspectionWatch() {
-  if (context_) context_->cancel();
 }
 
 void InspectionWatch::ask(const AskedPlace& place) {
@@ -66,13 +55,8 @@ void InspectionWatch::setComponentsWanted(bool wanted) {
   refresh();
 }
 
-void InspectionWatch::stop() {
-  if (context_) context_->cancel();  // it ends by itself, soon
-  context_.reset();
-}
-
 void InspectionWatch::refresh() {
-  stop();
+  work_.stop();
   const std::shared_ptr<const FinishedRun> run = controller_.finishedRun();
   if (!run || (!asked_ && !componentsWanted_)) {
     // States are large: they stay no longer than somebody asks.
@@ -82,48 +66,34 @@ void InspectionWatch::refresh() {
   }
   const bool known = run == inspected_ && inspector_ != nullptr;
   if (known && (!asked_ || explanation_)) return;
-  context_ = std::make_shared<RunContext>();
-  queue_.post([this, context = context_, run, cache = controller_.cache(), asked = asked_,
-               inspector = known ? inspector_ : nullptr] {
-    Answer answer{inspector, run, std::nullopt, {}};
-    try {
-      onThreads(0, [&](int) {
-        context->checkCancelled();
-        if (!answer.inspector) {
-          answer.inspector = std::make_shared<Inspector>(run->environment, run->pipeline, run->result.mesh, cache.get(),
-                                                         context.get());
-        }
-        if (!asked) return true;
-        if (const auto place = resolve(*answer.inspector, *asked))
-          answer.explanation = answer.inspector->explain(*place, context.get());
-        return true;
+  work_.start(
+      *this,
+      [run, cache = controller_.cache(), asked = asked_,
+       inspector = known ? inspector_ : nullptr](RunContext& context) {
+        return onThreads(0, [&](int) {
+          Answer answer{inspector, std::nullopt};
+          if (!answer.inspector) {
+            answer.inspector =
+                std::make_shared<Inspector>(run->environment, run->pipeline, run->result.mesh, cache.get(), &context);
+          }
+          if (!asked) return answer;
+          if (const auto place = resolve(*answer.inspector, *asked))
+            answer.explanation = answer.inspector->explain(*place, &context);
+          return answer;
+        });
+      },
+      [this, run](const Answer& answer) { take(answer, run); },
+      [this](const std::exception& error) {
+        emit failed(dynamic_cast<const std::bad_alloc*>(&error) != nullptr
+                        ? tr("Why: memory ran out; close other programs or use a smaller environment")
+                        : coreText(error));
       });
-    } catch (const Cancelled&) {
-      return;  // whoever cancelled it knows
-    } catch (const std::bad_alloc&) {
-      answer.error = tr("Why: memory ran out; close other programs or use a smaller environment");
-    } catch (const std::exception& error) {
-      answer.error = coreText(error);
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, context, answer] {
-          if (context != context_) return;  // overtaken
-          context_.reset();
-          take(answer);
-        },
-        Qt::QueuedConnection);
-  });
 }
 
-void InspectionWatch::take(const Answer& answer) {
-  if (!answer.error.isEmpty()) {
-    emit failed(answer.error);
-    return;
-  }
+void InspectionWatch::take(const Answer& answer, const std::shared_ptr<const FinishedRun>& run) {
   const bool another = inspector_ != answer.inspector;
   inspector_ = answer.inspector;
-  inspected_ = answer.run;
+  inspected_ = run;
   explanation_ = answer.explanation;
   if (another) emit inspectorChanged();
   if (asked_) emit explained();
@@ -132,7 +102,7 @@ void InspectionWatch::take(const Answer& answer) {
 void InspectionWatch::showComponent(std::uint32_t component) {
   const int number = ++shown_;
   if (!inspector_) return;
-  queue_.post([this, number, component, inspector = inspector_] {
+  work_.queue().post([this, number, component, inspector = inspector_] {
     ViewOverlay overlay = componentOverlay(*inspector, component);
     QMetaObject::invokeMethod(
         this,

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "footfall/inspect.hpp"
-#include "ui/base/background_queue.hpp"
+#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/view_overlay.hpp"
@@ -25,14 +25,13 @@ struct AskedPlace {
   std::array<Vec3, 3> corners{};          ///< of that triangle
 };
 
-/// Lives on the window's thread and never waits there. Works only while somebody wants to know; after each run
+/// Never waits. Works only while somebody wants to know; after each run
 /// everything that is wanted is made anew, and what was overtaken is cancelled.
 class InspectionWatch : public QObject {
   Q_OBJECT
 
  public:
   explicit InspectionWatch(RunController& controller, QObject* parent = nullptr);
-  ~InspectionWatch() override;
 
   /// explained() or failed() follows, and again after each run.
   void ask(const AskedPlace& place);
@@ -43,12 +42,12 @@ class InspectionWatch : public QObject {
   /// componentShown() follows with what to draw of one of components(), now and after each run while it is there.
   void showComponent(std::uint32_t component);
 
-  /// Of the last run that was looked at; null when there is none.
+  /// The inspector of the last run that was looked at; null when there is none.
   [[nodiscard]] std::shared_ptr<const Inspector> inspector() const { return inspector_; }
-  /// Of asked(), by inspector(); empty until it is there.
+  /// The answer for asked(), by inspector(); empty until it is there.
   [[nodiscard]] const std::optional<PlaceExplanation>& explanation() const { return explanation_; }
   /// Something is being made.
-  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+  [[nodiscard]] bool busy() const { return work_.busy(); }
 
  signals:
   /// Another run's, or none.
@@ -58,11 +57,13 @@ class InspectionWatch : public QObject {
   void componentShown(const footfall::ui::ViewOverlay& overlay);
 
  private:
-  struct Answer;
+  struct Answer {
+    std::shared_ptr<const Inspector> inspector;
+    std::optional<PlaceExplanation> explanation;
+  };
 
   void refresh();
-  void stop();
-  void take(const Answer& answer);
+  void take(const Answer& answer, const std::shared_ptr<const FinishedRun>& run);
 
   RunController& controller_;
   std::optional<AskedPlace> asked_;
@@ -70,9 +71,8 @@ class InspectionWatch : public QObject {
   std::shared_ptr<const Inspector> inspector_;
   std::shared_ptr<const FinishedRun> inspected_;  ///< what inspector_ is about
   std::optional<PlaceExplanation> explanation_;
-  std::shared_ptr<RunContext> context_;  ///< of the work under way; null when there is none
-  int shown_ = 0;                        ///< counts showComponent(): what is older is not wanted any more
-  BackgroundQueue queue_;                // last: its thread ends before the rest goes
+  int shown_ = 0;    ///< counts showComponent(): what is older is not wanted any more
+  LatestWork work_;  // last: its thread ends before the rest goes
 };
 
 /// The surface of a component and a line around it; of large ones the line alone.

@@ -11,7 +11,6 @@
 
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/number_text.hpp"
-#include "ui/window/editor_window.hpp"
 
 namespace footfall::ui {
 
@@ -95,9 +94,9 @@ void MeasurePanel::showPlaces() {
   clear_->setEnabled(!places.empty());
 }
 
-MeasureFeature::MeasureFeature(EditorWindow& window)
-    : QObject(&window), tool_(window.view(), [&window] { return window.level(); }) {
-  QDockWidget* dock = window.addPanel({QStringLiteral("panel.measure"),
+MeasureFeature::MeasureFeature(const FeatureHost& host, LevelView& view, LevelFile& file, LevelComposer& composer)
+    : QObject(&host.window), tool_(view, [&composer] { return composer.level(); }) {
+  QDockWidget* dock = host.panels.add({QStringLiteral("panel.measure"),
                                        tr("Measure"),
                                        tr("Distances, heights and slopes between places"),
                                        {},
@@ -105,7 +104,7 @@ MeasureFeature::MeasureFeature(EditorWindow& window)
                                        Qt::RightDockWidgetArea,
                                        false},
                                       new MeasurePanel(tool_));
-  window.addTool({QStringLiteral("tools.measure"),
+  host.tools.add({QStringLiteral("tools.measure"),
                   CommandMenu::Tools,
                   QStringLiteral("tools"),
                   tr("&Measure"),
@@ -113,12 +112,12 @@ MeasureFeature::MeasureFeature(EditorWindow& window)
                   {Qt::Key_M},
                   QStringLiteral("measure")},
                  &tool_, dock);
-  const auto follow = [this, &window, dock] { tool_.setShown(window.view().tool() == &tool_ || !dock->isHidden()); };
-  connect(&window.view(), &LevelView::toolChanged, this, follow);
+  const auto follow = [this, &view, dock] { tool_.setShown(view.tool() == &tool_ || !dock->isHidden()); };
+  connect(&view, &LevelView::toolChanged, this, follow);
   connect(dock, &QDockWidget::visibilityChanged, this, follow);
-  connect(&window, &EditorWindow::environmentLoaded, this, [this] { tool_.setPlaces({}); });
-  const auto takeUnits = [this, &window] { tool_.setUnits(window.units().units()); };
-  connect(&window.units(), &UnitChoice::changed, this, takeUnits);
+  connect(&file, &LevelFile::opened, this, [this] { tool_.setPlaces({}); });
+  const auto takeUnits = [this, &units = host.units] { tool_.setUnits(units.units()); };
+  connect(&host.units, &UnitChoice::changed, this, takeUnits);
   takeUnits();
 }
 

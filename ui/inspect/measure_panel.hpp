@@ -8,10 +8,11 @@
 #include <QWidget>
 
 #include "ui/inspect/measure_tool.hpp"
+#include "ui/level/level_composer.hpp"
+#include "ui/level/level_file.hpp"
+#include "ui/view/feature_host.hpp"
 
 namespace footfall::ui {
-
-class EditorWindow;
 
 class MeasurePanel : public QWidget {
   Q_OBJECT
@@ -28,12 +29,12 @@ class MeasurePanel : public QWidget {
   QPushButton *copy_, *back_, *clear_;
 };
 
-/// Brings "Measure" into the window: tool, panel, and taking back what belongs to another environment.
+/// "Measure": the tool and its panel; places go with the environment that they belong to.
 class MeasureFeature : public QObject {
   Q_OBJECT
 
  public:
-  explicit MeasureFeature(EditorWindow& window);
+  MeasureFeature(const FeatureHost& host, LevelView& view, LevelFile& file, LevelComposer& composer);
   [[nodiscard]] MeasureTool& tool() { return tool_; }
 
  private:

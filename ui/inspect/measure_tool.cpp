@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ui/base/number_text.hpp"
+#include "ui/base/palette.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -18,8 +19,8 @@ constexpr double kSnapPixels = 8;
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 QColor lineColour() { return {20, 20, 20}; }
-QColor placeColour() { return {240, 228, 66}; }
-QColor vertexColour() { return {213, 94, 0}; }
+QColor placeColour() { return toColour(kYellow); }
+QColor vertexColour() { return toColour(kVermilion); }
 
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

@@ -14,7 +14,7 @@
 
 namespace footfall::ui {
 
-/// Of one straight piece, in the environment's units.
+/// What one straight piece measures, in the environment's units.
 struct Measure {
   double distance = 0;  ///< in space
   double plan = 0;      ///< in the plan

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "footfall/environment.hpp"
-#include "footfall/run_context.hpp"
-#include "ui/base/background_queue.hpp"
+#include "ui/base/latest_work.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {
@@ -29,12 +28,11 @@ class EnvironmentLoader : public QObject {
 
  public:
   explicit EnvironmentLoader(QObject* parent = nullptr);
-  ~EnvironmentLoader() override;
 
   /// The geometry is made around `centre`, when one is given: that of the version before.
   void load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre = std::nullopt);
   void cancel();
-  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+  [[nodiscard]] bool busy() const { return work_.busy(); }
 
  signals:
   void started(const QString& path);
@@ -44,8 +42,7 @@ class EnvironmentLoader : public QObject {
   void cancelled();
 
  private:
-  std::shared_ptr<RunContext> context_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall::ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/level/environment_tools.hpp"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
@@ -64,39 +63,43 @@ std::vector<std::array<Vec3, 2>> edgesOf(const Bounds& b) {
 
 }  // namespace
 
-EnvironmentTools::EnvironmentTools(EditorWindow& window) : QObject(&window), window_(window) {
-  createPanel();
-  createWatch();
-  connect(&window_, &EditorWindow::environmentLoaded, this, &EnvironmentTools::follow);
-  connect(&window_, &EditorWindow::rereadDone, this, [this] { panel_->setEnvironment(window_.environment()); });
-  PartLevel& parts = window_.composer().parts();
+EnvironmentTools::EnvironmentTools(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file,
+                                   LevelComposer& composer, ImportPanel& import)
+    : QObject(&host.window),
+      view_(view),
+      document_(document),
+      file_(file),
+      composer_(composer),
+      messages_(host.messages) {
+  createPanel(host);
+  createWatch(import);
+  connect(&file_, &LevelFile::opened, this, &EnvironmentTools::follow);
+  connect(&file_, &LevelFile::rereadDone, this, [this] { panel_->setEnvironment(file_.environment()); });
+  PartLevel& parts = composer_.parts();
   connect(&parts, &PartLevel::geometryChanged, this, [this, &parts] {
-    // With obstacles it is a part of what is shown, and not for us to show.
-    if (window_.level() == parts.base()) window_.view().replaceEnvironment(parts.geometry());
+    // With obstacles it is a part of what is shown, which LevelGeometry shows.
+    if (composer_.level() == parts.base()) view_.replaceEnvironment(parts.geometry());
   });
 }
 
-void EnvironmentTools::createPanel() {
-  panel_ = new PartPanel(window_.document(), &window_);
-  dock_ = window_.addPanel({QStringLiteral("view.parts"),
-                            tr("Meshes and Materials"),
-                            tr("Leave parts of the environment out, or make them obstacles that nobody walks on"),
-                            {Qt::CTRL | Qt::SHIFT | Qt::Key_M},
-                            {},
-                            Qt::LeftDockWidgetArea,
-                            true},
-                           panel_);
+void EnvironmentTools::createPanel(const FeatureHost& host) {
+  panel_ = new PartPanel(document_, &host.window);
   // Beside the filters, which stay in front: both need the height.
-  if (auto* filters = window_.findChild<QDockWidget*>(QStringLiteral("filterDock"))) {
-    window_.tabifyDockWidget(filters, dock_);
-    filters->raise();
-  }
+  dock_ = host.panels.add({QStringLiteral("view.parts"),
+                           tr("Meshes and Materials"),
+                           tr("Leave parts of the environment out, or make them obstacles that nobody walks on"),
+                           {Qt::CTRL | Qt::SHIFT | Qt::Key_M},
+                           {},
+                           Qt::LeftDockWidgetArea,
+                           true,
+                           QStringLiteral("filterDock")},
+                          panel_);
   connect(panel_, &PartPanel::selectionChanged, this, &EnvironmentTools::highlight);
   connect(panel_, &PartPanel::activated, this, &EnvironmentTools::frame);
 }
 
-void EnvironmentTools::createWatch() {
-  QCheckBox* box = window_.importPanel().watchBox();
+void EnvironmentTools::createWatch(ImportPanel& import) {
+  QCheckBox* box = import.watchBox();
   box->setChecked(QSettings().value(QLatin1String(kWatchSetting), true).toBool());
   watch_.setEnabled(box->isChecked());
   connect(box, &QCheckBox::toggled, this, [this](bool on) {
@@ -105,42 +108,41 @@ void EnvironmentTools::createWatch() {
   });
   connect(&watch_, &FileWatch::changed, this, &EnvironmentTools::reread);
   connect(&watch_, &FileWatch::vanished, this, [this] {
-    window_.messageBar().showHint(
-        tr("%1 is gone from the disk; the result stays, and the file is read again when it comes back")
-            .arg(fileName()));
+    messages_.showHint(tr("%1 is gone from the disk; the result stays, and the file is read again when it comes back")
+                           .arg(fileName()));
   });
   connect(&watch_, &FileWatch::givenUp, this, [this](const QString& message) {
     if (message.isEmpty()) return;
-    window_.messageBar().showError(
-        tr("%1 changed on disk, but %2; what was read before stays").arg(fileName(), message));
+    messages_.showError(tr("%1 changed on disk, but %2; what was read before stays").arg(fileName(), message));
   });
-  connect(&window_, &EditorWindow::rereadDone, this, [this] {
+  connect(&file_, &LevelFile::rereadDone, this, [this] {
     rereading_ = false;
     watch_.readSucceeded();
-    window_.messageBar().showHint(tr("%1 changed on disk; read again").arg(fileName()));
+    messages_.showHint(tr("%1 changed on disk; read again").arg(fileName()));
     rereadIfPending();
   });
-  connect(&window_, &EditorWindow::rereadFailed, this, [this](const QString& message) {
+  connect(&file_, &LevelFile::rereadFailed, this, [this](const QString& message) {
     rereading_ = false;
     watch_.readFailed(message);
     rereadIfPending();
   });
-  connect(&window_, &EditorWindow::loadFailed, this, &EnvironmentTools::rereadIfPending);
-  connect(&window_.loader(), &EnvironmentLoader::cancelled, this, [this] {
+  connect(&file_, &LevelFile::failed, this, &EnvironmentTools::rereadIfPending);
+  connect(&file_, &LevelFile::cancelled, this, [this] {
     if (std::exchange(rereading_, false)) watch_.acknowledge();  // asked for: not again before the next change
     pending_ = false;
   });
-  connect(&window_, &EditorWindow::written, this, [this](const QString& path) {
-    if (QFileInfo(path) == QFileInfo(watch_.path())) watch_.acknowledge();
-  });
+}
+
+void EnvironmentTools::acknowledge(const QString& path) {
+  if (QFileInfo(path) == QFileInfo(watch_.path())) watch_.acknowledge();
 }
 
 // What is being read may be the old version, or another file that turns out to be none.
 void EnvironmentTools::reread() {
-  pending_ = window_.loader().busy();
+  pending_ = file_.busy();
   if (pending_) return;
   rereading_ = true;
-  window_.reread();
+  file_.reread(document_.state().import);
 }
 
 void EnvironmentTools::rereadIfPending() {
@@ -149,8 +151,8 @@ void EnvironmentTools::rereadIfPending() {
 
 void EnvironmentTools::follow() {
   rereading_ = false;
-  panel_->setEnvironment(window_.environment());
-  const QString path = QFile::decodeName(QByteArray::fromStdString(window_.environment()->source));
+  panel_->setEnvironment(file_.environment());
+  const QString path = file_.path();
   const bool same = path == watch_.path();
   watch_.watch(path);
   if (same)
@@ -162,15 +164,15 @@ void EnvironmentTools::follow() {
 QString EnvironmentTools::fileName() const { return QFileInfo(watch_.path()).fileName(); }
 
 void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
-  const auto environment = window_.environment();
+  const auto environment = file_.environment();
   const auto bounds = environment && !parts.empty() ? boundsOf(*environment, parts) : std::nullopt;
   if (!bounds) {
-    if (std::exchange(highlighted_, false)) window_.view().setSelectionBounds(QLatin1String(kOverlay), std::nullopt);
-    window_.view().removeOverlay(QLatin1String(kOverlay));
+    if (std::exchange(highlighted_, false)) view_.setSelectionBounds(QLatin1String(kOverlay), std::nullopt);
+    view_.removeOverlay(QLatin1String(kOverlay));
     return;
   }
   highlighted_ = true;
-  window_.view().setSelectionBounds(QLatin1String(kOverlay), SceneBox{bounds->lower, bounds->upper});
+  view_.setSelectionBounds(QLatin1String(kOverlay), SceneBox{bounds->lower, bounds->upper});
   ViewOverlay overlay;
   overlay.throughWalls = true;
   std::size_t triangles = 0;
@@ -187,13 +189,13 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
     });
     overlay.surfaces.push_back(std::move(surface));
   }
-  window_.view().setOverlay(QLatin1String(kOverlay), std::move(overlay));
+  view_.setOverlay(QLatin1String(kOverlay), std::move(overlay));
 }
 
 void EnvironmentTools::frame(const std::vector<std::uint32_t>& parts) {
-  const auto environment = window_.environment();
+  const auto environment = file_.environment();
   if (!environment || parts.empty()) return;
-  if (const auto bounds = boundsOf(*environment, parts)) window_.view().frame(bounds->lower, bounds->upper);
+  if (const auto bounds = boundsOf(*environment, parts)) view_.frame(bounds->lower, bounds->upper);
 }
 
 }  // namespace footfall::ui

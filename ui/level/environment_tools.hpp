@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "ui/base/file_watch.hpp"
+#include "ui/level/import_panel.hpp"
+#include "ui/level/level_composer.hpp"
+#include "ui/level/level_file.hpp"
 #include "ui/level/part_panel.hpp"
-#include "ui/window/editor_window.hpp"
+#include "ui/view/feature_host.hpp"
 
 namespace footfall::ui {
 
@@ -18,15 +21,19 @@ class EnvironmentTools : public QObject {
   Q_OBJECT
 
  public:
-  explicit EnvironmentTools(EditorWindow& window);
+  EnvironmentTools(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file,
+                   LevelComposer& composer, ImportPanel& import);
+
+  /// The editor has written this file: when it is the level's own, nothing is to be read again.
+  void acknowledge(const QString& path);
 
   [[nodiscard]] PartPanel& panel() { return *panel_; }
   [[nodiscard]] QDockWidget* dock() const { return dock_; }
   [[nodiscard]] FileWatch& watch() { return watch_; }
 
  private:
-  void createPanel();
-  void createWatch();
+  void createPanel(const FeatureHost& host);
+  void createWatch(ImportPanel& import);
   void follow();
   void reread();
   void rereadIfPending();
@@ -34,12 +41,16 @@ class EnvironmentTools : public QObject {
   void frame(const std::vector<std::uint32_t>& parts);
   [[nodiscard]] QString fileName() const;
 
-  EditorWindow& window_;
+  LevelView& view_;
+  Document& document_;
+  LevelFile& file_;
+  LevelComposer& composer_;
+  MessageBar& messages_;
   PartPanel* panel_ = nullptr;
   QDockWidget* dock_ = nullptr;
   FileWatch watch_;
   bool rereading_ = false;
-  bool highlighted_ = false;  ///< the view's selection is ours
+  bool highlighted_ = false;  ///< the view's selection is that of parts
   bool pending_ = false;      ///< another version came while something was being read
 };
 

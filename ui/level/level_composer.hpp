@@ -37,7 +37,7 @@ class LevelComposer : public QObject {
   [[nodiscard]] PartLevel& parts() { return parts_; }
   /// Roles are being worked in: edited() is still to come.
   [[nodiscard]] bool busy() const { return parts_.busy(); }
-  /// Null when nothing is loaded.
+  /// The level; null when nothing is loaded.
   [[nodiscard]] const std::shared_ptr<const Environment>& level() const { return current_.level; }
   /// The same without obstacles; its triangles are the first ones of the level.
   [[nodiscard]] const std::shared_ptr<const Environment>& base() const { return base_; }
@@ -48,7 +48,7 @@ class LevelComposer : public QObject {
   struct Triangles {
     std::uint32_t first = 0, count = 0;
   };
-  /// Of an obstacle; none when the level does not have it.
+  /// The triangles of an obstacle; none when the level does not have it.
   [[nodiscard]] Triangles trianglesOf(std::uint32_t obstacle) const;
   /// Id of the obstacle that a triangle of the level belongs to.
   [[nodiscard]] std::optional<std::uint32_t> obstacleOf(std::uint32_t triangle) const;

@@ -31,7 +31,7 @@ class ObstacleEditor : public QObject {
   [[nodiscard]] const PlacedObstacle* selected() const { return selected_ ? find(*selected_) : nullptr; }
   void select(std::optional<std::uint32_t> id);
 
-  /// Of a new one with one metre of extent each, in the environment's units.
+  /// A new obstacle of one metre each way, in the environment's units.
   [[nodiscard]] PlacedObstacle makeDefault(PlacedObstacle::Shape shape) const;
   /// The step to which dragged lengths are rounded, about a centimetre; with `coarse`, about a quarter of a metre.
   [[nodiscard]] double step(bool coarse) const;

@@ -30,44 +30,50 @@ SceneBox boundsOf(const PlacedObstacle& o) {
 
 }  // namespace
 
-ObstacleFeatures::ObstacleFeatures(EditorWindow& window)
-    : QObject(&window), window_(window), geometry_(new LevelGeometry(window.composer(), window.view(), this)) {
+ObstacleFeatures::ObstacleFeatures(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file,
+                                   LevelComposer& composer, RunController& controller)
+    : QObject(&host.window),
+      view_(view),
+      file_(file),
+      composer_(composer),
+      controller_(controller),
+      units_(host.units),
+      geometry_(new LevelGeometry(composer, view, this)) {
   followLevel();
-  editor_ = new ObstacleEditor(window.document(), window.composer(), window.controller(), this);
-  createTools();
-  createPanel();
-  createCommands();
+  editor_ = new ObstacleEditor(document, composer, controller, this);
+  createTools(host);
+  createPanel(host);
+  createCommands(host.commands);
   connect(editor_, &ObstacleEditor::changed, this, &ObstacleFeatures::showSelection);
   connect(editor_, &ObstacleEditor::changed, this, &ObstacleFeatures::boundSelection);
-  connect(&window_, &EditorWindow::environmentLoaded, editor_, [this] { editor_->select(std::nullopt); });
-  window_.view().installEventFilter(this);
+  connect(&file_, &LevelFile::opened, editor_, [this] { editor_->select(std::nullopt); });
+  view_.installEventFilter(this);
 }
 
 PlaceObstacleTool& ObstacleFeatures::placeTool(Shape shape) { return *place_[static_cast<std::size_t>(shape)]; }
 
-// The view and the cells show the level that runs compute on; numbers of triangles mean the same everywhere. The
-// composer hears of results before the editor does, which then makes the next level from them.
+// The view shows the level that runs compute on; numbers of triangles mean the same in both. The composer gets results
+// before the editor, which then makes the next level from them.
 void ObstacleFeatures::followLevel() {
-  connect(&window_, &EditorWindow::environmentLoaded, this, [this] { geometry_->follow(); });
-  connect(&window_.composer(), &LevelComposer::edited, this,
-          [this] { window_.cellWatch().editEnvironment(window_.level()); });
-  connect(&window_.controller(), &RunController::finished, this,
-          [this] { window_.composer().setComputed(window_.controller().finishedRun()->environment); });
+  connect(&file_, &LevelFile::opened, this, [this] { geometry_->follow(); });
+  connect(&controller_, &RunController::finished, this,
+          [this] { composer_.setComputed(controller_.finishedRun()->environment); });
 }
 
-void ObstacleFeatures::createTools() {
-  const ObstacleContext context{window_.view(), window_.composer(), *editor_,
-                                [this](const QString& text) { window_.say(text, StatusSubject::Tool); }};
+void ObstacleFeatures::createTools(const FeatureHost& host) {
+  const ObstacleContext context{view_, composer_, *editor_, [&status = host.status](const QString& text) {
+                                  status.say(StatusSubject::Tool, text);
+                                }};
   const QString group = QStringLiteral("obstacles");
   select_ = new SelectObstacleTool(context, this);
-  window_.addTool({QStringLiteral("obstacle.select"),
-                   CommandMenu::Tools,
-                   group,
-                   tr("&Select and move obstacles"),
-                   tr("Select obstacles; move, turn and resize them with handles"),
-                   {Qt::Key_V},
-                   QStringLiteral("move")},
-                  select_);
+  host.tools.add({QStringLiteral("obstacle.select"),
+                  CommandMenu::Tools,
+                  group,
+                  tr("&Select and move obstacles"),
+                  tr("Select obstacles; move, turn and resize them with handles"),
+                  {Qt::Key_V},
+                  QStringLiteral("move")},
+                 select_);
   const std::array<QString, 3> texts{tr("Place a &box"), tr("Place a &cylinder"), tr("Place a &ramp")};
   const std::array<QString, 3> helps{
       tr("Click where a box is to stand, or draw its base and then its height"),
@@ -80,70 +86,70 @@ void ObstacleFeatures::createTools() {
     place_.push_back(tool);
     constexpr std::array<const char*, 3> kIcons{"obstacle-box", "obstacle-cylinder", "obstacle-ramp"};
     constexpr std::array<const char*, 3> kIds{"obstacle.box", "obstacle.cylinder", "obstacle.ramp"};
-    window_.addTool(
+    host.tools.add(
         {QLatin1String(kIds[i]), CommandMenu::Tools, group, texts[i], helps[i], {keys[i]}, QLatin1String(kIcons[i])},
         tool);
     connect(tool, &PlaceObstacleTool::placed, this, [this](bool more) {
-      if (!more) window_.view().setTool(select_);
+      if (!more) view_.setTool(select_);
     });
   }
 }
 
-void ObstacleFeatures::createPanel() {
-  panel_ = new ObstaclePanel(*editor_, &window_);
-  dock_ = window_.addPanel({QStringLiteral("view.obstacles"), tr("Obstacles"),
-                            tr("List of placed obstacles, with their places and sizes in numbers")},
-                           panel_);
+void ObstacleFeatures::createPanel(const FeatureHost& host) {
+  panel_ = new ObstaclePanel(*editor_, &host.window);
+  dock_ = host.panels.add({QStringLiteral("view.obstacles"), tr("Obstacles"),
+                           tr("List of placed obstacles, with their places and sizes in numbers")},
+                          panel_);
   connect(panel_, &ObstaclePanel::placeRequested, this, [this](Shape shape) {
-    if (!window_.level()) return;
-    window_.view().setTool(&placeTool(shape));
-    window_.view().setFocus();
+    if (!composer_.level()) return;
+    view_.setTool(&placeTool(shape));
+    view_.setFocus();
   });
   connect(panel_, &ObstaclePanel::duplicateRequested, this, &ObstacleFeatures::duplicate);
   connect(panel_, &ObstaclePanel::frameRequested, this, &ObstacleFeatures::frame);
   panel_->setPlacing(false);
-  connect(&window_, &EditorWindow::environmentLoaded, panel_, [this] { panel_->setPlacing(true); });
+  connect(&file_, &LevelFile::opened, panel_, [this] { panel_->setPlacing(true); });
   const auto takeUnits = [this] {
-    editor_->setUnits(window_.units().units());
-    panel_->setUnits(window_.units().units());
+    editor_->setUnits(units_.units());
+    panel_->setUnits(units_.units());
   };
-  connect(&window_.units(), &UnitChoice::changed, this, takeUnits);
+  connect(&units_, &UnitChoice::changed, this, takeUnits);
   takeUnits();
   connect(panel_, &ObstaclePanel::stickingChanged, this, [this](bool on) { select_->setSticking(on); });
 }
 
 // Their keys count in the view and in the dock only: elsewhere they belong to filters and texts.
-void ObstacleFeatures::createCommands() {
+void ObstacleFeatures::createCommands(CommandRegistry& commands) {
   const QString group = QStringLiteral("obstacles");
-  QAction* copy = window_.commands().add({QStringLiteral("obstacle.duplicate"),
-                                          CommandMenu::Tools,
-                                          group,
-                                          tr("&Duplicate obstacle"),
-                                          tr("A copy beside the selected obstacle"),
-                                          {QKeySequence(Qt::CTRL | Qt::Key_D)},
-                                          QStringLiteral("duplicate")},
-                                         [this](bool) { duplicate(); });
-  QAction* remove = window_.commands().add({QStringLiteral("obstacle.delete"),
-                                            CommandMenu::Tools,
-                                            group,
-                                            tr("D&elete obstacle"),
-                                            tr("Take the selected obstacle out of the level"),
-                                            {QKeySequence::Delete},
-                                            QStringLiteral("remove")},
-                                           [this](bool) {
-                                             if (const auto* o = editor_->selected()) editor_->remove(o->id);
-                                           });
+  QAction* copy = commands.add({QStringLiteral("obstacle.duplicate"),
+                                CommandMenu::Tools,
+                                group,
+                                tr("&Duplicate obstacle"),
+                                tr("A copy beside the selected obstacle"),
+                                {QKeySequence(Qt::CTRL | Qt::Key_D)},
+                                QStringLiteral("duplicate")},
+                               [this](bool) { duplicate(); });
+  QAction* remove = commands.add({QStringLiteral("obstacle.delete"),
+                                  CommandMenu::Tools,
+                                  group,
+                                  tr("D&elete obstacle"),
+                                  tr("Take the selected obstacle out of the level"),
+                                  {QKeySequence::Delete},
+                                  QStringLiteral("remove")},
+                                 [this](bool) {
+                                   if (const auto* o = editor_->selected()) editor_->remove(o->id);
+                                 });
   for (QAction* action : {copy, remove}) {
     action->setShortcutContext(Qt::WidgetShortcut);
-    window_.view().addAction(action);
+    view_.addAction(action);
     panel_->list()->addAction(action);
     // Other tools have marks of their own that Del takes away.
     const auto enable = [this, action] {
-      const ViewTool* tool = window_.view().tool();
+      const ViewTool* tool = view_.tool();
       action->setEnabled(editor_->selected() && (!tool || tool == select_ || std::ranges::count(place_, tool) > 0));
     };
     connect(editor_, &ObstacleEditor::changed, action, enable);
-    connect(&window_.view(), &LevelView::toolChanged, action, enable);
+    connect(&view_, &LevelView::toolChanged, action, enable);
     enable();
   }
 }
@@ -161,7 +167,7 @@ void ObstacleFeatures::showSelection() {
   const QString name = QLatin1String(kSelection);
   const PlacedObstacle* selected = editor_->selected();
   if (!selected) {
-    window_.view().removeOverlay(name);
+    view_.removeOverlay(name);
     return;
   }
   const ObstacleShape shape = shapeOf(*selected);
@@ -172,33 +178,32 @@ void ObstacleFeatures::showSelection() {
     QColor fill = highlightColour();
     fill.setAlphaF(0.25F);
     overlay.surfaces.push_back({shape.triangles, fill});
-    const LevelUnits& units = window_.units().units();
+    const LevelUnits& units = units_.units();
     overlay.labels.push_back({placeOn(*selected, {0, 0, selected->size.z}),
                               tr("%1: %2; size %3; %4°")
                                   .arg(QString::fromStdString(selected->name), units.place(selected->base),
                                        units.size(selected->size), shortText(selected->turn))});
   }
-  window_.view().setOverlay(name, std::move(overlay));
+  view_.setOverlay(name, std::move(overlay));
 }
 
 void ObstacleFeatures::boundSelection() {
   const PlacedObstacle* selected = editor_->selected();
-  window_.view().setSelectionBounds(QLatin1String(kSelection),
-                                    selected ? std::optional(boundsOf(*selected)) : std::nullopt);
+  view_.setSelectionBounds(QLatin1String(kSelection), selected ? std::optional(boundsOf(*selected)) : std::nullopt);
 }
 
 void ObstacleFeatures::frame(std::uint32_t id) {
   const PlacedObstacle* o = editor_->find(id);
   if (!o) return;
   const SceneBox bounds = boundsOf(*o);
-  window_.view().frame(bounds.lower, bounds.upper);
+  view_.frame(bounds.lower, bounds.upper);
 }
 
 bool ObstacleFeatures::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && window_.view().tool()) {
+  if (event->type() == QEvent::ShortcutOverride && view_.tool()) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     const bool nudges =
-        window_.view().tool() == select_ && editor_->selected() && (key == Qt::Key_PageUp || key == Qt::Key_PageDown);
+        view_.tool() == select_ && editor_->selected() && (key == Qt::Key_PageUp || key == Qt::Key_PageDown);
     if (key == Qt::Key_Escape || nudges) {
       event->accept();
       return true;

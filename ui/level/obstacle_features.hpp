@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDockWidget>
 #include <QObject>
 #include <vector>
 
+#include "ui/level/level_file.hpp"
 #include "ui/level/level_geometry.hpp"
 #include "ui/level/obstacle_editor.hpp"
 #include "ui/level/obstacle_panel.hpp"
 #include "ui/level/obstacle_tools.hpp"
-#include "ui/window/editor_window.hpp"
+#include "ui/view/feature_host.hpp"
 
 namespace footfall::ui {
 
@@ -18,7 +20,8 @@ class ObstacleFeatures : public QObject {
   Q_OBJECT
 
  public:
-  explicit ObstacleFeatures(EditorWindow& window);
+  ObstacleFeatures(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file,
+                   LevelComposer& composer, RunController& controller);
 
   [[nodiscard]] ObstacleEditor& editor() { return *editor_; }
   [[nodiscard]] SelectObstacleTool& selectTool() { return *select_; }
@@ -31,15 +34,19 @@ class ObstacleFeatures : public QObject {
 
  private:
   void followLevel();
-  void createTools();
-  void createPanel();
-  void createCommands();
+  void createTools(const FeatureHost& host);
+  void createPanel(const FeatureHost& host);
+  void createCommands(CommandRegistry& commands);
   void showSelection();
   void boundSelection();
   void frame(std::uint32_t id);
   void duplicate();
 
-  EditorWindow& window_;
+  LevelView& view_;
+  LevelFile& file_;
+  LevelComposer& composer_;
+  RunController& controller_;
+  UnitChoice& units_;
   LevelGeometry* geometry_;
   ObstacleEditor* editor_ = nullptr;
   SelectObstacleTool* select_ = nullptr;

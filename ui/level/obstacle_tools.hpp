@@ -34,7 +34,7 @@ class SelectObstacleTool : public QObject, public ViewTool {
   /// Moving sideways follows the ground up and down.
   void setSticking(bool on) { sticking_ = on; }
   [[nodiscard]] bool sticking() const { return sticking_; }
-  /// Of the selected obstacle, as the view shows it; nothing when none is selected.
+  /// The handles of the selected obstacle, as the view shows them; nothing when none is selected.
   [[nodiscard]] std::optional<ObstacleGizmo> gizmo() const;
 
   bool mousePressed(const ViewMouse& mouse) override;

@@ -20,15 +20,8 @@ constexpr std::size_t kVersions = 4;
 
 PartLevel::PartLevel(QObject* parent) : QObject(parent) {}
 
-PartLevel::~PartLevel() { stop(); }
-
-void PartLevel::stop() {
-  if (context_) context_->cancel();
-  context_.reset();
-}
-
 void PartLevel::setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std::vector<PartRule>& rules) {
-  stop();
+  work_.stop();
   loaded_ = std::move(loaded);
   geometry_ = std::move(geometry);
   rules_ = rules;
@@ -58,7 +51,7 @@ void PartLevel::setComputed() {
 }
 
 void PartLevel::update() {
-  stop();
+  work_.stop();
   const auto known = std::ranges::find_if(
       versions_, [&](const Version& version) { return version.loaded == loaded_ && version.rules == rules_; });
   if (known != versions_.end()) {
@@ -71,34 +64,19 @@ void PartLevel::update() {
 
 // With `base` only its geometry is missing.
 void PartLevel::work(EnvironmentPtr base) {
-  context_ = std::make_shared<RunContext>();
-  queue_.post([this, context = context_, loaded = loaded_, rules = rules_, before = computed_ ? computed_ : base_,
-               given = std::move(base), centre = geometry_->centre] {
-    EnvironmentPtr made = given;
-    GeometryPtr geometry;
-    QString error;
-    try {
-      if (!made) made = diffEnvironments(before, applyPartRules(loaded, rules), context.get());
-      context->checkCancelled();
-      geometry = makeEnvironmentGeometry(*made, centre);
-    } catch (const Cancelled&) {
-      return;
-    } catch (const std::exception& problem) {
-      error = tr("the roles of parts cannot be applied (%1); close other programs or use a smaller environment")
-                  .arg(coreText(problem));
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, context, made, geometry, error] {
-          if (context != context_) return;  // overtaken
-          context_.reset();
-          if (geometry)
-            take(made, geometry);
-          else
-            emit failed(error);
-        },
-        Qt::QueuedConnection);
-  });
+  work_.start(
+      *this,
+      [loaded = loaded_, rules = rules_, before = computed_ ? computed_ : base_, given = std::move(base),
+       centre = geometry_->centre](RunContext& context) {
+        const EnvironmentPtr made = given ? given : diffEnvironments(before, applyPartRules(loaded, rules), &context);
+        context.checkCancelled();
+        return std::pair<EnvironmentPtr, GeometryPtr>(made, makeEnvironmentGeometry(*made, centre));
+      },
+      [this](const auto& made) { take(made.first, made.second); },
+      [this](const std::exception& error) {
+        emit failed(tr("the roles of parts cannot be applied (%1); close other programs or use a smaller environment")
+                        .arg(coreText(error)));
+      });
 }
 
 void PartLevel::take(const EnvironmentPtr& base, const GeometryPtr& geometry) {

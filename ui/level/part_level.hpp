@@ -10,7 +10,7 @@
 
 #include "core/environment/part_rules.hpp"
 #include "footfall/run_context.hpp"
-#include "ui/base/background_queue.hpp"
+#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/render_geometry.hpp"
 
@@ -26,7 +26,6 @@ class PartLevel : public QObject {
   using GeometryPtr = std::shared_ptr<const EnvironmentGeometry>;
 
   explicit PartLevel(QObject* parent = nullptr);
-  ~PartLevel() override;
 
   /// Starts anew (null: nothing is loaded), at once; changed() tells of nothing but geometry() that is made later.
   void setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std::vector<PartRule>& rules);
@@ -37,11 +36,11 @@ class PartLevel : public QObject {
   /// A run on base(), or on it with obstacles, has finished.
   void setComputed();
 
-  /// With all roles, ignored parts left out. Older than the rules while busy().
+  /// The level with all roles, ignored parts left out. Older than the rules while busy().
   [[nodiscard]] const EnvironmentPtr& base() const { return base_; }
-  /// Of base(), around the centre of the first version; that of everything until it is made.
+  /// The geometry of base(), around the centre of the first version; that of everything until it is made.
   [[nodiscard]] const GeometryPtr& geometry() const { return geometry_; }
-  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+  [[nodiscard]] bool busy() const { return work_.busy(); }
 
  signals:
   /// base() is another one, and so is geometry().
@@ -60,14 +59,12 @@ class PartLevel : public QObject {
   void update();
   void work(EnvironmentPtr base);
   void take(const EnvironmentPtr& base, const GeometryPtr& geometry);
-  void stop();
 
   EnvironmentPtr loaded_, base_, computed_;
   GeometryPtr geometry_;
   std::vector<PartRule> rules_;
   std::list<Version> versions_;  ///< most recent first: undo finds its results in the cache
-  std::shared_ptr<RunContext> context_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  LatestWork work_;              // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall::ui

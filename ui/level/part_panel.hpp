@@ -28,7 +28,7 @@ class PartPanel : public QWidget {
  public:
   explicit PartPanel(Document& document, QWidget* parent = nullptr);
 
-  /// As its file gave it; null: none. What is selected, and open, stays by its name.
+  /// Shows an environment as its file gave it; null: none. What is selected, and open, stays by its name.
   void setEnvironment(const std::shared_ptr<const Environment>& environment);
   /// Gives the selected rows a role, one edit.
   void setRole(PartRole role);

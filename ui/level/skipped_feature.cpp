@@ -17,52 +17,58 @@ constexpr double kShownAround = 1;  // metres around the corners
 
 }  // namespace
 
-SkippedFeature::SkippedFeature(EditorWindow& window)
-    : QObject(&window), window_(window), panel_(new SkippedPanel), show_(new QPushButton(&window.importPanel())) {
+SkippedFeature::SkippedFeature(const FeatureHost& host, LevelView& view, LevelFile& file, ImportPanel& import)
+    : QObject(&host.window),
+      view_(view),
+      file_(file),
+      units_(host.units),
+      status_(host.status),
+      panel_(new SkippedPanel),
+      show_(new QPushButton(&import)) {
   setObjectName(QStringLiteral("skipped"));
-  dock_ = window_.addPanel({QStringLiteral("panel.skipped"),
-                            tr("Left Out"),
-                            tr("List the polygons of the file that could not be read as floors or walls, and why"),
-                            {},
-                            {},
-                            Qt::RightDockWidgetArea,
-                            false},
-                           panel_);
+  dock_ = host.panels.add({QStringLiteral("panel.skipped"),
+                           tr("Left Out"),
+                           tr("List the polygons of the file that could not be read as floors or walls, and why"),
+                           {},
+                           {},
+                           Qt::RightDockWidgetArea,
+                           false},
+                          panel_);
   show_->setObjectName(QStringLiteral("showSkipped"));
   show_->setToolTip(tr("List the polygons of the file that were left out, and why"));
   show_->hide();
-  window_.importPanel().addBelowFigures(show_);
+  import.addBelowFigures(show_);
   connect(show_, &QPushButton::clicked, this, [this] {
     bringToFront(*dock_);
     dock_->raise();
   });
   connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
-    if (!on) window_.view().removeOverlay(kOverlay);
+    if (!on) view_.removeOverlay(kOverlay);
   });
   // While the window goes, its docks still hide, and the view is gone by then.
-  connect(&window_.commands(), &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
+  connect(&host.commands, &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
   connect(panel_, &SkippedPanel::frameRequested, this, &SkippedFeature::frame);
-  for (const auto signal : {&EditorWindow::environmentLoaded, &EditorWindow::rereadDone})
-    connect(&window_, signal, this, &SkippedFeature::follow);
-  connect(&window_.units(), &UnitChoice::changed, this, &SkippedFeature::follow);
+  connect(&file_, &LevelFile::opened, this, &SkippedFeature::follow);
+  connect(&file_, &LevelFile::rereadDone, this, &SkippedFeature::follow);
+  connect(&units_, &UnitChoice::changed, this, &SkippedFeature::follow);
 }
 
 void SkippedFeature::follow() {
-  window_.view().removeOverlay(kOverlay);
-  const auto environment = window_.environment();
+  view_.removeOverlay(kOverlay);
+  const auto environment = file_.environment();
   const SkippedElements& skipped = environment ? environment->skipped : SkippedElements{};
-  panel_->show(skipped, [units = window_.units().units()](const Vec3& place) { return units.place(place); });
+  panel_->show(skipped, [units = units_.units()](const Vec3& place) { return units.place(place); });
   show_->setVisible(skipped.polygons > 0);
   show_->setText(tr("%n polygons were left out: list", "", static_cast<int>(skipped.polygons)));
 }
 
 void SkippedFeature::frame(int row) {
-  const auto environment = window_.environment();
+  const auto environment = file_.environment();
   if (!environment || row < 0 || static_cast<std::size_t>(row) >= environment->skipped.listed.size()) return;
   const SkippedPolygon& polygon = environment->skipped.listed[static_cast<std::size_t>(row)];
   if (polygon.corners.empty()) {
-    window_.view().removeOverlay(kOverlay);
-    window_.say(tr("This polygon has no corners: it is nowhere in the level."));
+    view_.removeOverlay(kOverlay);
+    status_.say(StatusSubject::Note, tr("This polygon has no corners: it is nowhere in the level."));
     return;
   }
   ViewOverlay overlay;
@@ -71,10 +77,10 @@ void SkippedFeature::frame(int row) {
   overlay.lines.push_back({{{a, b}}, selectedCellColour(), 3, outlineColour()});
   for (const Vec3& corner : polygon.corners) overlay.marks.push_back({corner, selectedCellColour(), 11});
   overlay.labels.push_back({a, coreText(skippedSource(polygon))});
-  window_.view().setOverlay(kOverlay, std::move(overlay));
+  view_.setOverlay(kOverlay, std::move(overlay));
   const double around = kShownAround / environment->metresPerUnit;
-  window_.view().frame({std::min(a.x, b.x) - around, std::min(a.y, b.y) - around, std::min(a.z, b.z) - around},
-                       {std::max(a.x, b.x) + around, std::max(a.y, b.y) + around, std::max(a.z, b.z) + around});
+  view_.frame({std::min(a.x, b.x) - around, std::min(a.y, b.y) - around, std::min(a.z, b.z) - around},
+              {std::max(a.x, b.x) + around, std::max(a.y, b.y) + around, std::max(a.z, b.z) + around});
 }
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// Brings what import left out into the window: a panel, a way to it, and marks in the view.
+// What import left out: a panel, a button that leads to it, and marks in the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,10 @@
 #include <QObject>
 #include <QPushButton>
 
+#include "ui/level/import_panel.hpp"
+#include "ui/level/level_file.hpp"
 #include "ui/level/skipped_panel.hpp"
-#include "ui/window/editor_window.hpp"
+#include "ui/view/feature_host.hpp"
 
 namespace footfall::ui {
 
@@ -16,7 +18,7 @@ class SkippedFeature : public QObject {
   Q_OBJECT
 
  public:
-  explicit SkippedFeature(EditorWindow& window);
+  SkippedFeature(const FeatureHost& host, LevelView& view, LevelFile& file, ImportPanel& import);
 
   [[nodiscard]] SkippedPanel& panel() { return *panel_; }
   /// In the panel of the environment; hidden while nothing was left out.
@@ -26,7 +28,10 @@ class SkippedFeature : public QObject {
   void follow();
   void frame(int row);
 
-  EditorWindow& window_;
+  LevelView& view_;
+  LevelFile& file_;
+  UnitChoice& units_;
+  StatusLine& status_;
   SkippedPanel* panel_;
   QDockWidget* dock_;
   QPushButton* show_;

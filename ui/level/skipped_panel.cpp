@@ -6,6 +6,7 @@
 
 #include "core/environment/skipped_polygons.hpp"
 #include "ui/base/core_text.hpp"
+#include "ui/base/list_table.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
@@ -31,26 +32,13 @@ SkippedPanel::SkippedPanel(QWidget* parent)
   table_->setToolTip(tr("Click a polygon, or press Return on it, to bring its corners into sight"));
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels({tr("In the file"), tr("Why"), tr("Place")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->setWordWrap(false);
-  table_->setAlternatingRowColors(true);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
+  prepareList(*table_);
   table_->horizontalHeader()->setSectionResizeMode(Reason, QHeaderView::Stretch);
-  table_->horizontalHeader()->setHighlightSections(false);
-  const int unit = table_->fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  table_->setColumnWidth(Source, 12 * unit);
-  table_->setColumnWidth(Place, 22 * unit);
+  setColumnWidths(*table_, {{Source, 12}, {Place, 22}});
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(summary_);
   layout->addWidget(table_, 1);
-  const auto frame = [this](const QModelIndex& index) { emit frameRequested(index.row()); };
-  connect(table_, &QTableView::clicked, this, frame);
-  connect(table_, &QTableView::activated, this, frame);
+  onRowChosen(*table_, [this](int row) { emit frameRequested(row); });
   show({}, {});
 }
 

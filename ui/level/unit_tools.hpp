@@ -4,9 +4,9 @@
 
 namespace footfall::ui {
 
-class EditorWindow;
+struct FeatureHost;
 
 /// Adds the menu "Lengths in" to the window.
-void installUnitTools(EditorWindow& window);
+void installUnitTools(const FeatureHost& host);
 
 }  // namespace footfall::ui

@@ -10,7 +10,6 @@
 
 #include "footfall/path.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/window/editor_window.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -31,14 +30,16 @@ std::optional<Vec3> toPlace(const Json& json) {
 
 }  // namespace
 
-PathFeature::PathFeature(EditorWindow& window)
-    : QObject(&window),
-      window_(window),
-      tool_(model_, window.view(), nullptr),
+PathFeature::PathFeature(const FeatureHost& host, LevelView& view, LevelFile& file, RunController& controller)
+    : QObject(&host.window),
+      view_(view),
+      file_(file),
+      controller_(controller),
+      tool_(model_, view, nullptr),
       panel_(new PathPanel(model_)),
-      separation_(new SeparationView(model_, window.view(), panel_)) {
+      separation_(new SeparationView(model_, view, panel_)) {
   panel_->addBelowFailure(separation_);
-  dock_ = window.addPanel({QStringLiteral("panel.path"),
+  dock_ = host.panels.add({QStringLiteral("panel.path"),
                            tr("Try it"),
                            tr("Enter two places and see the shortest path between them"),
                            {},
@@ -46,7 +47,7 @@ PathFeature::PathFeature(EditorWindow& window)
                            Qt::RightDockWidgetArea,
                            false},
                           panel_);
-  window.addTool({QStringLiteral("tools.path"),
+  host.tools.add({QStringLiteral("tools.path"),
                   CommandMenu::Tools,
                   QStringLiteral("tools"),
                   tr("&Try it"),
@@ -54,40 +55,41 @@ PathFeature::PathFeature(EditorWindow& window)
                   {Qt::Key_P},
                   QStringLiteral("path")},
                  &tool_, dock_);
-  connect(&window.view(), &LevelView::toolChanged, this, &PathFeature::follow);
+  connect(&view_, &LevelView::toolChanged, this, &PathFeature::follow);
   connect(dock_, &QDockWidget::visibilityChanged, this, &PathFeature::follow);
-  connect(&tool_, &PathTool::hintChanged, this, [this](const QString& hint) {
-    if (window_.view().tool() == &tool_) window_.say(hint, StatusSubject::Tool);
+  connect(&tool_, &PathTool::hintChanged, this, [this, &status = host.status](const QString& hint) {
+    if (view_.tool() == &tool_) status.say(StatusSubject::Tool, hint);
   });
-  const auto takeUnits = [this] {
-    panel_->setUnits(window_.units().units());
-    tool_.setUnits(window_.units().units());
-    const LevelUnits units = window_.units().units();
+  const auto takeUnits = [this, &choice = host.units] {
+    const LevelUnits units = choice.units();
+    panel_->setUnits(units);
+    tool_.setUnits(units);
     separation_->setWriter({[units](double length) { return units.length(length); },
                             [units](const Vec3& place) { return units.place(place); }});
   };
-  connect(&window.units(), &UnitChoice::changed, this, takeUnits);
+  connect(&host.units, &UnitChoice::changed, this, takeUnits);
   takeUnits();
-  connect(&window.controller(), &RunController::finished, this, &PathFeature::takeResult);
-  connect(&window, &EditorWindow::environmentLoaded, this, [this] {
-    const std::string source = window_.environment() ? window_.environment()->source : std::string();
+  connect(&controller_, &RunController::finished, this, &PathFeature::takeResult);
+  connect(&file_, &LevelFile::opened, this, [this] {
+    const std::string source = file_.environment() ? file_.environment()->source : std::string();
     if (!std::exchange(fromSession_, false) && source != environment_) model_.setPlaces(std::nullopt, std::nullopt);
     environment_ = source;
     takeResult();
   });
-  connect(&model_, &PathModel::placesChanged, &window, &EditorWindow::keepSoon);
+  connect(&model_, &PathModel::placesChanged, &host.sections, &SessionSections::changed);
   connect(&model_, &PathModel::resultChanged, this, &PathFeature::boundSelection);
-  connect(panel_, &PathPanel::speedEdited, &window, &EditorWindow::keepSoon);
+  connect(panel_, &PathPanel::speedEdited, &host.sections, &SessionSections::changed);
   connect(&model_, &PathModel::failed, this,
-          [this](const QString& text) { window_.messageBar().showErrorOf(MessageSubject::Path, text); });
-  connect(&model_, &PathModel::resultChanged, this, [this] { window_.messageBar().finish(MessageSubject::Path); });
-  window.addSessionSection(
+          [&messages = host.messages](const QString& text) { messages.showErrorOf(MessageSubject::Path, text); });
+  connect(&model_, &PathModel::resultChanged, this,
+          [&messages = host.messages] { messages.finish(MessageSubject::Path); });
+  host.sections.add(
       {QStringLiteral("path"), [this] { return save(); }, [this](const std::string& text) { load(text); }});
   takeResult();
 }
 
 void PathFeature::follow() {
-  const bool shown = window_.view().tool() == &tool_ || !dock_->isHidden();
+  const bool shown = view_.tool() == &tool_ || !dock_->isHidden();
   tool_.setShown(shown);
   separation_->setShown(shown);
   model_.setActive(shown);
@@ -95,25 +97,25 @@ void PathFeature::follow() {
 }
 
 void PathFeature::takeResult() {
-  const auto run = window_.controller().finishedRun();
+  const auto run = controller_.finishedRun();
   if (run) {
     model_.setGround({run->result.mesh, placeReach(run->pipeline), run->environment,
                       agentHeight(run->pipeline, run->environment->metresPerUnit)});
   } else {
     model_.setGround({});
   }
-  const double metres = window_.environment() ? window_.environment()->metresPerUnit : 1;
+  const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
   separation_->setMargin(kShownAround / metres);
-  panel_->setNotice(!window_.environment() ? tr("Open an environment first.")
-                    : run                  ? QString()
-                                           : tr("There is no result to walk on yet."));
+  panel_->setNotice(!file_.environment() ? tr("Open an environment first.")
+                    : run                ? QString()
+                                         : tr("There is no result to walk on yet."));
   follow();
 }
 
 // What "Frame selection" shows: the path, or how far it comes.
 void PathFeature::boundSelection() {
   std::optional<SceneBox> bounds;
-  const bool shown = window_.view().tool() == &tool_ || !dock_->isHidden();
+  const bool shown = view_.tool() == &tool_ || !dock_->isHidden();
   if (shown && model_.result() && model_.result()->hasPath()) {
     for (const Vec3& p : model_.result()->points) {
       if (!bounds) bounds = SceneBox{p, p};
@@ -122,7 +124,7 @@ void PathFeature::boundSelection() {
       upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
     }
   }
-  window_.view().setSelectionBounds(QStringLiteral("path"), bounds);
+  view_.setSelectionBounds(QStringLiteral("path"), bounds);
 }
 
 std::string PathFeature::save() const {

@@ -1,26 +1,27 @@
-// Brings "Try it" into the window: tool, panel, what it walks on, and what sessions keep of it.
+// "Try it": tool, panel, the result that paths walk on, and what sessions keep of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QObject>
 #include <string>
 
+#include "ui/level/level_file.hpp"
 #include "ui/path/path_model.hpp"
 #include "ui/path/path_panel.hpp"
 #include "ui/path/path_tool.hpp"
 #include "ui/path/separation_view.hpp"
+#include "ui/run/run_controller.hpp"
+#include "ui/view/feature_host.hpp"
 
 class QDockWidget;
 
 namespace footfall::ui {
 
-class EditorWindow;
-
 class PathFeature : public QObject {
   Q_OBJECT
 
  public:
-  explicit PathFeature(EditorWindow& window);
+  PathFeature(const FeatureHost& host, LevelView& view, LevelFile& file, RunController& controller);
 
   [[nodiscard]] PathModel& model() { return model_; }
 
@@ -31,14 +32,16 @@ class PathFeature : public QObject {
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
 
-  EditorWindow& window_;
+  LevelView& view_;
+  LevelFile& file_;
+  RunController& controller_;
   PathModel model_;
   PathTool tool_;
   PathPanel* panel_;
   SeparationView* separation_;
   QDockWidget* dock_;
-  std::string environment_;   ///< that the places lie in
-  bool fromSession_ = false;  ///< they came with the file that is being opened
+  std::string environment_;   ///< the file that the places lie in
+  bool fromSession_ = false;  ///< the places came with the file that is being opened
 };
 
 }  // namespace footfall::ui

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "ui/base/palette.hpp"
+
 namespace footfall::ui {
 namespace {
 
@@ -15,9 +17,9 @@ constexpr double kArrowEvery = 56;  // pixels along the path
 constexpr double kArrowPixels = 9;
 
 // Okabe and Ito's: neither is a colour that means something on the way.
-QColor startColour() { return {0, 114, 178}; }
-QColor targetColour() { return {230, 159, 0}; }
-QColor failColour() { return {213, 94, 0}; }
+QColor startColour() { return toColour(kBlue); }
+QColor targetColour() { return toColour(kOrange); }
+QColor failColour() { return toColour(kVermilion); }
 QColor lineColour() { return {20, 20, 20}; }
 
 Vec3 between(const Vec3& a, const Vec3& b, double s) {

@@ -8,6 +8,7 @@
 #include "core/navigation/separation_text.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/palette.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -17,12 +18,12 @@ struct SeparationText {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::SeparationText)
 };
 
-QColor barrierColour() { return {213, 94, 0}; }
+QColor barrierColour() { return toColour(kVermilion); }
 
 }  // namespace
 
 QString barrierText(const BorderLink& link, const LevelWriter& write) {
-  return coreText(barrierText(link, [&](double length) { return write.length(length).toStdString(); }));
+  return coreText(detail::barrierText(link, [&](double length) { return write.length(length).toStdString(); }));
 }
 
 QString separationText(const Separation& separation, const LevelWriter& write) {

@@ -20,8 +20,9 @@ struct FinishedRun {
   RunResult result;
 };
 
-/// Of one environment, by the text of the enabled steps. Bounded by the memory that it counts for meshes and vertices
-/// (what several results share is counted for each); the least recently used goes first, the newest stays if it fits.
+/// Finished runs on one environment, by the text of the enabled steps. Bounded by the memory that it counts for meshes
+/// and vertices (what several results share is counted for each); the least recently used goes first, the newest stays
+/// if it fits.
 class FinishedRuns {
  public:
   static constexpr std::size_t kBytes = std::size_t{512} << 20;

@@ -13,10 +13,7 @@
 namespace footfall::ui {
 
 RunController::RunController(QObject* parent)
-    : QObject(parent),
-      previews_(std::make_shared<PreviewCache>()),
-      cache_(std::make_shared<ResultCache>()),
-      preparing_(std::make_shared<RunContext>()) {
+    : QObject(parent), previews_(std::make_shared<PreviewCache>()), cache_(std::make_shared<ResultCache>()) {
   drainTimer_.setSingleShot(true);
   connect(&drainTimer_, &QTimer::timeout, this, &RunController::drain);
   frameTimer_.setSingleShot(true);
@@ -28,7 +25,6 @@ RunController::RunController(QObject* parent)
 RunController::~RunController() {
   if (job_) job_->context->cancel();
   if (aheadJob_) aheadJob_->context->cancel();
-  preparing_->cancel();
 }
 
 void RunController::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
@@ -51,10 +47,7 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
 // What is known of single steps by their filters belongs to one environment.
 void RunController::forgetSteps() {
   previews_ = std::make_shared<PreviewCache>();
-  preparing_->cancel();
-  preparing_ = std::make_shared<RunContext>();
   editPreviews_.clear();
-  missing_.clear();
   knownBlocks_.clear();
   runs_.clear();
   stepTimes_.clear();
@@ -157,7 +150,7 @@ bool RunController::previews(int id) const {
   std::string prefix;
   for (const FilterEntry& entry : filters_) {
     if (!entry.step.enabled) continue;
-    if (entry.id == id) return editPreviews_.contains(prefix + std::string(entry.step.filter->name));
+    if (entry.id == id) return editPreviews_.find(prefix + std::string(entry.step.filter->name)) != nullptr;
     prefix = extendPrefix(prefix, entry.step);
   }
   return false;
@@ -266,8 +259,7 @@ void RunController::start(Start why) {
         if (job == job_) emit started();
       },
       Qt::QueuedConnection);
-  preparing_->cancel();
-  preparing_ = std::make_shared<RunContext>();
+  editPreviews_.stop();
   if (aheadJob_) aheadJob_->context->cancel();  // it comes again
   job->settling = settle.count() > 0;
   if (job->settling) settleTimer_.start(settle);
@@ -312,7 +304,7 @@ void RunController::listenTo(const std::shared_ptr<Job>& job) {
 void RunController::frameShown() {
   frameTimer_.stop();
   if (!job_) {
-    preparePreviews();
+    editPreviews_.prepare(environment_, centre_);
   } else if (std::exchange(job_->waiting, false)) {
     work(job_);
   }
@@ -413,9 +405,9 @@ void RunController::adopt(const Job& job, const Outcome& outcome, bool known) {
     status.note = coreText(steps[i].note);
     status.prefix = job.prefixes[i + 1];
   }
-  rememberTimes(job);
+  stepTimes_.remember(steps, job.prefixes);
   provisional_ = false;
-  keepBlocks(job);
+  knownBlocks_.follow(finished_->result, job.steps, job.prefixes);
   emit statusChanged();
   if (job.environment == environment_) keepPreviews(job);  // of a level that is there no more, there are none
   emit contentReady(outcome.content);

@@ -15,12 +15,14 @@
 #include "ui/base/background_queue.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/document/document.hpp"
+#include "ui/run/edit_previews.hpp"
 #include "ui/run/finished_runs.hpp"
+#include "ui/run/known_blocks.hpp"
 #include "ui/run/provisional_content.hpp"
 #include "ui/run/run_event_buffer.hpp"
 #include "ui/run/step_status.hpp"
+#include "ui/run/step_times.hpp"
 #include "ui/view/cell_block.hpp"
-#include "ui/view/edit_preview.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {
@@ -112,7 +114,6 @@ class RunController : public QObject {
   void findFirstChange(Job& job) const;
   void preview(Job& job) const;
   void keepPreviews(const Job& job);
-  void preparePreviews();
   enum class Start { Asked, Edited, Overtaking };  ///< the last: by an edit while a run was under way
   void start(Start why);
   [[nodiscard]] std::shared_ptr<Job> makeJob(const Pipeline& pipeline) const;
@@ -124,7 +125,6 @@ class RunController : public QObject {
   [[nodiscard]] bool letsFinish() const;
   void endSettling();
   void showEdit();
-  void rememberTimes(const Job& job);
   void takeTime(std::size_t step, const RunEventBuffer::Step& events, bool inBlock, double fraction);
   [[nodiscard]] std::optional<double> expectedOf(const Job& job, std::size_t step) const;
   void nextAhead();
@@ -139,7 +139,6 @@ class RunController : public QObject {
   [[nodiscard]] ViewContent contentOfStep(const RunEventBuffer::Step& step) const;
   [[nodiscard]] bool waitsForPicture() const;
   void showLastResult();
-  void keepBlocks(const Job& job);
   void showLastCells();
   void markUnfinished(const Job& job, const QString& error);
   void complete(const std::shared_ptr<Job>& job, const Outcome& outcome);
@@ -160,8 +159,8 @@ class RunController : public QObject {
   bool dragging_ = false;
   bool followUp_ = false;  ///< the list has changed while the run under way was let to finish
   QTimer settleTimer_;
-  std::map<std::string, double> stepTimes_;  ///< in milliseconds, by steps so far
-  std::vector<Pipeline> ahead_;              ///< still to be computed
+  StepTimes stepTimes_;
+  std::vector<Pipeline> ahead_;  ///< still to be computed
   int aheadAll_ = 0;
   std::shared_ptr<Job> aheadJob_;
   std::string finishedKey_;
@@ -173,19 +172,13 @@ class RunController : public QObject {
   class StepPictures;
   std::shared_ptr<PreviewCache> previews_;
   std::shared_ptr<ResultCache> cache_;
-  /// What to show at once of edits of the finished run's steps, by steps so far and filter.
-  using EditPreviews = std::map<std::string, std::shared_ptr<const EditPreview>>;
   EditPreviews editPreviews_;
-  std::vector<std::pair<std::string, EditedStep>>
-      missing_;  ///< of them, to be prepared once the result is on the screen
-  std::shared_ptr<RunContext> preparing_;
-  std::map<std::string, CellBlock> knownBlocks_;                     ///< by steps so far, Collapse included
-  std::vector<std::string> blockKeys_;                               ///< of the last finished run
+  KnownBlocks knownBlocks_;
   bool cellsShown_ = false;                                          ///< there is something to take back
   static constexpr auto kFrameWait = std::chrono::milliseconds(60);  ///< a hidden view shows no frames
   double pictureMs_ = 0;
-  QTimer frameTimer_;                     ///< ends waiting for a frame that does not come
-  BackgroundQueue queue_, preparations_;  // last: their threads end before the rest goes
+  QTimer frameTimer_;      ///< ends waiting for a frame that does not come
+  BackgroundQueue queue_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall::ui

@@ -23,7 +23,6 @@ constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
 // What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
 constexpr auto kProgressAfter = std::chrono::milliseconds(150);
 constexpr double kSameArea = 1 - 1e-9;  // areas in summaries are rounded
-constexpr std::size_t kKnownBlocks = 64;
 
 double milliseconds(RunEventBuffer::Clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
@@ -229,35 +228,9 @@ ViewContent RunController::contentOfStep(const RunEventBuffer::Step& step) const
   return content;
 }
 
-// Blocks that came from the cache are remembered from the run in which they ran.
-void RunController::keepBlocks(const Job& job) {
-  const RunResult& result = finished_->result;
-  if (!result.blocks.empty()) {
-    const auto figures = std::make_shared<const RunFigures>(RunFigures{result.times, result.threads});
-    for (const BlockReport& report : result.blocks) {
-      if (report.lastStep + 1 >= job.prefixes.size()) continue;
-      knownBlocks_[job.prefixes[report.lastStep + 1]] = {report, std::vector<char>(report.cells.size(), 1), figures};
-    }
-  }
-  blockKeys_.clear();
-  for (std::size_t i = 0; i < job.steps.size(); ++i) {
-    if (job.steps[i]->filter->kind == FilterKind::Collapse) blockKeys_.push_back(job.prefixes[i + 1]);
-  }
-  if (knownBlocks_.size() > kKnownBlocks) {
-    std::erase_if(knownBlocks_,
-                  [this](const auto& known) { return std::ranges::find(blockKeys_, known.first) == blockKeys_.end(); });
-  }
-}
-
-// Of the last finished run.
+// The cells of the last finished run.
 void RunController::showLastCells() {
-  CellBlocks blocks;
-  if (finished_) {
-    for (const std::string& key : blockKeys_) {
-      const auto known = knownBlocks_.find(key);
-      if (known != knownBlocks_.end()) blocks.push_back(known->second);
-    }
-  }
+  const CellBlocks blocks = finished_ ? knownBlocks_.blocks() : CellBlocks();
   if (blocks.empty() && !std::exchange(cellsShown_, false)) return;
   cellsShown_ = !blocks.empty();
   emit cellsChanged(blocks);

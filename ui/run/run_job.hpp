@@ -1,4 +1,4 @@
-// What RunController's rooms share and nobody else sees: a run under way, and what it gave.
+// A run under way and what it gave; for the files of RunController alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -83,7 +83,7 @@ struct RunController::Job {
   std::vector<std::string> prefixes;       // prefixes[i]: steps before the enabled step i, and one more for all
   RunEventBuffer::Clock::time_point begun = RunEventBuffer::Clock::now();
   bool follows = false;  // there is an earlier result, which is shown until more is known
-  // What the window shows of it while it runs; the window's own.
+  // What the window shows of the run while it goes on; only the window's thread uses it.
   std::size_t shownStep = static_cast<std::size_t>(-1), shownParts = 0;
   std::optional<RunEventBuffer::Clock::time_point> lastPicture;
   // Over the last result: known from the edit itself, or else from the first step that differs once it has run.

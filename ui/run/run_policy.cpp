@@ -13,8 +13,6 @@ namespace {
 constexpr double kLiveMs = 150;
 // So long after the last edit a slow run begins, where edits follow each other; about the pause between two keys.
 constexpr auto kSettle = std::chrono::milliseconds(300);
-// Times of more steps are of values that nobody comes back to.
-constexpr std::size_t kKnownTimes = 1000;
 
 }  // namespace
 
@@ -38,8 +36,7 @@ void RunController::endSettling() {
 }
 
 std::optional<double> RunController::expectedOf(const Job& job, std::size_t step) const {
-  const auto known = stepTimes_.find(job.prefixes[step + 1]);
-  if (known != stepTimes_.end()) return known->second;
+  if (const auto known = stepTimes_.find(job.prefixes[step + 1])) return known;
   return step < job.ids.size() ? status(job.ids[step]).wallMs : std::nullopt;  // with other values
 }
 
@@ -71,13 +68,6 @@ void RunController::showEdit() {
   ViewContent content = shown_.content;
   content.changes = job->changes;
   emit contentReady(content);
-}
-
-void RunController::rememberTimes(const Job& job) {
-  if (stepTimes_.size() > kKnownTimes) stepTimes_.clear();
-  const std::vector<StepStatistics>& steps = finished_->result.steps;
-  for (std::size_t i = 0; i < steps.size() && i + 1 < job.prefixes.size(); ++i)
-    stepTimes_[job.prefixes[i + 1]] = steps[i].wallMs;
 }
 
 void RunController::takeTime(std::size_t step, const RunEventBuffer::Step& events, bool inBlock, double fraction) {

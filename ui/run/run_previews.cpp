@@ -21,49 +21,21 @@ void RunController::preview(Job& job) const {
       !std::equal(before.begin() + rest, before.end(), job.steps.begin() + rest,
                   [](const PipelineStep* a, const PipelineStep* b) { return *a == *b; }))
     return;
-  const auto found = editPreviews_.find(job.prefixes[i] + std::string(before[i]->filter->name));
-  if (found == editPreviews_.end()) return;
-  job.changes = found->second->changes(before[i]->values[0], job.steps[i]->values[0]);
+  const EditPreview* known = editPreviews_.find(job.prefixes[i] + std::string(before[i]->filter->name));
+  if (known) job.changes = known->changes(before[i]->values[0], job.steps[i]->values[0]);
 }
 
-// What depends on nothing that is new in this run is still true; the rest is made anew, once the result is seen.
 void RunController::keepPreviews(const Job& job) {
-  EditPreviews kept;
-  missing_.clear();
+  std::vector<std::pair<std::string, EditedStep>> steps;
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
     const PipelineStep& step = *job.steps[i];
     if (step.values.size() != 1) continue;
-    const std::string key = job.prefixes[i] + std::string(step.filter->name);
-    const EditedStep edited{step.filter->type, step.values[0], job.previews->find(job.prefixes[i]),
-                            finished_->result.mesh};
-    const auto known = editPreviews_.find(key);
-    if (known != editPreviews_.end() && known->second->suits(edited)) {
-      kept.insert(*known);
-    } else {
-      missing_.emplace_back(key, edited);
-    }
+    steps.emplace_back(
+        job.prefixes[i] + std::string(step.filter->name),
+        EditedStep{step.filter->type, step.values[0], job.previews->find(job.prefixes[i]), finished_->result.mesh});
   }
-  editPreviews_ = std::move(kept);
+  editPreviews_.follow(std::move(steps));
   frameTimer_.start(kFrameWait);
-}
-
-// In the background, as long as no run wants the processors.
-void RunController::preparePreviews() {
-  for (auto& [key, step] : std::exchange(missing_, {})) {
-    preparations_.post([this, key, step, context = preparing_, environment = environment_, centre = centre_] {
-      std::shared_ptr<const EditPreview> made;
-      try {
-        context->checkCancelled();
-        made = makeEditPreview(step, environment, centre, *context);
-      } catch (const std::exception&) {
-        return;  // cancelled, or memory ran out: then a run shows the first change
-      }
-      const auto keep = [this, key, context, made] {
-        if (made && context == preparing_) editPreviews_[key] = made;
-      };
-      QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
-    });
-  }
 }
 
 }  // namespace footfall::ui

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/base/palette.hpp"
 #include "ui/base/theme.hpp"
 
 namespace footfall::ui {
@@ -33,21 +34,9 @@ bool inked(FillPattern pattern, double x, double y) {
 
 Paint wallPaint() { return {QColor(196, 199, 203), FillPattern::Plain}; }
 Paint undecidedPaint() { return {QColor(222, 224, 227), FillPattern::Plain}; }
-Paint walkablePaint() { return {QColor(0, 158, 115), FillPattern::Plain}; }
+Paint walkablePaint() { return {toColour(kBluishGreen), FillPattern::Plain}; }
 
-Paint layerPaint(std::uint32_t layer) {
-  static const std::array<QColor, 6> kColours = {QColor(0, 158, 115), QColor(86, 180, 233),  QColor(240, 228, 66),
-                                                 QColor(0, 114, 178), QColor(204, 121, 167), QColor(230, 159, 0)};
-  const QColor& colour = kColours[layer % kColours.size()];
-  switch (layer / kColours.size() % 3) {
-    case 1:
-      return {colour.darker(150), FillPattern::Plain};
-    case 2:
-      return {colour.lighter(140), FillPattern::Plain};
-    default:
-      return {colour, FillPattern::Plain};
-  }
-}
+Paint layerPaint(std::uint32_t layer) { return {numberedColour(kLayerColours, layer), FillPattern::Plain}; }
 
 QColor obstacleEdgeColour() { return {213, 60, 0}; }
 QColor connectionColour() { return {255, 255, 255}; }
@@ -88,7 +77,7 @@ const RemovalStyle* removalStyle(FilterType filter) {
       {FilterType::Slope,
        QCoreApplication::translate("Legend", "Too steep"),
        {QColor(176, 150, 128), FillPattern::RisingStripes},
-       {QColor(230, 159, 0), FillPattern::RisingStripes}},
+       {toColour(kOrange), FillPattern::RisingStripes}},
       {FilterType::VerticalClearance,
        QCoreApplication::translate("Legend", "Too little headroom"),
        {QColor(150, 138, 176), FillPattern::FallingStripes},

@@ -28,18 +28,25 @@ Vec3 vectorFrom(const Json& json) {
 
 }  // namespace
 
-CameraTools::CameraTools(EditorWindow& window) : QObject(&window), window_(window), fly_(window.view()) {
+CameraTools::CameraTools(const FeatureHost& host, LevelView& view, ViewLayout& layout)
+    : QObject(&host.window),
+      window_(host.window),
+      view_(view),
+      status_(host.status),
+      units_(host.units),
+      sections_(host.sections),
+      fly_(view) {
   setObjectName(QStringLiteral("cameraTools"));
-  gizmo_ = new AxisGizmo(window_.view());
-  window_.overlays().gizmo = gizmo_;
-  const auto takeUnits = [this] { gizmo_->setUnits(window_.units().units()); };
-  connect(&window_.units(), &UnitChoice::changed, gizmo_, takeUnits);
+  gizmo_ = new AxisGizmo(view_);
+  layout.setGizmo(gizmo_);
+  const auto takeUnits = [this] { gizmo_->setUnits(units_.units()); };
+  connect(&units_, &UnitChoice::changed, gizmo_, takeUnits);
   takeUnits();
-  addSides();
-  addMoves();
-  addBookmarks();
-  connect(&window_, &EditorWindow::environmentLoaded, this, [this] {
-    const auto geometry = window_.view().environmentGeometry();
+  addSides(host.commands);
+  addMoves(host);
+  addBookmarks(host.commands);
+  connect(&view_, &LevelView::environmentChanged, this, [this] {
+    const auto geometry = view_.environmentGeometry();
     const Vec3 size = geometry ? Vec3{geometry->upper.x - geometry->lower.x, geometry->upper.y - geometry->lower.y,
                                       geometry->upper.z - geometry->lower.z}
                                : Vec3{};
@@ -47,13 +54,12 @@ CameraTools::CameraTools(EditorWindow& window) : QObject(&window), window_(windo
     fly_.setSpeed(across > 0 ? across / kFlySeconds : 1);
   });
   connect(&fly_, &FlyTool::speedChanged, this, [this](double speed) {
-    const LevelUnits& units = window_.units().units();
-    window_.say(tr("Fly: %1 %2 a second").arg(shortText(speed * units.factor(), 3), units.name()));
+    const LevelUnits& units = units_.units();
+    status_.say(StatusSubject::Note, tr("Fly: %1 %2 a second").arg(shortText(speed * units.factor(), 3), units.name()));
   });
 }
 
-void CameraTools::addSides() {
-  LevelView& view = window_.view();
+void CameraTools::addSides(CommandRegistry& commands) {
   struct Side {
     ViewSide side;
     const char* id;
@@ -68,64 +74,67 @@ void CameraTools::addSides() {
        {ViewSide::Right, "view.right", tr("From the ri&ght"), tr("Look level, from the right"), Qt::Key_3},
        {ViewSide::Left, "view.left", tr("From the &left"), tr("Look level, from the left"), Qt::CTRL | Qt::Key_3}}};
   for (const Side& side : sides) {
-    window_.commands().add(
+    commands.add(
         {QString::fromLatin1(side.id), CommandMenu::View, QStringLiteral("camera"), side.text, side.help, {side.key}},
-        [&view, to = side.side](bool) { view.viewFrom(to); });
+        [this, to = side.side](bool) { view_.viewFrom(to); });
   }
-  if (QAction* top = window_.commands().find(QStringLiteral("view.top")))
+  if (QAction* top = commands.find(QStringLiteral("view.top")))
     top->setShortcuts(top->shortcuts() << QKeySequence(Qt::Key_7));
 }
 
-void CameraTools::addMoves() {
-  LevelView& view = window_.view();
+void CameraTools::addMoves(const FeatureHost& host) {
   const QString group = QStringLiteral("camera moves");
-  window_.commands().add({QStringLiteral("view.projection"),
-                          CommandMenu::View,
-                          group,
-                          tr("&Perspective or parallel"),
-                          tr("Switch between perspective and parallel projection"),
-                          {Qt::Key_5}},
-                         [&view](bool) { view.setOrthographic(!view.orthographic()); });
-  QAction* frame = window_.commands().add({QStringLiteral("view.frame"),
-                                           CommandMenu::View,
-                                           group,
-                                           tr("Frame &selection"),
-                                           tr("Bring what is selected, or what the mouse points at, into sight"),
-                                           {Qt::Key_Home, Qt::Key_Period}},
-                                          [&view](bool) { view.frameSelection(); });
+  host.commands.add({QStringLiteral("view.projection"),
+                     CommandMenu::View,
+                     group,
+                     tr("&Perspective or parallel"),
+                     tr("Switch between perspective and parallel projection"),
+                     {Qt::Key_5}},
+                    [this](bool) { view_.setOrthographic(!view_.orthographic()); });
+  QAction* frame = host.commands.add({QStringLiteral("view.frame"),
+                                      CommandMenu::View,
+                                      group,
+                                      tr("Frame &selection"),
+                                      tr("Bring what is selected, or what the mouse points at, into sight"),
+                                      {Qt::Key_Home, Qt::Key_Period}},
+                                     [this](bool) { view_.frameSelection(); });
   frame->setShortcutContext(Qt::WidgetWithChildrenShortcut);  // Home has another use in lists
-  view.addAction(frame);
+  view_.addAction(frame);
   Command fly{QStringLiteral("view.fly"),
               CommandMenu::Tools,
               QStringLiteral("camera"),
               tr("&Fly"),
               tr("Move through the level with W A S D, Q and E, and look with the mouse"),
               {QKeySequence(Qt::SHIFT | Qt::Key_F)}};
-  window_.addTool(fly, &fly_);
+  host.tools.add(fly, &fly_);
   const QString setting = QStringLiteral("animateCamera");
-  QAction* smooth = window_.commands().add({QStringLiteral("view.animate"),
-                                            CommandMenu::View,
-                                            group,
-                                            tr("Glide to &new views"),
-                                            tr("Show where the camera goes when it jumps; off to reduce motion"),
-                                            {},
-                                            {},
-                                            true},
-                                           [this, setting](bool on) {
-                                             if (QSettings().value(setting, true).toBool() != on)
-                                               QSettings().setValue(setting, on);
-                                             window_.view().setAnimated(on && window_.interactive());
-                                           });
-  smooth->setChecked(QSettings().value(setting, true).toBool());
+  smooth_ = host.commands.add({QStringLiteral("view.animate"),
+                               CommandMenu::View,
+                               group,
+                               tr("Glide to &new views"),
+                               tr("Show where the camera goes when it jumps; off to reduce motion"),
+                               {},
+                               {},
+                               true},
+                              [this, setting](bool on) {
+                                if (QSettings().value(setting, true).toBool() != on) QSettings().setValue(setting, on);
+                                view_.setAnimated(on && interactive_);
+                              });
+  smooth_->setChecked(QSettings().value(setting, true).toBool());
+}
+
+void CameraTools::setInteractive(bool on) {
+  interactive_ = on;
+  view_.setAnimated(on && smooth_->isChecked());
 }
 
 // --- Bookmarks
 
-void CameraTools::addBookmarks() {
+void CameraTools::addBookmarks(CommandRegistry& commands) {
   menu_ = new QMenu(tr("Book&marks"), &window_);
   menu_->setToolTipsVisible(true);
-  window_.commands().adopt(menu_->menuAction(),
-                           {QStringLiteral("view.bookmarks"), CommandMenu::View, QStringLiteral("bookmarks"), {}, {}});
+  commands.adopt(menu_->menuAction(),
+                 {QStringLiteral("view.bookmarks"), CommandMenu::View, QStringLiteral("bookmarks"), {}, {}});
   connect(menu_, &QMenu::aboutToShow, this, &CameraTools::fillMenu);
   // Their keys work without the menu.
   for (int slot = 1; slot <= kBookmarks; ++slot) {
@@ -145,7 +154,7 @@ void CameraTools::addBookmarks() {
     }
   }
   fillMenu();
-  window_.addSessionSection(
+  sections_.add(
       {QStringLiteral("bookmarks"), [this] { return save(); }, [this](const std::string& text) { load(text); }});
 }
 
@@ -153,7 +162,7 @@ void CameraTools::fillMenu() {
   menu_->clear();
   QAction* keep = menu_->addAction(tr("&Keep this view..."), this, &CameraTools::askForName);
   keep->setToolTip(tr("Remember where the camera is, under a name"));
-  keep->setEnabled(window_.environment() != nullptr);
+  keep->setEnabled(view_.environmentGeometry() != nullptr);
   menu_->addSeparator();
   if (bookmarks_.empty()) {
     menu_->addAction(tr("No bookmarks; Ctrl+Alt+1 to 9 keep one, Ctrl+Shift+1 to 9 go there"))->setEnabled(false);
@@ -167,7 +176,7 @@ void CameraTools::fillMenu() {
         QKeySequence(Qt::CTRL | Qt::SHIFT | static_cast<Qt::Key>(Qt::Key_0 + slot)).toString(QKeySequence::NativeText));
     forget->addAction(bookmark.name, this, [this, slot] {
       bookmarks_.erase(slot);
-      window_.keepSoon();
+      emit sections_.changed();
     });
   }
   menu_->addSeparator();
@@ -190,20 +199,20 @@ void CameraTools::askForName() {
 }
 
 void CameraTools::keepBookmark(int slot, const QString& name) {
-  if (!window_.environment() || slot < 1 || slot > kBookmarks) return;
+  if (!view_.environmentGeometry() || slot < 1 || slot > kBookmarks) return;
   const QString used = name.trimmed().isEmpty() ? tr("View %1").arg(slot) : name.trimmed();
-  bookmarks_[slot] = {used, window_.view().cameraPose()};
-  window_.say(tr("Kept '%1'; Ctrl+Shift+%2 goes back to it").arg(used).arg(slot));
-  window_.keepSoon();
+  bookmarks_[slot] = {used, view_.cameraPose()};
+  status_.say(StatusSubject::Note, tr("Kept '%1'; Ctrl+Shift+%2 goes back to it").arg(used).arg(slot));
+  emit sections_.changed();
 }
 
 void CameraTools::recallBookmark(int slot) {
   const auto found = bookmarks_.find(slot);
   if (found == bookmarks_.end()) {
-    window_.say(tr("No view is kept there; Ctrl+Alt+%1 keeps this one").arg(slot));
+    status_.say(StatusSubject::Note, tr("No view is kept there; Ctrl+Alt+%1 keeps this one").arg(slot));
     return;
   }
-  window_.view().glideTo(found->second.pose);
+  view_.glideTo(found->second.pose);
 }
 
 std::string CameraTools::save() const {
@@ -243,7 +252,5 @@ void CameraTools::load(const std::string& text) {
     throw InputError(FOOTFALL_TEXT("something is missing or of the wrong type"));
   }
 }
-
-void installCameraTools(EditorWindow& window) { new CameraTools(window); }
 
 }  // namespace footfall::ui

@@ -9,12 +9,14 @@
 #include <string>
 
 #include "ui/view/axis_gizmo.hpp"
+#include "ui/view/feature_host.hpp"
 #include "ui/view/fly_tool.hpp"
-#include "ui/window/editor_window.hpp"
+#include "ui/view/view_layout.hpp"
 
 namespace footfall::ui {
 
-/// Lives as long as the window. Bookmarks are kept in sessions as the section "bookmarks".
+/// A child of its window; found as window.findChild<CameraTools*>(). Bookmarks are kept in sessions as the section
+/// "bookmarks".
 class CameraTools : public QObject {
   Q_OBJECT
 
@@ -26,8 +28,10 @@ class CameraTools : public QObject {
     CameraPose pose;
   };
 
-  explicit CameraTools(EditorWindow& window);
+  CameraTools(const FeatureHost& host, LevelView& view, ViewLayout& layout);
 
+  /// Whether somebody sits in front of it: only then the camera may glide. At first nobody does.
+  void setInteractive(bool on);
   /// Slots count from 1 to kBookmarks. An empty name: "View 3".
   void keepBookmark(int slot, const QString& name = {});
   void recallBookmark(int slot);
@@ -36,22 +40,25 @@ class CameraTools : public QObject {
   [[nodiscard]] FlyTool& fly() { return fly_; }
 
  private:
-  void addSides();
-  void addMoves();
-  void addBookmarks();
+  void addSides(CommandRegistry& commands);
+  void addMoves(const FeatureHost& host);
+  void addBookmarks(CommandRegistry& commands);
   void fillMenu();
   void askForName();
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
 
-  EditorWindow& window_;
+  QWidget& window_;  ///< parent of dialogs and keys
+  LevelView& view_;
+  StatusLine& status_;
+  UnitChoice& units_;
+  SessionSections& sections_;
   FlyTool fly_;
   AxisGizmo* gizmo_;
   QMenu* menu_ = nullptr;
+  QAction* smooth_ = nullptr;
+  bool interactive_ = false;
   std::map<int, Bookmark> bookmarks_;
 };
-
-/// For EditorWindow::createFeatures().
-void installCameraTools(EditorWindow& window);
 
 }  // namespace footfall::ui

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ui/base/number_text.hpp"
+#include "ui/base/palette.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -55,19 +56,8 @@ std::optional<CellColouring> colouringFrom(const std::string& name) {
 }
 
 QColor threadColour(int thread) {
-  static const std::array<QColor, 7> kColours = {QColor(0, 114, 178),   QColor(230, 159, 0),  QColor(86, 180, 233),
-                                                 QColor(204, 121, 167), QColor(240, 228, 66), QColor(0, 158, 115),
-                                                 QColor(213, 94, 0)};
-  const auto i = static_cast<std::size_t>(thread);
-  const QColor& colour = kColours[i % kColours.size()];
-  switch (i / kColours.size() % 3) {
-    case 1:
-      return colour.darker(150);
-    case 2:
-      return colour.lighter(140);
-    default:
-      return colour;
-  }
+  constexpr std::array<Rgb, 7> kColours{kBlue, kOrange, kSkyBlue, kReddishPurple, kYellow, kBluishGreen, kVermilion};
+  return numberedColour(kColours, static_cast<std::size_t>(thread));
 }
 
 QColor scaleColour(double fraction) {

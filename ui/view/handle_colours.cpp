@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 
+#include "ui/base/palette.hpp"
+
 namespace footfall::ui {
 
 QColor axisColour(int axis) {
-  constexpr std::array<QRgb, 3> kAxes{0xD55E00, 0x009E73, 0x0072B2};
-  return QColor::fromRgb(kAxes[static_cast<std::size_t>(axis)]);
+  constexpr std::array<Rgb, 3> kAxes{kVermilion, kBluishGreen, kBlue};
+  return toColour(kAxes[static_cast<std::size_t>(axis)]);
 }
 
 QColor handleColour() { return {240, 240, 240}; }

@@ -98,6 +98,7 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
     opened_ = cameraPose();
   }
   update();
+  emit environmentChanged();
 }
 
 void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {

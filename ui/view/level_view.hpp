@@ -183,6 +183,8 @@ class LevelView : public QGLViewer {
   [[nodiscard]] std::chrono::steady_clock::time_point lastFrameBegun() const { return lastFrameBegun_; }
 
  signals:
+  /// setEnvironment() has shown another environment.
+  void environmentChanged();
   /// OpenGL cannot show the scene; once.
   void failed(const QString& message);
   void cameraMoved();

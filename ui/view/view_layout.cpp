@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/view_layout.hpp"
 
+#include <QEvent>
 #include <algorithm>
 
 namespace footfall::ui {
@@ -13,56 +14,74 @@ bool shown(const QWidget* widget) { return widget && !widget->isHidden(); }
 
 }  // namespace
 
+ViewLayout::ViewLayout(LevelView& view)
+    : QObject(&view), view_(view), legend_(new Legend(&view)), heights_(new HeightSlider(&view)) {
+  legend_->hide();
+  heights_->hide();
+  connect(legend_, &Legend::partsChanged, &view_, &LevelView::setParts);
+  connect(legend_, &OverlayFrame::changed, this, &ViewLayout::update);
+  connect(heights_, &HeightSlider::rangeChanged, &view_, &LevelView::setHeights);
+  view_.installEventFilter(this);
+}
+
+void ViewLayout::update() {
+  place(view_.size());
+  view_.setCovered(covered());
+}
+
+bool ViewLayout::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &view_ && event->type() == QEvent::Resize) update();
+  return QObject::eventFilter(watched, event);
+}
+
 void ViewLayout::place(const QSize& view) const {
   int bottom = view.height() - kMargin;  // of what is left on the right
-  const bool cellsInCorner = cells && !cells->fitInto(view);
+  const bool cellsInCorner = cells_ && !cells_->fitInto(view);
   if (cellsInCorner) {
-    cells->move(view.width() - cells->width() - kMargin, view.height() - cells->height() - kMargin);
-    if (shown(cells)) bottom = cells->y() - kGap;
+    cells_->move(view.width() - cells_->width() - kMargin, view.height() - cells_->height() - kMargin);
+    if (shown(cells_)) bottom = cells_->y() - kGap;
   }
   int top = kMargin;
   int right = view.width() - kMargin;
-  if (gizmo) {
-    gizmo->move(right - gizmo->width(), top);
-    if (shown(gizmo)) top = gizmo->geometry().bottom() + kGap;
+  if (gizmo_) {
+    gizmo_->move(right - gizmo_->width(), top);
+    if (shown(gizmo_)) top = gizmo_->geometry().bottom() + kGap;
   }
-  if (heights) {
-    const QSize wanted = heights->sizeHint();
-    if (bottom - top < heights->minimumSizeHint().height() && shown(gizmo)) {
-      top = kMargin;
-      right = gizmo->x() - kGap;
-      bottom = view.height() - kMargin;
-      if (cellsInCorner && shown(cells) && cells->x() < right) bottom = cells->y() - kGap;
-    }
-    // In a small view it leaves more than half of the height free.
-    const int most = std::max(heights->minimumSizeHint().height(), std::min(wanted.height(), view.height() * 3 / 8));
-    heights->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
+  const QSize wanted = heights_->sizeHint();
+  if (bottom - top < heights_->minimumSizeHint().height() && shown(gizmo_)) {
+    top = kMargin;
+    right = gizmo_->x() - kGap;
+    bottom = view.height() - kMargin;
+    if (cellsInCorner && shown(cells_) && cells_->x() < right) bottom = cells_->y() - kGap;
   }
-  if (hint) {
+  // In a small view the heights leave more than half of the height free.
+  const int most = std::max(heights_->minimumSizeHint().height(), std::min(wanted.height(), view.height() * 3 / 8));
+  heights_->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
+  if (hint_) {
     constexpr int kNarrow = 240;  // lines would be broken too often
-    int end = shown(heights) ? heights->x() - kGap : right;
-    int y = shown(heights) ? heights->y() : top;
-    if (shown(heights) && end - kMargin < kNarrow) {
+    int end = shown(heights_) ? heights_->x() - kGap : right;
+    int y = shown(heights_) ? heights_->y() : top;
+    if (shown(heights_) && end - kMargin < kNarrow) {
       end = view.width() - kMargin;
-      y = heights->geometry().bottom() + kGap;
+      y = heights_->geometry().bottom() + kGap;
     }
-    hint->fitInto(std::max(1, end - kMargin));
-    hint->move(end - hint->width(), std::max(y, shown(cutBar) ? 2 * kMargin + cutBar->height() : 0));
+    hint_->fitInto(std::max(1, end - kMargin));
+    hint_->move(end - hint_->width(), std::max(y, shown(cutBar_) ? 2 * kMargin + cutBar_->height() : 0));
   }
-  if (legend && !legend->fitInto(view)) legend->move(kMargin, view.height() - legend->height() - kMargin);
-  if (cutBar) {
+  if (!legend_->fitInto(view)) legend_->move(kMargin, view.height() - legend_->height() - kMargin);
+  if (cutBar_) {
     // As wide as is handy, but not under what stands on the right.
     constexpr int kHandy = 420;
-    const int left = shown(heights) ? heights->x() : shown(gizmo) ? gizmo->x() : view.width();
-    const QSize least = cutBar->minimumSizeHint();
-    cutBar->setGeometry(kMargin, kMargin, std::max(least.width(), std::min(kHandy, left - kGap - kMargin)),
-                        least.height());
+    const int left = shown(heights_) ? heights_->x() : shown(gizmo_) ? gizmo_->x() : view.width();
+    const QSize least = cutBar_->minimumSizeHint();
+    cutBar_->setGeometry(kMargin, kMargin, std::max(least.width(), std::min(kHandy, left - kGap - kMargin)),
+                         least.height());
   }
 }
 
 std::vector<QRect> ViewLayout::covered() const {
   std::vector<QRect> rects;
-  for (const QWidget* widget : std::initializer_list<const QWidget*>{legend, gizmo, heights, cells, cutBar}) {
+  for (const QWidget* widget : std::initializer_list<const QWidget*>{legend_, gizmo_, heights_, cells_, cutBar_}) {
     if (shown(widget)) rects.push_back(widget->geometry());
   }
   return rects;

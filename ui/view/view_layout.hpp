@@ -2,28 +2,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
+#include <QPointer>
 #include <QRect>
-#include <QSize>
 #include <QWidget>
 #include <vector>
 
+#include "ui/view/height_slider.hpp"
+#include "ui/view/legend.hpp"
+#include "ui/view/level_view.hpp"
 #include "ui/view/overlay_frame.hpp"
 #include "ui/view/view_hint.hpp"
 
 namespace footfall::ui {
 
 /// Children of the view; those that are null or hidden take no place. Legends that somebody has moved stay there.
-struct ViewLayout {
-  OverlayFrame* legend = nullptr;  ///< lower left
-  QWidget* gizmo = nullptr;        ///< upper right
-  QWidget* heights = nullptr;      ///< below it, as high as there is room; else beside it
-  ViewHint* hint = nullptr;        ///< beside the heights, of which it tells; below them in a narrow view
-  OverlayFrame* cells = nullptr;   ///< lower right
-  QWidget* cutBar = nullptr;       ///< upper left
+class ViewLayout : public QObject {
+  Q_OBJECT
 
-  void place(const QSize& view) const;
+ public:
+  /// Makes the legend and the heights; the others come with features.
+  explicit ViewLayout(LevelView& view);
+
+  [[nodiscard]] Legend& legend() const { return *legend_; }          ///< lower left
+  [[nodiscard]] HeightSlider& heights() const { return *heights_; }  ///< upper right, below the gizmo or beside it
+  void setGizmo(QWidget* gizmo) { gizmo_ = gizmo; }                  ///< upper right
+  /// Beside the heights, which it explains; below them in a narrow view.
+  void setHint(ViewHint* hint) { hint_ = hint; }
+  void setCellLegend(OverlayFrame* legend) { cells_ = legend; }  ///< lower right
+  void setCutBar(QWidget* bar) { cutBar_ = bar; }                ///< upper left
+
+  /// To be called when one of them has been shown, hidden or changed.
+  void update();
   /// What of the view they cover.
   [[nodiscard]] std::vector<QRect> covered() const;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void place(const QSize& view) const;
+
+  LevelView& view_;
+  Legend* legend_;
+  HeightSlider* heights_;
+  QPointer<QWidget> gizmo_, cutBar_;
+  QPointer<ViewHint> hint_;
+  QPointer<OverlayFrame> cells_;
 };
 
 }  // namespace footfall::ui

@@ -19,7 +19,7 @@
 #include "ui/base/outline_style.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/base/translations.hpp"
-#include "ui/view/level_look.hpp"
+#include "ui/level/level_look.hpp"
 #include "ui/window/editor_window.hpp"
 #include "ui/window/window_placement.hpp"
 
@@ -114,7 +114,7 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
     // A session has a view of its own.
     if (options.top) window.view().viewFromTop();
     if (!options.top && !window.openedSession()) window.view().viewOblique();
-    const QString why = window.refusal(target, WrittenKind::Export);
+    const QString why = window.writer().refusal(target, WrittenKind::Export);
     if (!why.isEmpty()) {
       finish(fail(2, why));
       return;

@@ -12,18 +12,11 @@
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/cells/cells_shown.hpp"
 #include "ui/document/agent.hpp"
-#include "ui/view/cell_colours.hpp"
 #include "ui/view/level_view.hpp"
 
 namespace footfall::ui {
-
-/// How the cells of parallel blocks are looked at.
-struct CellsShown {
-  bool inView = false;
-  bool load = false;  ///< the dock with the timeline
-  CellColouring colouring = CellColouring::Thread;
-};
 
 struct Session {
   std::string environment;  ///< path; empty when nothing is loaded
@@ -35,7 +28,7 @@ struct Session {
   int agent = 0;
   std::vector<PartRule> partRules;
   std::vector<PlacedObstacle> obstacles;
-  /// What the editor's tools keep of their own (SessionSection), as JSON texts by name.
+  /// What features keep (SessionSection), as JSON texts by name.
   std::map<std::string, std::string> sections;
 };
 

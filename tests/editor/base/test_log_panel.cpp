@@ -123,7 +123,7 @@ class TestLogPanel : public QObject {
   }
 
   void memoryErrorsWhileWritingAreTold() {
-    window_->writeInBackground([] { throw std::bad_alloc(); }, folder_->filePath("x.obj"));
+    window_->writer().write([] { throw std::bad_alloc(); }, folder_->filePath("x.obj"));
     QTRY_VERIFY(window_->messageBar().text().contains("memory ran out"));
     QVERIFY(window_->idle());
     BackgroundQueue queue;

@@ -443,7 +443,7 @@ class TestCellsInView : public QObject {
     QVERIFY(showWindow(second));
     second.open(path);
     QVERIFY(QTest::qWaitFor([&] { return second.controller().finishedRun() != nullptr; }, 20000));
-    const CellsShown shown = second.cellsShown();
+    const CellsShown shown = second.cellsFeature().shown();
     QVERIFY(shown.inView && shown.load);
     QVERIFY(shown.colouring == CellColouring::Time);
     QVERIFY(second.view().parts().cells);

@@ -65,7 +65,7 @@ class TestMeasureTool : public QObject {
     QVERIFY(std::fabs(tool_->places()[2].x + 2) < 0.1 && std::fabs(tool_->places()[2].y - 2.5) < 0.1);
     QCOMPARE(table->rowCount(), 2);
     QVERIFY(window_->findChild<QLabel*>("measureSum")->text().startsWith("Together "));
-    shoot("measure");
+    shoot(*window_, "measure");
   }
 
   void hiddenVerticesAreNotMeant() {
@@ -146,13 +146,6 @@ class TestMeasureTool : public QObject {
     auto* button = window_->findChild<QPushButton*>(name);
     button->setFocus();
     QTest::keyClick(button, Qt::Key_Space);
-  }
-  void shoot(const char* name) {
-    const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    QTest::qWait(200);
-    window_->view().grabFramebuffer();  // all of it drawn
-    QVERIFY(window_->grab().save(folder + '/' + name + ".png"));
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

@@ -52,14 +52,14 @@ class TestCompare : public QObject {
     QVERIFY(feature_->panel().summary().contains("Went: nothing"));
     QVERIFY(legend().contains("Appeared: 4.00 units") && legend().contains("Went: nothing"));
     QCOMPARE(feature_->panel().table()->rowCount(), 1);
-    shoot("compare-appeared");
+    shoot(*window_, "compare-appeared");
 
     // A click goes there.
     const CameraPose pose = window_->view().cameraPose();
     QTableWidget* table = feature_->panel().table();
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->item(0, 0)).center());
     QTRY_VERIFY(!(window_->view().cameraPose().position == pose.position));
-    shoot("compare-framed");
+    shoot(*window_, "compare-framed");
 
     // Undo is an edit, too: they go again.
     window_->document().undoStack()->undo();
@@ -139,10 +139,6 @@ class TestCompare : public QObject {
   }
   bool waitForDifference() {
     return QTest::qWaitFor([&] { return !feature_->watch().busy() && feature_->watch().difference(); }, 20000);
-  }
-  void shoot(const QString& name) {
-    const QString folder = qEnvironmentVariable("FOOTFALL_SHOTS");
-    if (!folder.isEmpty()) window_->grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

@@ -60,7 +60,7 @@ class TestFileWatch : public QObject {
     QVERIFY(showWindow(*window_));
     QVERIFY(openZUp(*window_, path_, kPipeline));
     tools().watch().setTimings(kQuick);
-    done_ = std::make_unique<QSignalSpy>(window_.get(), &EditorWindow::rereadDone);
+    done_ = std::make_unique<QSignalSpy>(&window_->file(), &LevelFile::rereadDone);
     QCOMPARE(freeFloor(), 60.0);
   }
   void cleanup() {
@@ -113,7 +113,7 @@ class TestFileWatch : public QObject {
     const QByteArray whole = boardObj(3);
     QFile file(path_);
     QVERIFY(file.open(QIODevice::WriteOnly));
-    QSignalSpy failed(window_.get(), &EditorWindow::rereadFailed);
+    QSignalSpy failed(&window_->file(), &LevelFile::rereadFailed);
     QVERIFY(file.write(whole.left(13)) > 0 && file.flush());  // ends inside a vertex
     QTRY_VERIFY(failed.count() >= 1);
     QVERIFY(window_->messageBar().text().isEmpty());

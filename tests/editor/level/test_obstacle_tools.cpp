@@ -358,7 +358,7 @@ class TestObstacleTools : public QObject {
     view().setTool(&features_->selectTool());
   }
 
-  QPoint at(const Vec3& place) { return view().project(place)->toPoint(); }
+  QPoint at(const Vec3& place) { return placeInView(*window_, place); }
   Vec3 placeOfHandle(Handle which) { return features_->selectTool().gizmo()->placeOf(which); }
   QPoint handle(Handle which) { return at(placeOfHandle(which)); }
   void send(QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons buttons,
@@ -371,9 +371,7 @@ class TestObstacleTools : public QObject {
   void move(const Vec3& place, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {}) {
     send(QEvent::MouseMove, at(place), Qt::NoButton, buttons, modifiers);
   }
-  void click(const Vec3& place, Qt::KeyboardModifiers modifiers) {
-    QTest::mouseClick(&view(), Qt::LeftButton, modifiers, at(place));
-  }
+  void click(const Vec3& place, Qt::KeyboardModifiers modifiers) { clickInView(*window_, place, modifiers); }
   void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {}) {
     send(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton, modifiers);
     send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton, modifiers);

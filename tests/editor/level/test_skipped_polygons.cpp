@@ -14,11 +14,6 @@ namespace {
 
 constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
 
-void shoot(QWidget& window, const QString& name) {
-  const QString folder = qEnvironmentVariable("FOOTFALL_SHOTS");
-  if (!folder.isEmpty()) window.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
-}
-
 }  // namespace
 
 class TestSkippedPolygons : public QObject {

@@ -55,7 +55,7 @@ class TestPathTool : public QObject {
     QCOMPARE(model().result()->bends.size(), 1U);
     QVERIFY(text("pathText").startsWith("Length 10.7"));
     QVERIFY2(text("pathText").contains("7.7 s at 1.4 m/s"), qPrintable(text("pathText")));
-    shoot("path-found");
+    shoot(*window_, "path-found");
     // One more click begins another path.
     click({-3, 3, 0});
     QVERIFY(model().start() && !model().target() && !model().result());
@@ -73,12 +73,12 @@ class TestPathTool : public QObject {
     QCOMPARE(model().result()->separation->barrier().gap, 2.0);
     QVERIFY2(text("pathSeparation").contains("nearest at x 4, y 0, z 0 units: a gap of 2 units."),
              qPrintable(text("pathSeparation")));
-    shoot("path-fails");
+    shoot(*window_, "path-fails");
     const CameraPose pose = window_->view().cameraPose();
     press("pathShowSeparation");
     QTRY_VERIFY(!(window_->view().cameraPose().position == pose.position));
     QVERIFY(window_->view().project({5, 0, 0}));
-    shoot("path-separation");
+    shoot(*window_, "path-separation");
     // Dragging to another place of the same part needs no new search; a way that leads there has none.
     model().setTarget(Vec3{7.5, 1, 0});
     QTRY_VERIFY(model().result()->to == (Vec3{7.5, 1, 0}));
@@ -231,8 +231,8 @@ class TestPathTool : public QObject {
     QVERIFY(window_->findChild<QDockWidget*>("panel.path")->isVisible());
     QTest::qWait(50);  // the panel takes its place from the view
   }
-  QPoint at(const Vec3& place) { return window_->view().project(place)->toPoint(); }
-  void click(const Vec3& place) { QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, at(place)); }
+  QPoint at(const Vec3& place) { return placeInView(*window_, place); }
+  void click(const Vec3& place) { clickInView(*window_, place); }
   bool waitForResult(PathStatus status) {
     return QTest::qWaitFor([&] { return !model().busy() && model().result() && model().result()->status == status; });
   }
@@ -254,13 +254,6 @@ class TestPathTool : public QObject {
     }
   }
   /// Pictures to look at, where a folder for them is named.
-  void shoot(const char* name) {
-    const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    QTest::qWait(200);
-    window_->view().grabFramebuffer();  // all of it drawn
-    QVERIFY(window_->grab().save(folder + '/' + name + ".png"));
-  }
 
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<EditorWindow> window_;

@@ -9,7 +9,7 @@
 #include "ui/run/provisional_content.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/drawing_slice.hpp"
-#include "ui/view/level_look.hpp"
+#include "ui/level/level_look.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

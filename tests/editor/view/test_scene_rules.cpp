@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "tests/editor/editor_driver.hpp"
-#include "ui/view/level_look.hpp"
+#include "ui/level/level_look.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -314,14 +314,8 @@ class TestSceneRules : public QObject {
     const int hue = std::abs(a.hsvHue() - b.hsvHue());
     return std::min(hue, 360 - hue) < 12 && std::abs(a.hsvSaturationF() - b.hsvSaturationF()) < 0.15F;
   }
-  QPoint at(const Vec3& place) {
-    const auto found = view().project(place);
-    return found ? found->toPoint() : QPoint(-1, -1);
-  }
-  QColor colourAt(const Vec3& place) {
-    const QImage picture = view().grabFramebuffer();
-    return picture.pixelColor(at(place) * picture.devicePixelRatio());
-  }
+  QPoint at(const Vec3& place) { return placeInView(*window_, place); }
+  QColor colourAt(const Vec3& place) { return colourInView(*window_, place); }
   std::uint32_t layerAt(double height) {
     const NavigationMesh& mesh = *window_->controller().finishedRun()->result.mesh;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

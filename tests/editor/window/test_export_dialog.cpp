@@ -49,7 +49,7 @@ class TestExportDialog : public QObject {
              qPrintable(content));
     const std::size_t size = formatObj(*run->result.mesh, makeExportHeader(run->pipeline)).size();
     QTRY_COMPARE(label("exportSize"), "Size: " + QLocale(QLocale::English).formattedDataSize(qint64(size)));
-    shoot("export-obj");
+    shoot(*dialog(), "export-obj");
     QTest::keyClick(dialog, Qt::Key_Escape);
     QVERIFY(QTest::qWaitFor([&] { return QApplication::activeModalWidget() == nullptr; }));
     QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), QStringList{"table.obj"});
@@ -104,7 +104,7 @@ class TestExportDialog : public QObject {
     }
     QCOMPARE(endings, (QStringList{"gltf", "glb", "png", "html"}));
     QVERIFY(!box("exportPictureSize")->isVisible());
-    shoot("export-html");
+    shoot(*dialog(), "export-html");
   }
 
   void picturesInAllSizes() {
@@ -250,12 +250,6 @@ class TestExportDialog : public QObject {
     QTest::keyClick(name(), Qt::Key_Return);
     if (!QTest::qWaitFor([&] { return QFile::exists(path) && window_->idle(); }, 20000)) return {};
     return readFile(path);
-  }
-  void shoot(const char* name) {
-    const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    QTest::qWait(200);
-    QVERIFY(dialog()->grab().save(folder + '/' + name + ".png"));
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

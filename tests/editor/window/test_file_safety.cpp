@@ -116,7 +116,7 @@ class TestFileSafety : public QObject {
 
     QTest::keyClick(nameField(), Qt::Key_Return);
     QVERIFY(QTest::qWaitFor([&] { return question() != nullptr; }));
-    shoot("replace-question");
+    shoot(*QApplication::activeWindow(), "replace-question");
     QTest::mouseClick(question()->findChild<QPushButton*>("replaceAccept"), Qt::LeftButton);
     QTRY_VERIFY(readFile(other).startsWith("# "));
     QVERIFY(!exportDialog());
@@ -167,7 +167,7 @@ class TestFileSafety : public QObject {
     QVERIFY(box);
     QCOMPARE(box->text(), QString("Save the changes as a session?"));
     QVERIFY(box->informativeText().contains("The file table.obj itself stays as it is."));
-    shoot("unsaved-question");
+    shoot(*QApplication::activeWindow(), "unsaved-question");
     QTest::keyClick(box, Qt::Key_Escape);
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(folder_->filePath("work.footfall"));
@@ -252,7 +252,7 @@ class TestFileSafety : public QObject {
     QVERIFY(status().startsWith("Wrote "));
     // And what has been done is news for a while only.
     window_->statusLine().setNoteDuration(1);
-    window_->say("news");
+    window_->statusLine().say(StatusSubject::Note, "news");
     QTRY_VERIFY(status() != "news" && !status().startsWith("Wrote "));
   }
 
@@ -339,7 +339,7 @@ class TestFileSafety : public QObject {
   void closingWaitsForWhatIsWritten() {
     std::atomic<bool> go = false;
     const QString target = folder_->filePath("slow.obj");
-    window_->writeInBackground(
+    window_->writer().write(
         [&] {
           while (!go) QTest::qSleep(5);
           throw RunError(Text("slow.obj: the disk is full"));
@@ -351,7 +351,7 @@ class TestFileSafety : public QObject {
     QTRY_VERIFY(window_->messageBar().text().contains("the disk is full"));
     QVERIFY(window_->isVisible());  // somebody has to see it
     go = false;
-    window_->writeInBackground(
+    window_->writer().write(
         [&] {
           while (!go) QTest::qSleep(5);
         },
@@ -442,12 +442,6 @@ class TestFileSafety : public QObject {
     nameField()->setFocus();
     QTest::keyClick(nameField(), Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(nameField(), path);
-  }
-  static void shoot(const char* name) {
-    const QString folder = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    QTest::qWait(200);
-    QVERIFY(QApplication::activeWindow()->grab().save(folder + '/' + name + ".png"));
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

@@ -20,7 +20,7 @@ class UnitChoice : public QObject {
   void choose(LengthUnit unit);
   /// A session's own wish, which the settings do not learn of; nothing: the user's again.
   void useForSession(std::optional<LengthUnit> unit);
-  /// Of the level that has been loaded, or whose scale has been changed.
+  /// Takes scale and axes of a level that has been loaded, or whose scale has been changed.
   void setLevel(const Environment& level);
 
  signals:

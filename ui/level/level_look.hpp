@@ -9,35 +9,39 @@
 #include <set>
 #include <string>
 
+#include "ui/level/view_modes.hpp"
 #include "ui/view/cut_bar.hpp"
 #include "ui/view/layer_panel.hpp"
 #include "ui/view/view_hint.hpp"
-#include "ui/view/view_modes.hpp"
-#include "ui/window/editor_window.hpp"
 
 namespace footfall::ui {
 
-/// Lives as long as the window. Kept in sessions as the section "look".
+/// A child of its window; found as window.findChild<LevelLook*>(). Kept in sessions as the section "look".
 class LevelLook : public QObject {
   Q_OBJECT
 
  public:
-  explicit LevelLook(EditorWindow& window);
+  LevelLook(const FeatureHost& host, LevelView& view, ViewLayout& layout, const Document& document, LevelFile& file,
+            LevelComposer& composer, RunController& controller);
 
   [[nodiscard]] LayerPanel& layers() { return *layers_; }
   [[nodiscard]] ViewModes& modes() { return modes_; }
   [[nodiscard]] CutBar& cutBar() { return *cutBar_; }
 
  private:
-  void addLayers();
-  void addCutPlane();
-  void addInside();
+  void addLayers(const FeatureHost& host);
+  void addCutPlane(CommandRegistry& commands);
+  void addInside(CommandRegistry& commands);
   void stepFloor(int direction);
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
   void takeEnvironment();
 
-  EditorWindow& window_;
+  LevelView& view_;
+  ViewLayout& layout_;
+  LevelFile& file_;
+  RunController& controller_;
+  SessionSections& sections_;
   ViewModes modes_;
   LayerPanel* layers_ = nullptr;
   CutBar* cutBar_ = nullptr;
@@ -45,7 +49,7 @@ class LevelLook : public QObject {
   ViewHint* hint_ = nullptr;
   bool fresh_ = false;  ///< there is no result yet of what has been opened
   QString source_;      ///< the file whose level is shown
-  /// Of a session whose environment is about to be shown.
+  /// What a session keeps, until its environment is shown.
   struct Kept {
     std::set<std::uint32_t> hidden;
     HeightRange heights;
@@ -55,8 +59,5 @@ class LevelLook : public QObject {
   };
   std::optional<Kept> pending_;
 };
-
-/// For EditorWindow::createFeatures().
-void installLevelLook(EditorWindow& window);
 
 }  // namespace footfall::ui

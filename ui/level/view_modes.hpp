@@ -10,11 +10,15 @@
 #include <memory>
 #include <optional>
 
-#include "footfall/run_context.hpp"
-#include "ui/base/background_queue.hpp"
+#include "ui/base/latest_work.hpp"
+#include "ui/document/document.hpp"
+#include "ui/level/level_composer.hpp"
+#include "ui/level/level_file.hpp"
+#include "ui/run/run_controller.hpp"
+#include "ui/view/feature_host.hpp"
 #include "ui/view/field_geometry.hpp"
+#include "ui/view/view_layout.hpp"
 #include "ui/view/view_mode.hpp"
-#include "ui/window/editor_window.hpp"
 
 namespace footfall::ui {
 
@@ -24,14 +28,15 @@ class ViewModes : public QObject {
   Q_OBJECT
 
  public:
-  explicit ViewModes(EditorWindow& window);
-  ~ViewModes() override;
+  ViewModes(const FeatureHost& host, LevelView& view, ViewLayout& layout, const Document& document, LevelFile& file,
+            LevelComposer& composer, RunController& controller);
 
   /// Shown as soon as there is something to show.
   void setMode(ViewMode mode);
   [[nodiscard]] ViewMode mode() const { return mode_; }
   /// What the mode shows is that of the level and the result as they are.
-  [[nodiscard]] bool upToDate() const { return !context_; }
+  [[nodiscard]] bool upToDate() const { return !work_.busy(); }
+  /// For the tool bar, which takes it over.
   [[nodiscard]] QComboBox& box() { return *box_; }
 
  signals:
@@ -40,7 +45,7 @@ class ViewModes : public QObject {
   void ready();
 
  private:
-  void addCommands();
+  void addCommands(CommandRegistry& commands);
   void enable();
   void refresh();
   void forget();
@@ -50,11 +55,16 @@ class ViewModes : public QObject {
   [[nodiscard]] std::optional<double> limitOf(FilterType filter) const;
   [[nodiscard]] double cap() const;
 
-  EditorWindow& window_;
+  LevelView& view_;
+  ViewLayout& layout_;
+  const Document& document_;
+  LevelComposer& composer_;
+  RunController& controller_;
+  MessageBar& messages_;
   ViewMode mode_ = ViewMode::Result;
   std::array<QAction*, kViewModes.size()> actions_{};
   QComboBox* box_ = nullptr;
-  /// What the view has: of which level, result, mode and, for free heights, up to what height.
+  /// What a picture is made of: level, result, mode and, for free heights, up to what height.
   struct Made {
     std::shared_ptr<const Environment> level;
     std::shared_ptr<const FinishedRun> run;
@@ -62,10 +72,15 @@ class ViewModes : public QObject {
     double cap = 0;
     bool operator==(const Made&) const = default;
   };
+  struct Pictures {
+    std::shared_ptr<const FieldGeometry> field;
+    std::shared_ptr<const NavigationMeshGeometry> sources;
+  };
+  void take(const Made& made, const Pictures& pictures, const QString& error);
+
   Made made_, making_;
   [[nodiscard]] Made wanted() const;
-  std::shared_ptr<RunContext> context_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace footfall::ui

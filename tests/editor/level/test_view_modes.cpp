@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
-#include "ui/view/level_look.hpp"
+#include "ui/level/level_look.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -245,11 +245,7 @@ class TestViewModes : public QObject {
     QVERIFY(settled());
     QCOMPARE(window_->view().mode(), mode);
   }
-  QColor colourAt(const Vec3& place) {
-    const QImage picture = window_->view().grabFramebuffer();
-    const auto at = window_->view().project(place);
-    return at ? picture.pixelColor((*at * picture.devicePixelRatio()).toPoint()) : QColor();
-  }
+  QColor colourAt(const Vec3& place) { return colourInView(*window_, place); }
   /// Between the lines of a hatching.
   QColor brightestAt(const Vec3& place) {
     const QImage picture = window_->view().grabFramebuffer();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/level/unit_choice.hpp"
+#include "ui/base/unit_choice.hpp"
 
 #include <QSettings>
 #include <array>

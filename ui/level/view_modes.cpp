@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/view/view_modes.hpp"
+#include "ui/level/view_modes.hpp"
 
 #include <QSignalBlocker>
 #include <QStandardItemModel>
@@ -38,21 +38,24 @@ std::shared_ptr<const NavigationMeshGeometry> makeSourceGeometry(const Navigatio
 
 }  // namespace
 
-ViewModes::ViewModes(EditorWindow& window) : window_(window) {
+ViewModes::ViewModes(const FeatureHost& host, LevelView& view, ViewLayout& layout, const Document& document,
+                     LevelFile& file, LevelComposer& composer, RunController& controller)
+    : view_(view),
+      layout_(layout),
+      document_(document),
+      composer_(composer),
+      controller_(controller),
+      messages_(host.messages) {
   setObjectName(QStringLiteral("viewModes"));
-  addCommands();
-  connect(&window_, &EditorWindow::environmentLoaded, this, &ViewModes::forget);
-  connect(&window_.composer(), &LevelComposer::edited, this, &ViewModes::refresh);
-  connect(&window_.controller(), &RunController::finished, this, &ViewModes::refresh);
-  connect(&window_.document(), &Document::filtersChanged, this, &ViewModes::refresh);
+  addCommands(host.commands);
+  connect(&file, &LevelFile::opened, this, &ViewModes::forget);
+  connect(&composer_, &LevelComposer::edited, this, &ViewModes::refresh);
+  connect(&controller_, &RunController::finished, this, &ViewModes::refresh);
+  connect(&document_, &Document::filtersChanged, this, &ViewModes::refresh);
   enable();
 }
 
-ViewModes::~ViewModes() {
-  if (context_) context_->cancel();
-}
-
-void ViewModes::addCommands() {
+void ViewModes::addCommands(CommandRegistry& commands) {
   auto* group = new QActionGroup(this);
   box_ = new QComboBox;
   box_->setObjectName(QStringLiteral("viewMode"));
@@ -61,14 +64,14 @@ void ViewModes::addCommands() {
   for (std::size_t i = 0; i < kViewModes.size(); ++i) {
     const ViewMode mode = kViewModes[i];
     Command command;
-    command.id = QStringLiteral("view.mode.") + QString::fromUtf8(nameOf(mode).data(), qsizetype(nameOf(mode).size()));
+    command.id = QStringLiteral("view_.mode.") + QString::fromUtf8(nameOf(mode).data(), qsizetype(nameOf(mode).size()));
     command.menu = CommandMenu::View;
     command.group = QStringLiteral("modes");
     command.text = labelOf(mode);
     command.help = helpOf(mode);
     command.keys = {QKeySequence(Qt::SHIFT | static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)))};
     command.checkable = true;
-    actions_[i] = window_.commands().add(command, [this, mode](bool on) {
+    actions_[i] = commands.add(command, [this, mode](bool on) {
       if (on) setMode(mode);
     });
     group->addAction(actions_[i]);
@@ -78,10 +81,8 @@ void ViewModes::addCommands() {
   actions_[0]->setChecked(true);
   connect(box_, &QComboBox::activated, this, [this](int index) {
     setMode(kViewModes[static_cast<std::size_t>(index)]);
-    window_.view().setFocus();
+    view_.setFocus();
   });
-  window_.toolBar()->addSeparator();
-  window_.toolBar()->addWidget(box_);
 }
 
 void ViewModes::setMode(ViewMode mode) {
@@ -96,8 +97,8 @@ void ViewModes::setMode(ViewMode mode) {
 
 // Modes that show a result wait for one; they say so.
 void ViewModes::enable() {
-  const bool level = window_.level() != nullptr;
-  const bool result = window_.controller().finishedRun() != nullptr;
+  const bool level = composer_.level() != nullptr;
+  const bool result = controller_.finishedRun() != nullptr;
   auto* model = qobject_cast<QStandardItemModel*>(box_->model());
   for (std::size_t i = 0; i < kViewModes.size(); ++i) {
     const ViewMode mode = kViewModes[i];
@@ -112,7 +113,7 @@ void ViewModes::enable() {
 }
 
 std::optional<double> ViewModes::limitOf(FilterType filter) const {
-  for (const FilterEntry& entry : window_.document().filters()) {
+  for (const FilterEntry& entry : document_.filters()) {
     if (entry.step.enabled && entry.step.filter->type == filter && !entry.step.values.empty())
       return entry.step.values[0];
   }
@@ -121,7 +122,7 @@ std::optional<double> ViewModes::limitOf(FilterType filter) const {
 
 // Twice what is needed: above that, nobody cares.
 double ViewModes::cap() const {
-  const std::shared_ptr<const Environment> level = window_.level();
+  const std::shared_ptr<const Environment> level = composer_.level();
   const double usual = kUsualClearance / (level && level->metresPerUnit > 0 ? level->metresPerUnit : 1);
   return 2 * limitOf(FilterType::VerticalClearance).value_or(usual);
 }
@@ -134,87 +135,79 @@ FieldScale ViewModes::scale() const {
 ViewModes::Made ViewModes::wanted() const {
   Made wanted;
   wanted.mode = mode_;
-  if (isHeatMap(mode_)) wanted.level = window_.level();
+  if (isHeatMap(mode_)) wanted.level = composer_.level();
   if (mode_ == ViewMode::Clearance) wanted.cap = cap();
-  if (mode_ == ViewMode::SourceTriangles) wanted.run = window_.controller().finishedRun();
+  if (mode_ == ViewMode::SourceTriangles) wanted.run = controller_.finishedRun();
   return wanted;
 }
 
 // Another level: nothing of the old one may be seen with it.
 void ViewModes::forget() {
   made_ = {};
-  window_.view().setField(nullptr, {});
-  window_.view().setSources(nullptr);
+  view_.setField(nullptr, {});
+  view_.setSources(nullptr);
   refresh();
 }
 
 void ViewModes::describe() {
   const bool heat = isHeatMap(mode_);
-  window_.legend().showMode(mode_, heat ? scale() : FieldScale(), !context_);
-  window_.placeOverlays();
+  layout_.legend().showMode(mode_, heat ? scale() : FieldScale(), !work_.busy());
+  layout_.update();
 }
 
 void ViewModes::refresh() {
   enable();
-  LevelView& view = window_.view();
-  if (isHeatMap(mode_)) view.setFieldScale(scale());
+  if (isHeatMap(mode_)) view_.setFieldScale(scale());
   const Made wanted = this->wanted();
   const bool needsNone = !wanted.level && !wanted.run;
   if (needsNone || wanted == made_) {
-    if (context_) context_->cancel();
-    const bool waited = std::exchange(context_, nullptr) != nullptr;
-    view.setMode(mode_);
+    const bool waited = work_.busy();
+    work_.stop();
+    view_.setMode(mode_);
     describe();
     if (waited) emit ready();
     return;
   }
-  if (!context_ || !(making_ == wanted)) compute();
+  if (!work_.busy() || !(making_ == wanted)) compute();
   describe();
 }
 
 void ViewModes::compute() {
-  if (context_) context_->cancel();
-  context_ = std::make_shared<RunContext>();
   making_ = wanted();
-  const auto geometry = window_.view().environmentGeometry();
+  const auto geometry = view_.environmentGeometry();
   const Vec3 centre = geometry ? geometry->centre : Vec3{};
-  queue_.post([this, context = context_, made = making_, centre, layers = window_.view().content().environmentLayers] {
-    std::shared_ptr<const FieldGeometry> field;
-    std::shared_ptr<const NavigationMeshGeometry> sources;
-    QString error;
-    const Poll poll(*context);
-    try {
-      poll();
-      if (made.mode == ViewMode::Slope) field = makeSlopeField(*made.level, centre, poll);
-      if (made.mode == ViewMode::Clearance) {
-        field =
-            onThreads(0, [&](int) { return makeClearanceField(made.level, centre, made.cap, kClearancePieces, poll); });
-      }
-      if (made.run && made.run->result.mesh) sources = makeSourceGeometry(*made.run->result.mesh, centre, layers.get());
-    } catch (const Cancelled&) {
-      return;
-    } catch (const std::bad_alloc&) {
-      error = tr("view: memory ran out; choose another view mode or a smaller environment");
-    } catch (const std::exception& problem) {
-      error = coreText(problem);
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, context, made, field, sources, error] {
-          if (context != context_) return;  // overtaken
-          context_.reset();
-          made_ = made;
-          LevelView& view = window_.view();
-          window_.messageBar().finish(MessageSubject::View);
-          if (!error.isEmpty()) window_.messageBar().showErrorOf(MessageSubject::View, error);
-          if (field) view.setField(field, scale());
-          if (sources) view.setSources(sources);
-          view.setMode(mode_);
-          describe();
-          emit ready();
-        },
-        Qt::QueuedConnection);
-  });
+  work_.start(
+      *this,
+      [made = making_, centre, layers = view_.content().environmentLayers](RunContext& context) {
+        Pictures pictures;
+        const Poll poll(context);
+        if (made.mode == ViewMode::Slope) pictures.field = makeSlopeField(*made.level, centre, poll);
+        if (made.mode == ViewMode::Clearance) {
+          pictures.field = onThreads(
+              0, [&](int) { return makeClearanceField(made.level, centre, made.cap, kClearancePieces, poll); });
+        }
+        if (made.run && made.run->result.mesh)
+          pictures.sources = makeSourceGeometry(*made.run->result.mesh, centre, layers.get());
+        return pictures;
+      },
+      [this, made = making_](const Pictures& pictures) { take(made, pictures, {}); },
+      [this, made = making_](const std::exception& error) {
+        take(made, {},
+             dynamic_cast<const std::bad_alloc*>(&error) != nullptr
+                 ? tr("view: memory ran out; choose another view mode or a smaller environment")
+                 : coreText(error));
+      });
+}
+
+void ViewModes::take(const Made& made, const Pictures& pictures, const QString& error) {
+  made_ = made;
+  messages_.finish(MessageSubject::View);
+  if (!error.isEmpty()) messages_.showErrorOf(MessageSubject::View, error);
+  if (pictures.field) view_.setField(pictures.field, scale());
+  if (pictures.sources) view_.setSources(pictures.sources);
+  view_.setMode(mode_);
+  describe();
+  emit ready();
 }
 
 }  // namespace footfall::ui

@@ -1,0 +1,78 @@
+// Work in the background of which only the latest counts.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <exception>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "footfall/errors.hpp"
+#include "footfall/run_context.hpp"
+#include "ui/base/background_queue.hpp"
+
+namespace footfall::ui {
+
+/// A member of an object that lives on the window's thread: its last member, so that the background thread ends before
+/// the rest of the object goes. Nothing here waits for the work, but the destructor, which cancels it before.
+class LatestWork {
+ public:
+  LatestWork() = default;
+  ~LatestWork() { stop(); }
+  LatestWork(const LatestWork&) = delete;
+  LatestWork& operator=(const LatestWork&) = delete;
+
+  /// Stops what is under way, and calls work(context) in the background. On the thread of `owner`, done(result)
+  /// follows, or failed(exception); nothing when the work was stopped or something else was started meanwhile.
+  template <class Work, class Done, class Failed>
+  void start(QObject& owner, Work work, Done done, Failed failed);
+  /// Cancels what is under way; it ends by itself, soon.
+  void stop() {
+    if (context_) context_->cancel();
+    context_.reset();
+  }
+  [[nodiscard]] bool busy() const { return context_ != nullptr; }
+  /// For jobs that follow the work and that nothing stops.
+  [[nodiscard]] BackgroundQueue& queue() { return queue_; }
+
+ private:
+  std::shared_ptr<RunContext> context_;  ///< of the work under way; null when there is none
+  BackgroundQueue queue_;                // last: its thread ends before the rest goes
+};
+
+template <class Work, class Done, class Failed>
+void LatestWork::start(QObject& owner, Work work, Done done, Failed failed) {
+  using Result = std::invoke_result_t<const Work&, RunContext&>;
+  stop();
+  context_ = std::make_shared<RunContext>();
+  queue_.post(
+      [this, &owner, context = context_, work = std::move(work), done = std::move(done), failed = std::move(failed)] {
+        std::shared_ptr<const Result> result;
+        std::exception_ptr problem;
+        try {
+          context->checkCancelled();
+          result = std::make_shared<const Result>(work(*context));
+        } catch (const Cancelled&) {
+          return;  // stop() was called
+        } catch (const std::exception&) {
+          problem = std::current_exception();
+        }
+        const auto finish = [this, context, result, problem, done, failed] {
+          if (context != context_) return;
+          context_.reset();
+          if (!problem) {
+            done(*result);
+            return;
+          }
+          try {
+            std::rethrow_exception(problem);
+          } catch (const std::exception& error) {
+            failed(error);
+          }
+        };
+        QMetaObject::invokeMethod(&owner, finish, Qt::QueuedConnection);
+      });
+}
+
+}  // namespace footfall::ui

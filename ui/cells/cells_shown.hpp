@@ -1,0 +1,15 @@
+// How the cells of parallel blocks are looked at.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/view/cell_colours.hpp"
+
+namespace footfall::ui {
+
+struct CellsShown {
+  bool inView = false;
+  bool load = false;  ///< the dock with the timeline
+  CellColouring colouring = CellColouring::Thread;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,44 @@
+// Edits of the import options.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+#include "ui/base/unit_choice.hpp"
+#include "ui/document/document.hpp"
+#include "ui/level/import_panel.hpp"
+#include "ui/level/level_file.hpp"
+
+namespace footfall::ui {
+
+/// Keeps the panel, the document's options, the file and the unit of lengths in step: what is edited in the panel
+/// becomes an edit of the document, and what the document has, also by undo, is how the file is read.
+class ImportEdits : public QObject {
+  Q_OBJECT
+
+ public:
+  ImportEdits(Document& document, LevelFile& file, ImportPanel& panel, UnitChoice& units);
+
+ private:
+  void edit(const ImportOptions& options);
+  void showLevel();
+
+  /// What a scale that is being typed converts from.
+  struct ScaleEdit {
+    QString key;  ///< of the edits that are one
+    Pipeline pipeline;
+    std::vector<NamedAgent> agents;
+    double scale = 1;
+    bool guessed = true;
+  };
+
+  Document& document_;
+  LevelFile& file_;
+  ImportPanel& panel_;
+  UnitChoice& units_;
+  std::optional<ScaleEdit> scaleEdit_;
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/level_file.hpp"
+
+#include <QFile>
+#include <utility>
+
+namespace footfall::ui {
+
+LevelFile::LevelFile(QObject* parent) : QObject(parent) {
+  connect(&loader_, &EnvironmentLoader::started, this, &LevelFile::started);
+  connect(&loader_, &EnvironmentLoader::loaded, this, &LevelFile::take);
+  connect(&loader_, &EnvironmentLoader::cancelled, this, [this] {
+    reading_ = Reading::Nothing;
+    emit cancelled();
+  });
+  connect(&loader_, &EnvironmentLoader::failed, this, [this](const QString& message) {
+    const bool again = std::exchange(reading_, Reading::Nothing) == Reading::Again;
+    if (again) {
+      emit rereadFailed(message);
+    } else {
+      emit failed(message);
+    }
+  });
+}
+
+QString LevelFile::path() const {
+  return loaded_.environment ? QFile::decodeName(QByteArray::fromStdString(loaded_.environment->source)) : QString();
+}
+
+void LevelFile::open(const QString& path, const ImportOptions& options) { start(Reading::Another, path, options); }
+
+void LevelFile::reread(const ImportOptions& options) {
+  if (loaded_.environment && !busy()) start(Reading::Again, path(), options, loaded_.geometry->centre);
+}
+
+void LevelFile::cancel() {
+  if (busy()) loader_.cancel();
+}
+
+void LevelFile::start(Reading reading, const QString& path, const ImportOptions& options,
+                      const std::optional<Vec3>& centre) {
+  reading_ = reading;
+  path_ = path;
+  loader_.load(path, options, centre);
+}
+
+void LevelFile::setOptions(const ImportOptions& options) {
+  if (!loaded_.environment || reading_ == Reading::Another) return;
+  const bool sameMesh = options.up == loaded_.options.up && options.bothSides == loaded_.options.bothSides;
+  const std::optional<double> scale = options.metresPerUnit ? options.metresPerUnit : fileScale_;
+  if (!sameMesh || !scale || busy()) {
+    start(Reading::OtherOptions, path(), options);
+    return;
+  }
+  // The scale changes no coordinate, so nothing is computed again.
+  auto scaled = std::make_shared<Environment>(*loaded_.environment);
+  scaled->metresPerUnit = *scale;
+  scaled->scaleGuessed = !options.metresPerUnit && fileScaleGuessed_;
+  loaded_.environment = std::move(scaled);
+  loaded_.options = options;
+  emit rescaled();
+}
+
+void LevelFile::take(const LoadedEnvironment& loaded) {
+  const Reading reading = std::exchange(reading_, Reading::Nothing);
+  const std::shared_ptr<const Environment> before = std::exchange(loaded_, loaded).environment;
+  if (reading == Reading::Another) fileScale_.reset();
+  keepScale();
+  emit arrived(reading, before);
+  if (reading == Reading::Again) {
+    emit rereadDone();
+  } else {
+    emit opened(reading);
+  }
+}
+
+// What was given instead of the file's scale says nothing about the file.
+void LevelFile::keepScale() {
+  if (loaded_.options.metresPerUnit) return;
+  fileScale_ = loaded_.environment->metresPerUnit;
+  fileScaleGuessed_ = loaded_.environment->scaleGuessed;
+}
+
+}  // namespace footfall::ui

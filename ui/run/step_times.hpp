@@ -1,0 +1,34 @@
+// How long steps took.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pipeline/runner.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+
+/// In milliseconds, by the steps so far.
+class StepTimes {
+ public:
+  /// Takes the times of a finished run; prefixes[i] names the steps before step i.
+  void remember(const std::vector<StepStatistics>& steps, const std::vector<std::string>& prefixes) {
+    if (times_.size() > kKnownTimes) times_.clear();
+    for (std::size_t i = 0; i < steps.size() && i + 1 < prefixes.size(); ++i) times_[prefixes[i + 1]] = steps[i].wallMs;
+  }
+  [[nodiscard]] std::optional<double> find(const std::string& steps) const {
+    const auto known = times_.find(steps);
+    return known == times_.end() ? std::nullopt : std::optional(known->second);
+  }
+  void clear() { times_.clear(); }
+
+ private:
+  static constexpr std::size_t kKnownTimes = 1000;  // more are of values that nobody comes back to
+  std::map<std::string, double> times_;
+};
+
+}  // namespace footfall::ui

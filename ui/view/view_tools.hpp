@@ -1,0 +1,29 @@
+// Tools for the mouse in the view, each with its command.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <QObject>
+
+#include "ui/base/commands.hpp"
+#include "ui/view/level_view.hpp"
+
+namespace footfall::ui {
+
+class ViewTools : public QObject {
+  Q_OBJECT
+
+ public:
+  ViewTools(CommandRegistry& commands, LevelView& view, QObject* parent);
+
+  /// A command of the menu Tools that gives the mouse to `tool`, or takes it back, and is checked while the tool has
+  /// it. The tool must outlive the view. With a panel: the command shows it; while the panel is hidden or behind
+  /// another tab, the command does nothing but that.
+  QAction* add(Command command, ViewTool* tool, QDockWidget* panel = nullptr);
+
+ private:
+  CommandRegistry& commands_;
+  LevelView& view_;
+};
+
+}  // namespace footfall::ui

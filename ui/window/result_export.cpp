@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/result_export.hpp"
+
+#include <QBuffer>
+#include <algorithm>
+#include <utility>
+
+#include "core/io/gltf_export.hpp"
+#include "core/report/html_report.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/report.hpp"
+#include "ui/base/namespaces.hpp"
+#include "ui/window/export_dialog.hpp"
+#include "ui/window/file_dialogs.hpp"
+#include "ui/window/report_legend.hpp"
+
+namespace footfall::ui {
+namespace {
+
+constexpr QSize kReportPicture{1600, 1000};  // at most
+constexpr double kReportRatio = 1.25;
+
+std::string pngOf(const QImage& image) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (!image.save(&buffer, "PNG")) throw RunError(FOOTFALL_TEXT("the picture cannot be made; choose a smaller size"));
+  return bytes.toStdString();
+}
+
+std::vector<ReportPicture> pngsOf(const std::vector<CaptionedImage>& images) {
+  std::vector<ReportPicture> pictures;
+  for (const auto& [caption, image] : images)
+    if (!image.isNull()) pictures.push_back({caption, pngOf(image)});
+  return pictures;
+}
+
+}  // namespace
+
+ResultExport::ResultExport(const Uses& uses) : QObject(&uses.window), uses_(uses) {
+  // Later, when the whole editor has the result: pictures show what it makes of it.
+  connect(&uses_.controller, &RunController::finished, this, &ResultExport::writeWaiting, Qt::QueuedConnection);
+  connect(&uses_.modes, &ViewModes::ready, this, &ResultExport::writeWaiting, Qt::QueuedConnection);
+  connect(&uses_.controller, &RunController::cancelled, this, [this] {
+    const QString files = takeWaiting();
+    if (files.isEmpty()) return;
+    uses_.messages.showErrorOf(MessageSubject::Writing,
+                               tr("%1: not written, as the run was cancelled; export again").arg(files));
+  });
+  connect(&uses_.level, &LevelFile::opened, this, [this](Reading reading) {
+    const QString files = reading == Reading::Another ? takeWaiting() : QString();
+    if (files.isEmpty()) return;
+    uses_.messages.showErrorOf(
+        MessageSubject::Writing,
+        tr("%1: not written, as another environment was opened; open the one before and export again").arg(files));
+  });
+}
+
+void ResultExport::showDialog() {
+  if (!uses_.level.environment()) return;
+  ExportSource source;
+  source.run = uses_.controller.finishedRun();
+  source.isUpToDate = uses_.controller.upToDate();
+  source.environment = uses_.level.environment();
+  source.placed = placedExtras();
+  source.view = uses_.view.size();
+  source.devicePixelRatio = uses_.view.devicePixelRatioF();
+  source.refusal = [this](const QString& path) { return uses_.writer.refusal(path, WrittenKind::Export); };
+  const ExportSettings settings = rememberedExport();
+  const QString suffix =
+      settings.kind == ExportKind::Png || settings.kind == ExportKind::Html ? QString() : QStringLiteral("-walkable");
+  auto* dialog = new ExportDialog(std::move(source), settings,
+                                  suggestedPath(uses_.level, suffix + QLatin1Char('.') + exportEnding(settings.kind)),
+                                  &uses_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ExportDialog::exportRequested, this, [this](const QString& path, const ExportSettings& chosen) {
+    if (remembering_) rememberExport(chosen);
+    write(path, chosen);
+  });
+  dialog->open();
+}
+
+void ResultExport::write(const QString& path) {
+  ExportSettings settings;
+  settings.kind = exportKindOf(path, ExportKind::Obj);
+  write(path, settings);
+}
+
+void ResultExport::write(const QString& path, const ExportSettings& settings) {
+  if (!uses_.level.environment()) {
+    uses_.messages.showErrorOf(MessageSubject::Writing, tr("nothing to export; open an environment first"));
+    return;
+  }
+  if (uses_.writer.refuses(path, WrittenKind::Export)) return;
+  const bool drawn = settings.kind == ExportKind::Png || (settings.kind == ExportKind::Html && settings.pictures);
+  const bool computed = uses_.controller.upToDate();
+  if (computed && (!drawn || uses_.modes.upToDate())) {
+    writeNow(path, settings);
+    return;
+  }
+  std::erase_if(pending_, [&](const auto& pending) { return pending.first == path; });
+  pending_.emplace_back(path, settings);
+  uses_.log.add(MessageLevel::Note, tr("%1 is written once the run has finished").arg(path));
+  if (!computed && !uses_.controller.busy()) uses_.controller.runNow();
+}
+
+void ResultExport::writeNow(const QString& path, const ExportSettings& settings) {
+  if (settings.kind == ExportKind::Png) {
+    writePicture(path, settings);
+  } else if (settings.kind == ExportKind::Html) {
+    writeReport(path, settings.pictures);
+  } else {
+    writeMesh(path, settings);
+  }
+}
+
+void ResultExport::writeWaiting() {
+  if (pending_.empty()) return;
+  if (!uses_.controller.upToDate()) {
+    if (!uses_.controller.busy()) uses_.controller.runNow();
+    return;
+  }
+  if (!uses_.modes.upToDate()) return;
+  for (const auto& [path, settings] : std::exchange(pending_, {})) write(path, settings);
+}
+
+QString ResultExport::takeWaiting() {
+  QStringList names;
+  for (const auto& [path, settings] : std::exchange(pending_, {})) names << path;
+  if (!names.isEmpty()) emit dropped();
+  return names.join(QStringLiteral(", "));
+}
+
+void ResultExport::writeMesh(const QString& path, const ExportSettings& settings) {
+  uses_.writer.write(
+      [run = uses_.controller.finishedRun(), target = toPath(path), settings,
+       extras = settings.placed ? placedExtras() : std::vector<ExportExtra>()] {
+        const ExportHeader header = makeExportHeader(run->pipeline);
+        const NavigationMesh& mesh = *run->result.mesh;
+        if (settings.kind == ExportKind::Obj) {
+          writeFileSafely(target, formatObj(mesh, header, settings.options, extras));
+        } else {
+          const GltfKind kind = settings.kind == ExportKind::Gltf ? GltfKind::Text : GltfKind::Binary;
+          writeFileSafely(target, formatGltf(kind, mesh, header, settings.options, extras).bytes);
+        }
+      },
+      path);
+}
+
+// Drawing needs the window's thread and its OpenGL; the file is made in the background.
+void ResultExport::writePicture(const QString& path, const ExportSettings& settings) {
+  const QList<PictureSize> sizes = pictureSizes(uses_.view.size(), uses_.view.devicePixelRatioF());
+  const PictureSize& size = sizes[std::clamp(settings.pictureSize, 0, static_cast<int>(sizes.size()) - 1)];
+  const QImage image = uses_.view.picture(size.pixels, size.ratio);
+  if (image.isNull()) {
+    uses_.messages.showErrorOf(MessageSubject::Writing,
+                               tr("%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size")
+                                   .arg(path)
+                                   .arg(size.pixels.width())
+                                   .arg(size.pixels.height()));
+    return;
+  }
+  uses_.writer.write([image, target = toPath(path)] { writeFileSafely(target, pngOf(image)); }, path);
+}
+
+void ResultExport::writeReport(const QString& path, bool pictures) {
+  std::vector<CaptionedImage> images, colours;
+  if (pictures) {
+    colours = reportLegend(uses_.view.content(), uses_.view.parts());
+    if (isHeatMap(uses_.view.mode()))
+      colours.emplace_back(uses_.view.mode() == ViewMode::Slope
+                               ? "Slope of floors; hatched: steeper than the limit"
+                               : "Free height above floors; hatched: less than the limit",
+                           uses_.legend.scaleImage());
+    const auto take = [&](const char* caption, const QSize& size, PictureCamera from) {
+      images.emplace_back(caption, uses_.view.picture(size, kReportRatio, from));
+    };
+    // The first has the view's shape, so that it shows neither more nor less.
+    take("As seen in the editor", uses_.view.size().scaled(kReportPicture, Qt::KeepAspectRatio), PictureCamera::AsSeen);
+    take("From the top", kReportPicture, PictureCamera::Top);
+    take("From above at an angle", kReportPicture, PictureCamera::Oblique);
+  }
+  uses_.writer.write(
+      [run = uses_.controller.finishedRun(), environment = uses_.level.environment(), images, colours,
+       target = toPath(path)] {
+        const std::vector<ReportPicture> pictures = pngsOf(images), legend = pngsOf(colours);
+        const ReportDetails details{reportDate(), pictures, legend};
+        writeFileSafely(target, formatHtmlReport(*environment, run->pipeline, run->result, {}, details));
+      },
+      path);
+}
+
+// The shapes that were placed, as the level has them.
+std::vector<ExportExtra> ResultExport::placedExtras() const {
+  std::vector<ExportExtra> extras;
+  for (const PlacedObstacle& obstacle : uses_.document.state().obstacles)
+    extras.push_back({obstacle.name, soupOf(obstacle)});
+  return extras;
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,81 @@
+// The session: saved where the user wants it, and kept for after a crash.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <functional>
+#include <optional>
+
+#include "ui/base/message_bar.hpp"
+#include "ui/base/recent_files.hpp"
+#include "ui/base/session_sections.hpp"
+#include "ui/cells/cells_feature.hpp"
+#include "ui/document/document.hpp"
+#include "ui/view/level_view.hpp"
+#include "ui/window/file_writer.hpp"
+#include "ui/window/session_keeper.hpp"
+
+namespace footfall::ui {
+
+class SessionFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Uses {
+    QWidget& window;  ///< parent of dialogs
+    Document& document;
+    const LevelFile& level;
+    const LevelView& view;
+    const CellsFeature& cells;
+    SessionSections& sections;
+    FileWriter& writer;
+    RecentFiles& recent;
+    MessageBar& messages;
+    BackgroundQueue& writing;  ///< as SessionKeeper wants it
+  };
+  explicit SessionFiles(const Uses& uses);
+
+  /// Off: nothing of this window is remembered (for screenshots).
+  void setRemembering(bool on) { remembering_ = on; }
+  [[nodiscard]] bool remembering() const { return remembering_; }
+
+  /// The file that was opened or saved last; empty: none.
+  [[nodiscard]] QString path() const { return uses_.writer.openPath(WrittenKind::Session); }
+  void setPath(const QString& path);
+  /// Replaces other files without a question, but not those that FileWriter refuses.
+  void save(const QString& path);
+  void askForTarget();
+
+  /// Edits that no session file has.
+  [[nodiscard]] bool hasUnsavedChanges() const;
+  /// Asks what is to become of unsaved changes, if there are some; `next` follows unless it is cancelled.
+  void askUnsaved(std::function<void()> next);
+
+  /// Writes what survives a crash: soon, or at once.
+  void keepSoon() { keepTimer_.start(); }
+  void keep();
+  /// The window is being closed: what is kept becomes the last session.
+  void close();
+  /// Offers what was worked on when the program, or the machine, ended unexpectedly.
+  void offerRestoring();
+  [[nodiscard]] std::optional<KeptSession> lastSession() const { return keeper_.lastSession(); }
+  /// A session that was kept is open, or not wanted.
+  void forget(const KeptSession& kept) { keeper_.forget(kept); }
+
+ signals:
+  void pathChanged();
+  void restoreRequested(const footfall::ui::KeptSession& kept);
+
+ private:
+  [[nodiscard]] Session current() const;
+
+  Uses uses_;
+  SessionKeeper keeper_;
+  QTimer keepTimer_;
+  bool remembering_ = true;
+  std::function<void()> afterSaving_;  ///< what waits for the session to be written
+};
+
+}  // namespace footfall::ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/tool_bars.hpp"
+
+namespace footfall::ui {
+
+ToolBars::ToolBars(QMainWindow& window, CommandRegistry& commands)
+    : QObject(&window),
+      window_(window),
+      commands_(commands),
+      main_(new CommandBar(tr("Files and view"), QStringLiteral("toolBar"), &window)),
+      tools_(new CommandBar(tr("Tools"), QStringLiteral("toolsBar"), &window)) {
+  tools_->hide();
+  for (CommandBar* bar : {main_, tools_}) {
+    window_.addToolBar(bar);
+    connect(bar->toggleViewAction(), &QAction::toggled, this, &ToolBars::shareWidth);
+  }
+  connect(&commands_, &CommandRegistry::added, this, &ToolBars::addTool);
+}
+
+void ToolBars::add(QAction* action, const QString& text) {
+  action->setIconText(text);
+  main_->addAction(action);
+}
+
+// Tools with icons, group by group, in the order in which they come.
+void ToolBars::addTool(const CommandRegistry::Entry& entry) {
+  if (entry.command.menu != CommandMenu::Tools || entry.command.icon.isEmpty()) return;
+  QAction* before = nullptr;
+  bool grouped = false;
+  const QList<QAction*> there = tools_->actions();
+  for (const CommandRegistry::Entry& other : commands_.entries()) {
+    if (other.command.menu != entry.command.menu || other.command.group != entry.command.group) continue;
+    const qsizetype at = there.indexOf(other.action);
+    if (at < 0) continue;
+    grouped = true;
+    before = at + 1 < there.size() ? there[at + 1] : nullptr;
+  }
+  if (!grouped && !there.isEmpty()) tools_->addSeparator();
+  tools_->insertAction(before, entry.action);
+  tools_->show();
+  shareWidth();
+}
+
+void ToolBars::shareWidth() { CommandBar::shareWidth({main_, tools_}, window_.width()); }
+
+}  // namespace footfall::ui

@@ -1,0 +1,35 @@
+// The window's two tool bars.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+#include <QObject>
+
+#include "ui/base/command_bar.hpp"
+#include "ui/base/commands.hpp"
+
+namespace footfall::ui {
+
+/// One bar for files and the view, and one with the commands of the menu Tools, which fills itself as they come.
+class ToolBars : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolBars(QMainWindow& window, CommandRegistry& commands);
+
+  [[nodiscard]] CommandBar& main() { return *main_; }
+  /// Adds an action to the main bar; `text` is shorter than in the menu.
+  void add(QAction* action, const QString& text);
+  /// Both lie in one row: what has no room shows icons alone. To be called when the window's width has changed.
+  void shareWidth();
+
+ private:
+  void addTool(const CommandRegistry::Entry& entry);
+
+  QMainWindow& window_;
+  CommandRegistry& commands_;
+  CommandBar* main_;
+  CommandBar* tools_;
+};
+
+}  // namespace footfall::ui

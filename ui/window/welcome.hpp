@@ -1,0 +1,40 @@
+// When the welcome page is shown, and what it offers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "ui/base/commands.hpp"
+#include "ui/base/recent_files.hpp"
+#include "ui/view/level_view.hpp"
+#include "ui/window/level_opening.hpp"
+#include "ui/window/session_files.hpp"
+#include "ui/window/welcome_page.hpp"
+
+namespace footfall::ui {
+
+/// Lies over the view until a level is opened, and when it is asked for.
+class Welcome : public QObject {
+  Q_OBJECT
+
+ public:
+  Welcome(WelcomePage& page, LevelView& view, CommandRegistry& commands, LevelFile& file, RecentFiles& recent,
+          SessionFiles& sessions, LevelOpening& opening);
+
+  /// Without a level there is nothing behind the page, and it stays.
+  void show(bool on);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void update();
+
+  WelcomePage& page_;
+  LevelView& view_;
+  LevelFile& file_;
+  RecentFiles& recent_;
+  SessionFiles& sessions_;
+};
+
+}  // namespace footfall::ui
