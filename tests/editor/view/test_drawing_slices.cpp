@@ -6,10 +6,10 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "ui/base/frame_watchdog.hpp"
+#include "ui/level/level_look.hpp"
 #include "ui/run/provisional_content.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/drawing_slice.hpp"
-#include "ui/level/level_look.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "ui/level/level_look.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/view/camera_tools.hpp"
-#include "ui/level/level_look.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
