@@ -49,7 +49,7 @@ class TestExportDialog : public QObject {
              qPrintable(content));
     const std::size_t size = formatObj(*run->result.mesh, makeExportHeader(run->pipeline)).size();
     QTRY_COMPARE(label("exportSize"), "Size: " + QLocale(QLocale::English).formattedDataSize(qint64(size)));
-    shoot(*dialog(), "export-obj");
+    shoot(*dialog, "export-obj");
     QTest::keyClick(dialog, Qt::Key_Escape);
     QVERIFY(QTest::qWaitFor([&] { return QApplication::activeModalWidget() == nullptr; }));
     QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), QStringList{"table.obj"});
@@ -104,7 +104,7 @@ class TestExportDialog : public QObject {
     }
     QCOMPARE(endings, (QStringList{"gltf", "glb", "png", "html"}));
     QVERIFY(!box("exportPictureSize")->isVisible());
-    shoot(*dialog(), "export-html");
+    shoot(*dialog, "export-html");
   }
 
   void picturesInAllSizes() {

@@ -247,7 +247,7 @@ class TestSessionsSafety : public QObject {
     const bool told = QTest::qWaitFor([&] { return window->messageBar().isVisible(); });
     const QString text = window->messageBar().text();
     window->messageBar().clear();
-    window->keepSoon();
+    window->findChild<SessionFiles*>()->keepSoon();
     QTest::qWait(1300);
     const bool toldAgain = window->messageBar().isVisible();
     qputenv("XDG_CONFIG_HOME", before);
