@@ -64,7 +64,7 @@ void ViewModes::addCommands(CommandRegistry& commands) {
   for (std::size_t i = 0; i < kViewModes.size(); ++i) {
     const ViewMode mode = kViewModes[i];
     Command command;
-    command.id = QStringLiteral("view_.mode.") + QString::fromUtf8(nameOf(mode).data(), qsizetype(nameOf(mode).size()));
+    command.id = QStringLiteral("view.mode.") + QString::fromUtf8(nameOf(mode).data(), qsizetype(nameOf(mode).size()));
     command.menu = CommandMenu::View;
     command.group = QStringLiteral("modes");
     command.text = labelOf(mode);

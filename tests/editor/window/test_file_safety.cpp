@@ -119,7 +119,7 @@ class TestFileSafety : public QObject {
     shoot(*QApplication::activeWindow(), "replace-question");
     QTest::mouseClick(question()->findChild<QPushButton*>("replaceAccept"), Qt::LeftButton);
     QTRY_VERIFY(readFile(other).startsWith("# "));
-    QVERIFY(!exportDialog());
+    QTRY_VERIFY(!exportDialog());
   }
 
   void aSessionAsksUnlessItIsTheOpenOne() {
