@@ -983,6 +983,22 @@
         <source>agent, in the environment&apos;s units: %1</source>
         <translation>Agent, in den Einheiten der Umgebung: %1</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is not a number that can stand here</source>
+        <translation>„%1“ ist keine Zahl, die hier stehen kann</translation>
+    </message>
+    <message>
+        <source>the line ends before its element</source>
+        <translation>die Zeile endet vor ihrem Element</translation>
+    </message>
+    <message>
+        <source>a list has more entries than its line has numbers</source>
+        <translation>eine Liste hat mehr Einträge, als ihre Zeile Zahlen hat</translation>
+    </message>
+    <message>
+        <source>the PLY file says that it is ASCII, but there are bytes in it that are no text</source>
+        <translation>die PLY-Datei nennt sich ASCII, enthält aber Bytes, die kein Text sind</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>

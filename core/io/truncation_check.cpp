@@ -16,13 +16,22 @@ namespace footfall::detail {
 namespace {
 
 constexpr Pattern kTruncated = FOOTFALL_TEXT("it is truncated: copy or export it again");
+constexpr Pattern kExportAgain = FOOTFALL_TEXT("correct it or export the file again");
 
+/// Ends where Assimp sees an end of line: a line that only one of us sees would shift what stands in its place.
 std::string_view takeLine(std::string_view& text) {
-  const std::size_t stop = text.find('\n');
-  std::string_view line = text.substr(0, stop);
-  text.remove_prefix(stop == std::string_view::npos ? text.size() : stop + 1);
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  const std::size_t stop = std::min(text.find_first_of("\n\r"), text.size());
+  const std::string_view line = text.substr(0, stop);
+  text.remove_prefix(stop);
+  text.remove_prefix(text.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(text.size(), 1));
   return line;
+}
+
+/// Without what Assimp takes for an end of line and nobody else does.
+bool isText(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\n' || c == '\r';
+  });
 }
 
 /// Whatever the case of the text: Assimp does not mind it either.
@@ -76,6 +85,7 @@ struct PlyElement {
 };
 
 struct PlyHeader {
+  std::size_t lines = 1;
   bool ascii = true;
   bool bigEndian = false;
   bool complete = false;
@@ -115,14 +125,16 @@ bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& hea
 PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
   PlyHeader header;
   takeLine(text);  // "ply"
-  for (std::size_t number = 2; !text.empty() && !header.complete; ++number) {
-    const std::vector<std::string_view> line = words(takeLine(text));
-    if (line.empty() || takePlyHeaderLine(line, header)) continue;
+  while (!text.empty() && !header.complete) {
+    ++header.lines;
+    const std::string_view whole = takeLine(text);
+    const std::vector<std::string_view> line = words(whole);
+    if (line.empty() || (isText(whole) && takePlyHeaderLine(line, header))) continue;
     if (text.empty()) break;  // cut inside the line
-    failInput(
-        path, 0,
-        Text(FOOTFALL_TEXT("line %1 of the PLY header, '%2 ...', is not understood"), number, line[0].substr(0, 24)),
-        FOOTFALL_TEXT("correct it or export the file again"));
+    failInput(path, 0,
+              Text(FOOTFALL_TEXT("line %1 of the PLY header, '%2 ...', is not understood"), header.lines,
+                   line[0].substr(0, 24)),
+              kExportAgain);
   }
   return header;
 }
@@ -131,17 +143,73 @@ PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
   failInput(path, 0, FOOTFALL_TEXT("the file ends before the elements that its header announces"), kTruncated);
 }
 
+constexpr Pattern kNegativeList = FOOTFALL_TEXT("a list in the PLY file has fewer than no entries");
+
+std::size_t takeDigits(std::string_view& word) {
+  const std::size_t count = std::min(word.find_first_not_of("0123456789"), word.size());
+  word.remove_prefix(count);
+  return count;
+}
+
+/// Whether Assimp reads the whole word as one number: behind a sign inside, or behind more digits than an integer
+/// holds, it begins another, which may then be taken for a list's length.
+bool isOneNumber(std::string_view word) {
+  constexpr std::size_t kMostDigits = 18;
+  const auto skip = [&](std::string_view characters) {
+    const bool found = !word.empty() && characters.find(word[0]) != std::string_view::npos;
+    if (found) word.remove_prefix(1);
+    return found;
+  };
+  skip("+-");
+  std::size_t digits = takeDigits(word);
+  if (digits > kMostDigits) return false;
+  if (skip(".")) digits += takeDigits(word);
+  if (digits == 0) return false;
+  if (!skip("eE")) return word.empty();
+  skip("+-");
+  return takeDigits(word) > 0 && word.empty();
+}
+
+/// A line of an element that has lists: Assimp believes their lengths.
+void checkListLine(const std::string& path, std::size_t number, const PlyElement& element, std::string_view line) {
+  const std::vector<std::string_view> all = words(line);
+  for (const std::string_view word : all) {
+    if (isOneNumber(word)) continue;
+    failInput(path, number, Text(FOOTFALL_TEXT("'%1' is not a number that can stand here"), word.substr(0, 24)),
+              kExportAgain);
+  }
+  std::size_t at = 0;
+  for (const PlyProperty& property : element.properties) {
+    if (at >= all.size()) failInput(path, number, FOOTFALL_TEXT("the line ends before its element"), kExportAgain);
+    const std::string_view word = all[at++];
+    if (property.itemSize == 0) continue;
+    if (word[0] == '-') failInput(path, number, kNegativeList, kExportAgain);
+    const std::uint64_t length = toCount(word.substr(word[0] == '+' ? 1 : 0));
+    if (length > all.size() - at) {
+      failInput(path, number, FOOTFALL_TEXT("a list has more entries than its line has numbers"), kExportAgain);
+    }
+    at += length;
+  }
+}
+
 /// Each element has a line of its own; the last line may itself be cut.
 void checkAsciiPly(const std::string& path, const PlyHeader& header, std::string_view text) {
+  if (!isText(text)) {
+    failInput(path, 0, FOOTFALL_TEXT("the PLY file says that it is ASCII, but there are bytes in it that are no text"),
+              kExportAgain);
+  }
+  std::size_t number = header.lines;
   for (const PlyElement& element : header.elements) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       std::string_view line;
-      while (line.empty() && !text.empty()) line = takeLine(text);
+      for (; line.empty() && !text.empty(); ++number) line = takeLine(text);
       if (line.empty()) failShortPly(path);
-      if (!text.empty()) continue;
-      const std::vector<std::string_view> last = words(line);
-      const std::uint64_t listed = element.firstIsList && !last.empty() ? toCount(last[0]) : 0;
-      if (last.size() < element.leastWords + listed) failShortPly(path);
+      if (text.empty()) {
+        const std::vector<std::string_view> last = words(line);
+        const std::uint64_t listed = element.firstIsList && !last.empty() ? toCount(last[0]) : 0;
+        if (last.size() < element.leastWords + listed) failShortPly(path);
+      }
+      if (element.hasLists) checkListLine(path, number, element, line);
     }
   }
 }
@@ -154,16 +222,14 @@ std::uint64_t takeListCount(const std::string& path, const PlyProperty& list, bo
     count = count << 8 | byte;
   }
   text.remove_prefix(list.size);
-  if (list.isSigned && (count >> (8 * list.size - 1)) != 0)
-    failInput(path, 0, FOOTFALL_TEXT("a list in the PLY file has fewer than no entries"),
-              FOOTFALL_TEXT("correct it or export the file again"));
+  if (list.isSigned && (count >> (8 * list.size - 1)) != 0) failInput(path, 0, kNegativeList, kExportAgain);
   return count;
 }
 
 void checkBinaryPly(const std::string& path, const PlyHeader& header, std::string_view text) {
   for (const PlyElement& element : header.elements) {
-    if (element.leastBytes == 0) continue;
-    if (element.count > text.size() / element.leastBytes) failShortPly(path);
+    // Assimp makes room for elements without properties, too
+    if (element.count > text.size() / std::max<std::uint64_t>(element.leastBytes, 1)) failShortPly(path);
     if (!element.hasLists) {
       text.remove_prefix(element.count * element.leastBytes);
       continue;

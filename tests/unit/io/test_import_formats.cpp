@@ -163,7 +163,7 @@ class TestImportFormats : public QObject {
     const QByteArray gltf = readAll(dataFile("transforms.gltf")), ply = readAll(dataFile("polygons.ply")),
                      stl = readAll(dataFile("floor.stl")), dae = readAll(dataFile("z_up.dae")),
                      fbx = readAll(dataFile("z_up_inches.fbx")), tds = readAll(dataFile("floor.3ds"));
-    const auto with = [](QByteArray text, const char* from, const char* to) { return text.replace(from, to); };
+    const auto with = [](QByteArray text, const char* from, const QByteArray& to) { return text.replace(from, to); };
     QTest::newRow("cut gltf") << "a.gltf" << gltf.left(500) << "cannot be read";
     QTest::newRow("cut ply header") << "a.ply" << ply.left(100) << "end_header";
     QTest::newRow("cut ply vertices") << "a.ply" << ply.left(220) << "truncated";
@@ -202,6 +202,18 @@ class TestImportFormats : public QObject {
     QTest::newRow("ply with a list longer than the file") << "a.ply" << longList << "truncated";
     QTest::newRow("ply with a list of negative length")
         << "a.ply" << with(longList, "list uchar", "list char") << "fewer than no entries";
+    QTest::newRow("ascii ply with a list of negative length")
+        << "a.ply" << with(ply, "4 0 1 2 3", "-103 0 1 2 3") << "fewer than no entries";
+    QTest::newRow("ascii ply with a list longer than its line")
+        << "a.ply" << with(ply, "4 0 1 2 3", "3333333333333330 0 1 2 3") << "more entries than its line";
+    QTest::newRow("ascii ply with two numbers in a word")
+        << "a.ply" << with(ply, "4 0 1 2 3", "4-7 0 1 2 3") << "'4-7' is not a number";
+    QTest::newRow("ascii ply with an end of line that is not everybody's")
+        << "a.ply" << with(ply, "4 0 1 2 3", "4 0\r-1 1 2 3") << "more entries than its line";
+    QTest::newRow("ascii ply with bytes that are no text")
+        << "a.ply" << with(ply, "0 4 0", QByteArray("0 4\0 0", 6)) << "bytes in it that are no text";
+    QTest::newRow("binary ply with billions of elements without properties")
+        << "a.ply" << with(binaryPly(), "end_header", "element nothing 4000000000\nend_header") << "truncated";
     QTest::newRow("ply that announces less than nothing")
         << "a.ply" << with(ply, "element vertex 7", "element vertex -7") << "line 4 of the PLY header";
     QTest::newRow("cut ply with another extension") << "a.gltf" << ply.left(100) << "end_header";
@@ -219,7 +231,7 @@ class TestImportFormats : public QObject {
     const TemporaryFolder folder;
     const std::string path = folder.write(qPrintable(name), content);
     const QString message = messageOf<InputError>([&] { importEnvironment(path); });
-    QVERIFY2(message.startsWith(QString::fromStdString(path) + ": "), qPrintable(message));
+    QVERIFY2(message.startsWith(QString::fromStdString(path) + ":"), qPrintable(message));
     QVERIFY2(message.contains(expected) && message.contains("; "), qPrintable(message));
     QVERIFY2(!message.contains('\n'), qPrintable(message));
   }
