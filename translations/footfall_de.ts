@@ -996,8 +996,24 @@
         <translation>eine Liste hat mehr Einträge, als ihre Zeile Zahlen hat</translation>
     </message>
     <message>
-        <source>the PLY file says that it is ASCII, but there are bytes in it that are no text</source>
-        <translation>die PLY-Datei nennt sich ASCII, enthält aber Bytes, die kein Text sind</translation>
+        <source>the line is empty, but an element of the PLY file must stand there</source>
+        <translation>die Zeile ist leer, aber dort muss ein Element der PLY-Datei stehen</translation>
+    </message>
+    <message>
+        <source>the PLY file says that it is ASCII, but there are bytes in the line that are no text</source>
+        <translation>die PLY-Datei nennt sich ASCII, aber in der Zeile stehen Bytes, die kein Text sind</translation>
+    </message>
+    <message>
+        <source>there is something before the word &apos;ply&apos; with which a PLY file must begin</source>
+        <translation>vor dem Wort „ply“, mit dem eine PLY-Datei beginnen muss, steht etwas</translation>
+    </message>
+    <message>
+        <source>nothing behind the unknown PLY elements &apos;%1&apos; can be read</source>
+        <translation>hinter den unbekannten PLY-Elementen „%1“ kann nichts gelesen werden</translation>
+    </message>
+    <message>
+        <source>move them behind all others or export the file without them</source>
+        <translation>stellen Sie sie hinter alle anderen, oder exportieren Sie die Datei ohne sie</translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/assembly/face_mesh.hpp"
 
+#include "core/base/geometry.hpp"
+
 namespace footfall::detail {
-namespace {
-
-int previous(int k) { return k == 0 ? 2 : k - 1; }
-
-}  // namespace
 
 void FaceMesher::insertCuts(const FaceCuts& cuts) {
   std::vector<Index> points, lines;

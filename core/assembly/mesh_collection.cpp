@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "core/assembly/mesh_joiner.hpp"
+#include "core/base/geometry.hpp"
 #include "core/base/numbered_table.hpp"
 #include "core/base/parallel_ranges.hpp"
 
@@ -25,8 +26,6 @@ constexpr std::size_t kPolled = 1 << 14;
 
 // As in PlanKernel: what is known worse than this share of the coordinates is computed exactly.
 constexpr double kCoarse = 0x1p-26;
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
 
 // What a used point is, where it is no source vertex.
 constexpr Index kOnSourceEdge = -1, kOfOneFace = -2, kUnused = -3;

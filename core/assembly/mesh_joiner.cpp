@@ -12,12 +12,11 @@
 #include <span>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/geometry.hpp"
 #include "core/mesh/triangle_split.hpp"
 
 namespace footfall::detail {
 namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
 
 // Rounding of a scaled sum or product of coordinates, generously.
 constexpr double kRounding = 8 * 0x1p-53;
@@ -45,8 +44,6 @@ Box boxAround(const MeshVertex& v) {
   const auto high = [&](double c) { return c + v.error + std::fabs(c) * kRounding; };
   return {{low(v.x), low(v.y), low(v.z)}, {high(v.x), high(v.y), high(v.z)}};
 }
-// As in PlanKernel: what is known worse than this share of the coordinates is computed exactly.
-constexpr double kCoarse = 0x1p-26;
 
 }  // namespace
 

@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/geometry.hpp"
 #include "core/mesh/triangle_split.hpp"
 
 namespace footfall::detail {
 namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
 
 Index cornerOf(const MeshTriangle& t, Index vertex) {
   return t.corners[0] == vertex ? 0 : t.corners[1] == vertex ? 1 : 2;

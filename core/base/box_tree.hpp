@@ -195,7 +195,10 @@ class BoxTree {
     std::array<std::int32_t, kFan> hit;
     for (Index i = 0; i < kFan; ++i) {
       std::int32_t overlaps = 1;
-      for (int k = 0; k < D; ++k) overlaps &= (g.lower[k][i] <= query.upper[k]) & (g.upper[k][i] >= query.lower[k]);
+      for (int k = 0; k < D; ++k) {
+        overlaps &= static_cast<std::int32_t>(g.lower[k][i] <= query.upper[k]);
+        overlaps &= static_cast<std::int32_t>(g.upper[k][i] >= query.lower[k]);
+      }
       hit[i] = overlaps;
     }
     for (Index i = 0; i < kFan; ++i) {

@@ -12,6 +12,10 @@ namespace footfall::detail {
 /// The number of an element of a mesh; -1 often stands for none.
 using Index = std::int32_t;
 
+/// The corner, or edge, of a triangle behind `k`, and the one before it.
+constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
+constexpr int previous(int k) { return k == 0 ? 2 : k - 1; }
+
 /// Closed and parallel to the axes.
 struct Box {
   std::array<double, 3> lower{};

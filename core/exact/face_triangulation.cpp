@@ -5,13 +5,11 @@
 #include <climits>
 #include <stdexcept>
 
+#include "core/base/geometry.hpp"
 #include "core/exact/shape.hpp"
 
 namespace footfall::detail {
 namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
-int previous(int k) { return k == 0 ? 2 : k - 1; }
 
 int cornerOf(const FaceTriangulation::Cell& cell, Index vertex) {
   return cell.corners[0] == vertex ? 0 : cell.corners[1] == vertex ? 1 : 2;

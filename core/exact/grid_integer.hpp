@@ -65,14 +65,15 @@ T gridDifference(double x, double y, int gridExponent, bool /*narrow*/) {
   return gridInteger<T>(x, gridExponent) - gridInteger<T>(y, gridExponent);
 }
 
+/// Apart, as its numbers would make the frame of every caller larger.
+[[gnu::noinline]] inline FixedInteger wideGridDifference(double x, double y, int gridExponent) {
+  return gridInteger<FixedInteger>(x, gridExponent) - gridInteger<FixedInteger>(y, gridExponent);
+}
+
 template <>
 inline FixedInteger gridDifference<FixedInteger>(double x, double y, int gridExponent, bool narrow) {
   if (narrow) return FixedInteger(gridInteger<__int128>(x, gridExponent) - gridInteger<__int128>(y, gridExponent));
-  // Apart, as its numbers would make the frame of every caller larger.
-  const auto wide = [=] [[gnu::noinline]] () -> FixedInteger {
-    return gridInteger<FixedInteger>(x, gridExponent) - gridInteger<FixedInteger>(y, gridExponent);
-  };
-  return wide();
+  return wideGridDifference(x, y, gridExponent);
 }
 
 }  // namespace footfall::detail

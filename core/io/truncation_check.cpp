@@ -18,20 +18,18 @@ namespace {
 constexpr Pattern kTruncated = FOOTFALL_TEXT("it is truncated: copy or export it again");
 constexpr Pattern kExportAgain = FOOTFALL_TEXT("correct it or export the file again");
 
-/// Ends where Assimp sees an end of line: a line that only one of us sees would shift what stands in its place.
 std::string_view takeLine(std::string_view& text) {
-  const std::size_t stop = std::min(text.find_first_of("\n\r"), text.size());
-  const std::string_view line = text.substr(0, stop);
-  text.remove_prefix(stop);
-  text.remove_prefix(text.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(text.size(), 1));
+  const std::size_t stop = text.find('\n');
+  std::string_view line = text.substr(0, stop);
+  text.remove_prefix(stop == std::string_view::npos ? text.size() : stop + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   return line;
 }
 
-/// Without what Assimp takes for an end of line and nobody else does.
-bool isText(std::string_view text) {
-  return std::all_of(text.begin(), text.end(), [](char c) {
-    return static_cast<unsigned char>(c) >= ' ' || c == '\t' || c == '\n' || c == '\r';
-  });
+/// Without what Assimp 5.2.5 takes for an end of line and nobody else does; it reads far beyond some of them.
+bool isText(std::string_view line) {
+  return std::all_of(line.begin(), line.end(),
+                     [](char c) { return static_cast<unsigned char>(c) >= ' ' || c == '\t'; });
 }
 
 /// Whatever the case of the text: Assimp does not mind it either.
@@ -76,6 +74,7 @@ struct PlyProperty {
 };
 
 struct PlyElement {
+  std::string_view name;
   std::uint64_t count = 0;
   std::uint64_t leastBytes = 0;  ///< of one element in a binary file
   std::size_t leastWords = 0;    ///< of one element in an ASCII file
@@ -86,26 +85,41 @@ struct PlyElement {
 
 struct PlyHeader {
   std::size_t lines = 1;
+  bool hasFormat = false;
   bool ascii = true;
   bool bigEndian = false;
   bool complete = false;
   std::vector<PlyElement> elements;
 };
 
-/// One line of the header; false when it is none.
+bool isAssimpElement(std::string_view name) {
+  return name == "vertex" || name == "face" || name == "tristrips" || name == "edge" || name == "material";
+}
+
+/// One line of the header; false when it is none, or one that Assimp 5.2.5 understands in another way: a second format,
+/// elements twice (memory is lost then), "comment vertex 9" (an element), an empty line or obj_info among the elements
+/// (the end of their properties).
 bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& header) {
+  if (line.empty()) return header.elements.empty();
   const std::string_view keyword = line[0];
-  if (keyword == "comment" || keyword == "obj_info") return true;
+  if (keyword == "comment") return line.size() < 3 || !isAssimpElement(line[1]) || line[2][0] < '0' || line[2][0] > '9';
+  if (keyword == "obj_info") return header.elements.empty();
   if (keyword == "end_header") return header.complete = line.size() == 1;
   if (keyword == "format") {
-    if (line.size() != 3) return false;
+    if (line.size() != 3 || header.hasFormat || !header.elements.empty()) return false;
+    header.hasFormat = true;
     header.ascii = line[1] == "ascii";
     header.bigEndian = line[1] == "binary_big_endian";
     return header.ascii || header.bigEndian || line[1] == "binary_little_endian";
   }
   if (keyword == "element") {
-    if (line.size() != 3 || line[2].find_first_not_of("0123456789") != std::string_view::npos) return false;
-    header.elements.emplace_back().count = toCount(line[2]);
+    const auto isNamesake = [&](const PlyElement& element) { return element.name == line[1]; };
+    if (line.size() != 3 || line[2].find_first_not_of("0123456789") != std::string_view::npos ||
+        std::any_of(header.elements.begin(), header.elements.end(), isNamesake))
+      return false;
+    PlyElement& element = header.elements.emplace_back();
+    element.name = line[1];
+    element.count = toCount(line[2]);
     return true;
   }
   const bool list = line.size() == 5 && line[1] == "list";
@@ -129,11 +143,11 @@ PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
     ++header.lines;
     const std::string_view whole = takeLine(text);
     const std::vector<std::string_view> line = words(whole);
-    if (line.empty() || (isText(whole) && takePlyHeaderLine(line, header))) continue;
+    if (isText(whole) && takePlyHeaderLine(line, header)) continue;
     if (text.empty()) break;  // cut inside the line
     failInput(path, 0,
               Text(FOOTFALL_TEXT("line %1 of the PLY header, '%2 ...', is not understood"), header.lines,
-                   line[0].substr(0, 24)),
+                   line.empty() ? "" : line[0].substr(0, 24)),
               kExportAgain);
   }
   return header;
@@ -194,22 +208,26 @@ void checkListLine(const std::string& path, std::size_t number, const PlyElement
 
 /// Each element has a line of its own; the last line may itself be cut.
 void checkAsciiPly(const std::string& path, const PlyHeader& header, std::string_view text) {
-  if (!isText(text)) {
-    failInput(path, 0, FOOTFALL_TEXT("the PLY file says that it is ASCII, but there are bytes in it that are no text"),
-              kExportAgain);
-  }
   std::size_t number = header.lines;
   for (const PlyElement& element : header.elements) {
-    for (std::uint64_t i = 0; i < element.count; ++i) {
-      std::string_view line;
-      for (; line.empty() && !text.empty(); ++number) line = takeLine(text);
-      if (line.empty()) failShortPly(path);
+    for (std::uint64_t i = 0; i < element.count; ++i, ++number) {
+      const std::string_view line = takeLine(text);
+      if (line.find_first_not_of(" \t") == std::string_view::npos) {
+        if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) failShortPly(path);
+        failInput(path, number + 1, FOOTFALL_TEXT("the line is empty, but an element of the PLY file must stand there"),
+                  kExportAgain);
+      }
+      if (!isText(line)) {
+        failInput(path, number + 1,
+                  FOOTFALL_TEXT("the PLY file says that it is ASCII, but there are bytes in the line that are no text"),
+                  kExportAgain);
+      }
       if (text.empty()) {
         const std::vector<std::string_view> last = words(line);
         const std::uint64_t listed = element.firstIsList && !last.empty() ? toCount(last[0]) : 0;
         if (last.size() < element.leastWords + listed) failShortPly(path);
       }
-      if (element.hasLists) checkListLine(path, number, element, line);
+      if (element.hasLists) checkListLine(path, number + 1, element, line);
     }
   }
 }
@@ -252,9 +270,20 @@ void checkBinaryPly(const std::string& path, const PlyHeader& header, std::strin
 }  // namespace
 
 void rejectTruncatedPly(const std::string& path, std::string_view text) {
-  if (!startsWith(text, "ply")) return;  // Assimp says that it is no PLY
+  const auto isSpace = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
+  const auto start = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), isSpace) - text.begin());
+  if (!startsWith(text.substr(start), "ply")) return;  // Assimp says that it is no PLY
+  if (start > 0) {
+    failInput(path, 0, FOOTFALL_TEXT("there is something before the word 'ply' with which a PLY file must begin"),
+              kExportAgain);
+  }
   const PlyHeader header = takePlyHeader(path, text);
   if (!header.complete) failInput(path, 0, FOOTFALL_TEXT("the PLY header has no end_header"), kTruncated);
+  for (const PlyElement& element : header.elements) {
+    if (isAssimpElement(element.name) || element.count == 0 || &element == &header.elements.back()) continue;
+    failInput(path, 0, Text(FOOTFALL_TEXT("nothing behind the unknown PLY elements '%1' can be read"), element.name),
+              FOOTFALL_TEXT("move them behind all others or export the file without them"));
+  }
   header.ascii ? checkAsciiPly(path, header, text) : checkBinaryPly(path, header, text);
 }
 

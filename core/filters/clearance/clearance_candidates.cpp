@@ -5,12 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 
 namespace footfall::detail {
 namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
 
 // A difference of numbers of `bits` bits has bits + 1, and so on: while the largest sum of a predicate keeps within the
 // 53 bits of a double, every step of it is exact, whatever the order, and so is its sign.

@@ -9,16 +9,12 @@
 #include <tuple>
 #include <type_traits>
 
+#include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 #include "core/exact/insertion_order.hpp"
 #include "core/filters/clearance/covered_obstacles.hpp"
 
 namespace footfall::detail {
-namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
-
-}  // namespace
 
 ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll)
     : mesh_(kernel.mesh()),
@@ -182,7 +178,7 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
   Polygon polygon;
   for (int j = 0; j < 3; ++j) {  // counter-clockwise in the plan
     const int i = up ? j : 2 - j;
-    const int i2 = up ? next(j) : (4 - j) % 3;
+    const int i2 = up ? next(i) : previous(i);
     const Index a = plan[o[i]], b = plan[o[i2]];
     polygon.push({geometry_.point(PlanPoint::source(a)), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
                   candidate.ceiling[i]});

@@ -9,14 +9,13 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/obstacle_split.hpp"
+#include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 
 namespace footfall::detail {
 namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
 
 using Place = std::tuple<double, double, double>;
 Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/box_tree.hpp"
+#include "core/base/geometry.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/mesh/triangle_split.hpp"
@@ -16,8 +17,6 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kBordersPerTask = 256;
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
 
 using Place = std::tuple<double, double, double>;
 Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }

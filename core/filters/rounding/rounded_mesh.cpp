@@ -8,13 +8,11 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/base/geometry.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall::detail {
 namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
-int previous(int k) { return k == 0 ? 2 : k - 1; }
 
 // An edge shorter than this share of its coordinates is one that rounding can have folded; longer ones are never
 // collapsed while another repair is possible.

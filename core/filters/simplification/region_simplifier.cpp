@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/geometry.hpp"
 #include "core/exact/shape.hpp"
 
 namespace footfall::detail {
 namespace {
-
-int next(int k) { return k == 2 ? 0 : k + 1; }
-int previous(int k) { return k == 0 ? 2 : k - 1; }
 
 using Place = std::array<double, 3>;
 

@@ -50,8 +50,9 @@ struct ExportExtra {
 
 /// Writes a mesh as OBJ (a name that ends in .obj, or has no ending), as glTF (.gltf: one JSON file) or binary (.glb),
 /// in the frame and units of the file that its environment came from. It is written beside `path` and renamed, so that
-/// a failure or a kill leaves an earlier file as it was; the same mesh gives the same bytes. docs/formats.md has what
-/// is in the files.
+/// a failure or a kill leaves an earlier file as it was; the same mesh gives the same bytes. Each layer is a group
+/// (OBJ) or mesh (glTF) "layer_1", "layer_2" and so on, or one "walkable"; connections and obstacle edges are lines in
+/// "connections" and "obstacle_edges".
 ///
 /// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ; glTF has floats. Throws
 /// InputError for another ending, a scale that is out of range or makes coordinates infinite, coordinates that no float

@@ -209,9 +209,24 @@ class TestImportFormats : public QObject {
     QTest::newRow("ascii ply with two numbers in a word")
         << "a.ply" << with(ply, "4 0 1 2 3", "4-7 0 1 2 3") << "'4-7' is not a number";
     QTest::newRow("ascii ply with an end of line that is not everybody's")
-        << "a.ply" << with(ply, "4 0 1 2 3", "4 0\r-1 1 2 3") << "more entries than its line";
+        << "a.ply" << with(ply, "4 0 1 2 3", "4 0\r-1 1 2 3") << "bytes in the line that are no text";
     QTest::newRow("ascii ply with bytes that are no text")
-        << "a.ply" << with(ply, "0 4 0", QByteArray("0 4\0 0", 6)) << "bytes in it that are no text";
+        << "a.ply" << with(ply, "0 4 0", QByteArray("0 4\0 0", 6)) << "bytes in the line that are no text";
+    QTest::newRow("ascii ply with an empty line")
+        << "a.ply" << with(ply, "4 0 1 2 3", "\n4 0 1 2 3") << "the line is empty";
+    QTest::newRow("ply behind an empty line") << "a.ply"
+                                              << "\r\n" + ply << "before the word 'ply'";
+    QTest::newRow("ply with two formats")
+        << "a.ply" << with(ply, "comment", "format binary_little_endian 1.0\ncomment") << "line 3 of the PLY header";
+    QTest::newRow("ply with a comment that Assimp takes for an element")
+        << "a.ply" << with(ply, "element face", "comment edge 4000000000\nelement face") << "line 8 of the PLY header";
+    QTest::newRow("ply with elements that come twice")
+        << "a.ply" << with(ply, "element face", "element vertex") << "line 8 of the PLY header";
+    QTest::newRow("ply with an empty line among its properties")
+        << "a.ply" << with(ply, "property float y", "\nproperty float y") << "line 6 of the PLY header";
+    QTest::newRow("ply with elements that Assimp cannot skip")
+        << "a.ply" << with(ply, "element face", "element camera 1\nproperty float x\nelement face")
+        << "elements 'camera'";
     QTest::newRow("binary ply with billions of elements without properties")
         << "a.ply" << with(binaryPly(), "end_header", "element nothing 4000000000\nend_header") << "truncated";
     QTest::newRow("ply that announces less than nothing")
