@@ -15,6 +15,7 @@
 #include "core/base/geometry.hpp"
 #include "core/base/numbered_table.hpp"
 #include "core/base/parallel_ranges.hpp"
+#include "core/mesh/lifted_vertex.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -23,9 +24,6 @@ constexpr std::size_t kFacesPerTask = 512;
 constexpr std::size_t kPointsPerTask = 1024;
 constexpr std::size_t kTrianglesPerTask = 1024;
 constexpr std::size_t kPolled = 1 << 14;
-
-// As in PlanKernel: what is known worse than this share of the coordinates is computed exactly.
-constexpr double kCoarse = 0x1p-26;
 
 // What a used point is, where it is no source vertex.
 constexpr Index kOnSourceEdge = -1, kOfOneFace = -2, kUnused = -3;
@@ -206,28 +204,6 @@ MeshVertex MeshJoiner::sourceVertex(Index source, Index face) const {
   return {PlanPoint::source(mesh_.planIds[source]), face, source, p.x, p.y, p.z, kernel_.sign().slack};
 }
 
-MeshVertex MeshJoiner::constructedVertex(Index face, const PlanPoint& point,
-                                         const ApproximatePoint& approximate) const {
-  const Vec3& origin = mesh_.scaled[mesh_.triangles[face][0]];
-  const auto& n = mesh_.normals[face];
-  const ErrorDouble x(approximate.x, approximate.error), y(approximate.y, approximate.error);
-  const ErrorDouble gx = x + ErrorDouble(origin.x), gy = y + ErrorDouble(origin.y);
-  const ErrorDouble gz = ErrorDouble(origin.z) - (n[0] * x + n[1] * y) / n[2];
-  MeshVertex vertex{point, face, -1, gx.value, gy.value, gz.value, 0};
-  vertex.error = std::max({gx.error, gy.error, gz.error});
-  const auto size = [&] { return std::max({std::fabs(vertex.x), std::fabs(vertex.y), std::fabs(vertex.z)}); };
-  if (!(vertex.error < kCoarse * (size() + 1))) {
-    // On a sliver, doubles may know next to nothing of the normal. Half a unit in the last place, doubled, and what
-    // subnormal numbers lose.
-    const int scale = mesh_.grid.scaleExponent();
-    const Vec3 place = kernel_.roundedPosition(point, face);
-    vertex.x = std::ldexp(place.x, scale), vertex.y = std::ldexp(place.y, scale), vertex.z = std::ldexp(place.z, scale);
-    vertex.error = size() * 0x1p-52 + std::ldexp(1.0, scale - 1074);
-  }
-  vertex.error += kernel_.sign().slack;
-  return vertex;
-}
-
 void MeshJoiner::fillVertices(const Additions& additions, RunContext& context) {
   const auto& firstUseOf = additions.firstUseOf;
   vertices_ = UnfilledArray<MeshVertex>(firstUseOf.size());
@@ -239,8 +215,9 @@ void MeshJoiner::fillVertices(const Additions& additions, RunContext& context) {
       while (entries[i + 1].firstPoint <= place) ++i;
       const FaceToJoin& given = additions.faces[i];
       const Index p = additions.pointOf[place];
-      vertices_.fill(v, name >= 0 ? sourceVertex(name, given.face)
-                                  : constructedVertex(given.face, given.parts->points[p], given.parts->approximate[p]));
+      vertices_.fill(v, name >= 0
+                            ? sourceVertex(name, given.face)
+                            : liftedVertex(kernel_, given.face, given.parts->points[p], given.parts->approximate[p]));
     }
   });
 }

@@ -76,8 +76,6 @@ class MeshJoiner {
   /// The entry to which the point at this place belongs.
   [[nodiscard]] std::size_t entryOfPoint(std::size_t place) const;
   [[nodiscard]] MeshVertex sourceVertex(Index source, Index face) const;
-  [[nodiscard]] MeshVertex constructedVertex(Index face, const PlanPoint& point,
-                                             const ApproximatePoint& approximate) const;
   void takeOver();
   /// The entries of faces that may meet a changed one; all of them when nothing is reused.
   [[nodiscard]] std::vector<Index> entriesToSearch() const;

@@ -26,6 +26,8 @@ struct WalkableState {
   std::vector<char> removed;
   /// For each source triangle, or empty before the first clearance filter.
   std::shared_ptr<const CutTable> cuts;
+  /// The largest height that a clearance filter asked for, or one that stands for it; 0 before the first.
+  double clearance = 0;
   /// The mesh of walkable parts; null until a filter needed it.
   std::shared_ptr<const WalkableMesh> mesh;
   /// The edges of `topologyOwner`, when a filter found them; of use while that is still `mesh` (topologyOf()).

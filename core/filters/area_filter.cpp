@@ -189,6 +189,7 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
   };
   tbb::parallel_invoke(divide, [&] { kept->vertices = mesh.vertices; });
   kept->layerCount = mesh.layerCount;
+  kept->links = linksBetween(mesh, kept->triangles);
   auto result = std::make_shared<WalkableState>(*state);
   if (!state->cuts) {
     // Floors without cuts are in one region each: those that went are no floors for a later clearance filter.

@@ -164,6 +164,38 @@ FilterDescriptor verticalClearance() {
   };
 }
 
+FilterDescriptor step() {
+  return {
+      .type = FilterType::Step,
+      .name = "StepFilter",
+      .aliases = {},
+      .label = "Steps",
+      .help =
+          "Links borders of the walkable area that lie over each other in the plan, where an agent can lift its feet "
+          "from one to the other: stairs, kerbs, thresholds, low walls without thickness. The area stays as it is; for "
+          "the filters that follow, what is linked is one region.",
+      .precondition = "A VerticalClearanceFilter comes before it; no filter that makes the area anew follows.",
+      .effect =
+          "Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at "
+          "most the step and nothing lies higher than the step above the lower one and within the clearance above the "
+          "higher one.",
+      .source = "ours",
+      .parameters = {{
+          .name = "step",
+          .label = "Step",
+          .help = "How high an agent climbs at once. A step of exactly this height is climbed.",
+          .type = ParameterType::Real,
+          .unit = Unit::Length,
+          .defaultValue = 0.4,
+          .minimum = 0,
+          .maximum = kNoLimit,
+          .minimumOpen = true,
+      }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+  };
+}
+
 FilterDescriptor area() {
   return {
       .type = FilterType::Area,
@@ -416,6 +448,7 @@ std::span<const FilterDescriptor> filterDescriptors() {
       degeneracy(),
       slope(),
       verticalClearance(),
+      step(),
       area(),
       simplification(),
       layerSubdivision(),

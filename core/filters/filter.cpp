@@ -66,6 +66,7 @@ constexpr std::array kFilterFunctions = {
     FilterFunction{
         FilterType::VerticalClearance,
         [](const FilterCall& f) { return applyVerticalClearance(f.state, f.values[0], f.recall, f.context); }},
+    FilterFunction{FilterType::Step, [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.context); }},
     FilterFunction{FilterType::Area, [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.context); }},
     FilterFunction{FilterType::Simplification,
                    [](const FilterCall& f) {
@@ -154,6 +155,7 @@ StateSummary summarize(const WalkableState& state) {
   summary.layers = mesh.layerCount;
   summary.connections = mesh.layers.empty() ? 0 : countConnections(mesh, *topologyOf(state));
   summary.obstacleEdges = marks / 2;
+  summary.links = mesh.links.size();
   return summary;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
+#include "core/mesh/mesh_topology.hpp"
 
 namespace footfall::detail {
 
@@ -31,6 +32,7 @@ FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& cont
       mesh->triangles.push_back(t);
       if (!state->mesh->layers.empty()) mesh->layers.push_back(state->mesh->layers[i]);
     }
+    mesh->links = linksBetween(*state->mesh, mesh->triangles);
     result->mesh = mesh;
   }
   FilterOutcome outcome{result, {}, {}};

@@ -97,8 +97,8 @@ bool isAssimpElement(std::string_view name) {
 }
 
 /// One line of the header; false when it is none, or one that Assimp 5.2.5 understands in another way: a second format,
-/// elements twice (memory is lost then), "comment vertex 9" (an element), an empty line or obj_info among the elements
-/// (the end of their properties).
+/// elements twice (memory is lost then), or whose name it takes for their number, "comment vertex 9" (an element), an
+/// empty line or obj_info among the elements (the end of their properties).
 bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& header) {
   if (line.empty()) return header.elements.empty();
   const std::string_view keyword = line[0];
@@ -114,7 +114,8 @@ bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& hea
   }
   if (keyword == "element") {
     const auto isNamesake = [&](const PlyElement& element) { return element.name == line[1]; };
-    if (line.size() != 3 || line[2].find_first_not_of("0123456789") != std::string_view::npos ||
+    if (line.size() != 3 || (line[1][0] >= '0' && line[1][0] <= '9') ||
+        line[2].find_first_not_of("0123456789") != std::string_view::npos ||
         std::any_of(header.elements.begin(), header.elements.end(), isNamesake))
       return false;
     PlyElement& element = header.elements.emplace_back();

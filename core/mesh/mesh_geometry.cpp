@@ -68,13 +68,14 @@ bool MeshGeometry::isKnownOn(const PlanLine& line, Index face, const PlanPoint& 
   return edgeOf(p) == line;
 }
 
-int MeshGeometry::compare(Index a, Index b, int axis) {
-  const MeshVertex &p = vertices_[a], &q = vertices_[b];
+int MeshGeometry::compare(Index a, Index b, int axis) { return compare(vertices_[a], vertices_[b], axis); }
+
+int MeshGeometry::compare(const MeshVertex& p, const MeshVertex& q, int axis) {
   const double u = axis == 0 ? p.x : p.y, v = axis == 0 ? q.x : q.y;
   const double bound = (p.error + q.error + (std::fabs(u) + std::fabs(v)) * 0x1p-52) * kInflate;
   if (u - v > bound) return 1;
   if (u - v < -bound) return -1;
-  return kernel_.compare(p.point, q.point, axis, origin(a), fallbacks);
+  return kernel_.compare(p.point, q.point, axis, kernel_.mesh().triangles[p.face][0], fallbacks);
 }
 
 bool MeshGeometry::isBetween(Index u, Index v, Index w) {

@@ -28,6 +28,8 @@ class MeshGeometry {
   int orientation(Index a, Index b, Index c);
   /// Compares x (axis 0) or y (axis 1).
   int compare(Index a, Index b, int axis);
+  /// The same of two vertices wherever they are kept.
+  int compare(const MeshVertex& a, const MeshVertex& b, int axis);
   /// True when v lies strictly between u and w on one line in the plan.
   bool isBetween(Index u, Index v, Index w);
   /// True when the insides of two triangles that face up overlap in the plan.

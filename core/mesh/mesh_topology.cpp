@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <iterator>
+#include <utility>
 
 #include "core/base/disjoint_sets.hpp"
 
@@ -18,6 +20,40 @@ constexpr Index kEdgesPerTask = 8192;
 
 bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Index> sides) {
   return std::any_of(sides.begin(), sides.end(), [&](Index side) { return hasObstacle(triangles, side); });
+}
+
+Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topology, Index from, Index to) {
+  const TriangleCorners corners(triangles);
+  const std::pair key = std::minmax(from, to);
+  Index low = 0, high = topology.edgeCount();
+  const auto keyOf = [&](Index edge) {
+    const Index side = topology.sidesOf(edge)[0];
+    const Index a = corners.beginOf(side), b = corners.endOf(side);
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  while (low < high) {
+    const Index middle = low + (high - low) / 2;
+    if (keyOf(middle) < std::pair<Index, Index>(key))
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  if (low == topology.edgeCount() || keyOf(low) != std::pair<Index, Index>(key)) return -1;
+  for (const Index side : topology.sidesOf(low))
+    if (corners.beginOf(side) == from) return side;
+  return -1;
+}
+
+std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles) {
+  if (mesh.links.empty()) return {};
+  const Adjacency topology = findEdges(triangles, mesh.vertices.size());
+  const auto isThere = [&](const std::array<Index, 2>& edge) {
+    return findSide(triangles, topology, edge[0], edge[1]) >= 0;
+  };
+  std::vector<MeshLink> links;
+  std::copy_if(mesh.links.begin(), mesh.links.end(), std::back_inserter(links),
+               [&](const MeshLink& link) { return isThere(link.from) && isThere(link.to); });
+  return links;
 }
 
 std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topology, Index& regionCount) {
@@ -33,6 +69,11 @@ std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topolo
     if (joins[e] == 0) continue;
     const auto sides = topology.sidesOf(e);
     for (const Index side : sides.subspan(1)) sets.unite(sides[0] / 3, side / 3);
+  }
+  for (const MeshLink& link : mesh.links) {
+    const Index from = findSide(mesh.triangles, topology, link.from[0], link.from[1]);
+    const Index to = findSide(mesh.triangles, topology, link.to[0], link.to[1]);
+    if (from >= 0 && to >= 0) sets.unite(from / 3, to / 3);
   }
   return sets.numbers(regionCount);
 }

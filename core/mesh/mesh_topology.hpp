@@ -18,11 +18,17 @@ inline bool hasObstacle(const std::vector<MeshTriangle>& triangles, Index side) 
 /// An obstacle stands on the edge of these sides, seen from any of its triangles.
 bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Index> sides);
 
-/// For each triangle its region: triangles that share an edge which is not an obstacle edge belong to one (design,
-/// AreaFilter). Regions are numbered from 0 in the order of their first triangles.
+/// The side of a triangle that goes from vertex `from` to vertex `to`, or -1.
+Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topology, Index from, Index to);
+
+/// The links of `mesh` whose two edges are sides of some of `triangles`, which are over the same vertices.
+std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles);
+
+/// For each triangle its region: triangles that share an edge which is not an obstacle edge, or are linked by a step,
+/// belong to one (design, AreaFilter and section 7). Regions are numbered from 0 in the order of their first triangles.
 std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topology, Index& regionCount);
 
-/// Edges on which two layers meet; 0 when there are no layers.
+/// Edges on which two layers meet, without links; 0 when there are no layers.
 std::uint64_t countConnections(const WalkableMesh& mesh, const Adjacency& topology);
 
 }  // namespace footfall::detail

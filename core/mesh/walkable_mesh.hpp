@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -34,9 +35,17 @@ struct TriangleMesh {
   std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
 };
 
+/// Two edges of the border over which an agent steps from one to the other. Each goes from its first vertex to its
+/// second with walkable area on its left; in the plan the second runs along the first, backwards.
+struct MeshLink {
+  std::array<Index, 2> from{}, to{};
+  auto operator<=>(const MeshLink&) const = default;
+};
+
 /// The walkable area, conforming: triangles that meet share whole edges, by vertex index. Both sides of an obstacle
 /// edge still have the same vertices here; the flag distinguishes them, and they are split when the product is made.
 struct WalkableMesh : TriangleMesh<MeshVertex> {
+  std::vector<MeshLink> links;  ///< ascending
   std::uint32_t layerCount = 0;
 };
 

@@ -10,6 +10,49 @@ Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
   return {FOOTFALL_TEXT("step %1 (%2)"), step + 1, Text(Pattern{filter->label.data()})};
 }
 
+namespace {
+
+// Those that make the walkable area anew, from the environment or from rounded places.
+bool losesLinks(const PipelineStep& step) {
+  switch (step.filter->type) {
+    case FilterType::Slope:
+    case FilterType::Area:
+    case FilterType::LayerSubdivision:
+      return false;
+    case FilterType::Simplification:
+      return step.values[0] != 0;
+    default:
+      return true;
+  }
+}
+
+std::optional<StructureError> findStepError(const Pipeline& pipeline) {
+  bool hasClearance = false;
+  std::optional<std::size_t> linked;  // the StepFilter that came last
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
+    const PipelineStep& step = pipeline.steps[i];
+    if (!step.enabled) continue;
+    hasClearance = hasClearance || step.filter->type == FilterType::VerticalClearance;
+    if (linked && losesLinks(step)) {
+      const Text name = step.filter->type == FilterType::Simplification
+                            ? Text(FOOTFALL_TEXT("%1 in its approximate form"), step.filter->name)
+                            : Text(Pattern{"%1"}, step.filter->name);
+      return StructureError{
+          i, Text(FOOTFALL_TEXT("%1 would lose the links of the StepFilter in %2; put it before that"), name,
+                  placeOfStep(pipeline, *linked))};
+    }
+    if (step.filter->type != FilterType::Step) continue;
+    if (!hasClearance) {
+      return StructureError{i, FOOTFALL_TEXT("StepFilter asks how high an agent is, and no filter before it says so; "
+                                             "put a VerticalClearanceFilter before it")};
+    }
+    linked = i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
   std::optional<std::size_t> opened;  // the strategy whose block we are in
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
@@ -49,7 +92,7 @@ std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
                                              "it"),
                                pipeline.steps[*opened].filter->name)};
   }
-  return std::nullopt;
+  return findStepError(pipeline);
 }
 
 }  // namespace footfall::detail

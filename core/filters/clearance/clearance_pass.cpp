@@ -7,64 +7,10 @@
 
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
-#include "core/base/number_text.hpp"
 #include "core/filters/clearance/covered_obstacles.hpp"
-#include "footfall/errors.hpp"
+#include "core/filters/height_levels.hpp"
 
 namespace footfall::detail {
-namespace {
-
-std::shared_ptr<const PlanKernel> kernelWithHeight(const std::shared_ptr<const PlanKernel>& kernel, double height) {
-  if (kernel->levelOf(height)) return kernel;
-  std::vector<double> heights = kernel->heights();
-  heights.push_back(height);
-  return std::make_shared<PlanKernel>(kernel->sharedMesh(), std::move(heights));
-}
-
-double largestCoordinate(const SourceMesh& mesh) {
-  double largest = 0;
-  for (const Vec3& p : mesh.vertices) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  return largest;
-}
-
-// A height above the whole extent in z lets no obstacle escape, and neither does any other: the smallest power of two
-// above it stands for all of them, and does not stretch the grid on which doubles can decide.
-double sufficientHeight(const SourceMesh& mesh, double height) {
-  if (mesh.vertices.empty()) return height;
-  const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
-                                               [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
-  const double extent = high->z - low->z;
-  if (!std::isfinite(extent) || mesh.grid.empty()) return height;
-  // Any would do: one that makes no number wider.
-  if (extent == 0) return std::clamp(height, std::ldexp(1.0, mesh.grid.low), std::ldexp(1.0, mesh.grid.top));
-  int exponent = 0;
-  std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
-  return std::min(height, std::ldexp(1.0, exponent));
-}
-
-// Beside large coordinates a tiny height makes every number as wide as what lies between them. On slanted floors there
-// is no height that makes no difference; but one below the coordinates' common step, and beyond the digits that
-// decisions are quick with, is a slip of the hand or a wrong scale.
-void checkHeight(const SourceMesh& mesh, double height) {
-  Grid grid = mesh.grid;
-  grid.include(height);
-  constexpr int kMostAdded = 64;  // bits: a double of about the coordinates' step has 53
-  if (mesh.grid.empty() || grid.width() <= std::max(kWidestFixedGrid, mesh.grid.width() + kMostAdded)) return;
-  const auto shown = [](double x) {
-    std::string text;
-    appendNumber(text, x);
-    return text;
-  };
-  constexpr int kDigits = std::numeric_limits<double>::digits;
-  throw InputError(
-      FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or "
-                    "check the scale and the largest coordinates"),
-      shown(height), shown(largestCoordinate(mesh)),
-      shown(std::ldexp(1.0, std::min(mesh.grid.top - kWidestFixedGrid, mesh.grid.low - kMostAdded) + kDigits)));
-}
-
-}  // namespace
-
 ClearancePass::Worker::Worker(const ClearancePass& pass, RunContext& context)
     : floors(pass.state_->walkable, pass.tests_),
       clipper_(
@@ -80,7 +26,9 @@ ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<Fa
       tests_(std::move(tests)),
       result_(std::make_shared<WalkableState>(*state)) {
   const double height = sufficientHeight(state->kernel->mesh(), given);
-  checkHeight(state->kernel->mesh(), height);
+  checkHeight(state->kernel->mesh(), height,
+              FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or check "
+                            "the scale and the largest coordinates"));
   result_->kernel = kernelWithHeight(state->kernel, height);
   const PlanKernel& kernel = *result_->kernel;
   level_ = *kernel.levelOf(height);
@@ -198,6 +146,7 @@ FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char
   result_->walkable = std::move(walkable);
   result_->removed = std::move(removed);
   result_->cuts = cuts_;
+  result_->clearance = std::max(state_->clearance, result_->kernel->heights()[level_ - 1]);
   const bool partly = earlier_ && known_->sameClearance();
   std::vector<Index> changed;
   for (Index t = 0; t < static_cast<Index>(isChanged_.size()) && partly; ++t)

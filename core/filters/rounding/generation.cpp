@@ -164,6 +164,7 @@ StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& sou
   auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, context));
   auto state = std::make_shared<WalkableState>();
   state->environment = earlier.environment;
+  state->clearance = earlier.clearance;
   state->removed.assign(order.size(), 0);
   state->walkable.resize(order.size());
   for (std::size_t t = 0; t < order.size(); ++t)

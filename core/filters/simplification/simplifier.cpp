@@ -209,6 +209,8 @@ std::vector<char> Simplifier::findCandidates() {
     }
   });
   for (const MeshGeometry& geometry : geometries) fallbacks_ += geometry.fallbacks;
+  for (const MeshLink& link : given_.links)
+    for (const Index v : {link.from[0], link.from[1], link.to[0], link.to[1]}) candidates[v] = 0;
   return candidates;
 }
 
@@ -290,6 +292,11 @@ WalkableMesh Simplifier::compact() const {
     for (std::size_t v = range.begin(); v != range.end(); ++v) result.vertices[v] = mesh_.vertices[order[v]];
   });
   result.layerCount = given_.layerCount;
+  for (MeshLink link : given_.links) {
+    for (Index* v : {&link.from[0], &link.from[1], &link.to[0], &link.to[1]}) *v = renumbered[*v];
+    result.links.push_back(link);
+  }
+  std::sort(result.links.begin(), result.links.end());
   return result;
 }
 

@@ -38,6 +38,7 @@ enum class FilterType : std::uint8_t {
   Degeneracy,
   Slope,
   VerticalClearance,
+  Step,
   Area,
   Simplification,
   LayerSubdivision,

@@ -10,6 +10,15 @@
 
 namespace footfall {
 
+/// Two edges of the border that lie over each other in the plan and between which an agent steps, in both directions.
+struct StepLink {
+  /// Vertices of each edge, with the walkable area on its left; seen from above the second runs along the first,
+  /// backwards: from[0] lies at to[1], and from[1] at to[0].
+  std::array<std::uint32_t, 2> from{}, to{};
+  std::uint32_t fromTriangle = 0, toTriangle = 0;  ///< whose edges they are
+  double height = 0;                               ///< the largest difference in height, in the environment's units
+};
+
 /// Triangles that an agent can stand on. Two of them share an edge by its two vertex numbers exactly where the agent
 /// can cross it, also from layer to layer; the two sides of an obstacle edge have vertices of their own. Vertices,
 /// edges and layers are in an order that depends on the input alone.
@@ -25,6 +34,8 @@ struct NavigationMesh {
   std::vector<std::array<std::uint32_t, 2>> obstacleEdges;
   /// Edges on which two layers meet, as vertex pairs.
   std::vector<std::array<std::uint32_t, 2>> connections;
+  /// Steps (StepFilter), in the order of their first edges.
+  std::vector<StepLink> links = {};
   /// The file of the environment: where save() puts the mesh back to.
   SourceFrame frame = {};
 };

@@ -37,6 +37,7 @@ struct StateSummary {
   std::uint32_t layers = 0;
   std::uint64_t connections = 0;
   std::uint64_t obstacleEdges = 0;
+  std::uint64_t links = 0;  ///< steps, as pairs of edges
 };
 
 /// One step of a run: what it had, what it left, and what that took.

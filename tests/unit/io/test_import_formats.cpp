@@ -222,6 +222,8 @@ class TestImportFormats : public QObject {
         << "a.ply" << with(ply, "element face", "comment edge 4000000000\nelement face") << "line 8 of the PLY header";
     QTest::newRow("ply with elements that come twice")
         << "a.ply" << with(ply, "element face", "element vertex") << "line 8 of the PLY header";
+    QTest::newRow("ply with a number for a name")
+        << "a.ply" << with(ply, "element face", "element 4000000000face") << "line 8 of the PLY header";
     QTest::newRow("ply with an empty line among its properties")
         << "a.ply" << with(ply, "property float y", "\nproperty float y") << "line 6 of the PLY header";
     QTest::newRow("ply with elements that Assimp cannot skip")

@@ -1,0 +1,32 @@
+// StepFilter: links borders between which an agent can lift its feet (design section 7).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/base/counted_text.hpp"
+#include "core/filters/filter_registry.hpp"
+#include "core/filters/height_levels.hpp"
+#include "core/filters/steps/step_linker.hpp"
+
+namespace footfall::detail {
+
+FilterOutcome applyStep(const StatePtr& given, double step, RunContext& context) {
+  FilterOutcome outcome;
+  auto state = std::make_shared<WalkableState>(*withMesh(given, context, outcome.fallbacks));
+  if (state->clearance == 0) throw std::logic_error("StepFilter without a clearance before it");
+  const SourceMesh& source = state->kernel->mesh();
+  const double height = sufficientHeight(source, step);
+  checkHeight(source, height,
+              FOOTFALL_TEXT("a step of %1 is too small beside coordinates of up to %2; give at least %3, or check the "
+                            "scale and the largest coordinates"));
+  state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, state->clearance), height);
+  StepLinker linker(*state, height, state->clearance, context);
+  state->mesh = linker.run();
+  state->topology = nullptr;
+  outcome.fallbacks += linker.fallbacks();
+  outcome.note = countedText(state->mesh->links.size(), FOOTFALL_TEXT("1 link"), FOOTFALL_TEXT("%1 links"));
+  outcome.state = std::move(state);
+  return outcome;
+}
+
+}  // namespace footfall::detail

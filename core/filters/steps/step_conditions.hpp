@@ -1,0 +1,96 @@
+// Whether an agent steps over, decided piece by piece along a stretch of line on which two borders coincide in the
+// plan. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/mesh/mesh_geometry.hpp"
+
+namespace footfall::detail {
+
+/// Two borders that coincide along a stretch, which goes from `begin` to `end`.
+struct SharedStretch {
+  std::array<Index, 2> faces{};  ///< the planes on either side
+  MeshVertex begin, end;
+  int axis = 0;       ///< coordinate in which they differ
+  int direction = 1;  ///< +1: it grows from begin to end
+};
+
+/// A line through a stretch, as it was made: a trace is taken on `face`.
+struct KnownLine {
+  PlanLine line;
+  Index face = -1;
+};
+
+/// Design section 7, StepFilter, for a gap of 0: at p on the one border and q on the other, |z(p) - z(q)| <= step, and
+/// nothing of the environment lies strictly between min(z(p), z(q)) + step and max(z(p), z(q)) + H straight above.
+///
+/// Everything that is asked along a stretch is the sign of a function that is linear there: how high an obstacle's
+/// plane or edge is over one of the two floors, on which side of an obstacle's edge one is. Between the places where
+/// one of them is zero nothing changes, and those places are of the closed family: crossings of the line with traces
+/// and edges, source vertices, edges in raised planes. Single points do not count, so what happens there is not asked.
+class StepConditions {
+ public:
+  /// `step` and `height` are levels of the kernel. `removed`: for each source triangle, it is out of the environment.
+  StepConditions(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height);
+
+  /// The pieces, in order along the stretch, that can be stepped over; neighbours are one piece. `lines` are what the
+  /// stretch is known to lie on; where none of them makes a crossing, the piece counts as blocked (undecided()).
+  std::vector<std::array<MeshVertex, 2>> find(const SharedStretch& stretch, const std::vector<KnownLine>& lines,
+                                              MeshGeometry& geometry);
+
+  [[nodiscard]] std::size_t undecided() const { return undecided_; }
+
+ private:
+  /// Positive on the line's left; a trace is taken on `face`, and positive where the obstacle is above face + level.
+  struct LinearSign {
+    PlanLine line;
+    Index face = -1;
+  };
+  /// An edge of a wall, which is not vertical itself; its ends in the order of the stretch.
+  struct WallEdge {
+    Index from = -1, to = -1;
+    MeshVertex begin, end;
+  };
+  using Wall = std::vector<WallEdge>;
+
+  [[nodiscard]] std::array<LinearSign, 2> stepSigns(const SharedStretch& stretch) const;
+  [[nodiscard]] LinearSign edgeSign(Index triangle, int k, int& inside) const;
+  void listObstacles(const SharedStretch& stretch, MeshGeometry& geometry);
+  bool mayCover(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const;
+  void addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry);
+  void addBreaks(const SharedStretch& stretch, const std::vector<KnownLine>& lines, MeshGeometry& geometry);
+  void addCrossing(const SharedStretch& stretch, const LinearSign& sign, const std::vector<KnownLine>& lines,
+                   MeshGeometry& geometry);
+  void addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry);
+  bool isFree(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
+  bool isBlockedBy(const SharedStretch& stretch, Index triangle, const MeshVertex& a, const MeshVertex& b,
+                   MeshGeometry& geometry) const;
+  bool isBlockedBy(const SharedStretch& stretch, const Wall& wall, const MeshVertex& a, const MeshVertex& b,
+                   MeshGeometry& geometry) const;
+  int sideAt(const LinearSign& sign, const MeshVertex& p, MeshGeometry& geometry) const;
+  /// Between two places between which it does not change.
+  int signBetween(const LinearSign& sign, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
+  /// The same of the height of a wall's edge over a face and a level.
+  int heightBetween(const SharedStretch& stretch, const WallEdge& edge, Index face, Index level, const MeshVertex& b,
+                    MeshGeometry& geometry) const;
+  [[nodiscard]] int compareAlong(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b,
+                                 MeshGeometry& geometry) const {
+    return stretch.direction * geometry.compare(a, b, stretch.axis);
+  }
+
+  const PlanKernel& kernel_;
+  const SourceMesh& mesh_;
+  const std::vector<char>& removed_;
+  Index step_, height_;
+  std::vector<Index> covers_;  ///< obstacles over the stretch that are not vertical
+  std::vector<Wall> walls_;    ///< vertical ones along it
+  std::vector<MeshVertex> breaks_;
+  bool isUndecided_ = false;
+  std::size_t undecided_ = 0;
+  std::vector<std::int32_t> stack_;
+};
+
+}  // namespace footfall::detail

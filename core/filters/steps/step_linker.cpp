@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/steps/step_linker.hpp"
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/box_tree.hpp"
+#include "core/base/geometry.hpp"
+#include "core/mesh/lifted_vertex.hpp"
+#include "core/mesh/triangle_split.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using Tree = BoxTree<3>;
+
+constexpr Index kBordersPerTask = 64;
+
+Tree::Bounds boundsOf(const MeshVertex& a, const MeshVertex& b) {
+  Tree::Bounds bounds;
+  const auto set = [&](int k, double p, double q) {
+    const double margin = std::max(a.error, b.error) + std::max(std::fabs(p), std::fabs(q)) * 0x1p-50;
+    bounds.lower[k] = std::min(p, q) - margin;
+    bounds.upper[k] = std::max(p, q) + margin;
+  };
+  set(0, a.x, b.x);
+  set(1, a.y, b.y);
+  set(2, a.z, b.z);
+  return bounds;
+}
+
+/// A coordinate of the plan in which two vertices differ, the one in which they seem to differ most; -1 where they are
+/// one point of the plan.
+int axisBetween(const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) {
+  const int likely = std::fabs(a.x - b.x) >= std::fabs(a.y - b.y) ? 0 : 1;
+  if (geometry.compare(a, b, likely) != 0) return likely;
+  return geometry.compare(a, b, 1 - likely) != 0 ? 1 - likely : -1;
+}
+
+}  // namespace
+
+StepLinker::StepLinker(const WalkableState& state, double step, double height, RunContext& context)
+    : state_(state),
+      kernel_(*state.kernel),
+      mesh_(*state.mesh),
+      context_(context),
+      step_(std::ldexp(step, kernel_.mesh().grid.scaleExponent())),
+      stepLevel_(kernel_.levelOf(step).value()),
+      heightLevel_(kernel_.levelOf(height).value()),
+      geometry_(kernel_, mesh_.vertices) {}
+
+std::shared_ptr<const WalkableMesh> StepLinker::run() {
+  topology_ = topologyOf(state_, context_);
+  findBorders();
+  findStretches();
+  splitEdges();
+  context_.checkCancelled();
+  auto mesh = makeMesh();
+  fallbacks_ += geometry_.fallbacks;
+  return mesh;
+}
+
+void StepLinker::findBorders() {
+  const TriangleCorners corners(mesh_.triangles);
+  for (Index e = 0; e < topology_->edgeCount(); ++e) {
+    const auto sides = topology_->sidesOf(e);
+    if (sides.size() > 1 && !isObstacle(mesh_.triangles, sides)) continue;
+    for (const Index side : sides)
+      borders_.push_back({side, e, corners.beginOf(side), corners.endOf(side), mesh_.triangles[side / 3].face});
+  }
+}
+
+void StepLinker::findStretches() {
+  const auto count = static_cast<Index>(borders_.size());
+  const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
+  std::vector<Index> all(borders_.size());
+  std::iota(all.begin(), all.end(), 0);
+  Tree tree;
+  tree.build(
+      all, [&](Index i) { return boundsOf(vertex(borders_[i].from), vertex(borders_[i].to)); }, context_);
+  tbb::enumerable_thread_specific<Worker> workers([&] {
+    return Worker{{kernel_, mesh_.vertices}, {kernel_, state_.removed, stepLevel_, heightLevel_}, {}};
+  });
+  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
+    Worker& worker = workers.local();
+    for (Index i = range.begin(); i != range.end(); ++i) {
+      context_.checkCancelled();
+      Tree::Bounds query = boundsOf(vertex(borders_[i].from), vertex(borders_[i].to));
+      query.lower[2] -= step_;
+      query.upper[2] += step_;
+      tree.visitOverlapping(query, [&](Index other) {
+        if (other > i) tryPair(i, other, worker);
+      });
+    }
+  });
+  for (Worker& worker : workers) {
+    fallbacks_ += worker.geometry.fallbacks;
+    undecided_ += worker.conditions.undecided();
+    stretches_.insert(stretches_.end(), worker.stretches.begin(), worker.stretches.end());
+  }
+  std::stable_sort(stretches_.begin(), stretches_.end(), [](const Stretch& a, const Stretch& b) {
+    return std::array{a.first, a.second} < std::array{b.first, b.second};
+  });
+}
+
+void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
+  const Border &e = borders_[first], &f = borders_[second];
+  MeshGeometry& geometry = worker.geometry;
+  if (geometry.orientation(e.from, e.to, f.from) != 0 || geometry.orientation(e.from, e.to, f.to) != 0) return;
+  SharedStretch stretch;
+  stretch.faces = {e.face, f.face};
+  stretch.axis = axisBetween(mesh_.vertices[e.from], mesh_.vertices[e.to], geometry);
+  if (stretch.axis < 0) return;
+  const auto compare = [&](Index a, Index b) { return geometry.compare(a, b, stretch.axis); };
+  stretch.direction = compare(e.to, e.from);
+  if (compare(f.to, f.from) != -stretch.direction) return;  // walkable sides on the same side
+  const Index begin = stretch.direction * compare(e.from, f.to) >= 0 ? e.from : f.to;
+  const Index end = stretch.direction * compare(e.to, f.from) <= 0 ? e.to : f.from;
+  if (stretch.direction * compare(begin, end) >= 0) return;
+  stretch.begin = mesh_.vertices[begin];
+  stretch.end = mesh_.vertices[end];
+  std::vector<KnownLine> lines = linesOf(e, geometry);
+  const std::vector<KnownLine> others = linesOf(f, geometry);
+  lines.insert(lines.end(), others.begin(), others.end());
+  for (const auto& [from, to] : worker.conditions.find(stretch, lines, geometry))
+    worker.stretches.push_back({first, second, from, to});
+}
+
+// What its vertices were made of, the edges of its triangle's face, and the lines that cut that face.
+std::vector<KnownLine> StepLinker::linesOf(const Border& border, MeshGeometry& geometry) const {
+  const SourceMesh& source = kernel_.mesh();
+  const PlanPoint &a = mesh_.vertices[border.from].point, &b = mesh_.vertices[border.to].point;
+  std::vector<KnownLine> lines;
+  const auto edgeLine = [&](Index u, Index v) {
+    return PlanLine{PlanLine::Edge, std::min(source.planIds[u], source.planIds[v]),
+                    std::max(source.planIds[u], source.planIds[v])};
+  };
+  const auto tryLine = [&](const PlanLine& line, Index face) {
+    const Index origin = source.triangles[border.face][0];
+    const auto isOn = [&](const PlanPoint& p) { return kernel_.side(line, face, p, origin, geometry.fallbacks) == 0; };
+    if (isOn(a) && isOn(b)) lines.push_back({line, face});
+  };
+  if (a.kind() == PlanPoint::Source && b.kind() == PlanPoint::Source) {
+    lines.push_back({edgeLine(a.planId(), b.planId()), -1});
+    return lines;
+  }
+  for (const PlanPoint* p : {&a, &b}) {
+    if (p->kind() == PlanPoint::EdgePlane) tryLine(edgeLine(p->edgeBegin(), p->edgeEnd()), -1);
+    if (p->kind() != PlanPoint::Crossing) continue;
+    for (const PlanLine& line : {p->firstLine(), p->secondLine()})
+      tryLine(line, line.kind == PlanLine::Trace ? p->face() : -1);
+  }
+  const auto& f = source.triangles[border.face];
+  for (int k = 0; k < 3; ++k) tryLine(edgeLine(f[k], f[next(k)]), -1);
+  if (!lines.empty() || !state_.cuts) return lines;
+  for (const PlanLine& line : (*state_.cuts)[border.face].lines)
+    tryLine(line, line.kind == PlanLine::Trace ? border.face : -1);
+  return lines;
+}
+
+bool StepLinker::insertSplit(Index edge, const MeshVertex& place) {
+  const Index side = topology_->sidesOf(edge)[0];
+  const TriangleCorners corners(mesh_.triangles);
+  const MeshVertex &from = mesh_.vertices[corners.beginOf(side)], &to = mesh_.vertices[corners.endOf(side)];
+  const int axis = axisBetween(from, to, geometry_), direction = geometry_.compare(to, from, axis);
+  const auto order = [&](const MeshVertex& a, const MeshVertex& b) {
+    return direction * geometry_.compare(a, b, axis);
+  };
+  if (order(place, from) <= 0 || order(place, to) >= 0) return false;
+  std::vector<MeshVertex>& splits = splits_[edge];
+  const auto at = std::find_if(splits.begin(), splits.end(), [&](const MeshVertex& s) { return order(place, s) <= 0; });
+  if (at != splits.end() && order(place, *at) == 0) return false;
+  splits.insert(at, place);
+  return true;
+}
+
+std::vector<MeshVertex> StepLinker::splitsBetween(Index edge, const MeshVertex& a, const MeshVertex& b) {
+  std::vector<MeshVertex> between;
+  const auto found = splits_.find(edge);
+  if (found == splits_.end()) return between;
+  const int axis = axisBetween(a, b, geometry_), direction = geometry_.compare(b, a, axis);
+  for (const MeshVertex& s : found->second)
+    if (direction * geometry_.compare(s, a, axis) > 0 && direction * geometry_.compare(s, b, axis) < 0)
+      between.push_back(s);
+  return between;
+}
+
+// Both borders of a stretch end with it, and get all vertices that either has inside it, until nothing changes. No
+// place comes in that was not there: so it ends.
+void StepLinker::splitEdges() {
+  for (const Stretch& s : stretches_)
+    for (const Index border : {s.first, s.second})
+      for (const MeshVertex* end : {&s.begin, &s.end}) insertSplit(borders_[border].edge, *end);
+  for (bool isChanged = true; isChanged;) {
+    isChanged = false;
+    context_.checkCancelled();
+    for (const Stretch& s : stretches_) {
+      const Index first = borders_[s.first].edge, second = borders_[s.second].edge;
+      if (first == second) continue;
+      for (const auto& [own, other] : {std::array{first, second}, std::array{second, first}})
+        for (const MeshVertex& split : splitsBetween(own, s.begin, s.end))
+          isChanged = insertSplit(other, split) || isChanged;
+    }
+  }
+}
+
+std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
+  auto result = std::make_shared<WalkableMesh>();
+  result->layerCount = mesh_.layerCount;
+  result->vertices = mesh_.vertices;
+  // New vertices of each edge, in the direction of its first side and in the other one.
+  std::vector<Index> edges;
+  for (const auto& [edge, places] : splits_) edges.push_back(edge);
+  std::sort(edges.begin(), edges.end());
+  std::unordered_map<Index, std::array<std::vector<Index>, 2>> inside;
+  std::vector<EdgeVertices> on;  // of triangles that are split
+  std::vector<Index> slotOf(mesh_.triangles.size(), -1);
+  const TriangleCorners corners(mesh_.triangles);
+  for (const Index edge : edges) {
+    const auto sides = topology_->sidesOf(edge);
+    auto& [forward, backward] = inside[edge];
+    for (const MeshVertex& place : splits_[edge]) {
+      forward.push_back(static_cast<Index>(result->vertices.size()));
+      result->vertices.push_back(liftedVertex(kernel_, mesh_.triangles[sides[0] / 3].face, place.point));
+    }
+    backward.assign(forward.rbegin(), forward.rend());
+    for (const Index side : sides) {
+      Index& slot = slotOf[side / 3];
+      if (slot < 0) {
+        slot = static_cast<Index>(on.size());
+        on.emplace_back();
+      }
+      on[slot][side % 3] = corners.beginOf(side) == corners.beginOf(sides[0]) ? &forward : &backward;
+    }
+  }
+  result->triangles.reserve(mesh_.triangles.size() + 2 * edges.size());
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (slotOf[t] < 0)
+      result->triangles.push_back(mesh_.triangles[t]);
+    else
+      splitTriangle(mesh_.triangles[t], on[slotOf[t]], result->triangles);
+    if (!mesh_.layers.empty()) result->layers.resize(result->triangles.size(), mesh_.layers[t]);
+  }
+
+  // Vertices of a border from one place to another, in its own direction.
+  const auto chainOf = [&](const Border& border, const MeshVertex& a, const MeshVertex& b) {
+    std::vector<Index> chain{border.from};
+    if (const auto found = inside.find(border.edge); found != inside.end()) {
+      const bool isForward = border.from == corners.beginOf(topology_->sidesOf(border.edge)[0]);
+      const std::vector<Index>& between = found->second[isForward ? 0 : 1];
+      chain.insert(chain.end(), between.begin(), between.end());
+    }
+    chain.push_back(border.to);
+    const int axis = axisBetween(a, b, geometry_), direction = geometry_.compare(b, a, axis);
+    std::erase_if(chain, [&](Index v) {
+      const MeshVertex& p = result->vertices[v];
+      return direction * geometry_.compare(p, a, axis) < 0 || direction * geometry_.compare(p, b, axis) > 0;
+    });
+    return chain;
+  };
+  for (const Stretch& s : stretches_) {
+    const std::vector<Index> from = chainOf(borders_[s.first], s.begin, s.end);
+    const std::vector<Index> to = chainOf(borders_[s.second], s.end, s.begin);
+    for (std::size_t i = 0; i + 1 < from.size(); ++i) {
+      const std::size_t j = to.size() - 1 - i;
+      MeshLink link{{from[i], from[i + 1]}, {to[j - 1], to[j]}};
+      if (link.to < link.from) std::swap(link.from, link.to);
+      result->links.push_back(link);
+    }
+  }
+  std::sort(result->links.begin(), result->links.end());
+  result->links.erase(std::unique(result->links.begin(), result->links.end()), result->links.end());
+  return result;
+}
+
+}  // namespace footfall::detail
