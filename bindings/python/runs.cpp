@@ -33,7 +33,7 @@ py::object statisticsOf(const Area& area) {
 
 double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header, bool layers,
                 bool connections, bool obstacleEdges, const std::optional<std::string>& up, double scale) {
-  const ExportOptions options{layers, connections, obstacleEdges, upAxisFrom(up), scale};
+  const ExportOptions options{layers, connections, obstacleEdges, true, upAxisFrom(up), scale};
   const std::string name = path.string();
   const py::gil_scoped_release unlocked;
   return save(mesh, name, options, header);

@@ -21,7 +21,11 @@ std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
   appendNumber(counts, options.connections ? mesh.connections.size() : 0);
   counts += " connections, ";
   appendNumber(counts, options.obstacleEdges ? mesh.obstacleEdges.size() : 0);
-  return counts + " obstacle edges";
+  counts += " obstacle edges";
+  if (mesh.links.empty() || !options.steps) return counts;
+  counts += ", ";
+  appendNumber(counts, mesh.links.size());
+  return counts + " steps";
 }
 
 /// The frame that is written: coordinates times s are in units of 1/s of those before.
@@ -54,6 +58,13 @@ void appendLines(std::string& text, const char* group, const std::vector<std::ar
   if (lines.empty()) return;
   text.append("g ").append(group).append("\n");
   for (const auto& line : lines) appendElement(text, 'l', line);
+}
+
+void appendSteps(std::string& text, const std::vector<StepLink>& links) {
+  if (links.empty()) return;
+  text += "g steps\n";
+  for (const StepLink& link : links)
+    appendElement(text, 'f', std::array{link.from[0], link.from[1], link.to[0], link.to[1]});
 }
 
 /// A name that every reader takes for one word.
@@ -105,6 +116,7 @@ std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, co
   appendTriangles(text, mesh, options.layers);
   if (options.connections) appendLines(text, "connections", mesh.connections);
   if (options.obstacleEdges) appendLines(text, "obstacle_edges", mesh.obstacleEdges);
+  if (options.steps) appendSteps(text, mesh.links);
   appendExtras(text, extras, static_cast<std::uint32_t>(mesh.vertices.size()), frame.up, options.scale);
   return text;
 }

@@ -31,6 +31,7 @@ Rgb layerColour(std::size_t layer) {
 }
 constexpr Rgb kObstacleEdges = kVermilion;
 constexpr Rgb kConnections{255, 255, 255};
+constexpr Rgb kSteps = kSkyBlue;
 constexpr Rgb kPlaced{150, 150, 150};
 
 /// What glTF means by a colour is linear, what everybody else writes is sRGB.
@@ -185,6 +186,16 @@ void addLayers(GltfMaker& maker, const NavigationMesh& mesh, bool byLayers) {
     maker.add("layer_" + std::to_string(i), layerColour(i), mesh.vertices, layers[i]);
 }
 
+/// Two for each; without area where the borders are equally high.
+std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links) {
+  std::vector<Triangle> triangles;
+  for (const StepLink& link : links) {
+    triangles.push_back({link.from[0], link.from[1], link.to[0]});
+    triangles.push_back({link.from[0], link.to[0], link.to[1]});
+  }
+  return triangles;
+}
+
 /// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes, in
 /// words of 4 bytes each.
 std::string putTogether(Json json, const std::string& numbers, GltfKind kind) {
@@ -229,6 +240,7 @@ GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeade
   addLayers(maker, mesh, options.layers);
   if (options.connections) maker.add("connections", kConnections, mesh.vertices, mesh.connections);
   if (options.obstacleEdges) maker.add("obstacle_edges", kObstacleEdges, mesh.vertices, mesh.obstacleEdges);
+  if (options.steps) maker.add("steps", kSteps, mesh.vertices, stepTriangles(mesh.links));
   for (const ExportExtra& extra : extras)
     maker.add("placed_" + extra.name, kPlaced, extra.soup.vertices, extra.soup.triangles);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -22,7 +23,7 @@ struct StatedContent {
   bool isExport = false;
   std::optional<UpAxis> up;
   std::optional<double> metresPerUnit;
-  std::optional<std::uint64_t> vertices, triangles, layers, connections, obstacleEdges;
+  std::optional<std::uint64_t> vertices, triangles, layers, connections, obstacleEdges, steps;
 };
 
 template <class Number>
@@ -56,6 +57,7 @@ void readCounts(std::string_view line, StatedContent& content) {
     if (part.ends_with(" layers")) content.layers = count;
     if (part.ends_with(" connections")) content.connections = count;
     if (part.ends_with(" obstacle edges")) content.obstacleEdges = count;
+    if (part.ends_with(" steps")) content.steps = count;
     line = comma == std::string_view::npos ? std::string_view() : line.substr(comma + 2);
   }
 }
@@ -141,6 +143,53 @@ void dropExtras(ObjGroups& groups, Environment& soup, const StatedContent& state
   groups.groups.erase(first, groups.groups.end());
 }
 
+/// Takes the group of steps out of the text of an export, as its faces are no area. Corners that are no numbers, or too
+/// large, make no link; the counts tell.
+std::vector<StepLink> takeSteps(std::string& text) {
+  constexpr std::string_view kGroup = "\ng steps\n";
+  std::vector<StepLink> links;
+  const std::size_t group = text.find(kGroup);
+  if (group == std::string::npos) return links;
+  const std::size_t first = group + kGroup.size();
+  std::size_t at = first;
+  while (text.compare(at, 2, "f ") == 0) {
+    const std::size_t stop = std::min(text.find('\n', at), text.size());
+    std::array<std::uint32_t, 4> corners{};
+    const char* next = text.data() + at + 1;
+    bool isRead = true;
+    for (std::uint32_t& corner : corners) {
+      while (next < text.data() + stop && *next == ' ') ++next;
+      const auto [end, error] = std::from_chars(next, text.data() + stop, corner);
+      isRead = isRead && error == std::errc() && corner > 0;
+      next = end;
+    }
+    if (isRead) links.push_back({{corners[0] - 1, corners[1] - 1}, {corners[2] - 1, corners[3] - 1}, 0, 0, 0});
+    at = std::min(stop + 1, text.size());
+  }
+  text.erase(group + 1, at - group - 1);
+  return links;
+}
+
+/// The triangles whose edges they are, and how high they are. Those without are left out.
+void completeSteps(std::vector<StepLink> links, NavigationMesh& mesh) {
+  if (links.empty()) return;
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> triangleAt;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      triangleAt.try_emplace({mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}, t);
+  for (StepLink& link : links) {
+    const auto from = triangleAt.find(link.from), to = triangleAt.find(link.to);
+    if (from == triangleAt.end() || to == triangleAt.end()) continue;
+    link.fromTriangle = from->second;
+    link.toTriangle = to->second;
+    for (const std::size_t end : {0, 1}) {
+      const double rise = mesh.vertices[link.to[1 - end]].z - mesh.vertices[link.from[end]].z;
+      link.height = std::max(link.height, std::fabs(rise));
+    }
+    mesh.links.push_back(link);
+  }
+}
+
 void checkCount(const std::string& path, std::optional<std::uint64_t> stated, std::size_t found, Pattern counts) {
   if (!stated || *stated == found) return;
   failInput(path, 0, Text(counts, *stated, found), FOOTFALL_TEXT("it was cut off or changed by hand: export it again"));
@@ -157,6 +206,7 @@ void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
              FOOTFALL_TEXT("connections: its comments count %1, but it has %2"));
   checkCount(file.path, stated.obstacleEdges, mesh.obstacleEdges.size(),
              FOOTFALL_TEXT("obstacle edges: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.steps, mesh.links.size(), FOOTFALL_TEXT("steps: its comments count %1, but it has %2"));
   if (mesh.triangles.empty() && !(stated.isExport && stated.triangles)) {
     failInput(file.path, 0, FOOTFALL_TEXT("no triangles in it"), FOOTFALL_TEXT("choose a file that has faces"));
   }
@@ -173,6 +223,8 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
                                       RunContext* context) {
   std::string text = readInputFile(path, context);
   const StatedContent stated = readComments(text);
+  std::vector<StepLink> steps;
+  if (stated.isExport) steps = takeSteps(text);
   Environment soup;
   ObjGroups groups;
   readObj(path, std::move(text), soup, context, &groups);
@@ -188,8 +240,9 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   file.mesh.vertices = std::move(soup.vertices);
   file.mesh.triangles = std::move(soup.triangles);
   takeGroups(groups, file);
-  checkContent(file, stated);
   for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
+  completeSteps(std::move(steps), file.mesh);
+  checkContent(file, stated);
   file.mesh.frame = {path, file.up, file.metresPerUnit.value_or(1)};
   return file;
 }

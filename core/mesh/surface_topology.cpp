@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::uint32_t kNone = SurfaceTopology::kNone;
 
+Index sideFrom(const Triangle& t, std::uint32_t vertex) { return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2; }
+
 }  // namespace
 
 SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll) {
@@ -38,6 +40,22 @@ SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll) {
       if (takesPart[side / 3] != 0) sides.push_back(side);
     if (sides.size() != 2 || triangles.beginOf(sides[0]) == triangles.beginOf(sides[1])) continue;
     const Index a = sides[0] / 3, i = sides[0] % 3, b = sides[1] / 3, j = sides[1] % 3;
+    topology.neighbours[a][i] = static_cast<std::uint32_t>(b);
+    topology.neighbours[b][j] = static_cast<std::uint32_t>(a);
+    corners.unite(3 * a + i, 3 * b + (j + 1) % 3);
+    corners.unite(3 * a + (i + 1) % 3, 3 * b + j);
+    parts.unite(a, b);
+  }
+  for (const StepLink& link : mesh.links) {
+    const auto a = static_cast<Index>(link.fromTriangle), b = static_cast<Index>(link.toTriangle);
+    if (takesPart[a] == 0 || takesPart[b] == 0) continue;
+    const Index i = sideFrom(mesh.triangles[a], link.from[0]), j = sideFrom(mesh.triangles[b], link.to[0]);
+    const auto samePlace = [&](std::uint32_t v, std::uint32_t w) {
+      return mesh.vertices[v].x == mesh.vertices[w].x && mesh.vertices[v].y == mesh.vertices[w].y;
+    };
+    if (topology.neighbours[a][i] != kNone || topology.neighbours[b][j] != kNone ||
+        !samePlace(link.from[0], link.to[1]) || !samePlace(link.from[1], link.to[0]))
+      continue;
     topology.neighbours[a][i] = static_cast<std::uint32_t>(b);
     topology.neighbours[b][j] = static_cast<std::uint32_t>(a);
     corners.unite(3 * a + i, 3 * b + (j + 1) % 3);

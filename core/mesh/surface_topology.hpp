@@ -19,15 +19,18 @@ namespace footfall::detail {
 /// point, and the area filter counts them as two regions as well. Therefore corners are grouped into *fans*: corners
 /// at the same vertex that are connected over sides that can be crossed. A vertex where two parts touch has two fans.
 ///
+/// A step can be crossed, too: in the plan its two sides are one edge. Where an agent could step from one side to
+/// several, it is the first of them; where rounding moved the two apart in the plan, to none.
+///
 /// Triangles that do not face up (exactly), which no product has either, take no part: no side, component kNone.
 struct SurfaceTopology {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
   std::vector<std::array<std::uint32_t, 3>> neighbours;  ///< across each side, or kNone
   std::vector<std::array<std::uint32_t, 3>> fans;        ///< of each corner
-  std::vector<std::uint32_t> fanVertices;                ///< the mesh vertex of each fan
-  std::vector<char> isOpen;               ///< the fan ends at borders: its vertex lies on the border of the surface
-  std::vector<std::uint32_t> components;  ///< of each triangle, numbered from 0 in the order of their first triangles
+  std::vector<std::uint32_t> fanVertices;  ///< the mesh vertex of each fan; at a step one of those over each other
+  std::vector<char> isOpen;                ///< the fan ends at borders: its vertex lies on the border of the surface
+  std::vector<std::uint32_t> components;   ///< of each triangle, numbered from 0 in the order of their first triangles
   std::uint32_t componentCount = 0;
 
   /// The side of `neighbours[triangle][side]` that is this one.

@@ -37,8 +37,13 @@ class Tracer {
     result_.points = {result_.start->position};
     std::uint32_t triangle = sides_.startTriangle;
     for (std::size_t i = 0; i < sides_.crossings.size(); ++i) {
-      add(crossing(i), triangle, nextBend(i) != kNone && isEndOf(nextBend(i), i));
-      triangle = sides_.crossings[i].triangle;
+      const bool isBend = nextBend(i) != kNone && isEndOf(nextBend(i), i);
+      const auto [entered, side, root] = sides_.crossings[i];
+      const Vec3 before = crossing(i, triangle, topology_.sideBehind(entered, side), true);
+      const Vec3 behind = crossing(i, entered, side, false);
+      add(before, triangle, isBend);
+      if (before.z != behind.z) addStep(behind, entered, isBend);
+      triangle = entered;
     }
     add(result_.end->position, triangle, false);
   }
@@ -61,14 +66,17 @@ class Tracer {
   }
   [[nodiscard]] const Vec3& point(std::uint32_t fan) const { return mesh_.vertices[topology_.fanVertices[fan]]; }
 
-  [[nodiscard]] Vec3 crossing(std::size_t i) const {
+  /// Crossing i on the given side of one of its two triangles; they differ in height where it is a step.
+  [[nodiscard]] Vec3 crossing(std::size_t i, std::uint32_t triangle, int side, bool isTurned) const {
     const auto [left, right] = endsOf(i);
     const std::uint32_t root = sides_.crossings[i].root, bend = nextBend(i);
-    if (root != kNone && (root == left || root == right)) return point(root);
-    if (bend != kNone && (bend == left || bend == right)) return point(bend);
+    const Vec3 &first = mesh_.vertices[mesh_.triangles[triangle][side]],
+               &second = mesh_.vertices[mesh_.triangles[triangle][(side + 1) % 3]];
+    const Vec3 &l = isTurned ? second : first, &r = isTurned ? first : second;
+    for (const std::uint32_t corner : {root, bend})
+      if (corner != kNone && (corner == left || corner == right)) return corner == left ? l : r;
     const Vec3& from = root == kNone ? result_.start->position : point(root);
     const Vec3& to = bend == kNone ? result_.end->position : point(bend);
-    const Vec3 &l = point(left), &r = point(right);
     return pointBetween(l, r, crossingParameter(from, to, l, r));
   }
 
@@ -80,6 +88,13 @@ class Tracer {
     if (isBend && result_.points.size() > 1 &&
         (result_.bends.empty() || result_.bends.back() + 1 < result_.points.size()))
       result_.bends.push_back(result_.points.size() - 1);
+  }
+
+  void addStep(const Vec3& p, std::uint32_t triangle, bool isBend) {
+    result_.steps.push_back(result_.points.size() - 1);
+    result_.points.push_back(p);
+    result_.triangles.push_back(triangle);
+    if (isBend && !result_.bends.empty()) result_.bends.back() = result_.points.size() - 1;
   }
 
   const NavigationMesh& mesh_;
@@ -102,14 +117,17 @@ void addFigures(const NavigationMesh& mesh, PathResult& result) {
     const std::uint32_t t = result.triangles[i];
     const double plan = planDistance(a, b);
     result.length += std::hypot(plan, b.z - a.z);
+    const double rise = b.z - a.z;
+    (rise > 0 ? result.climb : result.descent) += std::fabs(rise);
+    if (!mesh.layers.empty() && (result.layers.empty() || result.layers.back() != mesh.layers[t]))
+      result.layers.push_back(mesh.layers[t]);
+    if (std::binary_search(result.steps.begin(), result.steps.end(), i)) continue;
     const double slope = slopeDegrees(mesh, t);
     result.maxSlopeDegrees = std::max(result.maxSlopeDegrees, slope);
     // On pieces of a few units in the last place the rounded direction means nothing: no piece is steeper than its
     // triangle.
     result.maxInclineDegrees =
-        std::max(result.maxInclineDegrees, std::min(slope, std::atan2(std::fabs(b.z - a.z), plan) * kDegrees));
-    if (!mesh.layers.empty() && (result.layers.empty() || result.layers.back() != mesh.layers[t]))
-      result.layers.push_back(mesh.layers[t]);
+        std::max(result.maxInclineDegrees, std::min(slope, std::atan2(std::fabs(rise), plan) * kDegrees));
   }
   if (result.triangles.empty() && !mesh.layers.empty()) result.layers = {mesh.layers[result.start->triangle]};
   result.connections = result.layers.empty() ? 0 : result.layers.size() - 1;

@@ -12,6 +12,7 @@
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
+#include "core/filters/rounding/rounded_links.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 
 namespace footfall::detail {
@@ -69,12 +70,11 @@ RoundedMesh withPlaces(SplitMesh split, const std::vector<Vec3>& places) {
   return rounded;
 }
 
-// The split mesh of the state with rounded places, and its edges.
-RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<char>& sturdy, Adjacency& topology,
-                           RunContext& context) {
+// The split mesh of the state with the rounded places of the state's mesh, and its edges.
+RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<Vec3>& places, std::vector<char>& sturdy,
+                           Adjacency& topology, RunContext& context) {
   const Poll poll(context);
   std::vector<char> exact;
-  std::vector<Vec3> places;
   SplitMesh split;
   tbb::parallel_invoke([&] { places = roundVertices(*state.kernel, state.mesh->vertices, exact, context); },
                        [&] {
@@ -125,12 +125,15 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   const Poll poll(context);
   std::vector<char> sturdy;
   Adjacency topology;
-  RoundedMesh rounded = roundSplitMesh(*state, sturdy, topology, context);
+  std::vector<Vec3> places;
+  RoundedMesh rounded = roundSplitMesh(*state, places, sturdy, topology, context);
   context.checkCancelled();
   const auto edgesOf = [&] { return findEdges(rounded.triangles, rounded.vertices.size(), poll); };
   std::vector<char> suspects = suspectsOf(rounded, sturdy);
   markBorders(rounded, topology);
-  if (repairRounding(rounded, sturdy, context).anyBroken()) {
+  std::vector<std::array<Vec3, 2>> moved;
+  if (const RoundingCases cases = repairRounding(rounded, sturdy, context); cases.anyBroken()) {
+    for (const auto& [from, to] : cases.collapsed) moved.push_back({rounded.vertices[from], rounded.vertices[to]});
     topology = edgesOf();
     suspects.clear();
   }
@@ -171,6 +174,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   result->frame = state->environment->frame();
   addObstacleEdges(rounded, order, renumbered, *result);
   addConnections(rounded, topology, renumbered, *result);
+  result->links = roundLinks(state->mesh->links, places, moved, *result);
   return result;
 }
 

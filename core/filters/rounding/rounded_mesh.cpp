@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/geometry.hpp"
 #include "core/exact/source_predicates.hpp"
@@ -89,6 +90,7 @@ class RoundingRepair {
         if (alive_[c] != 0 && !isUpright(c)) queue.push_back(c);
     }
     compact();
+    cases.collapsed = std::move(collapsed_);
     return cases;
   }
 
@@ -206,6 +208,7 @@ class RoundingRepair {
   void collapse(Index a, Index b) {
     if (sturdy_[b] != 0 && sturdy_[a] == 0) std::swap(a, b);
     if (sturdy_[a] == sturdy_[b] && b < a) std::swap(a, b);  // b goes to a
+    collapsed_.push_back({b, a});
     const std::vector<Index> ring = around_[b];
     for (const Index t : ring) {
       if (alive_[t] == 0) continue;
@@ -252,6 +255,7 @@ class RoundingRepair {
   std::vector<char> alive_;
   Surroundings around_;
   std::vector<Index> changed_;
+  std::vector<std::array<Index, 2>> collapsed_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct RoundingCases {
   std::uint64_t point = 0;      ///< case 3: all corners fell together
   std::uint64_t collinear = 0;  ///< case 4
   std::uint64_t flipped = 0;    ///< case 5
+  /// Vertices that went, each with the one that stands for it, in the order in which they went.
+  std::vector<std::array<Index, 2>> collapsed;
 
   /// Something had to be repaired.
   [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped != 0; }

@@ -6,14 +6,24 @@
 #include <limits>
 
 #include "core/base/geometry.hpp"
+#include "core/exact/face_geometry.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 
 namespace footfall::detail {
 
 StepConditions::StepConditions(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height)
-    : kernel_(kernel), mesh_(kernel.mesh()), removed_(removed), step_(step), height_(height) {}
+    : kernel_(kernel), mesh_(kernel.mesh()), removed_(removed), step_(step), height_(height), levels_{step, height} {}
+
+ApproximatePoint StepConditions::approximateSource(Index vertex) const {
+  return {mesh_.scaled[vertex].x, mesh_.scaled[vertex].y, kernel_.sign().slack};
+}
 
 int StepConditions::sideAt(const LinearSign& sign, const MeshVertex& p, MeshGeometry& geometry) const {
+  if (sign.line.kind == PlanLine::Edge) {
+    if (const MaybeSign filtered = filteredOrientation(approximateSource(sign.line.a), approximateSource(sign.line.b),
+                                                       {p.x, p.y, p.error}, kernel_.sign().slack))
+      return *filtered;
+  }
   return kernel_.side(sign.line, sign.face, p.point, mesh_.triangles[p.face][0], geometry.fallbacks);
 }
 
@@ -37,8 +47,7 @@ StepConditions::LinearSign StepConditions::edgeSign(Index triangle, int k, int& 
   return {{PlanLine::Edge, std::min(a, b), std::max(a, b)}, -1};
 }
 
-std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch& stretch,
-                                                            const std::vector<KnownLine>& lines,
+std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch& stretch, const Lines& lines,
                                                             MeshGeometry& geometry) {
   std::vector<std::array<MeshVertex, 2>> pieces;
   const auto [over, under] = stepSigns(stretch);
@@ -48,6 +57,7 @@ std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch&
   }
   listObstacles(stretch, geometry);
   isUndecided_ = false;
+  lines_.clear();
   breaks_.clear();
   addBreaks(stretch, lines, geometry);
   if (isUndecided_) {
@@ -79,20 +89,7 @@ void StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& g
   covers_.clear();
   walls_.clear();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  const auto include = [&](const MeshVertex& v) {
-    const std::array<double, 3> place{v.x, v.y, v.z};
-    for (int k = 0; k < 3; ++k) {
-      const double margin = v.error + std::fabs(place[k]) * 0x1p-50;
-      box.lower[k] = std::min(box.lower[k], place[k] - margin);
-      box.upper[k] = std::max(box.upper[k], place[k] + margin);
-    }
-  };
-  for (const MeshVertex* end : {&stretch.begin, &stretch.end}) {
-    include(*end);
-    for (const Index face : stretch.faces)
-      if (face != end->face) include(liftedVertex(kernel_, face, end->point));
-  }
+  Box box = stretch.box;
   const int scale = mesh_.grid.scaleExponent();
   for (int k = 0; k < 3; ++k) {
     box.lower[k] = std::ldexp(box.lower[k], -scale);
@@ -129,29 +126,42 @@ bool StepConditions::mayCover(const SharedStretch& stretch, Index triangle, Mesh
 void StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) {
   const auto& f = mesh_.triangles[triangle];
   const Index origin = mesh_.triangles[stretch.faces[0]][0];
+  const MeshVertex &a = stretch.begin, &b = stretch.end;
   for (const Index v : f) {
-    if (kernel_.orientation(stretch.begin.point, stretch.end.point, PlanPoint::source(mesh_.planIds[v]), origin,
-                            geometry.fallbacks) != 0)
+    if (filteredOrientation({a.x, a.y, a.error}, {b.x, b.y, b.error}, approximateSource(v), kernel_.sign().slack))
+      return;
+    if (kernel_.orientation(a.point, b.point, PlanPoint::source(mesh_.planIds[v]), origin, geometry.fallbacks) != 0)
       return;
   }
+  std::array<WallCorner, 3> corners;
+  bool reachesUp = false, reachesDown = false;
+  for (int k = 0; k < 3; ++k) {
+    corners[k].vertex = f[k];
+    for (int face = 0; face < 2; ++face) {
+      for (int level = 0; level < 2; ++level)
+        corners[k].signs[face][level] =
+            kernel_.heightSign(stretch.faces[face], f[k], levels_[level], geometry.fallbacks);
+      reachesUp = reachesUp || corners[k].signs[face][0] > 0;
+      reachesDown = reachesDown || corners[k].signs[face][1] < 0;
+    }
+  }
+  if (!reachesUp || !reachesDown) return;
+  for (WallCorner& corner : corners) corner.place = placeOf(stretch, corner.vertex);
   Wall wall;
   for (int k = 0; k < 3; ++k) {
-    WallEdge edge{f[k], f[next(k)], {}, {}};
-    edge.begin = liftedVertex(kernel_, stretch.faces[0], PlanPoint::source(mesh_.planIds[edge.from]));
-    edge.end = liftedVertex(kernel_, stretch.faces[0], PlanPoint::source(mesh_.planIds[edge.to]));
-    const int order = compareAlong(stretch, edge.begin, edge.end, geometry);
-    if (order == 0) continue;  // the other two span the same
-    if (order > 0) {
-      std::swap(edge.from, edge.to);
-      std::swap(edge.begin, edge.end);
-    }
-    wall.push_back(edge);
+    const WallCorner &p = corners[k], &q = corners[next(k)];
+    const int order = compareAlong(stretch, p.place, q.place, geometry);
+    if (order != 0) wall.push_back(order < 0 ? WallEdge{p, q} : WallEdge{q, p});  // else the other two span the same
   }
   walls_.push_back(std::move(wall));
 }
 
-void StepConditions::addBreaks(const SharedStretch& stretch, const std::vector<KnownLine>& lines,
-                               MeshGeometry& geometry) {
+MeshVertex StepConditions::placeOf(const SharedStretch& stretch, Index vertex) const {
+  const Vec3& p = mesh_.scaled[vertex];
+  return {PlanPoint::source(mesh_.planIds[vertex]), stretch.faces[0], -1, p.x, p.y, p.z, kernel_.sign().slack};
+}
+
+void StepConditions::addBreaks(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry) {
   for (const LinearSign& sign : stepSigns(stretch)) addCrossing(stretch, sign, lines, geometry);
   for (const Index t : covers_) {
     for (int k = 0; k < 3; ++k) {
@@ -164,25 +174,22 @@ void StepConditions::addBreaks(const SharedStretch& stretch, const std::vector<K
   }
   for (const Wall& wall : walls_)
     for (const WallEdge& edge : wall) {
-      addBreak(stretch, edge.begin, geometry);
-      addBreak(stretch, edge.end, geometry);
-      for (const Index face : stretch.faces)
-        for (const Index level : {step_, height_}) {
-          const int from = kernel_.heightSign(face, edge.from, level, geometry.fallbacks);
-          if (from * kernel_.heightSign(face, edge.to, level, geometry.fallbacks) >= 0) continue;
-          addBreak(stretch,
-                   liftedVertex(kernel_, stretch.faces[0], PlanPoint::edgePlane(edge.from, edge.to, face, level)),
-                   geometry);
-        }
+      addBreak(stretch, edge.begin.place, geometry);
+      addBreak(stretch, edge.end.place, geometry);
+      for (int face = 0; face < 2; ++face)
+        for (int level = 0; level < 2; ++level)
+          if (edge.begin.signs[face][level] * edge.end.signs[face][level] < 0)
+            addBreak(stretch, liftedVertex(kernel_, stretch.faces[0], zeroOf(stretch, edge, face, level)), geometry);
     }
 }
 
-void StepConditions::addCrossing(const SharedStretch& stretch, const LinearSign& sign,
-                                 const std::vector<KnownLine>& lines, MeshGeometry& geometry) {
+void StepConditions::addCrossing(const SharedStretch& stretch, const LinearSign& sign, const Lines& lines,
+                                 MeshGeometry& geometry) {
   const int atBegin = sideAt(sign, stretch.begin, geometry);
   if (atBegin == 0 || atBegin * sideAt(sign, stretch.end, geometry) >= 0) return;
   const bool isTrace = sign.line.kind == PlanLine::Trace;
-  for (const auto& [line, face] : lines) {
+  if (lines_.empty()) lines_ = lines();
+  for (const auto& [line, face] : lines_) {
     const bool isOwnTrace = line.kind == PlanLine::Trace;
     if (isTrace && isOwnTrace && face != sign.face) continue;  // a crossing knows one face
     const Index taken = isTrace ? sign.face : isOwnTrace ? face : -1;
@@ -227,24 +234,23 @@ bool StepConditions::isBlockedBy(const SharedStretch& stretch, const Wall& wall,
                                  const MeshVertex& b, MeshGeometry& geometry) const {
   bool reachesUp = false, reachesDown = false;
   for (const WallEdge& edge : wall) {
-    if (compareAlong(stretch, a, edge.begin, geometry) < 0 || compareAlong(stretch, edge.end, b, geometry) < 0)
+    if (compareAlong(stretch, a, edge.begin.place, geometry) < 0 ||
+        compareAlong(stretch, edge.end.place, b, geometry) < 0)
       continue;
-    for (const Index face : stretch.faces) {
-      reachesUp = reachesUp || heightBetween(stretch, edge, face, step_, b, geometry) > 0;
-      reachesDown = reachesDown || heightBetween(stretch, edge, face, height_, b, geometry) < 0;
+    for (int face = 0; face < 2; ++face) {
+      reachesUp = reachesUp || heightBetween(stretch, edge, face, 0, b, geometry) > 0;
+      reachesDown = reachesDown || heightBetween(stretch, edge, face, 1, b, geometry) < 0;
     }
   }
   return reachesUp && reachesDown;
 }
 
-int StepConditions::heightBetween(const SharedStretch& stretch, const WallEdge& edge, Index face, Index level,
+int StepConditions::heightBetween(const SharedStretch& stretch, const WallEdge& edge, int face, int level,
                                   const MeshVertex& b, MeshGeometry& geometry) const {
-  const int from = kernel_.heightSign(face, edge.from, level, geometry.fallbacks);
-  const int to = kernel_.heightSign(face, edge.to, level, geometry.fallbacks);
-  if (from * to >= 0) return from != 0 ? from : to;
-  const MeshVertex zero =
-      liftedVertex(kernel_, stretch.faces[0], PlanPoint::edgePlane(edge.from, edge.to, face, level));
-  return compareAlong(stretch, b, zero, geometry) <= 0 ? from : to;
+  const int begin = edge.begin.signs[face][level], end = edge.end.signs[face][level];
+  if (begin * end >= 0) return begin != 0 ? begin : end;
+  const MeshVertex zero = liftedVertex(kernel_, stretch.faces[0], zeroOf(stretch, edge, face, level));
+  return compareAlong(stretch, b, zero, geometry) <= 0 ? begin : end;
 }
 
 }  // namespace footfall::detail

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <functional>
 #include <vector>
 
+#include "core/base/geometry.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
@@ -14,6 +15,7 @@ namespace footfall::detail {
 struct SharedStretch {
   std::array<Index, 2> faces{};  ///< the planes on either side
   MeshVertex begin, end;
+  Box box;            ///< holds it, on both sides; scaled
   int axis = 0;       ///< coordinate in which they differ
   int direction = 1;  ///< +1: it grows from begin to end
 };
@@ -33,13 +35,14 @@ struct KnownLine {
 /// and edges, source vertices, edges in raised planes. Single points do not count, so what happens there is not asked.
 class StepConditions {
  public:
+  using Lines = std::function<std::vector<KnownLine>()>;
+
   /// `step` and `height` are levels of the kernel. `removed`: for each source triangle, it is out of the environment.
   StepConditions(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height);
 
-  /// The pieces, in order along the stretch, that can be stepped over; neighbours are one piece. `lines` are what the
-  /// stretch is known to lie on; where none of them makes a crossing, the piece counts as blocked (undecided()).
-  std::vector<std::array<MeshVertex, 2>> find(const SharedStretch& stretch, const std::vector<KnownLine>& lines,
-                                              MeshGeometry& geometry);
+  /// The pieces, in order along the stretch, that can be stepped over; neighbours are one piece. `lines` gives what the
+  /// stretch is known to lie on; where none of that makes a crossing, nothing is (undecided()).
+  std::vector<std::array<MeshVertex, 2>> find(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry);
 
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
 
@@ -49,21 +52,27 @@ class StepConditions {
     PlanLine line;
     Index face = -1;
   };
-  /// An edge of a wall, which is not vertical itself; its ends in the order of the stretch.
+  /// A corner of a wall: its place in the plan, and the sign of its height over each floor (of SharedStretch::faces)
+  /// raised by the step and by the clearance.
+  struct WallCorner {
+    Index vertex = -1;
+    MeshVertex place;
+    std::array<std::array<int, 2>, 2> signs{};
+  };
+  /// An edge of a wall that is not vertical; its ends in the order of the stretch.
   struct WallEdge {
-    Index from = -1, to = -1;
-    MeshVertex begin, end;
+    WallCorner begin, end;
   };
   using Wall = std::vector<WallEdge>;
 
+  [[nodiscard]] ApproximatePoint approximateSource(Index vertex) const;
   [[nodiscard]] std::array<LinearSign, 2> stepSigns(const SharedStretch& stretch) const;
   [[nodiscard]] LinearSign edgeSign(Index triangle, int k, int& inside) const;
   void listObstacles(const SharedStretch& stretch, MeshGeometry& geometry);
   bool mayCover(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const;
   void addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry);
-  void addBreaks(const SharedStretch& stretch, const std::vector<KnownLine>& lines, MeshGeometry& geometry);
-  void addCrossing(const SharedStretch& stretch, const LinearSign& sign, const std::vector<KnownLine>& lines,
-                   MeshGeometry& geometry);
+  void addBreaks(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry);
+  void addCrossing(const SharedStretch& stretch, const LinearSign& sign, const Lines& lines, MeshGeometry& geometry);
   void addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry);
   bool isFree(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
   bool isBlockedBy(const SharedStretch& stretch, Index triangle, const MeshVertex& a, const MeshVertex& b,
@@ -74,8 +83,13 @@ class StepConditions {
   /// Between two places between which it does not change.
   int signBetween(const LinearSign& sign, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
   /// The same of the height of a wall's edge over a face and a level.
-  int heightBetween(const SharedStretch& stretch, const WallEdge& edge, Index face, Index level, const MeshVertex& b,
+  int heightBetween(const SharedStretch& stretch, const WallEdge& edge, int face, int level, const MeshVertex& b,
                     MeshGeometry& geometry) const;
+  [[nodiscard]] PlanPoint zeroOf(const SharedStretch& stretch, const WallEdge& edge, int face, int level) const {
+    return PlanPoint::edgePlane(edge.begin.vertex, edge.end.vertex, stretch.faces[face], levels_[level]);
+  }
+  /// In the plan only.
+  [[nodiscard]] MeshVertex placeOf(const SharedStretch& stretch, Index vertex) const;
   [[nodiscard]] int compareAlong(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b,
                                  MeshGeometry& geometry) const {
     return stretch.direction * geometry.compare(a, b, stretch.axis);
@@ -85,8 +99,10 @@ class StepConditions {
   const SourceMesh& mesh_;
   const std::vector<char>& removed_;
   Index step_, height_;
-  std::vector<Index> covers_;  ///< obstacles over the stretch that are not vertical
-  std::vector<Wall> walls_;    ///< vertical ones along it
+  std::array<Index, 2> levels_;   ///< both
+  std::vector<Index> covers_;     ///< obstacles over the stretch that are not vertical
+  std::vector<Wall> walls_;       ///< vertical ones along it
+  std::vector<KnownLine> lines_;  ///< of the stretch, once they were asked for
   std::vector<MeshVertex> breaks_;
   bool isUndecided_ = false;
   std::size_t undecided_ = 0;

@@ -123,9 +123,18 @@ void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
   if (stretch.direction * compare(begin, end) >= 0) return;
   stretch.begin = mesh_.vertices[begin];
   stretch.end = mesh_.vertices[end];
-  std::vector<KnownLine> lines = linesOf(e, geometry);
-  const std::vector<KnownLine> others = linesOf(f, geometry);
-  lines.insert(lines.end(), others.begin(), others.end());
+  const auto lines = [&] {
+    std::vector<KnownLine> known = linesOf(e, geometry);
+    const std::vector<KnownLine> others = linesOf(f, geometry);
+    known.insert(known.end(), others.begin(), others.end());
+    return known;
+  };
+  const Tree::Bounds own = boundsOf(mesh_.vertices[e.from], mesh_.vertices[e.to]);
+  const Tree::Bounds other = boundsOf(mesh_.vertices[f.from], mesh_.vertices[f.to]);
+  for (int k = 0; k < 3; ++k) {
+    stretch.box.lower[k] = k < 2 ? std::max(own.lower[k], other.lower[k]) : std::min(own.lower[k], other.lower[k]);
+    stretch.box.upper[k] = k < 2 ? std::min(own.upper[k], other.upper[k]) : std::max(own.upper[k], other.upper[k]);
+  }
   for (const auto& [from, to] : worker.conditions.find(stretch, lines, geometry))
     worker.stretches.push_back({first, second, from, to});
 }

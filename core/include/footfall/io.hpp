@@ -28,6 +28,7 @@ struct ExportOptions {
   bool layers = true;         ///< false: one group "walkable"
   bool connections = true;    ///< the lines; what is connected stays so by its indices
   bool obstacleEdges = true;  ///< the lines; what is apart stays so by its indices
+  bool steps = true;          ///< the faces; both borders are there without them
   std::optional<UpAxis> up;   ///< empty: that of NavigationMesh::frame
   /// Coordinates are multiplied with it; finite and above 0. They are rounded once more then, unless it is a power of
   /// two: triangles much smaller than their coordinates can collapse.
@@ -51,8 +52,9 @@ struct ExportExtra {
 /// Writes a mesh as OBJ (a name that ends in .obj, or has no ending), as glTF (.gltf: one JSON file) or binary (.glb),
 /// in the frame and units of the file that its environment came from. It is written beside `path` and renamed, so that
 /// a failure or a kill leaves an earlier file as it was; the same mesh gives the same bytes. Each layer is a group
-/// (OBJ) or mesh (glTF) "layer_1", "layer_2" and so on, or one "walkable"; connections and obstacle edges are lines in
-/// "connections" and "obstacle_edges".
+/// (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one "walkable"; connections and obstacle edges are lines in
+/// "connections" and "obstacle_edges". Steps are faces in "steps", over the vertices of both borders: who reads them
+/// has the full connectivity; who does not has the surface alone.
 ///
 /// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ; glTF has floats. Throws
 /// InputError for another ending, a scale that is out of range or makes coordinates infinite, coordinates that no float

@@ -96,9 +96,12 @@ struct PathResult {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> triangles;
   std::vector<std::size_t> bends;  ///< points at which it turns around a corner of the border
+  std::vector<std::size_t> steps;  ///< pieces that are steps: straight up or down; `triangles` says where to
 
   double planLength = 0;  ///< the shortest there is, up to rounding
-  double length = 0;      ///< of this path in space
+  double length = 0;      ///< of this path in space, heights of steps included
+  double climb = 0;       ///< all that it goes up, on slopes and steps
+  double descent = 0;     ///< all that it goes down
   /// Layers in the order in which the path passes them; empty when the mesh has none.
   std::vector<std::uint32_t> layers;
   std::size_t connections = 0;   ///< how often it changes from one layer to another
