@@ -12,6 +12,7 @@ namespace footfall::detail {
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3 operator*(double f, const Vec3& a) { return {f * a.x, f * a.y, f * a.z}; }
+inline Vec3 operator*(const Vec3& a, double f) { return f * a; }
 inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -27,6 +28,14 @@ inline double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) { return lengt
 template <class T>
 std::array<T, 3> operator-(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return {T(a[0] - b[0]), T(a[1] - b[1]), T(a[2] - b[2])};
+}
+template <class T>
+std::array<T, 3> operator*(const T& f, const std::array<T, 3>& a) {
+  return {T(f * a[0]), T(f * a[1]), T(f * a[2])};
+}
+template <class T>
+T dot(const std::array<T, 3>& a, const std::array<T, 3>& b) {
+  return T(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 template <class T>
 std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {

@@ -146,7 +146,7 @@ Json measureTurning(LevelView& view) {
   waitFor([&] { return view.isWhole(); }, "the view does not come to rest");
   Json json{{"frame", frames.json()}};
   addStalls(json, watchdog);
-  view.viewOblique();
+  view.cameraController().viewOblique();
   waitFor([&] { return view.isWhole(); }, "the view does not come to rest");
   QTest::qWait(kRestMs);
   return json;

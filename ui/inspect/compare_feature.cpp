@@ -182,7 +182,7 @@ void CompareFeature::draw() {
   std::vector<Legend::Note> notes;
   if (!difference) {
     view_.removeOverlay(kOverlay);
-    view_.setSelectionBounds(kOverlay, std::nullopt);
+    view_.cameraController().setSelectionBounds(kOverlay, std::nullopt);
   } else {
     ViewOverlay overlay;
     overlay.throughWalls = true;
@@ -221,8 +221,8 @@ void CompareFeature::frame(int region) {
   chosenRegion_ = region;
   draw();
   const DifferentRegion& chosen = difference->regions[static_cast<std::size_t>(region)];
-  view_.setSelectionBounds(kOverlay, SceneBox{chosen.lower, chosen.upper});
-  view_.frame(chosen.lower, chosen.upper);
+  view_.cameraController().setSelectionBounds(kOverlay, SceneBox{chosen.lower, chosen.upper});
+  view_.cameraController().frame(chosen.lower, chosen.upper);
 }
 
 }  // namespace footfall::ui

@@ -118,7 +118,7 @@ void InspectionFeature::createComponents(const FeatureHost& host) {
   connect(components_, &ComponentsPanel::chosen, this, [this](std::uint32_t component) {
     watch_->showComponent(component);
     if (const Component* chosen = componentAt(component))
-      view_.setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
+      view_.cameraController().setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
   });
   connect(components_, &ComponentsPanel::frameRequested, this, &InspectionFeature::frameComponent);
   connect(watch_, &InspectionWatch::componentShown, this, [this](const ViewOverlay& overlay) {
@@ -167,12 +167,12 @@ void InspectionFeature::showAnswer() {
   const auto [x0, x1] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [y0, y1] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const auto [z0, z1] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-  view_.setSelectionBounds(kWhyOverlay, SceneBox{{x0, y0, z0}, {x1, y1, z1}});
+  view_.cameraController().setSelectionBounds(kWhyOverlay, SceneBox{{x0, y0, z0}, {x1, y1, z1}});
 }
 
 void InspectionFeature::takeAnswerBack() {
   view_.removeOverlay(kWhyOverlay);
-  view_.setSelectionBounds(kWhyOverlay, std::nullopt);
+  view_.cameraController().setSelectionBounds(kWhyOverlay, std::nullopt);
 }
 
 void InspectionFeature::frame(const std::vector<std::uint32_t>& triangles) {
@@ -187,7 +187,7 @@ void InspectionFeature::frame(const std::vector<std::uint32_t>& triangles) {
     }
   }
   view_.setOverlay(kWhyOverlay, whyOverlay(*inspector, *told, units_.units()));
-  view_.frame(lower, upper);
+  view_.cameraController().frame(lower, upper);
 }
 
 void InspectionFeature::showFilter() {
@@ -223,15 +223,15 @@ const Component* InspectionFeature::componentAt(std::uint32_t component) const {
 
 void InspectionFeature::forgetComponent() {
   view_.removeOverlay(kComponentOverlay);
-  view_.setSelectionBounds(kComponentOverlay, std::nullopt);
+  view_.cameraController().setSelectionBounds(kComponentOverlay, std::nullopt);
 }
 
 void InspectionFeature::frameComponent(std::uint32_t component) {
   const Component* const chosen = componentAt(component);
   if (!chosen) return;
   watch_->showComponent(component);
-  view_.setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
-  view_.frame(chosen->lower, chosen->upper);
+  view_.cameraController().setSelectionBounds(kComponentOverlay, SceneBox{chosen->lower, chosen->upper});
+  view_.cameraController().frame(chosen->lower, chosen->upper);
 }
 
 }  // namespace footfall::ui

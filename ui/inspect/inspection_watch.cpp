@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspect/inspection_watch.hpp"
 
-#include <algorithm>
 #include <exception>
-#include <map>
 #include <new>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/base/worker_arena.hpp"
+#include "core/mesh/adjacency.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
@@ -122,17 +123,22 @@ ViewOverlay componentOverlay(const Inspector& inspector, std::uint32_t component
   ViewOverlay::Surface surface;
   surface.colour = selectedCellColour();
   surface.colour.setAlpha(90);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  std::vector<Triangle> triangles;
   for (std::size_t t = chosen.firstTriangle; t < mesh.triangles.size(); ++t) {
-    if (components.ofTriangle[t] != component) continue;
-    const Triangle& triangle = mesh.triangles[t];
-    if (chosen.triangles <= kMostFilled)
-      surface.triangles.push_back({mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
-    for (std::size_t k = 0; k < 3; ++k) ++sides[std::minmax(triangle[k], triangle[(k + 1) % 3])];
+    if (components.ofTriangle[t] == component) triangles.push_back(mesh.triangles[t]);
+  }
+  if (triangles.size() <= kMostFilled) {
+    for (const Triangle& t : triangles)
+      surface.triangles.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   }
   ViewOverlay::Lines outline{{}, selectedCellColour(), 2.5F, outlineColour()};
-  for (const auto& [edge, count] : sides)
-    if (count == 1) outline.segments.push_back({mesh.vertices[edge.first], mesh.vertices[edge.second]});
+  const TriangleCorners corners(triangles);
+  const Adjacency edges = findEdges(corners, mesh.vertices.size());
+  for (Index e = 0; e < edges.edgeCount(); ++e) {
+    const std::span<const Index> sides = edges.sidesOf(e);
+    if (sides.size() == 1)
+      outline.segments.push_back({mesh.vertices[corners.beginOf(sides[0])], mesh.vertices[corners.endOf(sides[0])]});
+  }
   if (!surface.triangles.empty()) overlay.surfaces.push_back(std::move(surface));
   overlay.lines.push_back(std::move(outline));
   overlay.throughWalls = true;

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/vector.hpp"
+#include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/base/palette.hpp"
 
@@ -21,9 +23,6 @@ constexpr double kDegrees = 180 / 3.14159265358979323846;
 QColor lineColour() { return {20, 20, 20}; }
 QColor placeColour() { return toColour(kYellow); }
 QColor vertexColour() { return toColour(kVermilion); }
-
-double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 QString signedText(double value, const LevelUnits& units) {
   const QString text = units.lengthNumber(value);
@@ -126,13 +125,13 @@ std::optional<Vec3> MeasureTool::vertexNear(const QPoint& place) const {
                nextLength = std::sqrt(dot(next.direction, next.direction));
   const Vec3 along{ray.direction.x / length, ray.direction.y / length, ray.direction.z / length};
   const Vec3 turn =
-      minus(Vec3{next.direction.x / nextLength, next.direction.y / nextLength, next.direction.z / nextLength}, along);
-  const Vec3 shift = minus(next.origin, ray.origin);
+      Vec3{next.direction.x / nextLength, next.direction.y / nextLength, next.direction.z / nextLength} - along;
+  const Vec3 shift = next.origin - ray.origin;
   const double perDistance = std::sqrt(dot(turn, turn)), atEye = std::sqrt(dot(shift, shift));
   double best = kSnapPixels;
   std::optional<Vec3> nearest;
   for (const Vec3& vertex : level->vertices) {
-    const Vec3 offset = minus(vertex, ray.origin);
+    const Vec3 offset = vertex - ray.origin;
     const double depth = dot(offset, along);
     if (depth <= 0) continue;
     const double apart = std::sqrt(std::max(0.0, dot(offset, offset) - depth * depth));
@@ -145,7 +144,7 @@ std::optional<Vec3> MeasureTool::vertexNear(const QPoint& place) const {
   const auto at = view_.project(*nearest);
   if (!at || std::hypot(at->x() - place.x(), at->y() - place.y()) > kSnapPixels) return std::nullopt;
   // As the view has it.
-  const Vec3 fromCentre = minus(*nearest, geometry->centre);
+  const Vec3 fromCentre = *nearest - geometry->centre;
   const std::array<float, 3> shown{static_cast<float>(fromCentre.x), static_cast<float>(fromCentre.y),
                                    static_cast<float>(fromCentre.z)};
   // In sight when a surface that has it as a corner is seen there, or right beside it: a corner of an outline is

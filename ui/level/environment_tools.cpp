@@ -167,12 +167,13 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
   const auto environment = file_.environment();
   const auto bounds = environment && !parts.empty() ? boundsOf(*environment, parts) : std::nullopt;
   if (!bounds) {
-    if (std::exchange(highlighted_, false)) view_.setSelectionBounds(QLatin1String(kOverlay), std::nullopt);
+    if (std::exchange(highlighted_, false))
+      view_.cameraController().setSelectionBounds(QLatin1String(kOverlay), std::nullopt);
     view_.removeOverlay(QLatin1String(kOverlay));
     return;
   }
   highlighted_ = true;
-  view_.setSelectionBounds(QLatin1String(kOverlay), SceneBox{bounds->lower, bounds->upper});
+  view_.cameraController().setSelectionBounds(QLatin1String(kOverlay), SceneBox{bounds->lower, bounds->upper});
   ViewOverlay overlay;
   overlay.throughWalls = true;
   std::size_t triangles = 0;
@@ -195,7 +196,7 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
 void EnvironmentTools::frame(const std::vector<std::uint32_t>& parts) {
   const auto environment = file_.environment();
   if (!environment || parts.empty()) return;
-  if (const auto bounds = boundsOf(*environment, parts)) view_.frame(bounds->lower, bounds->upper);
+  if (const auto bounds = boundsOf(*environment, parts)) view_.cameraController().frame(bounds->lower, bounds->upper);
 }
 
 }  // namespace footfall::ui

@@ -59,7 +59,8 @@ void LevelLook::addLayers(const FeatureHost& host) {
   connect(layers_, &LayerPanel::hiddenChanged, &sections_, &SessionSections::changed);
   connect(layers_, &LayerPanel::frameRequested, this, [this](const LayerFigures& layer) {
     const auto geometry = view_.environmentGeometry();
-    if (geometry) view_.frame(placed(layer.lower, geometry->centre), placed(layer.upper, geometry->centre));
+    if (geometry)
+      view_.cameraController().frame(placed(layer.lower, geometry->centre), placed(layer.upper, geometry->centre));
   });
   connect(&controller_, &RunController::finished, this, [this] {
     const ViewContent& content = view_.content();
@@ -149,7 +150,7 @@ void LevelLook::addInside(CommandRegistry& commands) {
   // The legend has grown by what the first result has shown.
   connect(&file_, &LevelFile::opened, this, [this] { fresh_ = true; });
   connect(&controller_, &RunController::finished, this, [this] {
-    if (std::exchange(fresh_, false)) view_.refit();
+    if (std::exchange(fresh_, false)) view_.cameraController().refit();
   });
   hint_ = new ViewHint(QStringLiteral("hints/inside"), &view_);
   layout_.setHint(hint_);

@@ -189,14 +189,15 @@ void ObstacleFeatures::showSelection() {
 
 void ObstacleFeatures::boundSelection() {
   const PlacedObstacle* selected = editor_->selected();
-  view_.setSelectionBounds(QLatin1String(kSelection), selected ? std::optional(boundsOf(*selected)) : std::nullopt);
+  view_.cameraController().setSelectionBounds(QLatin1String(kSelection),
+                                              selected ? std::optional(boundsOf(*selected)) : std::nullopt);
 }
 
 void ObstacleFeatures::frame(std::uint32_t id) {
   const PlacedObstacle* o = editor_->find(id);
   if (!o) return;
   const SceneBox bounds = boundsOf(*o);
-  view_.frame(bounds.lower, bounds.upper);
+  view_.cameraController().frame(bounds.lower, bounds.upper);
 }
 
 bool ObstacleFeatures::eventFilter(QObject* watched, QEvent* event) {

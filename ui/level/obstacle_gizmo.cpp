@@ -31,11 +31,6 @@ constexpr double kArrowFrom = 20;     // from the middle, where an arrow can be 
 constexpr double kFromItsEnd = 0.25;  // of its length: axes that look shorter
 constexpr int kRingSides = 64;
 
-Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 operator*(const Vec3& a, double f) { return {a.x * f, a.y * f, a.z * f}; }
-double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 Vec3 middleOf(const PlacedObstacle& o) { return placeOn(o, {0, 0, o.size.z / 2}); }
 
 /// Away from the obstacle, where the handle moves something along a line.
@@ -106,7 +101,7 @@ void addSquareBox(ViewOverlay::Surface& surface, const Vec3& middle, double half
 
 void addArrowHead(ViewOverlay::Surface& surface, const Vec3& tip, const Vec3& axis, double length) {
   const Vec3 u = std::abs(axis.z) > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-  const Vec3 v = detail::cross(axis, u);
+  const Vec3 v = cross(axis, u);
   const Vec3 foot = tip - axis * length;
   constexpr int kSides = 12;
   const auto rim = [&](int i) {

@@ -35,7 +35,7 @@ SelectObstacleTool::SelectObstacleTool(ObstacleContext context, QObject* parent)
     if (!context_.editor.dragging()) hold_.reset();  // undo came between
     refresh();
   });
-  connect(&context_.view, &LevelView::cameraMoved, this, &SelectObstacleTool::refresh);
+  connect(&context_.view.cameraController(), &CameraController::moved, this, &SelectObstacleTool::refresh);
   connect(&context_.view, &LevelView::toolChanged, this, &SelectObstacleTool::refresh);
 }
 

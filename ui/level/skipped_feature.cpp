@@ -79,8 +79,9 @@ void SkippedFeature::frame(int row) {
   overlay.labels.push_back({a, coreText(skippedSource(polygon))});
   view_.setOverlay(kOverlay, std::move(overlay));
   const double around = kShownAround / environment->metresPerUnit;
-  view_.frame({std::min(a.x, b.x) - around, std::min(a.y, b.y) - around, std::min(a.z, b.z) - around},
-              {std::max(a.x, b.x) + around, std::max(a.y, b.y) + around, std::max(a.z, b.z) + around});
+  view_.cameraController().frame(
+      {std::min(a.x, b.x) - around, std::min(a.y, b.y) - around, std::min(a.z, b.z) - around},
+      {std::max(a.x, b.x) + around, std::max(a.y, b.y) + around, std::max(a.z, b.z) + around});
 }
 
 }  // namespace footfall::ui

@@ -124,7 +124,7 @@ void PathFeature::boundSelection() {
       upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
     }
   }
-  view_.setSelectionBounds(QStringLiteral("path"), bounds);
+  view_.cameraController().setSelectionBounds(QStringLiteral("path"), bounds);
 }
 
 std::string PathFeature::save() const {

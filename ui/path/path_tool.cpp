@@ -65,7 +65,7 @@ PathTool::PathTool(PathModel& model, LevelView& view, QObject* parent) : QObject
     emit hintChanged(hint());
   });
   connect(&model_, &PathModel::resultChanged, this, &PathTool::draw);
-  connect(&view_, &LevelView::cameraMoved, this, &PathTool::draw);
+  connect(&view_.cameraController(), &CameraController::moved, this, &PathTool::draw);
 }
 
 void PathTool::setShown(bool shown) {

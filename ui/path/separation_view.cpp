@@ -52,7 +52,7 @@ void SeparationView::frame() {
   const auto& separation = separationOf(model_);
   if (!separation) return;
   const auto [lower, upper] = boundsOf(*separation, margin_);
-  view_.frame(lower, upper);
+  view_.cameraController().frame(lower, upper);
 }
 
 void SeparationView::update() {

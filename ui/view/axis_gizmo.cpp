@@ -52,14 +52,14 @@ QString helpOf(ViewSide side) {
 
 }  // namespace
 
-AxisGizmo::AxisGizmo(LevelView& view) : QWidget(&view), view_(view) {
+AxisGizmo::AxisGizmo(LevelView& view) : QWidget(&view), view_(view), camera_(view.cameraController()) {
   setObjectName(QStringLiteral("axisGizmo"));
   setAccessibleName(tr("Axes of the view"));
   setFixedSize(kSide, kSide);
   setMouseTracking(true);
   setFocusPolicy(Qt::NoFocus);  // the keys belong to the view
   connect(&view_, &QOpenGLWidget::frameSwapped, this, [this] {
-    if (view_.cameraPose().orientation != painted_) update();
+    if (camera_.pose().orientation != painted_) update();
   });
 }
 
@@ -70,7 +70,7 @@ void AxisGizmo::setUnits(const LevelUnits& units) {
 }
 
 std::vector<AxisGizmo::End> AxisGizmo::ends() const {
-  const auto& q = view_.cameraPose().orientation;
+  const auto& q = camera_.pose().orientation;
   const QQuaternion turn(static_cast<float>(q[3]), static_cast<float>(q[0]), static_cast<float>(q[1]),
                          static_cast<float>(q[2]));
   std::vector<End> found;
@@ -113,7 +113,7 @@ bool AxisGizmo::event(QEvent* event) {
 }
 
 void AxisGizmo::paintEvent(QPaintEvent*) {
-  painted_ = view_.cameraPose().orientation;
+  painted_ = camera_.pose().orientation;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor ground = palette().color(QPalette::Base);
@@ -155,7 +155,7 @@ void AxisGizmo::mouseMoveEvent(QMouseEvent* event) {
     if (pressed_ && (event->pos() - *pressed_).manhattanLength() < QApplication::startDragDistance()) return;
     pressed_.reset();
     const QPoint way = event->pos() - std::exchange(last_, event->pos());
-    view_.turnBy(-way.x() * kDegreesPerPixel, way.y() * kDegreesPerPixel);
+    camera_.turnBy(-way.x() * kDegreesPerPixel, way.y() * kDegreesPerPixel);
     return;
   }
   if (std::exchange(hovered_, endAt(event->position())) != hovered_) update();
@@ -163,7 +163,7 @@ void AxisGizmo::mouseMoveEvent(QMouseEvent* event) {
 
 void AxisGizmo::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !std::exchange(pressed_, std::nullopt)) return;
-  if (const std::optional<ViewSide> end = endAt(event->position())) view_.viewFrom(*end);
+  if (const std::optional<ViewSide> end = endAt(event->position())) camera_.viewFrom(*end);
 }
 
 void AxisGizmo::leaveEvent(QEvent*) {

@@ -48,6 +48,7 @@ class AxisGizmo : public QWidget {
   [[nodiscard]] std::optional<ViewSide> endAt(const QPointF& place) const;
 
   LevelView& view_;
+  CameraController& camera_;
   LevelUnits units_;
   std::array<double, 4> painted_{};  ///< the orientation that is shown
   std::optional<QPoint> pressed_;    ///< a click may have begun

@@ -32,6 +32,7 @@ CameraTools::CameraTools(const FeatureHost& host, LevelView& view, ViewLayout& l
     : QObject(&host.window),
       window_(host.window),
       view_(view),
+      camera_(view.cameraController()),
       status_(host.status),
       units_(host.units),
       sections_(host.sections),
@@ -76,7 +77,7 @@ void CameraTools::addSides(CommandRegistry& commands) {
   for (const Side& side : sides) {
     commands.add(
         {QString::fromLatin1(side.id), CommandMenu::View, QStringLiteral("camera"), side.text, side.help, {side.key}},
-        [this, to = side.side](bool) { view_.viewFrom(to); });
+        [this, to = side.side](bool) { camera_.viewFrom(to); });
   }
   if (QAction* top = commands.find(QStringLiteral("view.top")))
     top->setShortcuts(top->shortcuts() << QKeySequence(Qt::Key_7));
@@ -90,14 +91,14 @@ void CameraTools::addMoves(const FeatureHost& host) {
                      tr("&Perspective or parallel"),
                      tr("Switch between perspective and parallel projection"),
                      {Qt::Key_5}},
-                    [this](bool) { view_.setOrthographic(!view_.orthographic()); });
+                    [this](bool) { camera_.setOrthographic(!camera_.orthographic()); });
   QAction* frame = host.commands.add({QStringLiteral("view.frame"),
                                       CommandMenu::View,
                                       group,
                                       tr("Frame &selection"),
                                       tr("Bring what is selected, or what the mouse points at, into sight"),
                                       {Qt::Key_Home, Qt::Key_Period}},
-                                     [this](bool) { view_.frameSelection(); });
+                                     [this](bool) { camera_.frameSelection(); });
   frame->setShortcutContext(Qt::WidgetWithChildrenShortcut);  // Home has another use in lists
   view_.addAction(frame);
   Command fly{QStringLiteral("view.fly"),
@@ -118,14 +119,14 @@ void CameraTools::addMoves(const FeatureHost& host) {
                                true},
                               [this, setting](bool on) {
                                 if (QSettings().value(setting, true).toBool() != on) QSettings().setValue(setting, on);
-                                view_.setAnimated(on && interactive_);
+                                camera_.setAnimated(on && interactive_);
                               });
   smooth_->setChecked(QSettings().value(setting, true).toBool());
 }
 
 void CameraTools::setInteractive(bool on) {
   interactive_ = on;
-  view_.setAnimated(on && smooth_->isChecked());
+  camera_.setAnimated(on && smooth_->isChecked());
 }
 
 // --- Bookmarks
@@ -201,7 +202,7 @@ void CameraTools::askForName() {
 void CameraTools::keepBookmark(int slot, const QString& name) {
   if (!view_.environmentGeometry() || slot < 1 || slot > kBookmarks) return;
   const QString used = name.trimmed().isEmpty() ? tr("View %1").arg(slot) : name.trimmed();
-  bookmarks_[slot] = {used, view_.cameraPose()};
+  bookmarks_[slot] = {used, camera_.pose()};
   status_.say(StatusSubject::Note, tr("Kept '%1'; Ctrl+Shift+%2 goes back to it").arg(used).arg(slot));
   emit sections_.changed();
 }
@@ -212,7 +213,7 @@ void CameraTools::recallBookmark(int slot) {
     status_.say(StatusSubject::Note, tr("No view is kept there; Ctrl+Alt+%1 keeps this one").arg(slot));
     return;
   }
-  view_.glideTo(found->second.pose);
+  camera_.glideTo(found->second.pose);
 }
 
 std::string CameraTools::save() const {

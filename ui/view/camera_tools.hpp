@@ -50,6 +50,7 @@ class CameraTools : public QObject {
 
   QWidget& window_;  ///< parent of dialogs and keys
   LevelView& view_;
+  CameraController& camera_;
   StatusLine& status_;
   UnitChoice& units_;
   SessionSections& sections_;

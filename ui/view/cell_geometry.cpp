@@ -243,6 +243,20 @@ std::shared_ptr<const CellGeometry> makeCellGeometry(const Environment& environm
   return draper.finish();
 }
 
+std::optional<SceneBox> boundsOfCell(const CellGeometry& cells, std::size_t cell, const Vec3& centre) {
+  if (cell >= cells.boxes.size()) return std::nullopt;
+  const CellBox& box = cells.boxes[cell];
+  float lowest = std::numeric_limits<float>::max();
+  float highest = std::numeric_limits<float>::lowest();
+  for (std::size_t v = cells.firstVertex[cell]; v < cells.firstVertex[cell + 1]; ++v) {
+    lowest = std::min(lowest, cells.surface[v].position[2]);
+    highest = std::max(highest, cells.surface[v].position[2]);
+  }
+  if (lowest > highest) lowest = highest = box.lower[2];
+  return SceneBox{{box.lower[0] + centre.x, box.lower[1] + centre.y, lowest + centre.z},
+                  {box.upper[0] + centre.x, box.upper[1] + centre.y, highest + centre.z}};
+}
+
 std::vector<LineSegment> edgesOf(const CellBox& box) {
   std::vector<LineSegment> edges;
   const auto corner = [&](unsigned bits) {

@@ -10,6 +10,7 @@
 #include "core/partitioning/partition.hpp"
 #include "footfall/environment.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/view/camera_pose.hpp"
 #include "ui/view/render_geometry.hpp"
 #include "ui/view/scene_picker.hpp"
 
@@ -40,6 +41,10 @@ struct CellGeometry {
 /// for looking at, the core decides elsewhere what belongs to which cell.
 std::shared_ptr<const CellGeometry> makeCellGeometry(const Environment& environment, const Vec3& centre,
                                                      const std::vector<CellBounds>& cells, Poll poll);
+
+/// Around the floors of a cell, rather than from the cellar to the sky; in the environment's coordinates, whose centre
+/// is given. Nothing where there is no such cell.
+std::optional<SceneBox> boundsOfCell(const CellGeometry& cells, std::size_t cell, const Vec3& centre);
 
 /// The twelve edges of a box.
 std::vector<LineSegment> edgesOf(const CellBox& box);

@@ -8,6 +8,8 @@
 
 namespace footfall::ui {
 
+struct ShownSpace;
+
 /// A place p of the scene is left where dot(plane, (p, 1)) >= 0 for each. At first they leave everything.
 struct ClipPlanes {
   std::array<QVector4D, 3> planes{QVector4D(0, 0, 0, 1), QVector4D(0, 0, 0, 1), QVector4D(0, 0, 0, 1)};
@@ -18,5 +20,8 @@ struct ClipPlanes {
     program.setUniformValueArray("clipPlanes", planes.data(), static_cast<int>(planes.size()));
   }
 };
+
+/// Without ShownSpace::shows.
+ClipPlanes clipPlanes(const ShownSpace& shown);
 
 }  // namespace footfall::ui

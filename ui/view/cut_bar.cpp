@@ -107,7 +107,7 @@ void CutBar::setFacing(Facing facing) {
   ny_ = facing == Facing::Y ? 1 : 0;
   if (facing == Facing::Camera) {
     // What lies nearer than the plane goes: its normal points at the eye.
-    const auto& q = view_.cameraPose().orientation;
+    const auto& q = view_.cameraController().pose().orientation;
     const double x = 2 * (q[0] * q[2] + q[3] * q[1]);
     const double y = 2 * (q[1] * q[2] - q[3] * q[0]);
     const double length = std::hypot(x, y);

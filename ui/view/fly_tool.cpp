@@ -22,7 +22,7 @@ bool isFlyKey(int key) { return std::ranges::find(kKeys, key) != kKeys.end(); }
 
 }  // namespace
 
-FlyTool::FlyTool(LevelView& view, QObject* parent) : QObject(parent), view_(view) {
+FlyTool::FlyTool(LevelView& view, QObject* parent) : QObject(parent), view_(view), camera_(view.cameraController()) {
   timer_.setInterval(15);
   connect(&timer_, &QTimer::timeout, this, &FlyTool::step);
   connect(&view_, &LevelView::toolChanged, this, [this] {
@@ -39,7 +39,7 @@ QString FlyTool::hint() const {
 void FlyTool::begin() {
   if (flying_) return;
   flying_ = true;
-  if (view_.orthographic()) view_.setOrthographic(false);
+  if (camera_.orthographic()) camera_.setOrthographic(false);
   view_.installEventFilter(this);
   view_.setFocus();
   last_.reset();
@@ -56,7 +56,7 @@ void FlyTool::ended() {
 void FlyTool::look(const QPoint& place) {
   if (last_) {
     const QPoint way = place - *last_;
-    view_.lookBy(way.x() * kDegreesPerPixel, -way.y() * kDegreesPerPixel);
+    camera_.lookBy(way.x() * kDegreesPerPixel, -way.y() * kDegreesPerPixel);
   }
   last_ = place;
   // The mouse goes back before it leaves the view; where the system does not let it, it turns until it has left.
@@ -74,7 +74,7 @@ void FlyTool::step() {
     return static_cast<double>(held_.contains(plus)) - static_cast<double>(held_.contains(minus));
   };
   const double way = seconds * speed_ * (fast_ ? kFaster : 1);
-  view_.walkBy(way * sign(Qt::Key_D, Qt::Key_A), way * sign(Qt::Key_E, Qt::Key_Q), way * sign(Qt::Key_W, Qt::Key_S));
+  camera_.walkBy(way * sign(Qt::Key_D, Qt::Key_A), way * sign(Qt::Key_E, Qt::Key_Q), way * sign(Qt::Key_W, Qt::Key_S));
 }
 
 bool FlyTool::eventFilter(QObject*, QEvent* event) {

@@ -42,6 +42,7 @@ class FlyTool : public QObject, public ViewTool {
   void step();
 
   LevelView& view_;
+  CameraController& camera_;
   bool flying_ = false;
   double speed_ = 5;
   std::set<int> held_;  ///< keys

@@ -32,9 +32,6 @@ constexpr double kSide = 0.2;           // of a side of the level's box, what a 
 
 using Point = std::array<float, 3>;
 
-float dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point scaled(const Point& a, float factor) { return {a[0] * factor, a[1] * factor, a[2] * factor}; }
-
 struct Direction {
   Point ahead;
   bool steep = false;  ///< one looks into a level from there, and not only at it
@@ -81,7 +78,7 @@ Shape shapeOf(const std::vector<SurfaceVertex>& surface) {
   for (std::size_t t = 0; 3 * t + 2 < surface.size(); ++t) {
     const Point normal = cross(shape.corner(t, 1) - shape.corner(t, 0), shape.corner(t, 2) - shape.corner(t, 0));
     const float length = std::sqrt(dot(normal, normal));
-    shape.normals.push_back(length > 0 ? scaled(normal, 1 / length) : Point{});
+    shape.normals.push_back(length > 0 ? (1 / length) * normal : Point{});
     shape.areas.push_back(length / 2);
   }
   return shape;
@@ -140,8 +137,8 @@ struct Hit {
 class Sights {
  public:
   Sights(const Shape& shape, const Point& ahead) : shape_(shape), ahead_(ahead) {
-    right_ = cross(ahead, {0, 0, 1});
-    right_ = scaled(right_, 1 / std::sqrt(dot(right_, right_)));
+    right_ = cross(ahead, Point{0, 0, 1});
+    right_ = 1 / std::sqrt(dot(right_, right_)) * right_;
     up_ = cross(right_, ahead);
     Point size{};
     constexpr float kMost = std::numeric_limits<float>::max();

@@ -36,11 +36,13 @@ class LevelCamera : public Camera {
   }
 };
 
-Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
-
 }  // namespace
 
-LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
+LevelView::LevelView(QWidget* parent)
+    : QGLViewer(parent), cameraController_(*this, [this](const Ray& ray) {
+        const std::optional<SurfacePoint> seen = seenAlong(ray);
+        return seen ? std::optional(seen->point) : std::nullopt;
+      }) {
   setObjectName(QStringLiteral("levelView"));
   const Camera* const usual = camera();
   setCamera(new LevelCamera);  // belongs to QGLViewer
@@ -56,8 +58,8 @@ LevelView::LevelView(QWidget* parent) : QGLViewer(parent) {
   slices_.setSingleShot(true);
   slices_.setInterval(0);
   connect(&slices_, &QTimer::timeout, this, &LevelView::drawOn);
-  connect(this, &LevelView::cameraMoved, this, [this] { rest_.start(); });
-  connect(&glideTimer_, &QTimer::timeout, this, &LevelView::glide);
+  connect(&cameraController_, &CameraController::moved, this, [this] { rest_.start(); });
+  connect(&cameraController_, &CameraController::arrived, &rest_, &QTimer::stop);
 }
 
 LevelView::~LevelView() {
@@ -74,11 +76,30 @@ void LevelView::init() {
   camera()->frame()->setSceneUpVector(Vec(0, 0, 1));
   camera()->frame()->setRotatesAroundUpVector(true);
   camera()->setFieldOfView(M_PI / 4);
-  connect(camera()->frame(), &qglviewer::ManipulatedFrame::manipulated, this, &LevelView::cameraMoved);
+  connect(camera()->frame(), &qglviewer::ManipulatedFrame::manipulated, &cameraController_, &CameraController::moved);
   QString problem = renderer_.initialize();
   if (problem.isEmpty()) problem = overlayRenderer_.initialize(renderer_.lineProgram());
   ready_ = problem.isEmpty();
   if (!ready_) emit failed(QStringLiteral("cannot show the scene: ") + problem);
+}
+
+void LevelView::bindMouse() {
+  clearMouseBindings();
+  clearShortcuts();
+  for (int key = Qt::Key_F1; key <= Qt::Key_F12; ++key) setPathKey(-key);  // no camera paths on function keys
+  setMouseBinding(Qt::NoModifier, Qt::LeftButton, CAMERA, ROTATE);
+  setMouseBinding(Qt::NoModifier, Qt::RightButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::NoModifier, Qt::MiddleButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::ShiftModifier, Qt::LeftButton, CAMERA, TRANSLATE);
+  setMouseBinding(Qt::ControlModifier, Qt::LeftButton, CAMERA, ZOOM);
+  setMouseBinding(Qt::NoModifier, Qt::LeftButton, RAP_FROM_PIXEL, true);
+  camera()->frame()->setZoomSensitivity(1.0);
+  camera()->frame()->setSpinningSensitivity(1e9);  // the camera stops with the mouse
+}
+
+void LevelView::resizeGL(int width, int height) {
+  QGLViewer::resizeGL(width, height);
+  cameraController_.resized();
 }
 
 void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera) {
@@ -87,16 +108,7 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
   wholeFrameMs_ = 0;
   setContent({});
   setCells(nullptr, {});
-  if (environment_) {
-    const double radius = toVec(environment_->upper).norm();
-    setSceneCenter(Vec(0, 0, 0));
-    setSceneRadius(radius > 0 ? radius : 1);
-  }
-  if (fitCamera) {
-    viewOblique();
-    fitWhenSized_ = !isVisible();
-    opened_ = cameraPose();
-  }
+  cameraController_.setScene(environment_, fitCamera);
   update();
   emit environmentChanged();
 }
@@ -104,9 +116,7 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
 void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
   environment_ = std::move(geometry);
   renderer_.replaceEnvironment(environment_);
-  // What has grown must not be cut off behind.
-  if (environment_)
-    setSceneRadius(std::max({sceneRadius(), toVec(environment_->lower).norm(), toVec(environment_->upper).norm()}));
+  cameraController_.replaceScene(environment_);
   update();
 }
 
@@ -182,8 +192,18 @@ void LevelView::setCellColours(CellColours colours) {
 
 void LevelView::setMarkedCells(const MarkedCells& marked) {
   renderer_.setMarkedCells(marked);
-  setSelectionBounds(QStringLiteral("cell"), marked.selected ? boundsOfCell(*marked.selected) : std::nullopt);
+  cameraController_.setSelectionBounds(QStringLiteral("cell"),
+                                       marked.selected ? boundsOf(*marked.selected) : std::nullopt);
   update();
+}
+
+std::optional<SceneBox> LevelView::boundsOf(std::size_t cell) const {
+  if (!cells_ || !environment_) return std::nullopt;
+  return boundsOfCell(*cells_, cell, environment_->centre);
+}
+
+void LevelView::frameCell(std::size_t cell) {
+  if (const std::optional<SceneBox> bounds = boundsOf(cell)) cameraController_.frame(bounds->lower, bounds->upper);
 }
 
 std::optional<std::size_t> LevelView::cellAt(const QPoint& place) const {
@@ -191,22 +211,10 @@ std::optional<std::size_t> LevelView::cellAt(const QPoint& place) const {
   const PickedScene scene = pickedScene();
   ShownSpace space = scene.space;
   space.shows = shownTriangles(scene);
-  return pickCell(sceneRayAt(place), *environment_, *cells_, space);
+  return pickCell(sightAt(*camera(), place), *environment_, *cells_, space);
 }
 
-ShownSpace LevelView::shown() const {
-  ShownSpace shown;
-  if (!environment_) return shown;
-  const Vec3& centre = environment_->centre;
-  // A little more, so that a floor at exactly this height is still there.
-  const double more = 1e-4 * (environment_->upper.z - environment_->lower.z);
-  constexpr HeightRange kAll;
-  if (heights_.upper < kAll.upper) shown.heights.upper = heights_.upper - centre.z + more;
-  if (heights_.lower > kAll.lower) shown.heights.lower = heights_.lower - centre.z - more;
-  shown.cut = cut_;
-  if (cut_) shown.cut->at -= cut_->nx * centre.x + cut_->ny * centre.y;
-  return shown;
-}
+ShownSpace LevelView::shown() const { return environment_ ? shownSpace(heights_, cut_, *environment_) : ShownSpace(); }
 
 PickedScene LevelView::pickedScene() const {
   return {*environment_,
@@ -219,19 +227,6 @@ PickedScene LevelView::pickedScene() const {
 
 std::optional<SurfacePoint> LevelView::seenAlong(const Ray& sceneRay) const {
   return environment_ ? pickSeen(sceneRay, pickedScene()) : std::nullopt;
-}
-
-ClipPlanes LevelView::clipPlanes() const {
-  const ShownSpace left = shown();
-  constexpr HeightRange kAll;
-  ClipPlanes clip;
-  if (left.heights.upper < kAll.upper) clip.planes[0] = {0, 0, -1, static_cast<float>(left.heights.upper)};
-  if (left.heights.lower > kAll.lower) clip.planes[1] = {0, 0, 1, static_cast<float>(-left.heights.lower)};
-  if (left.cut) {
-    clip.planes[2] = {static_cast<float>(-left.cut->nx), static_cast<float>(-left.cut->ny), 0,
-                      static_cast<float>(left.cut->at)};
-  }
-  return clip;
 }
 
 void LevelView::hover(std::optional<std::size_t> cell) {
@@ -263,21 +258,15 @@ void LevelView::removeOverlay(const QString& name) {
   if (overlays_.erase(name) > 0) update();
 }
 
-Ray LevelView::sceneRayAt(const QPoint& place) const {
-  Vec origin, direction;
-  camera()->convertClickToLine(place, origin, direction);
-  return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
-}
-
 Ray LevelView::rayAt(const QPoint& place) const {
-  Ray ray = sceneRayAt(place);
+  Ray ray = sightAt(*camera(), place);
   const Vec3 centre = environment_ ? environment_->centre : Vec3{};
   ray.origin = {ray.origin.x + centre.x, ray.origin.y + centre.y, ray.origin.z + centre.z};
   return ray;
 }
 
 std::optional<SurfacePoint> LevelView::pick(const QPoint& place) const {
-  std::optional<SurfacePoint> found = seenAlong(sceneRayAt(place));
+  std::optional<SurfacePoint> found = seenAlong(sightAt(*camera(), place));
   if (!found) return std::nullopt;
   const Vec3& centre = environment_->centre;
   found->point = {found->point.x + centre.x, found->point.y + centre.y, found->point.z + centre.z};
@@ -290,7 +279,7 @@ std::optional<QPointF> LevelView::project(const Vec3& place) const {
 
 void LevelView::mousePressEvent(QMouseEvent* event) {
   const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
-  endGlide();
+  cameraController_.endGlide();
   pressed_ = plain ? std::optional(event->pos()) : std::nullopt;
   toolHasMouse_ = tool_ && tool_->mousePressed(toolMouse(*event));
   if (toolHasMouse_) {
@@ -345,11 +334,44 @@ void LevelView::keyPressEvent(QKeyEvent* event) {
     setTool(nullptr);
     return;
   }
-  if (!moveByKey(*event)) QWidget::keyPressEvent(event);
+  if (!cameraController_.keyPressed(*event)) QWidget::keyPressEvent(event);
+}
+
+void LevelView::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  cameraController_.wheel(*event);
+}
+
+bool LevelView::event(QEvent* event) {
+  if (event->type() != QEvent::NativeGesture) return QGLViewer::event(event);
+  cameraController_.pinch(*static_cast<QNativeGestureEvent*>(event));
+  return true;
 }
 
 ViewMouse LevelView::toolMouse(const QMouseEvent& event) {
   return {event.pos(), event.button(), event.buttons(), event.modifiers()};
+}
+
+// --- Drawing
+
+OverlayRenderer::Look LevelView::overlayLook() const {
+  return {modelViewProjection(*camera()), size() * devicePixelRatioF(), static_cast<float>(pixelRatio()),
+          environment_ ? environment_->centre : Vec3{}};
+}
+
+SceneCamera LevelView::sceneCamera() const {
+  SceneCamera scene;
+  scene.modelViewProjection = modelViewProjection(*camera());
+  const Vec eye = camera()->position();
+  const Vec direction = camera()->viewDirection();
+  scene.eye = QVector3D(static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
+  scene.viewDirection =
+      QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
+  scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
+  scene.devicePixelRatio = static_cast<float>(pixelRatio());
+  scene.clip = clipPlanes(shown());
+  scene.viewport = size() * devicePixelRatioF();
+  return scene;
 }
 
 void LevelView::draw() {
@@ -387,7 +409,7 @@ void LevelView::drawOn() {
 }
 
 QImage LevelView::grabFramebuffer() {
-  endGlide();
+  cameraController_.endGlide();
   rest_.stop();  // nothing is left out
   unhurried_ = true;
   QImage image = QGLViewer::grabFramebuffer();
@@ -406,23 +428,19 @@ QImage LevelView::picture(const QSize& pixels, double ratio, PictureCamera from)
   if (std::max(pixels.width(), pixels.height()) > most) return {};
   // The widget takes the size for one frame that is never shown: a picture has all that the view has.
   const QRect place = geometry();
-  pictureRatio_ = ratio;
   const QSize logical = (QSizeF(pixels) / devicePixelRatioF()).toSize();
-  endGlide();
-  const CameraPose pose = poseNow();
+  cameraController_.endGlide();
+  cameraController_.setForPicture(true);
+  pictureRatio_ = ratio;
+  const CameraPose pose = cameraController_.pose();
   resize(logical);
-  const bool animated = std::exchange(animated_, false);
-  if (from == PictureCamera::Top) viewFromTop();
-  if (from == PictureCamera::Oblique) viewOblique();
+  if (from == PictureCamera::Top) cameraController_.viewFromTop();
+  if (from == PictureCamera::Oblique) cameraController_.viewOblique();
   QImage image = grabFramebuffer();
-  animated_ = animated;
   pictureRatio_ = 0;
   setGeometry(place);
-  if (from != PictureCamera::AsSeen) {
-    this->place(pose);
-    moved();  // whoever follows the camera has heard of the others
-    rest_.stop();
-  }
+  if (from != PictureCamera::AsSeen) cameraController_.glideTo(pose);
+  cameraController_.setForPicture(false);
   image.setDevicePixelRatio(1);
   return image.convertToFormat(QImage::Format_RGB32);  // opaque, as on the screen
 }

@@ -1,26 +1,19 @@
-// The 3D view: libQGLViewer's camera and mouse handling over SceneRenderer.
+// The 3D view: libQGLViewer's mouse handling, CameraController and tools over SceneRenderer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QGLViewer/qglviewer.h>
 
-#include <QElapsedTimer>
 #include <QImage>
-#include <QMarginsF>
-#include <QNativeGestureEvent>
 #include <QPointF>
-#include <QRect>
 #include <QTimer>
-#include <QWheelEvent>
-#include <array>
 #include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
-#include <utility>
-#include <vector>
 
+#include "ui/view/camera_controller.hpp"
 #include "ui/view/overlay_renderer.hpp"
 #include "ui/view/scene_picker.hpp"
 #include "ui/view/scene_renderer.hpp"
@@ -29,24 +22,8 @@
 
 namespace footfall::ui {
 
-/// Where one looks from, in the environment's coordinates; for sessions.
-struct CameraPose {
-  Vec3 position, pivot;
-  std::array<double, 4> orientation{0, 0, 0, 1};  ///< quaternion x, y, z, w
-  bool orthographic = false;
-  bool operator==(const CameraPose&) const = default;
-};
-
-/// A box along the axes, in the environment's coordinates.
-struct SceneBox {
-  Vec3 lower, upper;
-  bool operator==(const SceneBox&) const = default;
-};
-
-/// Where one looks from: along an axis of the environment, X to the right and Y to the back.
-enum class ViewSide { Top, Bottom, Front, Back, Left, Right };
-
-/// Where a picture looks from: as the view does, or as viewFromTop() and viewOblique() do, fitted to the picture.
+/// Where a picture looks from: as the view does, or as CameraController::viewFromTop() and
+/// CameraController::viewOblique() do, fitted to the picture.
 enum class PictureCamera { AsSeen, Top, Oblique };
 
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
@@ -59,6 +36,10 @@ class LevelView : public QGLViewer {
  public:
   explicit LevelView(QWidget* parent = nullptr);
   ~LevelView() override;
+
+  /// What moves the camera; its boxes and places are in the environment's coordinates.
+  [[nodiscard]] CameraController& cameraController() { return cameraController_; }
+  [[nodiscard]] const CameraController& cameraController() const { return cameraController_; }
 
   /// Shows another environment without content. Moves the camera only when `fitCamera`.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera);
@@ -118,55 +99,10 @@ class LevelView : public QGLViewer {
   /// What heights and cut plane leave, in the scene's coordinates.
   [[nodiscard]] ShownSpace shown() const;
 
-  /// Straight down, parallel projection, all detail in sight.
-  void viewFromTop();
-  /// From above at an angle, perspective, all detail in sight.
-  void viewOblique();
-  /// Everything in sight from where one looks now.
-  void fit();
-  /// The same as when the environment was opened, if the camera still is where it was put then: something else may lie
-  /// over the view by now.
-  void refit();
-  /// Along an axis, parallel projection, all detail in sight.
-  void viewFrom(ViewSide side);
-  void setOrthographic(bool on);
-  [[nodiscard]] bool orthographic() const;
-  void zoomBy(double factor);
-  /// The place that is seen there stays where it is in the view.
-  void zoomAt(double factor, const QPointF& place);
-  /// About the pivot, in degrees: to the right, and upwards (never over the head).
-  void turnBy(double sideways, double up);
-  /// Moves the picture by pixels.
-  void panBy(const QPointF& pixels);
-  /// Moves without turning, in units to the right, up and ahead of the eye; heights stay heights (Z) for `up`.
-  void walkBy(double right, double up, double ahead);
-  /// Turns the head, in degrees.
-  void lookBy(double sideways, double up);
-  /// Jumps of the camera take a moment in which one sees where it goes. At first they do not.
-  void setAnimated(bool on) { animated_ = on; }
-  /// The same as a jump.
-  void glideTo(const CameraPose& pose);
-  /// Brings a box (environment coordinates) into sight, from where one looks now. A box with hardly any extent is shown
-  /// with its surroundings.
-  void frame(const Vec3& lower, const Vec3& upper);
-  /// Moves sideways until a place (environment coordinates) is in the middle; it becomes the pivot.
-  void lookAt(const Vec3& place);
-  /// What frameSelection() shows: what has been selected last, by whoever calls himself `owner`. Nothing: he has
-  /// nothing selected any more.
-  void setSelectionBounds(const QString& owner, const std::optional<SceneBox>& bounds);
-  /// What lies over the view; cameras that are to have something in sight have it beside that.
-  void setCovered(std::vector<QRect> rects) { covered_ = std::move(rects); }
-  /// Brings the selection into sight, or what the mouse points at, or everything.
-  void frameSelection();
-
   /// What the view shows, `pixels` large, with lines and words `ratio` times as large as at one device pixel for one
   /// logical; before the view has been on the screen, or for sizes that OpenGL cannot draw, a null image. A camera on
   /// its way is where it is going; afterwards the view looks from where it did.
   [[nodiscard]] QImage picture(const QSize& pixels, double ratio, PictureCamera from = PictureCamera::AsSeen);
-
-  /// Where the camera is, or where it is going.
-  [[nodiscard]] CameraPose cameraPose() const;
-  void setCameraPose(const CameraPose& pose);
 
   /// What the view shows, as it is once the camera has arrived and all of it has been drawn, however long that takes.
   /// (QWidget::grab() takes what there is.)
@@ -187,7 +123,6 @@ class LevelView : public QGLViewer {
   void environmentChanged();
   /// OpenGL cannot show the scene; once.
   void failed(const QString& message);
-  void cameraMoved();
   /// The mouse has moved over a cell, or off all of them. Only while cells are shown and no button is down.
   void cellHovered(std::optional<std::size_t> cell);
   /// A click, not a drag; nothing when it hit no cell.
@@ -210,38 +145,18 @@ class LevelView : public QGLViewer {
   void resizeGL(int width, int height) override;
 
  private:
-  struct Placed {
-    QRect inWindow;
-    QSize window;
-  };
   void bindMouse();
-  bool moveByKey(const QKeyEvent& event);
-  void pinch(const QNativeGestureEvent& event);
-  void moved();
-  [[nodiscard]] CameraPose poseNow() const;
-  void place(const CameraPose& pose);
-  void glideFrom(const CameraPose& from);
-  void glide();
-  void endGlide();
-  void standBefore(const std::vector<Vec3>& points);
-  void standBefore(const std::vector<Vec3>& points, const QMarginsF& free);
-  [[nodiscard]] bool anyCovered(const std::vector<Vec3>& points) const;
-  void keepPicture(const Placed& before, const Placed& now);
   static ViewMouse toolMouse(const QMouseEvent& event);
-  [[nodiscard]] Ray sceneRayAt(const QPoint& place) const;
   [[nodiscard]] std::optional<SurfacePoint> seenAlong(const Ray& sceneRay) const;
   [[nodiscard]] PickedScene pickedScene() const;
-  [[nodiscard]] QMatrix4x4 modelViewProjection() const;
   [[nodiscard]] SceneCamera sceneCamera() const;
   void drawOn();
   [[nodiscard]] OverlayRenderer::Look overlayLook() const;
-  [[nodiscard]] ClipPlanes clipPlanes() const;
   [[nodiscard]] qreal pixelRatio() const;
   void hover(std::optional<std::size_t> cell);
-  [[nodiscard]] std::optional<SceneBox> boundsOfCell(std::size_t cell) const;
-  void fitTo(const std::vector<Vec3>& points);
-  void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
+  [[nodiscard]] std::optional<SceneBox> boundsOf(std::size_t cell) const;
 
+  CameraController cameraController_;
   SceneRenderer renderer_;
   OverlayRenderer overlayRenderer_;
   std::map<QString, ViewOverlay> overlays_;
@@ -255,25 +170,13 @@ class LevelView : public QGLViewer {
   std::set<std::uint32_t> hidden_;
   std::shared_ptr<const CellGeometry> cells_;
   std::optional<std::size_t> hovered_;
-  std::optional<QPoint> pressed_;                         ///< where a click may have begun
-  std::vector<std::pair<QString, SceneBox>> selections_;  ///< by owner, the last one last
-  std::vector<QRect> covered_;
-  std::optional<Placed> placed_;      ///< where the view was on the screen
-  std::optional<CameraPose> opened_;  ///< the camera, as opening an environment has put it
+  std::optional<QPoint> pressed_;  ///< where a click may have begun
   bool ready_ = false;
-  bool fitWhenSized_ = false;
   QTimer rest_;              ///< runs while the camera moves
   QTimer slices_;            ///< to the next slice of a picture
   bool whole_ = false;       ///< the last frame showed everything
   bool unhurried_ = false;   ///< frames are to show everything
   double pictureRatio_ = 0;  ///< while picture() draws
-  struct Glide {
-    CameraPose from, to;
-    QElapsedTimer since;
-  };
-  std::optional<Glide> glide_;
-  QTimer glideTimer_;
-  bool animated_ = false;
   double lastFrameMs_ = 0;
   std::chrono::steady_clock::time_point lastFrameBegun_;
   double wholeFrameMs_ = 0;

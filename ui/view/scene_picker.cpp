@@ -9,6 +9,20 @@
 
 namespace footfall::ui {
 
+ShownSpace shownSpace(const HeightRange& heights, const std::optional<CutPlane>& cut,
+                      const EnvironmentGeometry& environment) {
+  ShownSpace shown;
+  const Vec3& centre = environment.centre;
+  // A little more, so that a floor at exactly this height is still there.
+  const double more = 1e-4 * (environment.upper.z - environment.lower.z);
+  constexpr HeightRange kAll;
+  if (heights.upper < kAll.upper) shown.heights.upper = heights.upper - centre.z + more;
+  if (heights.lower > kAll.lower) shown.heights.lower = heights.lower - centre.z - more;
+  shown.cut = cut;
+  if (cut) shown.cut->at -= cut->nx * centre.x + cut->ny * centre.y;
+  return shown;
+}
+
 // Möller and Trumbore 1997.
 std::optional<double> meet(const Ray& ray, const std::array<Vec3, 3>& p) {
   const Vec3 u = p[1] - p[0];

@@ -55,6 +55,10 @@ struct ShownSpace {
   }
 };
 
+/// What limits in the environment's coordinates leave, in the scene's.
+ShownSpace shownSpace(const HeightRange& heights, const std::optional<CutPlane>& cut,
+                      const EnvironmentGeometry& environment);
+
 Vec3 pointOn(const Ray& ray, double distance);
 
 /// The ray's parameter where it meets the triangle, from either side; above 0. Nothing where it misses or lies in its

@@ -26,7 +26,7 @@ ViewLayout::ViewLayout(LevelView& view)
 
 void ViewLayout::update() {
   place(view_.size());
-  view_.setCovered(covered());
+  view_.cameraController().setCovered(covered());
 }
 
 bool ViewLayout::eventFilter(QObject* watched, QEvent* event) {

@@ -112,8 +112,8 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
     if (!window.cellWatch().upToDate() || !look->modes().upToDate()) return;
     settle.stop();
     // A session has a view of its own.
-    if (options.top) window.view().viewFromTop();
-    if (!options.top && !window.openedSession()) window.view().viewOblique();
+    if (options.top) window.view().cameraController().viewFromTop();
+    if (!options.top && !window.openedSession()) window.view().cameraController().viewOblique();
     const QString why = window.writer().refusal(target, WrittenKind::Export);
     if (!why.isEmpty()) {
       finish(fail(2, why));
@@ -193,7 +193,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
         &window,
         [&window, &options, path, shooting] {
           window.openWith(path, options.pipeline, options.import);
-          if (options.top && !shooting) window.view().viewFromTop();
+          if (options.top && !shooting) window.view().cameraController().viewFromTop();
           if (options.mode && !shooting) window.findChild<LevelLook*>()->modes().setMode(*options.mode);
         },
         Qt::QueuedConnection);

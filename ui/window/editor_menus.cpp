@@ -156,7 +156,7 @@ void EditorWindow::createViewActions() {
                             tr("Look straight down, as on a plan"),
                             {Qt::Key_T},
                             QStringLiteral("camera-top")},
-                           [this](bool) { view_->viewFromTop(); }),
+                           [this](bool) { view_->cameraController().viewFromTop(); }),
              tr("Top"));
   bars_->add(commands_.add({QStringLiteral("view.oblique"),
                             CommandMenu::View,
@@ -165,7 +165,7 @@ void EditorWindow::createViewActions() {
                             tr("Look from above at an angle"),
                             {Qt::Key_O},
                             QStringLiteral("camera-oblique")},
-                           [this](bool) { view_->viewOblique(); }),
+                           [this](bool) { view_->cameraController().viewOblique(); }),
              tr("Oblique"));
   bars_->add(commands_.add({QStringLiteral("view.fit"),
                             CommandMenu::View,
@@ -174,12 +174,12 @@ void EditorWindow::createViewActions() {
                             tr("Bring everything into sight"),
                             {Qt::Key_F},
                             QStringLiteral("fit")},
-                           [this](bool) { view_->fit(); }),
+                           [this](bool) { view_->cameraController().fit(); }),
              tr("Fit"));
   commands_.add({QStringLiteral("view.zoomIn"), CommandMenu::View, camera, tr("Zoom &in"), {}, {Qt::Key_Plus}},
-                [this](bool) { view_->zoomBy(1.25); });
+                [this](bool) { view_->cameraController().zoomBy(1.25); });
   commands_.add({QStringLiteral("view.zoomOut"), CommandMenu::View, camera, tr("Zoom o&ut"), {}, {Qt::Key_Minus}},
-                [this](bool) { view_->zoomBy(0.8); });
+                [this](bool) { view_->cameraController().zoomBy(0.8); });
 }
 
 void EditorWindow::createDockActions() {

@@ -149,7 +149,7 @@ void LevelOpening::takeDocument(const std::shared_ptr<const Environment>& before
   uses_.document.reset(pipeline, opening.import, opening.rest);
   uses_.sessions.setPath(opening.session);
   if (opening.unsaved) uses_.document.undoStack()->resetClean();
-  if (opening.camera) uses_.view.setCameraPose(*opening.camera);
+  if (opening.camera) uses_.view.cameraController().setPose(*opening.camera);
   if (opening.cells) uses_.cells.setShown(*opening.cells);
   if (opening.sections) uses_.sections.load(*opening.sections);
   if (!opening.pipeline && own) {

@@ -14,7 +14,7 @@
 #include "ui/base/namespaces.hpp"
 #include "ui/cells/cells_shown.hpp"
 #include "ui/document/agent.hpp"
-#include "ui/view/level_view.hpp"
+#include "ui/view/camera_pose.hpp"
 
 namespace footfall::ui {
 

@@ -25,7 +25,7 @@ SessionFiles::SessionFiles(const Uses& uses) : QObject(&uses.window), uses_(uses
        {&Document::filtersChanged, &Document::importChanged, &Document::agentsChanged, &Document::levelChanged})
     connect(&uses_.document, signal, this, &SessionFiles::keepSoon);
   connect(&uses_.sections, &SessionSections::changed, this, &SessionFiles::keepSoon);
-  connect(&uses_.view, &LevelView::cameraMoved, this, &SessionFiles::keepSoon);
+  connect(&uses_.view.cameraController(), &CameraController::moved, this, &SessionFiles::keepSoon);
   connect(&keeper_, &SessionKeeper::failed, &uses_.messages, [&messages = uses.messages](const QString& message) {
     messages.showErrorOf(MessageSubject::Keeping, message);
   });
@@ -39,7 +39,7 @@ Session SessionFiles::current() const {
   if (uses_.level.environment()) session.environment = uses_.level.environment()->source;
   session.import = state.import;
   session.pipeline = uses_.document.pipeline();
-  if (uses_.level.environment()) session.camera = uses_.view.cameraPose();
+  if (uses_.level.environment()) session.camera = uses_.view.cameraController().pose();
   session.cells = uses_.cells.shown();
   session.agents = state.agents;
   session.agent = state.agent;

@@ -67,7 +67,7 @@ class TestCommandPalette : public QObject {
     QTest::keyClicks(palette.field(), "from the top");
     const QRect row = palette.list()->visualRect(palette.list()->model()->index(0, 0));
     QTest::mouseClick(palette.list()->viewport(), Qt::LeftButton, Qt::NoModifier, row.center());
-    QTRY_VERIFY(window_->view().cameraPose().orthographic);
+    QTRY_VERIFY(window_->view().cameraController().pose().orthographic);
   }
 
   void arrowsMoveTheMarkAndEscCloses() {

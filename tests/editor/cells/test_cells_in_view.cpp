@@ -179,7 +179,7 @@ class TestCellsInView : public QObject {
     QTRY_VERIFY(window_->cellWatch().upToDate());
     QVERIFY(window_->cellLegend().isVisible());
     window_->cells().setColouring(CellColouring::Triangles);
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     const CellScale scale = window_->cells().scaleOf(0);
     const QImage picture = window_->view().grabFramebuffer();
     for (std::size_t cell = 0; cell < 4; ++cell) QVERIFY(shareOf(picture, *scale.colourOf(cell)) > 0.01);
@@ -193,7 +193,7 @@ class TestCellsInView : public QObject {
     window_->setCellsShown({true, true, CellColouring::Thread});
     QTRY_VERIFY(window_->cellWatch().upToDate());
     LevelView& view = window_->view();
-    view.viewFromTop();
+    view.cameraController().viewFromTop();
     QTest::qWait(50);
     const QPoint right(view.width() / 2 + 40, view.height() / 2 - 40);
     const auto cell = view.cellAt(right);
@@ -220,25 +220,25 @@ class TestCellsInView : public QObject {
     window_->setCellsShown({true, false, CellColouring::Thread});
     QTRY_VERIFY(window_->cellWatch().upToDate());
     LevelView& view = window_->view();
-    view.viewFromTop();
-    const CameraPose start = view.cameraPose();
+    view.cameraController().viewFromTop();
+    const CameraPose start = view.cameraController().pose();
     const QPoint place(view.width() / 2 + 60, view.height() / 2 - 60);
     const auto cell = view.cellAt(place);
     QVERIFY(cell.has_value());
     QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, place);
     QVERIFY((window_->cells().selected() == CellId{0, *cell}));
-    QVERIFY(!(view.cameraPose().position == start.position));
-    QCOMPARE(view.cameraPose().orientation, start.orientation);
+    QVERIFY(!(view.cameraController().pose().position == start.position));
+    QCOMPARE(view.cameraController().pose().orientation, start.orientation);
     // The cell fills the view: its middle is in the middle.
     QVERIFY(view.cellAt(view.rect().center()) == cell);
 
-    const CameraPose framed = view.cameraPose();
+    const CameraPose framed = view.cameraController().pose();
     QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, place);
     QMouseEvent move(QEvent::MouseMove, place + QPoint(60, 10), view.mapToGlobal(place + QPoint(60, 10)), Qt::NoButton,
                      Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&view, &move);
     QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, place + QPoint(60, 10));
-    QVERIFY(view.cameraPose().orientation != framed.orientation);
+    QVERIFY(view.cameraController().pose().orientation != framed.orientation);
     QVERIFY((window_->cells().selected() == CellId{0, *cell}));
   }
 

@@ -89,7 +89,7 @@ class TestComponentsPanel : public QObject {
     QVERIFY(openZUp(*window_, writeFile(folder, "squares.obj", squaresObj(5)), kPipeline));
     open();
     QTRY_COMPARE(table()->model()->rowCount(), 5);
-    const auto pose = [&] { return window_->view().cameraPose().position; };
+    const auto pose = [&] { return window_->view().cameraController().pose().position; };
     const Vec3 before = pose();
     QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, table()->visualRect(index(4)).center());
     QVERIFY(!(pose() == before));

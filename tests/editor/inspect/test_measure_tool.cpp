@@ -131,7 +131,7 @@ class TestMeasureTool : public QObject {
 
  private:
   void startTool() {
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     QTest::keyClick(window_.get(), Qt::Key_M);
     QVERIFY(window_->commands().find("tools.measure")->isChecked());
     QVERIFY(window_->findChild<QDockWidget*>("panel.measure")->isVisible());

@@ -55,10 +55,10 @@ class TestCompare : public QObject {
     shoot(*window_, "compare-appeared");
 
     // A click goes there.
-    const CameraPose pose = window_->view().cameraPose();
+    const CameraPose pose = window_->view().cameraController().pose();
     QTableWidget* table = feature_->panel().table();
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->item(0, 0)).center());
-    QTRY_VERIFY(!(window_->view().cameraPose().position == pose.position));
+    QTRY_VERIFY(!(window_->view().cameraController().pose().position == pose.position));
     shoot(*window_, "compare-framed");
 
     // Undo is an edit, too: they go again.

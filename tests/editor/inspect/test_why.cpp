@@ -99,7 +99,7 @@ class TestWhy : public QObject {
   void whyADoorwayIsClosed() {
     const QTemporaryDir folder;
     QVERIFY(openZUp(*window_, writeFile(folder, "rooms.obj", doorwayObj()), kPipeline));
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     window_->view().setHeights({-2, 0.5});  // a look under the lintel
     QTest::keyClick(window_.get(), Qt::Key_Y);
     clickAt({0, 0.1, 0});
@@ -118,7 +118,7 @@ class TestWhy : public QObject {
     for (const auto v : level.triangles[told->obstacle->triangle]) QCOMPARE(level.vertices[v].z, 1.75);
 
     // Seen through the view: the obstacle's colour, and the label.
-    window_->view().viewOblique();
+    window_->view().cameraController().viewOblique();
     QTest::mouseClick(panel().obstacleButton(), Qt::LeftButton);
     QTest::qWait(100);
     QVERIFY(sameShare(window_->view().grabFramebuffer(), obstacleEdgeColour(), 100));
@@ -156,7 +156,7 @@ class TestWhy : public QObject {
     const QByteArray level = tableObj() + "v -3 -4 0\nv -3 4 0\nv -3 4 2\nv -3 -4 2\nf 13 14 15 16\n";
     QVERIFY(openZUp(*window_, writeFile(folder, "table.obj", level),
                     "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 5\n"));
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     QTest::keyClick(window_.get(), Qt::Key_Y);
     const auto headlineAt = [&](const Vec3& place) {
       clickAt(place);
@@ -168,7 +168,7 @@ class TestWhy : public QObject {
     QVERIFY(panel().reason().contains("4.00 units²") && panel().reason().contains("5.00 units²"));
     QCOMPARE(headlineAt({2, 2.5, 0}), QStringLiteral("Walkable"));
     QVERIFY(!panel().obstacleButton()->isEnabled());
-    window_->view().viewOblique();
+    window_->view().cameraController().viewOblique();
     // The wall is seen from behind: left out, or asked about, as it is drawn.
     QCOMPARE(headlineAt({-3, 0.1, 1}), QStringLiteral("Walkable"));
     window_->commands().find("view.inside")->trigger();
@@ -188,7 +188,7 @@ class TestWhy : public QObject {
   void anotherEnvironmentForgets() {
     const QTemporaryDir folder;
     QVERIFY(openZUp(*window_, writeFile(folder, "rooms.obj", doorwayObj()), kPipeline));
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     QTest::keyClick(window_.get(), Qt::Key_Y);
     clickAt({2, 1, 0});
     QVERIFY(answered());
@@ -209,7 +209,7 @@ class TestWhy : public QObject {
     QFETCH(QString, sample);
     window_->open(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(sample));
     QVERIFY(QTest::qWaitFor([&] { return window_->controller().finishedRun() && window_->idle(); }, 60000));
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     QTest::keyClick(window_.get(), Qt::Key_Y);
     const NavigationMesh& mesh = *window_->controller().finishedRun()->result.mesh;
     std::set<QString> headlines;

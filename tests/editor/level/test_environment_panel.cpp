@@ -150,11 +150,12 @@ class TestEnvironmentPanel : public QObject {
     select("table");
     const QImage after = picture();
     QVERIFY(before != after);
-    const CameraPose pose = window_->view().cameraPose();
+    const CameraPose pose = window_->view().cameraController().pose();
     const QRect place = tree().visualRect(row("table"));
-    window_->view().setCovered({});  // beside what lies over the view it is not in the middle: test_view_overlays
+    window_->view().cameraController().setCovered(
+        {});  // beside what lies over the view it is not in the middle: test_view_overlays
     QTest::mouseDClick(tree().viewport(), Qt::LeftButton, Qt::NoModifier, place.center());
-    const CameraPose framed = window_->view().cameraPose();
+    const CameraPose framed = window_->view().cameraController().pose();
     QVERIFY(!(framed.position == pose.position));
     const auto middle = window_->view().project({0, 0, 1});
     QVERIFY(middle && std::abs(middle->x() - window_->view().width() / 2.0) < 30);

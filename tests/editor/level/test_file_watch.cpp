@@ -69,8 +69,8 @@ class TestFileWatch : public QObject {
   }
 
   void whatAnotherProgramSavesIsReadAgain() {
-    window_->view().viewFromTop();
-    window_->view().zoomBy(1.5);
+    window_->view().cameraController().viewFromTop();
+    window_->view().cameraController().zoomBy(1.5);
     DocumentState state = window_->document().state();
     state.partRules = {{"board", "", PartRole::ObstacleOnly}};
     window_->document().edit(std::move(state), "role");

@@ -40,7 +40,7 @@ class TestObstacleTools : public QObject {
     QVERIFY(openZUp(*window_, writeFile(folder_, "rooms.obj", roomsObj()), kPipeline));
     features_ = window_->findChild<ObstacleFeatures*>();
     QVERIFY(features_);
-    view().viewFromTop();
+    view().cameraController().viewFromTop();
     view().setFocus();
   }
   void cleanup() {
@@ -93,7 +93,7 @@ class TestObstacleTools : public QObject {
   }
 
   void basesAndHeightsAreDrawn() {
-    view().viewOblique();
+    view().cameraController().viewOblique();
     for (const Shape shape : {Shape::Box, Shape::Cylinder, Shape::Ramp}) {
       view().setTool(&features_->placeTool(shape));
       press({-4, -2, 0});
@@ -132,7 +132,7 @@ class TestObstacleTools : public QObject {
   }
 
   void handlesMoveTurnAndResize() {
-    view().viewOblique();
+    view().cameraController().viewOblique();
     place({Shape::Box, {-3, 0, 0}});
     const PlacedObstacle start = obstacle();
     const auto along = [&](Handle which, const Vec3& by) {
@@ -297,9 +297,9 @@ class TestObstacleTools : public QObject {
     QTest::keyClick(panel.nameField(), Qt::Key_Return);
     QCOMPARE(obstacle().name, std::string("crate"));
     QVERIFY(panel.list()->item(0)->text().startsWith(QStringLiteral("crate")));
-    const CameraPose before = view().cameraPose();
+    const CameraPose before = view().cameraController().pose();
     emit panel.list()->itemDoubleClicked(panel.list()->item(0));
-    QVERIFY(!(view().cameraPose().position == before.position));
+    QVERIFY(!(view().cameraController().pose().position == before.position));
     QVERIFY(waitUntilIdle(*window_));
   }
 
@@ -326,7 +326,7 @@ class TestObstacleTools : public QObject {
     QCOMPARE(exported("again.obj"), before);
     // The view has them, with the numbers of the level.
     QCOMPARE(view().environmentGeometry()->surface.size(), 3 * window_->level()->triangles.size());
-    view().viewFromTop();
+    view().cameraController().viewFromTop();
     const auto seen = view().pick(at({-3, 0.4, 0}));
     QVERIFY(seen);
     QCOMPARE(window_->composer().obstacleOf(seen->triangle), std::optional<std::uint32_t>(obstacles[0].id));

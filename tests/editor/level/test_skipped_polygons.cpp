@@ -40,18 +40,18 @@ class TestSkippedPolygons : public QObject {
     QVERIFY(table->item(1, 2)->text().contains('4'));
     QCOMPARE(table->item(2, 2)->text(), QString("nowhere"));
 
-    const CameraPose pose = window.view().cameraPose();
+    const CameraPose pose = window.view().cameraController().pose();
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->item(1, 1)).center());
-    QTRY_VERIFY(!(window.view().cameraPose().position == pose.position));
+    QTRY_VERIFY(!(window.view().cameraController().pose().position == pose.position));
     const auto seen = window.view().project({0, 4, 0});  // the middle of both corners
     QVERIFY(seen && window.view().rect().contains(seen->toPoint()));
     shoot(window, "skipped");
     // By the keyboard; what is nowhere moves nothing.
-    const CameraPose there = window.view().cameraPose();
+    const CameraPose there = window.view().cameraController().pose();
     table->setCurrentCell(2, 0);
     table->setFocus();
     QTest::keyClick(table, Qt::Key_Return);
-    QCOMPARE(window.view().cameraPose().position, there.position);
+    QCOMPARE(window.view().cameraController().pose().position, there.position);
 
     // Another level, of which nothing was left out.
     QVERIFY(openZUp(window, writeFile(folder, "good.obj", floorObj()), kPipeline));

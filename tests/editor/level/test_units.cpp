@@ -62,7 +62,7 @@ class TestUnits : public QObject {
     QFETCH(double, scale);
     const UpAxis axis = static_cast<UpAxis>(up);
     QVERIFY(open(floorObj(axis), axis, scale));
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     // Their panels share the window with the view: all of them first.
     for (const char* command : {"tools.path", "inspect.why", "tools.measure"})
       window_->commands().find(command)->trigger();

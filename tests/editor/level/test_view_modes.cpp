@@ -120,7 +120,7 @@ class TestViewModes : public QObject {
     low.pivot = {0, 0, 0.1};
     const double tilt = std::atan2(0.6, 9.0);
     low.orientation = {std::sin(M_PI / 4 - tilt / 2), 0, 0, std::cos(M_PI / 4 - tilt / 2)};
-    window_->view().setCameraPose(low);
+    window_->view().cameraController().setPose(low);
     QVERIFY(near(brightestAt({0, -0.4, 0}), heatColour(0.25), 45));
     QVERIFY(near(brightestAt({0, -2.5, 0}), heatColour(1), 45));
     QCOMPARE(window_->legend().findChild<QLabel*>("modeScale")->accessibleName(), QString("Clearance, limit 2"));
@@ -151,7 +151,7 @@ class TestViewModes : public QObject {
     QVERIFY(!sameHue(colourAt({5.6, 0.5, 1.04}), removalStyle(FilterType::Slope)->paint.colour));  // walkable now
     QVERIFY(openZUp(*window_, writeFile(folder_, "floor.obj", floorObj()), kPipeline));
     QVERIFY(settled());
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     QCOMPARE(window_->view().mode(), ViewMode::SourceTriangles);
     QVERIFY(sameHue(colourAt({3, -3, 0}), sourcePaint(0).colour) ||
             sameHue(colourAt({3, -3, 0}), sourcePaint(1).colour));
@@ -235,7 +235,7 @@ class TestViewModes : public QObject {
   }
   void open() {
     QVERIFY(openZUp(*window_, writeFile(folder_, "table.obj", tableObj()), kPipeline));
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
   }
   bool settled() {
     return QTest::qWaitFor([&] { return look_->modes().upToDate(); }, 20000);

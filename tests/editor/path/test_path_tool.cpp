@@ -74,9 +74,9 @@ class TestPathTool : public QObject {
     QVERIFY2(text("pathSeparation").contains("nearest at x 4, y 0, z 0 units: a gap of 2 units."),
              qPrintable(text("pathSeparation")));
     shoot(*window_, "path-fails");
-    const CameraPose pose = window_->view().cameraPose();
+    const CameraPose pose = window_->view().cameraController().pose();
     press("pathShowSeparation");
-    QTRY_VERIFY(!(window_->view().cameraPose().position == pose.position));
+    QTRY_VERIFY(!(window_->view().cameraController().pose().position == pose.position));
     QVERIFY(window_->view().project({5, 0, 0}));
     shoot(*window_, "path-separation");
     // Dragging to another place of the same part needs no new search; a way that leads there has none.
@@ -94,7 +94,7 @@ class TestPathTool : public QObject {
     click({-2, 2, 0});
     QVERIFY(waitForResult(PathStatus::Found));
     const double before = model().result()->planLength;
-    const CameraPose pose = window_->view().cameraPose();
+    const CameraPose pose = window_->view().cameraController().pose();
     QSignalSpy results(&model(), &PathModel::resultChanged);
     QTest::mousePress(&window_->view(), Qt::LeftButton, {}, at({-2, 2, 0}));
     for (int i = 0; i <= 8; ++i) {
@@ -107,7 +107,7 @@ class TestPathTool : public QObject {
     QVERIFY(std::fabs(model().target()->x - 2) < 0.05);
     QVERIFY(model().result()->planLength > before + 1);
     // The camera stayed where it was.
-    QVERIFY(window_->view().cameraPose().position == pose.position);
+    QVERIFY(window_->view().cameraController().pose().position == pose.position);
   }
 
   void bothPlacesCanBeTyped() {
@@ -225,7 +225,7 @@ class TestPathTool : public QObject {
  private:
   PathModel& model() { return feature_->model(); }
   void startTool() {
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     QTest::keyClick(window_.get(), Qt::Key_P);
     QVERIFY(window_->commands().find("tools.path")->isChecked());
     QVERIFY(window_->findChild<QDockWidget*>("panel.path")->isVisible());

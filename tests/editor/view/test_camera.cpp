@@ -38,11 +38,11 @@ class TestCamera : public QObject {
 
   void framesABoxFromWhereOneLooks() {
     LevelView& view = window_->view();
-    const CameraPose before = view.cameraPose();
+    const CameraPose before = camera().pose();
     const Vec3 lower{-1, -1, 0.5};
     const Vec3 upper{1, 1, 1};
-    view.frame(lower, upper);
-    QCOMPARE(view.cameraPose().orientation, before.orientation);
+    camera().frame(lower, upper);
+    QCOMPARE(camera().pose().orientation, before.orientation);
     double widest = 0;
     for (int corner = 0; corner < 8; ++corner) {
       const auto at = view.project(
@@ -54,38 +54,38 @@ class TestCamera : public QObject {
     }
     QVERIFY2(widest > 0.4, qPrintable(QString::number(widest)));  // it fills the view
     // A point is shown with what is around it.
-    view.frame({0, 0, 1}, {0, 0, 1});
-    QVERIFY(distance(view.cameraPose().position, {0, 0, 1}) > 0.01);
+    camera().frame({0, 0, 1}, {0, 0, 1});
+    QVERIFY(distance(camera().pose().position, {0, 0, 1}) > 0.01);
   }
 
   void looksAtAPlace() {
     LevelView& view = window_->view();
-    const CameraPose before = view.cameraPose();
-    view.lookAt({3, 3, 0});
+    const CameraPose before = camera().pose();
+    camera().lookAt({3, 3, 0});
     const auto at = view.project({3, 3, 0});
     QVERIFY(at);
     QVERIFY((*at - QRectF(view.rect()).center()).manhattanLength() < 3);
-    QCOMPARE(view.cameraPose().orientation, before.orientation);
-    QVERIFY(std::abs(distance(view.cameraPose().position, {3, 3, 0}) - distance(before.position, before.pivot)) < 1e-6);
+    QCOMPARE(camera().pose().orientation, before.orientation);
+    QVERIFY(std::abs(distance(camera().pose().position, {3, 3, 0}) - distance(before.position, before.pivot)) < 1e-6);
   }
 
   void framesTheSelectionOrWhatTheMousePointsAt() {
     LevelView& view = window_->view();
-    view.setSelectionBounds("tool", SceneBox{{5, -2, 0}, {6, 2, 1.7}});
-    view.setCovered({});  // beside what lies over the view it is not in the middle: test_view_overlays
-    view.frameSelection();
+    camera().setSelectionBounds("tool", SceneBox{{5, -2, 0}, {6, 2, 1.7}});
+    camera().setCovered({});  // beside what lies over the view it is not in the middle: test_view_overlays
+    camera().frameSelection();
     const auto middle = view.project({5.5, 0, 0.85});
     QVERIFY(middle);
     QVERIFY((*middle - QRectF(view.rect()).center()).manhattanLength() < 0.2 * view.width());
-    view.setSelectionBounds("tool", std::nullopt);
-    view.fit();
+    camera().setSelectionBounds("tool", std::nullopt);
+    camera().fit();
     const auto table = view.project({0.5, 0.5, 1});
     QVERIFY(table);
-    const double before = distance(view.cameraPose().position, {0.5, 0.5, 1});
+    const double before = distance(camera().pose().position, {0.5, 0.5, 1});
     QCursor::setPos(view.mapToGlobal(table->toPoint()));
     QVERIFY(QTest::qWaitFor([&] { return view.mapFromGlobal(QCursor::pos()) == table->toPoint(); }));
-    view.frameSelection();
-    QVERIFY(distance(view.cameraPose().position, {0.5, 0.5, 1}) < 0.6 * before);
+    camera().frameSelection();
+    QVERIFY(distance(camera().pose().position, {0.5, 0.5, 1}) < 0.6 * before);
   }
 
   void looksAlongTheAxes_data() {
@@ -106,34 +106,34 @@ class TestCamera : public QObject {
     LevelView& view = window_->view();
     view.setFocus();
     QTest::keyClick(&view, static_cast<Qt::Key>(key), Qt::KeyboardModifiers(modifiers));
-    QVERIFY(distance(directionOf(view), direction) < 1e-6);
-    QVERIFY(view.cameraPose().orthographic);
+    QVERIFY(distance(directionOf(camera()), direction) < 1e-6);
+    QVERIFY(camera().pose().orthographic);
   }
 
   void switchesTheProjection() {
     LevelView& view = window_->view();
-    view.viewOblique();
-    const auto before = view.project(view.cameraPose().pivot);
-    const CameraPose pose = view.cameraPose();
+    camera().viewOblique();
+    const auto before = view.project(camera().pose().pivot);
+    const CameraPose pose = camera().pose();
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(view.orthographic());
-    QCOMPARE(view.cameraPose().orientation, pose.orientation);
+    QVERIFY(camera().orthographic());
+    QCOMPARE(camera().pose().orientation, pose.orientation);
     QVERIFY((*view.project(pose.pivot) - *before).manhattanLength() < 1);
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(!view.orthographic());
+    QVERIFY(!camera().orthographic());
   }
 
   void theWheelZoomsTowardsTheMouse() {
     LevelView& view = window_->view();
-    view.viewOblique();
+    camera().viewOblique();
     const Vec3 corner{3, 3, 0};
     const QPointF place = *view.project(corner);
-    const double before = distance(view.cameraPose().position, corner);
+    const double before = distance(camera().pose().position, corner);
     wheel(place, {0, 240});
-    QVERIFY(distance(view.cameraPose().position, corner) < 0.8 * before);
+    QVERIFY(distance(camera().pose().position, corner) < 0.8 * before);
     QVERIFY((*view.project(corner) - place).manhattanLength() < 3);
     // In a parallel projection too.
-    view.viewFromTop();
+    camera().viewFromTop();
     const QPointF there = *view.project(corner);
     wheel(there, {0, -120});
     QVERIFY((*view.project(corner) - there).manhattanLength() < 3);
@@ -141,26 +141,26 @@ class TestCamera : public QObject {
 
   void twoFingersTurnMoveAndPinch() {
     LevelView& view = window_->view();
-    view.viewOblique();
-    const CameraPose start = view.cameraPose();
+    camera().viewOblique();
+    const CameraPose start = camera().pose();
     const QPointF middle = QRectF(view.rect()).center();
     fingers(middle, {30, 0}, Qt::NoModifier);
-    QVERIFY(view.cameraPose().orientation != start.orientation);
-    QVERIFY(distance(view.cameraPose().pivot, start.pivot) < 1e-9);
-    const CameraPose turned = view.cameraPose();
+    QVERIFY(camera().pose().orientation != start.orientation);
+    QVERIFY(distance(camera().pose().pivot, start.pivot) < 1e-9);
+    const CameraPose turned = camera().pose();
     fingers(middle, {30, 0}, Qt::ShiftModifier);
-    QCOMPARE(view.cameraPose().orientation, turned.orientation);
-    QVERIFY(distance(view.cameraPose().pivot, turned.pivot) > 0.01);
-    const double reach = distance(view.cameraPose().position, view.cameraPose().pivot);
+    QCOMPARE(camera().pose().orientation, turned.orientation);
+    QVERIFY(distance(camera().pose().pivot, turned.pivot) > 0.01);
+    const double reach = distance(camera().pose().position, camera().pose().pivot);
     QNativeGestureEvent pinch(Qt::ZoomNativeGesture, &touchpad(), 2, middle, middle, view.mapToGlobal(middle), 0.5, {});
     QCoreApplication::sendEvent(&view, &pinch);
-    QVERIFY(distance(view.cameraPose().position, view.cameraPose().pivot) < 0.8 * reach);
+    QVERIFY(distance(camera().pose().position, camera().pose().pivot) < 0.8 * reach);
   }
 
   void aPenDoesWhatTheMouseDoes() {
     LevelView& view = window_->view();
-    view.viewOblique();
-    const CameraPose start = view.cameraPose();
+    camera().viewOblique();
+    const CameraPose start = camera().pose();
     // Qt makes mouse events of those of a tablet that nobody takes.
     const QPointingDevice pen("pen", 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
                               QInputDevice::Capability::Position, 1, 1);
@@ -170,55 +170,55 @@ class TestCamera : public QObject {
     press.setAccepted(false);
     QCoreApplication::sendEvent(&view, &press);
     QVERIFY(!press.isAccepted());  // so that they follow
-    QCOMPARE(view.cameraPose().orientation, start.orientation);
+    QCOMPARE(camera().pose().orientation, start.orientation);
   }
 
   void keysTurnAndNeverFlip() {
     LevelView& view = window_->view();
-    view.viewOblique();
-    const CameraPose start = view.cameraPose();
+    camera().viewOblique();
+    const CameraPose start = camera().pose();
     QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier);
-    QVERIFY(view.cameraPose().orientation != start.orientation);
-    QVERIFY(distance(view.cameraPose().pivot, start.pivot) < 1e-9);
+    QVERIFY(camera().pose().orientation != start.orientation);
+    QVERIFY(distance(camera().pose().pivot, start.pivot) < 1e-9);
     for (int i = 0; i < 40; ++i) QTest::keyClick(&view, Qt::Key_Up, Qt::ShiftModifier);
-    const Vec3 down = directionOf(view);
+    const Vec3 down = directionOf(camera());
     QVERIFY2(down.z < -0.99 && down.z > -1, qPrintable(QString::number(down.z)));
     for (int i = 0; i < 40; ++i) QTest::keyClick(&view, Qt::Key_Down, Qt::ShiftModifier);
-    QVERIFY(directionOf(view).z > 0.99);
+    QVERIFY(directionOf(camera()).z > 0.99);
   }
 
   void flies() {
     LevelView& view = window_->view();
-    view.viewOblique();
+    camera().viewOblique();
     view.setFocus();
     QTest::keyClick(&view, Qt::Key_F, Qt::ShiftModifier);
     auto* tools = window_->findChild<CameraTools*>();
     QCOMPARE(view.tool(), static_cast<ViewTool*>(&tools->fly()));
     QVERIFY(window_->commands().find("view.fly")->isChecked());
-    const CameraPose start = view.cameraPose();
-    const Vec3 ahead = directionOf(view);
+    const CameraPose start = camera().pose();
+    const Vec3 ahead = directionOf(camera());
     QTest::keyPress(&view, Qt::Key_W);
-    QVERIFY(QTest::qWaitFor([&] { return distance(view.cameraPose().position, start.position) > 0.3; }));
+    QVERIFY(QTest::qWaitFor([&] { return distance(camera().pose().position, start.position) > 0.3; }));
     QTest::keyRelease(&view, Qt::Key_W);
-    const CameraPose there = view.cameraPose();
+    const CameraPose there = camera().pose();
     const double way = distance(there.position, start.position);
     QVERIFY(way > 0.2);
     const Vec3 along{(there.position.x - start.position.x) / way, (there.position.y - start.position.y) / way,
                      (there.position.z - start.position.z) / way};
     QVERIFY(distance(along, ahead) < 1e-6);
     QTest::qWait(60);
-    QVERIFY(distance(view.cameraPose().position, there.position) < 1e-9);  // it stands still again
+    QVERIFY(distance(camera().pose().position, there.position) < 1e-9);  // it stands still again
     // E rises, in the direction of Z.
     QTest::keyPress(&view, Qt::Key_E);
-    QVERIFY(QTest::qWaitFor([&] { return view.cameraPose().position.z > there.position.z; }));
+    QVERIFY(QTest::qWaitFor([&] { return camera().pose().position.z > there.position.z; }));
     QTest::keyRelease(&view, Qt::Key_E);
-    QVERIFY(std::abs(view.cameraPose().position.x - there.position.x) < 1e-9);
+    QVERIFY(std::abs(camera().pose().position.x - there.position.x) < 1e-9);
     // The mouse looks; the letter T does not look from the top.
-    const CameraPose before = view.cameraPose();
+    const CameraPose before = camera().pose();
     move(view.rect().center());
     move(view.rect().center() + QPoint(40, 0));
-    QVERIFY(view.cameraPose().orientation != before.orientation);
-    QVERIFY(distance(view.cameraPose().position, before.position) < 1e-9);
+    QVERIFY(camera().pose().orientation != before.orientation);
+    QVERIFY(distance(camera().pose().position, before.position) < 1e-9);
     const double speed = tools->fly().speed();
     wheel(QRectF(view.rect()).center(), {0, 120});
     QVERIFY(tools->fly().speed() > speed);
@@ -228,15 +228,15 @@ class TestCamera : public QObject {
 
   void bookmarksComeBack() {
     LevelView& view = window_->view();
-    view.viewOblique();
-    const CameraPose kept = view.cameraPose();
+    camera().viewOblique();
+    const CameraPose kept = camera().pose();
     QTest::keyClick(&view, Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
     auto* tools = window_->findChild<CameraTools*>();
     QCOMPARE(tools->bookmarks().size(), std::size_t{1});
-    view.viewFromTop();
+    camera().viewFromTop();
     QTest::keyClick(&view, Qt::Key_3, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(distance(view.cameraPose().position, kept.position) < 1e-9);
-    QVERIFY(!view.cameraPose().orthographic);
+    QVERIFY(distance(camera().pose().position, kept.position) < 1e-9);
+    QVERIFY(!camera().pose().orthographic);
     // With a name, and in a session.
     tools->keepBookmark(1, "The door");
     const QString session = folder_.filePath("bookmarks.footfall");
@@ -250,15 +250,14 @@ class TestCamera : public QObject {
   }
 
   void theGizmoLooksAlongItsAxes() {
-    LevelView& view = window_->view();
-    view.viewOblique();
+    camera().viewOblique();
     AxisGizmo& gizmo = window_->findChild<CameraTools*>()->gizmo();
     QVERIFY(gizmo.isVisible());
     for (const AxisGizmo::End& end : gizmo.ends()) {
       if (end.letter != "X") continue;
       QTest::mouseClick(&gizmo, Qt::LeftButton, Qt::NoModifier, end.place.toPoint());
     }
-    QVERIFY(distance(directionOf(view), {-1, 0, 0}) < 1e-6);
+    QVERIFY(distance(directionOf(camera()), {-1, 0, 0}) < 1e-6);
     // Dragging turns.
     const QPoint from = gizmo.rect().center();
     QTest::mousePress(&gizmo, Qt::LeftButton, Qt::NoModifier, from);
@@ -268,29 +267,30 @@ class TestCamera : public QObject {
       QCoreApplication::sendEvent(&gizmo, &move);
     }
     QTest::mouseRelease(&gizmo, Qt::LeftButton, Qt::NoModifier, from + QPoint(30, 0));
-    QVERIFY(distance(directionOf(view), {-1, 0, 0}) > 0.05);
+    QVERIFY(distance(directionOf(camera()), {-1, 0, 0}) > 0.05);
   }
 
   void glidesWhereSomebodySits() {
     LevelView& view = window_->view();
-    view.viewOblique();
+    camera().viewOblique();
     window_->setInteractive(true);
     const auto lookedAlong = [&] { return view.rayAt(view.rect().center()).direction; };
-    view.viewFrom(ViewSide::Front);
-    QVERIFY(distance(directionOf(view), {0, 1, 0}) < 1e-6);  // where it goes
-    QVERIFY(std::abs(lookedAlong().z) > 0.1);                // where it still is
-    QVERIFY(QTest::qWaitFor([&] { return view.orthographic(); }));
+    camera().viewFrom(ViewSide::Front);
+    QVERIFY(distance(directionOf(camera()), {0, 1, 0}) < 1e-6);  // where it goes
+    QVERIFY(std::abs(lookedAlong().z) > 0.1);                    // where it still is
+    QVERIFY(QTest::qWaitFor([&] { return camera().orthographic(); }));
     QVERIFY(std::abs(lookedAlong().z) < 1e-6);
     // Who reduces motion, jumps.
     window_->commands().find("view.animate")->setChecked(false);
-    view.viewOblique();
-    QVERIFY(!view.orthographic());
+    camera().viewOblique();
+    QVERIFY(!camera().orthographic());
     window_->commands().find("view.animate")->setChecked(true);
   }
 
  private:
-  static Vec3 directionOf(LevelView& view) {
-    const auto& q = view.cameraPose().orientation;
+  CameraController& camera() { return window_->view().cameraController(); }
+  static Vec3 directionOf(CameraController& camera) {
+    const auto& q = camera.pose().orientation;
     return {-2 * (q[0] * q[2] + q[3] * q[1]), -2 * (q[1] * q[2] - q[3] * q[0]), -(1 - 2 * (q[0] * q[0] + q[1] * q[1]))};
   }
   static QPointingDevice& touchpad() {

@@ -99,7 +99,7 @@ class TestDrawingSlices : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(modes.upToDate(), 30000);
     // In slices, however fast the machine: the picture is dropped, and drawn on in events.
     int slices = 0;
-    view.zoomBy(1.3);
+    view.cameraController().zoomBy(1.3);
     QVERIFY(!view.isWhole());
     while (!view.isWhole() && slices < 10000) {
       QTest::qWait(1);
@@ -169,7 +169,7 @@ class TestDrawingSlices : public QObject {
       QTest::qWait(50);
     }
     QTRY_VERIFY_WITH_TIMEOUT(view.isWhole(), 60000);
-    view.turnBy(10, 0);  // while the camera moves, too
+    view.cameraController().turnBy(10, 0);  // while the camera moves, too
     QTRY_VERIFY_WITH_TIMEOUT(view.isWhole(), 60000);
     watchdog.stop();
     QVERIFY(shareOfWalkable(view.grabFramebuffer()) > 0.1);
@@ -188,7 +188,7 @@ class TestDrawingSlices : public QObject {
     QVERIFY(openZUp(window, writeFile(folder, "waves.obj", wavesObj(300)), kPipeline));  // 180,000 triangles
     QTRY_VERIFY_WITH_TIMEOUT(window.view().isWhole(), 60000);
     for (int i = 0; i < 10; ++i) {
-      window.view().turnBy(3, 0);
+      window.view().cameraController().turnBy(3, 0);
       QTest::qWait(1);
     }
     QTRY_VERIFY_WITH_TIMEOUT(window.view().isWhole(), 60000);

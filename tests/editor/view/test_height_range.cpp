@@ -38,7 +38,7 @@ class TestHeightRange : public QObject {
     window_->resize(1280, 800);
     QVERIFY(showWindow(*window_));
     QVERIFY(openZUp(*window_, writeFile(folder_, "storeys.obj", storeysObj()), "SlopeFilter 45\n"));
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
   }
   void cleanup() { window_.reset(); }
 

@@ -46,7 +46,7 @@ class TestLayerList : public QObject {
     QVERIFY(panel_);
     QVERIFY(QTest::qWaitFor([&] { return panel_->isVisible(); }));
     QCOMPARE(panel_->layers(), 2U);
-    window_->view().viewFromTop();
+    window_->view().cameraController().viewFromTop();
     for (std::uint32_t layer = 0; layer < 2; ++layer) {
       const LayerFigures& figures = window_->view().content().walkable.front()->figures.at(layer);
       (figures.area > 40 ? ground_ : deck_) = layer;

@@ -59,7 +59,7 @@ class TestLevelView : public QObject {
     window.resize(1000, 800);
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "table.obj", tableObj()), "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
-    window.view().viewFromTop();
+    window.view().cameraController().viewFromTop();
     const QImage picture = window.view().grabFramebuffer();
     // The floor and the table top are walkable, the ramp beside them is not; the rest is background.
     const double walkable = shareOf(picture, walkablePaint().colour);
@@ -96,7 +96,7 @@ class TestLevelView : public QObject {
     SceneParts parts;
     parts.environment = parts.walkable = parts.removed = false;
     window.view().setParts(parts);
-    window.view().viewFromTop();
+    window.view().cameraController().viewFromTop();
     const QImage picture = window.view().grabFramebuffer();
     const QImage lower = picture.copy(0, picture.height() / 2, picture.width(), picture.height() / 2);
     const QImage upper = picture.copy(0, 0, picture.width(), picture.height() / 2);
@@ -112,7 +112,7 @@ class TestLevelView : public QObject {
     // A walkable floor under a roof that faces down only: grey from above.
     const QByteArray roof = "v -4 -4 5\nv -4 4 5\nv 4 4 5\nv 4 -4 5\nf 5 6 7 8\n";
     QVERIFY(openZUp(window, writeFile(folder, "roof.obj", floorObj() + roof), "SlopeFilter 45\n"));
-    window.view().viewFromTop();
+    window.view().cameraController().viewFromTop();
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);  // the roof has no upper side
     window.view().setInside(false);
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
@@ -134,7 +134,7 @@ class TestLevelView : public QObject {
     low.position = {0, -12, 0.8};
     low.pivot = {0, 0, 0};
     low.orientation = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
-    window.view().setCameraPose(low);
+    window.view().cameraController().setPose(low);
     QVERIFY(shareOf(window.view().grabFramebuffer(), removed.style->paint.colour) > 0.0005);
   }
 
@@ -144,7 +144,7 @@ class TestLevelView : public QObject {
     window.resize(1000, 800);
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "table.obj", tableObj()), "SlopeFilter 70\nVerticalClearanceFilter 2\n"));
-    window.view().viewOblique();
+    window.view().cameraController().viewOblique();
     const QColor brown = removalStyle(FilterType::Slope)->paint.colour;
     QVERIFY(shareOf(window.view().grabFramebuffer(), brown) < 0.001);
     const ViewContent result = window.view().content();
@@ -205,23 +205,23 @@ class TestLevelView : public QObject {
       QCoreApplication::sendEvent(&view, &move);
       QTest::mouseRelease(&view, button, Qt::NoModifier, middle + QPoint(60, 10));
     };
-    const CameraPose start = view.cameraPose();
+    const CameraPose start = view.cameraController().pose();
     drag(Qt::LeftButton);
-    const CameraPose turned = view.cameraPose();
+    const CameraPose turned = view.cameraController().pose();
     QVERIFY(turned.orientation != start.orientation);
     drag(Qt::RightButton);
-    const CameraPose moved = view.cameraPose();
+    const CameraPose moved = view.cameraController().pose();
     QCOMPARE(moved.orientation, turned.orientation);
     QVERIFY(!(moved.position == turned.position));
     QTest::keyClick(&window, Qt::Key_T);
-    QVERIFY(view.cameraPose().orthographic);
+    QVERIFY(view.cameraController().pose().orthographic);
     QTest::keyClick(&window, Qt::Key_O);
-    const CameraPose oblique = view.cameraPose();
+    const CameraPose oblique = view.cameraController().pose();
     QVERIFY(!oblique.orthographic);
     QTest::keyClick(&window, Qt::Key_Plus);
-    QVERIFY(!(view.cameraPose().position == oblique.position));
+    QVERIFY(!(view.cameraController().pose().position == oblique.position));
     QTest::keyClick(&window, Qt::Key_F);
-    QVERIFY(std::abs(view.cameraPose().position.x - oblique.position.x) < 1e-9);
+    QVERIFY(std::abs(view.cameraController().pose().position.x - oblique.position.x) < 1e-9);
   }
 
   void largeLevelsStayFluid() {
@@ -236,7 +236,7 @@ class TestLevelView : public QObject {
     double sum = 0;
     constexpr int kFrames = 10;
     for (int i = 0; i < kFrames; ++i) {
-      window.view().zoomBy(1.01);
+      window.view().cameraController().zoomBy(1.01);
       window.view().grabFramebuffer();
       sum += window.view().lastFrameMs();
     }

@@ -188,7 +188,7 @@ class TestSceneRules : public QObject {
     QFETCH(bool, inside);
     QFETCH(bool, top);
     open();
-    if (!top) view().viewOblique();
+    if (!top) view().cameraController().viewOblique();
     view().setInside(inside);
     const std::uint32_t upper = layerAt(3);
     int seen = 0;
@@ -239,7 +239,7 @@ class TestSceneRules : public QObject {
   void aHouseIsLookedIntoFromAbove() {
     QVERIFY(
         openZUp(*window_, writeFile(folder_, "house.obj", houseObj()), "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
-    view().viewOblique();
+    view().cameraController().viewOblique();
     QVERIFY(view().environmentGeometry()->covered);
     const Vec3 floor{0.5, 0.2, 0.1};
     QVERIFY(view().inside());
@@ -250,7 +250,7 @@ class TestSceneRules : public QObject {
     window_->commands().find("view.inside")->setChecked(false);
     QVERIFY(view().pick(at(floor))->point.z > 0.5);
     window_->commands().find("view.inside")->setChecked(true);
-    view().viewFrom(ViewSide::Front);
+    view().cameraController().viewFrom(ViewSide::Front);
     QVERIFY(std::abs(view().pick(at({0, -2, 1.5}))->point.y + 2) < 1e-3);
   }
 
@@ -289,7 +289,7 @@ class TestSceneRules : public QObject {
       fresh.show();
       if (!QTest::qWaitForWindowExposed(&fresh)) return QImage();
       if (after) drawEverything(fresh);
-      fresh.viewOblique();
+      fresh.cameraController().viewOblique();
       // New letters go to OpenGL now.
       ViewOverlay overlay;
       overlay.labels.push_back({{0, 0, 0}, QStringLiteral("Hamburgefonstiv 0123456789")});
@@ -308,7 +308,7 @@ class TestSceneRules : public QObject {
   LevelView& view() { return window_->view(); }
   void open() {
     QVERIFY(openZUp(*window_, writeFile(folder_, "storeys.obj", storeysObj()), kPipeline));
-    view().viewFromTop();
+    view().cameraController().viewFromTop();
   }
   static bool sameHue(const QColor& a, const QColor& b) {
     const int hue = std::abs(a.hsvHue() - b.hsvHue());
@@ -455,10 +455,10 @@ class TestSceneRules : public QObject {
     other.setOverlay(QStringLiteral("obstacle"), overlay);
     other.grabFramebuffer();
     other.removeOverlay(QStringLiteral("obstacle"));
-    other.turnBy(10, 0);  // moving
+    other.cameraController().turnBy(10, 0);  // moving
     QCoreApplication::processEvents();
-    other.turnBy(-10, 0);
-    other.viewOblique();
+    other.cameraController().turnBy(-10, 0);
+    other.cameraController().viewOblique();
     other.grabFramebuffer();
   }
 

@@ -101,8 +101,8 @@ class TestViewOverlays : public QObject {
   }
 
   void nothingCoversWhatIsFitted() {
-    for (const auto& look : {&LevelView::viewOblique, &LevelView::viewFromTop, &LevelView::fit}) {
-      (view().*look)();
+    for (const auto& look : {&CameraController::viewOblique, &CameraController::viewFromTop, &CameraController::fit}) {
+      (view().cameraController().*look)();
       QPolygonF outline;
       for (const Vec3& p : view().environmentGeometry()->extremes) {
         const Vec3& c = view().environmentGeometry()->centre;
@@ -124,8 +124,8 @@ class TestViewOverlays : public QObject {
   }
   void panelsDoNotMoveThePicture() {
     QFETCH(bool, parallel);
-    if (parallel) view().viewFromTop();
-    const auto pivot = view().cameraPose().pivot;
+    if (parallel) view().cameraController().viewFromTop();
+    const auto pivot = view().cameraController().pose().pivot;
     const auto onScreen = [&](const Vec3& place) {
       return view().mapTo(window_.get(), view().project(place)->toPoint());
     };
@@ -158,7 +158,7 @@ class TestViewOverlays : public QObject {
   }
 
   void labelsStayInside() {
-    view().viewFromTop();
+    view().cameraController().viewFromTop();
     SceneParts none;
     none.environment = none.walkable = none.removed = none.outlines = none.obstacleEdges = false;
     view().setParts(none);
@@ -201,18 +201,18 @@ class TestViewOverlays : public QObject {
     QVERIFY(sizeOf({2.75, 3, 0.25}, {3.25, 3, 0.25}) > 0.2);
     QVERIFY(view().rect().contains(view().project({3, 3, 0.25})->toPoint()));
     // What was selected last counts, and what is not selected any more does not.
-    view().setSelectionBounds("path", SceneBox{{-4, -4, 0}, {-3, -3, 0}});
+    view().cameraController().setSelectionBounds("path", SceneBox{{-4, -4, 0}, {-3, -3, 0}});
     frame->trigger();
     QVERIFY(view().rect().contains(view().project({-3.5, -3.5, 0})->toPoint()));
-    view().setSelectionBounds("path", std::nullopt);
+    view().cameraController().setSelectionBounds("path", std::nullopt);
     frame->trigger();
     QVERIFY(view().rect().contains(view().project({3, 3, 0.25})->toPoint()));
   }
 
   void manySourceTrianglesAreNoBlackSurface() {
     QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(174)), "SlopeFilter 80\n"));
-    view().viewFromTop();
-    view().zoomBy(0.5);
+    view().cameraController().viewFromTop();
+    view().cameraController().zoomBy(0.5);
     window_->findChild<LevelLook*>()->modes().setMode(ViewMode::SourceTriangles);
     QVERIFY(QTest::qWaitFor([&] { return window_->findChild<LevelLook*>()->modes().upToDate(); }, 30000));
     const QImage picture = view().grabFramebuffer();

@@ -270,9 +270,9 @@ class TestEditorWindow : public QObject {
   void sessionsComeBackAsTheyWere() {
     QVERIFY(
         openZUp(*window_, table_, "SlopeFilter 12.3456789012345678\n#off AreaFilter 3\nVerticalClearanceFilter 1.9\n"));
-    window_->view().viewFromTop();
-    window_->view().zoomBy(1.7);
-    const CameraPose pose = window_->view().cameraPose();
+    window_->view().cameraController().viewFromTop();
+    window_->view().cameraController().zoomBy(1.7);
+    const CameraPose pose = window_->view().cameraController().pose();
     const QString path = folder_->filePath("work.footfall");
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(path);
@@ -287,7 +287,7 @@ class TestEditorWindow : public QObject {
     QVERIFY(waitUntilIdle(other));
     QCOMPARE(other.document().pipeline(), window_->document().pipeline());
     QVERIFY(sameImport(other.document().state().import, window_->document().state().import));
-    const CameraPose back = other.view().cameraPose();
+    const CameraPose back = other.view().cameraController().pose();
     QVERIFY(back.orthographic);
     QVERIFY(std::abs(back.position.x - pose.position.x) < 1e-9);
     QVERIFY(std::abs(back.position.z - pose.position.z) < 1e-9);

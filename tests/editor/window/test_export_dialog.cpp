@@ -134,14 +134,14 @@ class TestExportDialog : public QObject {
   }
 
   void aReportWithPictures() {
-    window_->view().zoomBy(2);  // not one of the report's own
-    const CameraPose pose = window_->view().cameraPose();
+    window_->view().cameraController().zoomBy(2);  // not one of the report's own
+    const CameraPose pose = window_->view().cameraController().pose();
     openDialog();
     const QByteArray html = accept("report.html");
     QVERIFY(html.startsWith("<!DOCTYPE html>"));
     QCOMPARE(html.count("<figure>"), 3);
     QVERIFY(html.contains("From the top") && html.contains("VerticalClearanceFilter 2"));
-    const CameraPose after = window_->view().cameraPose();
+    const CameraPose after = window_->view().cameraController().pose();
     QVERIFY(std::hypot(after.position.x - pose.position.x, after.position.y - pose.position.y) < 1e-6);
     QCOMPARE(after.orthographic, pose.orthographic);
     // Different pictures.

@@ -380,12 +380,12 @@ class TestFileSafety : public QObject {
   void aReportsPicturesAreOfTheirCameras() {
     window_->setInteractive(true);  // the camera glides
     LevelView& view = window_->view();
-    view.zoomBy(1.5);
-    view.viewFrom(ViewSide::Front);
+    view.cameraController().zoomBy(1.5);
+    view.cameraController().viewFrom(ViewSide::Front);
     const QString target = folder_->filePath("report.html");
     window_->exportResult(target);
     QTRY_VERIFY(QFile::exists(target) && window_->idle());
-    const CameraPose after = view.cameraPose();
+    const CameraPose after = view.cameraController().pose();
     QVERIFY(after.orthographic && std::abs(after.orientation[0] - std::sqrt(0.5)) < 1e-6);  // along Y, as before
 
     QList<QImage> pictures;
@@ -402,8 +402,8 @@ class TestFileSafety : public QObject {
     QVERIFY(pictures[1] != pictures[2]);
     // The level fills them, whatever the shape of the view.
     const QSize whole = view.size();
-    view.setCovered({});  // over a picture there is nothing
-    view.viewFromTop();
+    view.cameraController().setCovered({});  // over a picture there is nothing
+    view.cameraController().viewFromTop();
     const QImage jumped = view.picture(whole * view.devicePixelRatioF(), view.devicePixelRatioF());
     QCOMPARE(jumped, view.picture(whole * view.devicePixelRatioF(), view.devicePixelRatioF(), PictureCamera::Top));
   }
