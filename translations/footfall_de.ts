@@ -1015,6 +1015,38 @@
         <source>move them behind all others or export the file without them</source>
         <translation>stellen Sie sie hinter alle anderen, oder exportieren Sie die Datei ohne sie</translation>
     </message>
+    <message>
+        <source>a step of %1 is too small beside coordinates of up to %2; give at least %3, or check the scale and the largest coordinates</source>
+        <translation>eine Stufe von %1 ist zu klein neben Koordinaten bis %2; geben Sie mindestens %3 an, oder prüfen Sie den Maßstab und die größten Koordinaten</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verbindung über Stufen</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verbindungen über Stufen</translation>
+    </message>
+    <message>
+        <source>%1; undecided, and not linked: %2</source>
+        <translation>%1; unentschieden und nicht verbunden: %2</translation>
+    </message>
+    <message>
+        <source>steps: its comments count %1, but it has %2</source>
+        <translation>Stufen: die Kommentare nennen %1, aber es sind %2</translation>
+    </message>
+    <message>
+        <source>%1 in its approximate form</source>
+        <translation>%1 in der genäherten Form</translation>
+    </message>
+    <message>
+        <source>%1 would lose the links of the StepFilter in %2; put it before that</source>
+        <translation>%1 würde die Verbindungen des StepFilters in %2 verlieren; stellen Sie es davor</translation>
+    </message>
+    <message>
+        <source>StepFilter asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
+        <translation>StepFilter fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; stellen Sie einen VerticalClearanceFilter davor</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>
@@ -1289,6 +1321,30 @@
     <message>
         <source>The free height that an agent needs. An obstacle at exactly this height is no obstacle. Less than about 1e-29 of the largest coordinate is refused.</source>
         <translation>Die freie Höhe, die ein Agent braucht. Ein Hindernis in genau dieser Höhe ist keines. Weniger als etwa 1e-29 der größten Koordinate wird abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Links borders of the walkable area that lie over each other in the plan, where an agent can lift its feet from one to the other: stairs, kerbs, thresholds, low walls without thickness. The area stays as it is; for the filters that follow, what is linked is one region.</source>
+        <translation>Verbindet Ränder der begehbaren Fläche, die im Grundriss übereinander liegen, wo ein Agent den Fuß vom einen zum anderen heben kann: Treppen, Bordsteine, Schwellen, niedrige Wände ohne Dicke. Die Fläche bleibt, wie sie ist; für die folgenden Filter ist das Verbundene eine Region.</translation>
+    </message>
+    <message>
+        <source>A VerticalClearanceFilter comes before it; no filter that makes the area anew follows.</source>
+        <translation>Ein VerticalClearanceFilter geht voran; kein Filter, der die Fläche neu erzeugt, folgt.</translation>
+    </message>
+    <message>
+        <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one.</source>
+        <translation>Jedes Stück, auf dem zwei Ränder im Grundriss zusammenfallen, ist genau dort verbunden, wo ihre Höhen sich um höchstens die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der Durchgangshöhe über dem oberen liegt.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>How high an agent climbs at once. A step of exactly this height is climbed.</source>
+        <translation>Wie hoch ein Agent auf einmal steigt. Eine Stufe von genau dieser Höhe wird gestiegen.</translation>
     </message>
 </context>
 <context>

@@ -205,6 +205,20 @@ FOOTFALL_API footfall_numbers footfall_result_sources(const footfall_result* res
 FOOTFALL_API footfall_edges footfall_result_obstacle_edges(const footfall_result* result);
 /* Edges on which two layers meet. */
 FOOTFALL_API footfall_edges footfall_result_connections(const footfall_result* result);
+typedef struct footfall_link {
+  uint32_t from[2], to[2];
+  uint32_t from_triangle, to_triangle;
+  double height;
+} footfall_link;
+
+typedef struct footfall_links {
+  const footfall_link* data;
+  size_t count;
+} footfall_links;
+
+/* Steps, where the pipeline has a StepFilter: two edges that lie over each other in the plan, as vertex numbers, each
+ * with the walkable area of its triangle on its left; from[0] lies at to[1]. `height` is the largest difference. */
+FOOTFALL_API footfall_links footfall_result_links(const footfall_result* result);
 /* The surface area, in the square of the environment's unit. */
 FOOTFALL_API double footfall_result_area(const footfall_result* result);
 /* Counts, times and steps as JSON, as `footfall run --stats` writes them. */
@@ -214,6 +228,7 @@ typedef struct footfall_export_options {
   int without_layers;         /* not 0: one group "walkable" */
   int without_connections;    /* not 0: no lines for them */
   int without_obstacle_edges; /* not 0: no lines for them */
+  int without_steps;          /* not 0: no faces for them */
   footfall_up_axis up;
   double scale; /* coordinates are multiplied with it; 0: 1 */
 } footfall_export_options;

@@ -104,6 +104,15 @@ footfall_edges footfall_result_connections(const footfall_result* result) {
   return result == nullptr ? footfall_edges{} : spanOf(result->mesh().connections);
 }
 
+footfall_links footfall_result_links(const footfall_result* result) {
+  static_assert(sizeof(StepLink) == sizeof(footfall_link) && offsetof(StepLink, to) == offsetof(footfall_link, to) &&
+                offsetof(StepLink, fromTriangle) == offsetof(footfall_link, from_triangle) &&
+                offsetof(StepLink, height) == offsetof(footfall_link, height));
+  if (result == nullptr) return {};
+  const std::vector<StepLink>& links = result->mesh().links;
+  return {reinterpret_cast<const footfall_link*>(links.data()), links.size()};
+}
+
 double footfall_result_area(const footfall_result* result) { return result == nullptr ? 0 : result->run.summary.area; }
 
 footfall_status footfall_result_statistics(const footfall_result* result, char** json) {
@@ -123,6 +132,7 @@ footfall_status footfall_save(const footfall_result* result, const char* path, c
       exported.layers = options->without_layers == 0;
       exported.connections = options->without_connections == 0;
       exported.obstacleEdges = options->without_obstacle_edges == 0;
+      exported.steps = options->without_steps == 0;
       exported.up = upAxisOf(options->up);
       if (options->scale != 0) exported.scale = options->scale;
     }

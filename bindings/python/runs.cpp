@@ -32,8 +32,8 @@ py::object statisticsOf(const Area& area) {
 }
 
 double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header, bool layers,
-                bool connections, bool obstacleEdges, const std::optional<std::string>& up, double scale) {
-  const ExportOptions options{layers, connections, obstacleEdges, true, upAxisFrom(up), scale};
+                bool connections, bool obstacleEdges, bool steps, const std::optional<std::string>& up, double scale) {
+  const ExportOptions options{layers, connections, obstacleEdges, steps, upAxisFrom(up), scale};
   const std::string name = path.string();
   const py::gil_scoped_release unlocked;
   return save(mesh, name, options, header);
@@ -53,6 +53,27 @@ std::shared_ptr<Mesh> meshFrom(const py::object& vertices, const py::object& tri
 std::string sizesOf(const NavigationMesh& mesh) {
   return std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.triangles.size()) + " triangles, " +
          std::to_string(mesh.layerCount) + " layers";
+}
+
+py::array_t<std::uint32_t> linksOf(const Mesh& mesh) {
+  const std::vector<StepLink>& links = mesh.data->links;
+  py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(links.size()), py::ssize_t{4}});
+  auto values = rows.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < values.shape(0); ++i) {
+    const StepLink& link = links[static_cast<std::size_t>(i)];
+    for (const py::ssize_t k : {0, 1}) {
+      values(i, k) = link.from[static_cast<std::size_t>(k)];
+      values(i, k + 2) = link.to[static_cast<std::size_t>(k)];
+    }
+  }
+  return rows;
+}
+
+py::array_t<double> linkHeightsOf(const Mesh& mesh) {
+  py::array_t<double> heights(static_cast<py::ssize_t>(mesh.data->links.size()));
+  auto values = heights.mutable_unchecked<1>();
+  for (py::ssize_t i = 0; i < values.shape(0); ++i) values(i) = mesh.data->links[static_cast<std::size_t>(i)].height;
+  return heights;
 }
 
 template <class Member>
@@ -100,6 +121,13 @@ mesh came from a file or from arrays. A view.)")
       .def_property_readonly("connections", meshView(&NavigationMesh::connections),
                              "Shape (k, 2), uint32: rows of `vertices`; edges where two layers meet. A view.")
       .def_property_readonly(
+          "links", &linksOf,
+          R"(Shape (k, 4), uint32: rows of `vertices`; the steps of a StepFilter. Columns 0 and 1 are an edge with the
+walkable area on its left, columns 2 and 3 the edge that one steps to, likewise: it lies over the first in the plan,
+and runs backwards.)")
+      .def_property_readonly("link_heights", &linkHeightsOf,
+                             "Shape (k,), float64: how high each of `links` is, at most.")
+      .def_property_readonly(
           "source", [](const Mesh& m) { return m.data->frame.source; },
           "The file of the environment; empty where there was none.")
       .def_property_readonly(
@@ -112,18 +140,18 @@ mesh came from a file or from arrays. A view.)")
   define(
       mesh, "save",
       [](const Mesh& m, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
-         const std::optional<std::string>& up,
-         double scale) { return saveMesh(*m.data, path, {}, layers, connections, obstacleEdges, up, scale); },
+         bool steps, const std::optional<std::string>& up,
+         double scale) { return saveMesh(*m.data, path, {}, layers, connections, obstacleEdges, steps, up, scale); },
       R"(Write the mesh as OBJ (.obj), glTF (.gltf) or binary glTF (.glb), by the ending of `path`, in the frame and units
 of the environment's file. A file that is there is replaced as a whole, or stays as it was.
 
-layers: a group for each layer. connections, obstacle_edges: their lines, too.
+layers: a group for each layer. connections, obstacle_edges: their lines, too. steps: the faces of `links`, too.
 up: another up axis ("z", "y", "x", "-z", "-y", "-x"). scale: a factor for coordinates, above 0.
 
 Returns how far rounding moved a coordinate at most, in metres: 0.0 for OBJ; glTF has floats of 32 bits. Raises
 InputError for another ending or scale, RunError where the file cannot be written.)",
       py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
+      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
   define(
       module, "read_mesh",
       [](const std::filesystem::path& path, const std::optional<std::string>& up) {
@@ -165,13 +193,14 @@ list of dict), "total_ms", "times", "threads" and, of parallel blocks, "blocks".
   define(
       area, "save",
       [](const Area& a, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
-         const std::optional<std::string>& up, double scale) {
-        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, up, scale);
+         bool steps, const std::optional<std::string>& up, double scale) {
+        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, steps, up,
+                        scale);
       },
       "Write the area as `NavigationMesh.save` does, with the pipeline in the comments: the same bytes as `footfall "
       "run`.",
       py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
+      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
 }
 
 void bindRunning(py::module_& module) {

@@ -25,6 +25,10 @@ FilterOutcome applyStep(const StatePtr& given, double step, RunContext& context)
   state->topology = nullptr;
   outcome.fallbacks += linker.fallbacks();
   outcome.note = countedText(state->mesh->links.size(), FOOTFALL_TEXT("1 link"), FOOTFALL_TEXT("%1 links"));
+  if (linker.undecided() > 0) {
+    outcome.note =
+        Text(FOOTFALL_TEXT("%1; undecided, and not linked: %2"), outcome.note, Text::count(linker.undecided()));
+  }
   outcome.state = std::move(state);
   return outcome;
 }

@@ -101,6 +101,10 @@ std::string formatPath(const PathResult& path, UpAxis up) {
         text += (i == 0 ? "" : " > ") + std::to_string(path.layers[i]);
       text += ", " + counted(path.connections, "connection", "connections") + '\n';
     }
+    if (!path.steps.empty()) {
+      text += "steps    " + std::to_string(path.steps.size()) + "; all in all " + shown(path.climb) + " up and " +
+              shown(path.descent) + " down\n";
+    }
     text += "slope    " + shown(path.maxSlopeDegrees) + " degrees at most; climbs or falls at " +
             shown(path.maxInclineDegrees) + " degrees at most\n";
   }
@@ -118,6 +122,9 @@ std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path) {
   json["end"] = path.status == PathStatus::StartNotWalkable ? nullptr : placeJson(mesh, path.end, up);
   json["length"] = path.length;
   json["plan_length"] = path.planLength;
+  json["steps"] = path.steps.size();
+  json["climb"] = path.climb;
+  json["descent"] = path.descent;
   json["layers"] = path.layers;
   json["connections"] = path.connections;
   json["max_slope_degrees"] = path.maxSlopeDegrees;

@@ -184,7 +184,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["area"] = result.summary.area;
   json["layers"] = result.mesh ? result.mesh->layerCount : result.summary.layers;
   json["connections"] = result.mesh ? result.mesh->connections.size() : result.summary.connections;
-  json["steps"] = result.mesh ? result.mesh->links.size() : result.summary.links;
+  json["links"] = result.mesh ? result.mesh->links.size() : result.summary.links;
   json["obstacle_edges"] = result.mesh ? result.mesh->obstacleEdges.size() : result.summary.obstacleEdges;
   const ExactFallbacks fallbacks = sumFallbacks(result);
   json["exact_fallbacks"] = fallbacks.total();

@@ -13,7 +13,7 @@
 #include "core/base/number_text.hpp"
 #include "core/io/export.hpp"
 #include "tests/fuzz/isolated_call.hpp"
-#include "tests/fuzz/pipeline_case.hpp"
+#include "tests/support/pipeline_case.hpp"
 #include "tests/fuzz/pipeline_check.hpp"
 
 using namespace footfall;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/fuzz/pipeline_case.hpp"
+#include "tests/support/pipeline_case.hpp"
 
 namespace footfall::fuzz {
 

@@ -233,6 +233,10 @@ class NavigationMesh:
     @property
     def connections(self) -> NDArray[np.uint32]: ...
     @property
+    def links(self) -> NDArray[np.uint32]: ...
+    @property
+    def link_heights(self) -> NDArray[np.float64]: ...
+    @property
     def source(self) -> str: ...
     @property
     def up(self) -> str: ...
@@ -247,6 +251,7 @@ class NavigationMesh:
         layers: bool = True,
         connections: bool = True,
         obstacle_edges: bool = True,
+        steps: bool = True,
         up: Optional[str] = None,
         scale: float = 1.0,
     ) -> float: ...
@@ -268,6 +273,7 @@ class WalkableArea(NavigationMesh):
         layers: bool = True,
         connections: bool = True,
         obstacle_edges: bool = True,
+        steps: bool = True,
         up: Optional[str] = None,
         scale: float = 1.0,
     ) -> float: ...

@@ -91,6 +91,7 @@ static void testArrays(void) {
   CHECK(fabs(area - 28) < 1e-12);
   CHECK(footfall_result_layers(result).count == triangles.count && footfall_result_layer_count(result) == 1);
   CHECK(footfall_result_obstacle_edges(result).count == 0 && footfall_result_connections(result).count == 0);
+  CHECK(footfall_result_links(result).count == 0 && footfall_result_links(NULL).count == 0);
   char* json = NULL;
   CHECK_OK(footfall_result_statistics(result, &json));
   CHECK(json != NULL && strstr(json, "\"area\": 28.0") != NULL);

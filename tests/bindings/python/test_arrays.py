@@ -137,6 +137,8 @@ class ArraysOut(unittest.TestCase):
             ("source_triangles", (m,), np.uint32),
             ("obstacle_edges", (len(area.obstacle_edges), 2), np.uint32),
             ("connections", (len(area.connections), 2), np.uint32),
+            ("links", (0, 4), np.uint32),
+            ("link_heights", (0,), np.float64),
         ]:
             with self.subTest(name):
                 array = getattr(area, name)
@@ -144,6 +146,17 @@ class ArraysOut(unittest.TestCase):
                 self.assertEqual(array.dtype, kind)
         self.assertLess(area.triangles.max(), n)
         self.assertEqual(area.layer_count, area.layers.max() + 1)
+
+    def test_steps_are_links(self):
+        vertices, triangles = scenes.together(scenes.floor(), scenes.box(4, 4, 0, 6, 6, 0.25))
+        pipeline = footfall.Pipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\n")
+        area = footfall.run(footfall.Environment(vertices, triangles), pipeline)
+        self.assertEqual(len(area.links), 4)
+        np.testing.assert_array_equal(area.link_heights, 0.25)
+        places = area.vertices
+        np.testing.assert_array_equal(places[area.links[:, 0], :2], places[area.links[:, 3], :2])
+        np.testing.assert_array_equal(places[area.links[:, 1], :2], places[area.links[:, 2], :2])
+        self.assertEqual(area.statistics()["links"], 4)
 
     def test_views_are_no_copies_and_cannot_be_written_to(self):
         for owner, name in [(self.area, "vertices"), (self.area, "triangles"), (self.area.environment, "vertices")]:

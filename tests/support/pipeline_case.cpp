@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fuzz/pipeline_case.hpp"
+#include "tests/support/pipeline_case.hpp"
 
 #include <algorithm>
 #include <array>
