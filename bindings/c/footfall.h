@@ -228,9 +228,9 @@ typedef struct footfall_export_options {
   int without_layers;         /* not 0: one group "walkable" */
   int without_connections;    /* not 0: no lines for them */
   int without_obstacle_edges; /* not 0: no lines for them */
-  int without_steps;          /* not 0: no faces for them */
   footfall_up_axis up;
-  double scale; /* coordinates are multiplied with it; 0: 1 */
+  double scale;      /* coordinates are multiplied with it; 0: 1 */
+  int without_steps; /* not 0: no faces for them */
 } footfall_export_options;
 
 /* Writes OBJ, .gltf or .glb by the ending of the name, beside it and renamed, in the frame of the environment's file.
