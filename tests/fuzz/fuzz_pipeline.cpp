@@ -13,8 +13,8 @@
 #include "core/base/number_text.hpp"
 #include "core/io/export.hpp"
 #include "tests/fuzz/isolated_call.hpp"
-#include "tests/support/pipeline_case.hpp"
 #include "tests/fuzz/pipeline_check.hpp"
+#include "tests/support/pipeline_case.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -53,7 +53,8 @@ PipelineStep arbitraryStep(const FilterDescriptor& filter) {
 Pipeline arbitraryPipeline() {
   std::vector<const FilterDescriptor*> plain, local, strategies;
   for (const FilterDescriptor& filter : filterDescriptors()) {
-    if (filter.kind == FilterKind::Filter) plain.push_back(&filter);
+    // StepFilter has places where it cannot stand: below, and test_step_filter
+    if (filter.kind == FilterKind::Filter && filter.type != FilterType::Step) plain.push_back(&filter);
     if (filter.kind == FilterKind::Filter && filter.scope == Scope::Local) local.push_back(&filter);
     if (filter.kind == FilterKind::Strategy) strategies.push_back(&filter);
   }
@@ -69,6 +70,11 @@ Pipeline arbitraryPipeline() {
     const int inside = *rc::gen::inRange(0, 3);
     for (int j = 0; j < inside; ++j) pipeline.steps.push_back(arbitraryStep(**rc::gen::elementOf(local)));
     pipeline.steps.push_back({&filterDescriptor(FilterType::Collapse), {}, enabled, 0});
+  }
+  if (*rc::gen::inRange(0, 3) == 0) {
+    for (const FilterType last : {FilterType::VerticalClearance, FilterType::Step, FilterType::Area})
+      pipeline.steps.push_back(arbitraryStep(filterDescriptor(last)));
+    pipeline.steps[pipeline.steps.size() - 3].enabled = true;
   }
   return pipeline;
 }
