@@ -3346,6 +3346,22 @@
         <source>%1 up</source>
         <translation>%1 oben</translation>
     </message>
+    <message>
+        <source>Steps as faces</source>
+        <translation>Stufen als Flächen</translation>
+    </message>
+    <message>
+        <source>Faces between the two borders of each step, over their vertices</source>
+        <translation>Flächen zwischen den beiden Rändern jeder Stufe, über deren Ecken</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Stufen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::ExportTexts</name>
@@ -4114,6 +4130,14 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>Free height above floors, in %1</source>
         <translation>Freie Höhe über Böden, in %1</translation>
+    </message>
+    <message>
+        <source>Step: can be climbed</source>
+        <translation>Stufe: kann gestiegen werden</translation>
+    </message>
+    <message>
+        <source>Two borders over each other, from one of which an agent steps to the other</source>
+        <translation>Zwei Ränder übereinander, von deren einem ein Agent auf den anderen steigt</translation>
     </message>
 </context>
 <context>
@@ -5145,6 +5169,18 @@ Material: %2</translation>
         <source>Layers %1 (1 connection)</source>
         <translation>Ebenen %1 (1 Verbindung)</translation>
     </message>
+    <message>
+        <source>%1 up and %2 down in all</source>
+        <translation>insgesamt %1 hinauf und %2 hinab</translation>
+    </message>
+    <message>
+        <source>1 step, %1</source>
+        <translation>1 Stufe, %1</translation>
+    </message>
+    <message>
+        <source>%1 steps, %2</source>
+        <translation>%1 Stufen, %2</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::PathTool</name>
@@ -5452,6 +5488,14 @@ Material: %2</translation>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Stufen</translation>
     </message>
 </context>
 <context>

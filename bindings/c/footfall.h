@@ -162,9 +162,10 @@ typedef struct footfall_agent {
   double max_slope;    /* degrees, above 0 and below 90 */
   double height;       /* metres, above 0 */
   double minimum_area; /* square metres: connected parts that are no larger are left out */
+  double step;         /* metres, at least 0: how high it climbs at once; 0: it does not lift its feet */
 } footfall_agent;
 
-/* 45 degrees, 2 m, 1 square metre. */
+/* 45 degrees, 2 m, 1 square metre, no steps. */
 FOOTFALL_API footfall_agent footfall_default_agent(void);
 /* The pipeline for an agent (NULL: the default one) as text, one filter a line, in the environment's units. */
 FOOTFALL_API footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kTextName = "pipeline";  // in messages: "pipeline:LINE:COLUMN: ..."
 
 Agent agentOf(const footfall_agent* agent) {
-  return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area};
+  return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area, agent->step};
 }
 
 footfall_result* run(const footfall_environment& environment, Pipeline pipeline, footfall_cache* cache,
@@ -28,7 +28,7 @@ footfall_result* run(const footfall_environment& environment, Pipeline pipeline,
 
 footfall_agent footfall_default_agent(void) {
   const Agent agent;
-  return {agent.maxSlope, agent.height, agent.minimumArea};
+  return {agent.maxSlope, agent.height, agent.minimumArea, agent.step};
 }
 
 footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,

@@ -95,12 +95,19 @@ Pipeline defaultPipeline(const Environment& environment) {
 
 Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
   Pipeline pipeline = defaultPipeline(environment);
-  const std::array<std::pair<FilterType, double>, 3> numbers{{{FilterType::Slope, agent.maxSlope},
-                                                              {FilterType::VerticalClearance, agent.height},
-                                                              {FilterType::Area, agent.minimumArea}}};
+  const auto place = [&](FilterType type) {
+    return std::ranges::find(pipeline.steps, &filterDescriptor(type), &PipelineStep::filter);
+  };
+  std::vector<std::pair<FilterType, double>> numbers{{FilterType::Slope, agent.maxSlope},
+                                                     {FilterType::VerticalClearance, agent.height},
+                                                     {FilterType::Area, agent.minimumArea}};
+  if (agent.step != 0) {
+    pipeline.steps.insert(place(FilterType::Area), defaultStep(filterDescriptor(FilterType::Step), 1));
+    numbers.emplace_back(FilterType::Step, agent.step);
+  }
   for (const auto& [type, value] : numbers) {
     const FilterDescriptor& filter = filterDescriptor(type);
-    const auto step = std::ranges::find(pipeline.steps, &filter, &PipelineStep::filter);
+    const auto step = place(type);
     const ParameterDescriptor& parameter = filter.parameters.front();
     if (const Text wrong = checkValue(parameter, value); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);

@@ -65,6 +65,12 @@ QString pathText(const PathResult& result, const LevelUnits& units, double speed
                   ? PathText::tr("Layers %1 (1 connection)").arg(walked)
                   : PathText::tr("Layers %1 (%2 connections)").arg(walked).arg(result.connections));
   }
+  if (!result.steps.empty()) {
+    const QString all =
+        PathText::tr("%1 up and %2 down in all").arg(units.length(result.climb), units.length(result.descent));
+    lines << (result.steps.size() == 1 ? PathText::tr("1 step, %1").arg(all)
+                                       : PathText::tr("%1 steps, %2").arg(countText(result.steps.size()), all));
+  }
   lines << PathText::tr("Slope up to %1, climbs or falls up to %2")
                .arg(degrees(result.maxSlopeDegrees), degrees(result.maxInclineDegrees));
   return lines.join(QLatin1Char('\n'));

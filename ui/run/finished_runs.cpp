@@ -17,7 +17,7 @@ std::size_t bytesOf(const std::vector<Value>& values) {
 
 std::size_t bytesOf(const NavigationMeshGeometry& geometry) {
   return bytesOf(geometry.surface) + bytesOf(geometry.creases) + bytesOf(geometry.outline) +
-         bytesOf(geometry.obstacleEdges) + bytesOf(geometry.connections);
+         bytesOf(geometry.obstacleEdges) + bytesOf(geometry.connections) + bytesOf(geometry.steps);
 }
 
 std::size_t bytesOf(const FinishedRun& run, const ViewContent& content) {

@@ -30,6 +30,7 @@ void ResultSummary::show() {
     parts << counted(mesh.layerCount, tr("layer"), tr("layers"))
           << counted(mesh.connections.size(), tr("connection"), tr("connections"));
   }
+  if (!mesh.links.empty()) parts << counted(mesh.links.size(), tr("step"), tr("steps"));
   parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"))
         << tr("%1 ms").arg(fixedText(run->result.totalMs, 0));
   text_ = parts.join(QStringLiteral("   ·   "));

@@ -33,6 +33,7 @@ Paint layerPaint(std::uint32_t layer);
 
 QColor obstacleEdgeColour();
 QColor connectionColour();
+QColor stepColour();
 QColor outlineColour();
 QColor creaseColour();
 QColor cellBorderColour();

@@ -106,6 +106,8 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
                             tr("Walkable on both sides, but an agent cannot cross: a wall stands on it"));
   connections_ = addEntry(tr("Connection of two layers"), &SceneParts::connections,
                           tr("An edge on which two layers meet: agents can cross"));
+  steps_ = addEntry(tr("Step: can be climbed"), &SceneParts::steps,
+                    tr("Two borders over each other, from one of which an agent steps to the other"));
   removed_ = addEntry(tr("Not walkable because:"), &SceneParts::removed, tr("Floors that a filter removed"));
   reasons_ = new QWidget(this);
   body().addWidget(reasons_);
@@ -120,6 +122,7 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
   const qreal ratio = devicePixelRatioF();
   setSwatch(obstacleEdges_, lineSwatch(obstacleEdgeColour(), 3, kSwatch, ratio));
   setSwatch(connections_, lineSwatch(connectionColour(), 3, kSwatch, ratio));
+  setSwatch(steps_, lineSwatch(stepColour(), 3, kSwatch, ratio));
   setSwatch(environment_, paintSwatch(wallPaint(), kSwatch, ratio));
   describe({});
 }
@@ -144,16 +147,18 @@ void Legend::showCells(bool on) {
 void Legend::describe(const ViewContent& content) {
   std::uint32_t layers = 0;
   bool edges = false;
-  bool connections = false;
+  bool connections = false, steps = false;
   for (const auto& mesh : content.walkable) {
     layers = std::max(layers, mesh->layers);
     edges = edges || !mesh->obstacleEdges.empty();
     connections = connections || !mesh->connections.empty();
+    steps = steps || !mesh->steps.empty();
   }
   layers_ = layers;
   anyWalkable_ = !content.walkable.empty();
   obstacleEdges_->setVisible(edges);
   connections_->setVisible(connections);
+  steps_->setVisible(steps);
 
   std::vector<const RemovalStyle*> reasons;
   if (content.firstRemoval) reasons.push_back(content.firstRemoval);

@@ -176,6 +176,27 @@ std::vector<LineSegment> toSegments(const std::vector<std::array<std::uint32_t, 
   return segments;
 }
 
+using VertexPair = std::array<std::uint32_t, 2>;
+
+// Four lines a link: like a rung between two rails.
+constexpr std::size_t kLinesOfStep = 4;
+
+std::vector<VertexPair> stepLines(const std::vector<StepLink>& links) {
+  std::vector<VertexPair> lines;
+  lines.reserve(kLinesOfStep * links.size());
+  for (const auto& [from, to, fromTriangle, toTriangle, height] : links)
+    lines.insert(lines.end(), {from, to, {from[0], to[1]}, {from[1], to[0]}});
+  return lines;
+}
+
+std::vector<LineLayers> stepLayers(const NavigationMesh& mesh) {
+  std::vector<LineLayers> layers;
+  layers.reserve(kLinesOfStep * mesh.links.size());
+  for (const StepLink& link : mesh.links)
+    layers.insert(layers.end(), kLinesOfStep, {mesh.layers[link.fromTriangle], mesh.layers[link.toTriangle]});
+  return layers;
+}
+
 std::vector<std::uint32_t> surfaceLayersOf(const NavigationMesh& mesh, const EnvironmentLayers* environment) {
   if (!environment) return {};
   std::vector<std::uint32_t> layers(mesh.triangles.size(), kNoLayer);
@@ -401,6 +422,9 @@ std::shared_ptr<const NavigationMeshGeometry> makeMeshGeometry(const NavigationM
   geometry->connections = toSegments(mesh.connections, mesh.vertices, centre);
   geometry->obstacleEdgeLayers = edgeLayers.of(mesh.obstacleEdges);
   geometry->connectionLayers = edgeLayers.of(mesh.connections);
+  const std::vector<VertexPair> steps = stepLines(mesh.links);
+  geometry->steps = toSegments(steps, mesh.vertices, centre);
+  if (!mesh.layers.empty()) geometry->stepLayers = stepLayers(mesh);
   return geometry;
 }
 

@@ -354,6 +354,10 @@ void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& pa
       drawLines(mesh.connections, outlineColour(), 4.5F * pixel, 1.1e-4F);
       drawLines(mesh.connections, connectionColour(), 2.5F * pixel, 1.2e-4F);
     }
+    if (parts.steps) {
+      drawLines(mesh.steps, outlineColour(), 4.0F * pixel, 1.3e-4F);
+      drawLines(mesh.steps, stepColour(), 2.2F * pixel, 1.4e-4F);
+    }
     if (parts.obstacleEdges) drawLines(mesh.obstacleEdges, obstacleEdgeColour(), 2.8F * pixel, 1.6e-4F);
   }
   endLines();

@@ -92,6 +92,8 @@ void ExportDialog::createWidgets() {
                         tr("The edges on which two layers meet"));
   obstacleEdges_ = addBox(mesh, QStringLiteral("exportObstacleEdges"), tr("Obstacle edges as lines"),
                           tr("Edges that agents cannot cross though both sides are walkable"));
+  steps_ = addBox(mesh, QStringLiteral("exportSteps"), tr("Steps as faces"),
+                  tr("Faces between the two borders of each step, over their vertices"));
   placed_ = addBox(mesh, QStringLiteral("exportPlaced"), tr("Placed obstacles"),
                    tr("Each obstacle that was placed in the editor, as a group of its own"));
   placed_->setEnabled(!source_.placed.empty());
@@ -162,7 +164,7 @@ void ExportDialog::createWidgets() {
   connect(kind_, &QComboBox::activated, this, &ExportDialog::changeKind);
   connect(path_, &QLineEdit::textEdited, this, &ExportDialog::readPath);
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::browse);
-  for (QCheckBox* box : {layers_, connections_, obstacleEdges_, placed_, pictures_})
+  for (QCheckBox* box : {layers_, connections_, obstacleEdges_, steps_, placed_, pictures_})
     connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
   for (QComboBox* box : {up_, pictureSize_})
     connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
@@ -183,6 +185,7 @@ void ExportDialog::takeSettings(const ExportSettings& settings) {
   layers_->setChecked(settings.options.layers);
   connections_->setChecked(settings.options.connections);
   obstacleEdges_->setChecked(settings.options.obstacleEdges);
+  steps_->setChecked(settings.options.steps);
   placed_->setChecked(settings.placed && !source_.placed.empty());
   const auto& up = settings.options.up;
   up_->setCurrentIndex(up ? static_cast<int>(std::ranges::find(kUpAxes, *up) - kUpAxes.begin()) + 1 : 0);
@@ -199,6 +202,7 @@ ExportSettings ExportDialog::settings() const {
   settings.options.layers = layers_->isChecked();
   settings.options.connections = connections_->isChecked();
   settings.options.obstacleEdges = obstacleEdges_->isChecked();
+  settings.options.steps = steps_->isChecked();
   if (kind() == ExportKind::Obj && up_->currentIndex() > 0)
     settings.options.up = kUpAxes[static_cast<std::size_t>(up_->currentIndex()) - 1];
   settings.options.scale = scale_->value();
@@ -277,6 +281,7 @@ QString ExportDialog::content() const {
   if (connections_->isChecked()) parts << counted(mesh.connections.size(), tr("connection"), tr("connections"));
   if (obstacleEdges_->isChecked())
     parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"));
+  if (steps_->isChecked() && !mesh.links.empty()) parts << counted(mesh.links.size(), tr("step"), tr("steps"));
   if (placed_->isChecked()) parts << counted(source_.placed.size(), tr("placed obstacle"), tr("placed obstacles"));
   return parts.join(QStringLiteral(", ")) + QLatin1Char('.') +
          (source_.isUpToDate ? QString() : QLatin1Char('\n') + tr("The export waits for the run under way."));

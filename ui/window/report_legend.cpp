@@ -63,6 +63,7 @@ std::vector<CaptionedImage> reportLegend(const ViewContent& content, const Scene
     addLine(images, "Obstacle edge: agents cannot cross it", obstacleEdgeColour());
   if (parts.connections && has(&NavigationMeshGeometry::connections))
     addLine(images, "Connection of two layers", connectionColour());
+  if (parts.steps && has(&NavigationMeshGeometry::steps)) addLine(images, "Step: agents climb it", stepColour());
   addRemoved(images, content, parts);
   if (parts.environment && parts.mode != ViewMode::WalkableOnly)
     addPaint(images, "Walls, ceilings and the rest", wallPaint());

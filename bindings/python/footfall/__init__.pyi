@@ -100,7 +100,9 @@ class Environment:
     def with_roles(
         self, *, obstacle_only: Optional[ArrayLike] = None, ignored: Optional[ArrayLike] = None
     ) -> Environment: ...
-    def pipeline_for(self, slope: float = 45.0, height: float = 2.0, *, minimum_area: float = 1.0) -> Pipeline: ...
+    def pipeline_for(
+        self, slope: float = 45.0, height: float = 2.0, *, minimum_area: float = 1.0, step: float = 0.0
+    ) -> Pipeline: ...
 
 class EditableEnvironment:
     def __init__(self, environment: Environment) -> None: ...
@@ -366,6 +368,7 @@ def walkable_area(
     height: float = 2.0,
     *,
     minimum_area: float = 1.0,
+    step: float = 0.0,
     up: str = "z",
     metres_per_unit: float = 1.0,
     both_sides: bool = False,

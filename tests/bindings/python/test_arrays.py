@@ -78,6 +78,7 @@ class ArraysIn(unittest.TestCase):
             ({"slope": float("nan")}, "slope"),
             ({"height": 0}, "height|clearance"),
             ({"minimum_area": -1}, "area"),
+            ({"step": -1}, "step"),
             ({"up": "w"}, "^up: \"w\" is no axis; give \"z\""),
             ({"metres_per_unit": 0}, "scale|metres"),
             ({"threads": -1}, "^threads: -1 is no number of threads"),
@@ -149,8 +150,7 @@ class ArraysOut(unittest.TestCase):
 
     def test_steps_are_links(self):
         vertices, triangles = scenes.together(scenes.floor(), scenes.box(4, 4, 0, 6, 6, 0.25))
-        pipeline = footfall.Pipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\n")
-        area = footfall.run(footfall.Environment(vertices, triangles), pipeline)
+        area = footfall.walkable_area(vertices, triangles, step=0.4)
         self.assertEqual(len(area.links), 4)
         np.testing.assert_array_equal(area.link_heights, 0.25)
         places = area.vertices

@@ -14,6 +14,7 @@
 #include "footfall/pipeline.hpp"
 #include "footfall/run.hpp"
 #include "tests/reference/steps.hpp"
+#include "tests/support/live_runs.hpp"
 #include "tests/support/pipeline_case.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/run_with_threads.hpp"
@@ -256,6 +257,28 @@ class TestStepFilter : public QObject {
       for (const double step : {0.125, 0.25, 0.5, 3.0})
         QVERIFY2(checkAgainstDefinition(*soups[i].environment(), 2, step) > 0,
                  qPrintable(QString("soup %1, step %2").arg(i).arg(step)));
+  }
+
+  void liveEditsGiveTheSame() {
+    Soup level = stairs(6, 0.25).add(stairs(6, 0.25).mapped([](const Vec3& p) { return Vec3{p.x, p.y + 2, p.z}; }));
+    level.floor(6, 0, 12, 4, 1.25).floor(-6, 0, 0, 4, 0);
+    const std::string pipeline = steps(2, 0.3) + "AreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n";
+    ResultCache cache;
+    EditableEnvironment edited(level.environment());
+    QVERIFY(agrees(edited.environment(), pipeline, cache));
+    const auto crate = [](double x, double y, double z) {
+      return soupFor(Soup().box({x, y, z}, {x + 0.75, y + 0.75, z + 0.25}));
+    };
+    const ObstacleId id = edited.add(crate(1.5, 1, 0.25));
+    QVERIFY(agrees(edited.environment(), pipeline, cache));
+    for (int i = 0; i < 12; ++i) {
+      edited.replace(id, crate(0.375 * i, 0.5 + 0.25 * (i % 5), 0.25 * (i / 3)));
+      QVERIFY2(agrees(edited.environment(), pipeline, cache), qPrintable(QString::number(i)));
+    }
+    for (const double step : {0.3, 0.2, 0.25})  // other parameters on the same level
+      QVERIFY(agrees(edited.environment(), steps(2, step) + "AreaFilter 1\nSimplificationFilter\n", cache));
+    edited.remove(id);
+    QVERIFY(agrees(edited.environment(), pipeline, cache));
   }
 
   void moreStepNeverPartsAndOrderChangesNothing() {
