@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "core/base/lexicographic_order.hpp"
@@ -215,6 +216,41 @@ SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vecto
   buildTree(mesh, poll);
   poll();
   return mesh;
+}
+
+std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled) {
+  using Place = std::pair<double, double>;
+  const int scale = -mesh.grid.scaleExponent();
+  const auto sorted = static_cast<std::ptrdiff_t>(mesh.vertices.size() - mesh.planPlaces);
+  std::map<Place, Index> added;
+  for (std::size_t v = mesh.vertices.size() - mesh.planPlaces; v < mesh.vertices.size(); ++v)
+    added.emplace(Place{mesh.vertices[v].x, mesh.vertices[v].y}, static_cast<Index>(v));
+  std::vector<Index> ids;
+  ids.reserve(scaled.size());
+  for (const Vec3& given : scaled) {
+    const Vec3 p =
+        withoutNegativeZeros({std::ldexp(given.x, scale), std::ldexp(given.y, scale), std::ldexp(given.z, scale)});
+    const auto last = mesh.vertices.begin() + sorted;
+    const auto known = std::lower_bound(mesh.vertices.begin(), last, p, [](const Vec3& a, const Vec3& b) {
+      return Place{a.x, a.y} < Place{b.x, b.y};
+    });
+    if (known != last && known->x == p.x && known->y == p.y) {
+      ids.push_back(static_cast<Index>(known - mesh.vertices.begin()));
+      continue;
+    }
+    const auto next = static_cast<Index>(mesh.vertices.size());
+    const auto [place, isNew] = added.emplace(Place{p.x, p.y}, next);
+    ids.push_back(place->second);
+    if (!isNew) continue;
+    mesh.vertices.push_back(p);
+    mesh.scaled.push_back(withoutNegativeZeros(given));
+    mesh.planIds.push_back(next);
+    ++mesh.planPlaces;
+    mesh.grid.include(p.x);
+    mesh.grid.include(p.y);
+    mesh.grid.include(p.z);
+  }
+  return ids;
 }
 
 }  // namespace footfall::detail

@@ -44,6 +44,9 @@ struct SourceMesh {
   std::shared_ptr<const SourceEdit> edit;  ///< how it follows from an earlier mesh; null when it was made from nothing
   std::vector<char> addedLater;            ///< for each triangle: the edits since the tree was built added it; or empty
 
+  /// So many vertices at the end are no corners of triangles, only places of the plan (addPlanPlaces()).
+  std::size_t planPlaces = 0;
+
   [[nodiscard]] bool hasObstacleEdge(Index a, Index b) const;
 };
 
@@ -72,6 +75,9 @@ void chooseGrid(SourceMesh& mesh, Poll poll);
 [[nodiscard]] Box boxOf(const SourceMesh& mesh, Index triangle);
 /// Builds the tree over all triangles that are not degenerate.
 void buildTree(SourceMesh& mesh, Poll poll);
+/// Adds vertices that are places of the plan only, multiples of 2^-17 in scaled coordinates and below 2^36 in size, and
+/// returns their plan ids. What was made of the mesh before stays good.
+std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled);
 /// Finds normal, facing and degeneracy of a triangle.
 void classifyTriangle(SourceMesh& mesh, Index triangle, const SignRule& sign);
 

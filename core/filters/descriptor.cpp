@@ -196,6 +196,36 @@ FilterDescriptor step() {
   };
 }
 
+FilterDescriptor radius() {
+  return {
+      .type = FilterType::Radius,
+      .name = "RadiusFilter",
+      .aliases = {},
+      .label = "Radius",
+      .help =
+          "Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it "
+          "could fall from, and the ends of the world. Distances are those of a straight walk, seen from above; steps "
+          "are no border.",
+      .precondition = "",
+      .effect =
+          "No walkable place is nearer to a border than the radius, and none that is farther than 1.01 times the "
+          "radius is removed. Straight borders move by the radius, rounded outwards; round corners are polygons.",
+      .source = "ours",
+      .parameters = {{
+          .name = "radius",
+          .label = "Radius",
+          .help = "How far an agent's middle stays away from borders; 0 removes nothing.",
+          .type = ParameterType::Real,
+          .unit = Unit::Length,
+          .defaultValue = 0.3,
+          .minimum = 0,
+          .maximum = kNoLimit,
+      }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+  };
+}
+
 FilterDescriptor area() {
   return {
       .type = FilterType::Area,
@@ -449,6 +479,7 @@ std::span<const FilterDescriptor> filterDescriptors() {
       slope(),
       verticalClearance(),
       step(),
+      radius(),
       area(),
       simplification(),
       layerSubdivision(),

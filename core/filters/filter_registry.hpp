@@ -14,6 +14,7 @@ FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context);
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyStep(const StatePtr& state, double step, RunContext& context);
+FilterOutcome applyRadius(const StatePtr& state, double radius, RunContext& context);
 FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);
 FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, const Recall& recall,
                                   RunContext& context);

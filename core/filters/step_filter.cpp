@@ -20,8 +20,8 @@ FilterOutcome applyStep(const StatePtr& given, double step, RunContext& context)
               FOOTFALL_TEXT("a step of %1 is too small beside coordinates of up to %2; give at least %3, or check the "
                             "scale and the largest coordinates"));
   state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, state->clearance), height);
-  StepLinker linker(*state, height, state->clearance, context);
-  state->mesh = linker.run();
+  StepLinker linker(*state, context);
+  state->mesh = linker.link(height, state->clearance);
   state->topology = nullptr;
   outcome.fallbacks += linker.fallbacks();
   outcome.note = countedText(state->mesh->links.size(), FOOTFALL_TEXT("1 link"), FOOTFALL_TEXT("%1 links"));

@@ -16,6 +16,7 @@ namespace {
 bool losesLinks(const PipelineStep& step) {
   switch (step.filter->type) {
     case FilterType::Slope:
+    case FilterType::Radius:
     case FilterType::Area:
     case FilterType::LayerSubdivision:
       return false;

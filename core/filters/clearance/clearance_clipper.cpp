@@ -17,11 +17,7 @@
 namespace footfall::detail {
 
 ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll)
-    : mesh_(kernel.mesh()),
-      level_(level),
-      poll_(poll),
-      geometry_(kernel),
-      candidates_(kernel, std::move(isFloor), level, poll) {}
+    : FaceCutter(kernel, poll), level_(level), candidates_(kernel, std::move(isFloor), level, poll) {}
 
 FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
   begin(face);
@@ -118,26 +114,6 @@ ExactFallbacks ClearanceClipper::fallbacks() const {
   return sum;
 }
 
-void ClearanceClipper::begin(Index face) {
-  face_ = face;
-  started_ = false;
-  segments_.clear();
-  pieces_.clear();
-  cellBorders_.clear();
-  edgeWalls_ = 0;
-  const auto& f = mesh_.triangles[face];
-  for (int k = 0; k < 3; ++k)
-    if (mesh_.hasObstacleEdge(f[k], f[next(k)])) edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
-}
-
-void ClearanceClipper::startGeometry() {
-  if (started_) return;
-  started_ = true;
-  geometry_.start(face_);
-  sideLines_.clear();
-  for (const CellSide& side : sides_) sideLines_.push_back(geometry_.line(side.border));
-}
-
 bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates, const std::vector<char>& leftOut) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if ((++polls_ & 255) == 0) poll_();
@@ -207,17 +183,10 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
     clipToEdge(polygon, k);
   }
   if (polygon.size < 3) return false;
-  if (polygon.size == 3) {
-    int corners = 0;
-    for (int i = 0; i < 3; ++i) corners += polygon.corners[i].point < 3;  // the face's corners are points 0, 1, 2
-    if (corners == 3) return true;
-  }
+  if (isWhole(polygon)) return true;
   for (std::size_t side = 0; side < sides_.size() && polygon.size > 0; ++side)
     if (!isInside(side, obstacle)) clipToSide(polygon, side);
-  for (int i = 0; i < polygon.size; ++i) {
-    const Corner &c = polygon.corners[i], &d = polygon.corners[(i + 1) % polygon.size];
-    addSegment(c.point, d.point, c.line, c.direction, 1, false, c.cut, d.cut);
-  }
+  addOutline(polygon);
   return false;
 }
 
@@ -266,47 +235,6 @@ void ClearanceClipper::clipToLevel(Polygon& polygon, Index obstacle, bool ceilin
   polygon = result;
 }
 
-template <class Crossing>
-void ClearanceClipper::keepPositive(Polygon& polygon, const std::array<int, 12>& signs, const Corner& made,
-                                    const Crossing& crossingOf) {
-  bool any = false;
-  for (int i = 0; i < polygon.size; ++i) any = any || signs[i] > 0;
-  if (!any) {
-    polygon.size = 0;
-    return;
-  }
-  Polygon result;
-  for (int i = 0; i < polygon.size; ++i) {
-    const Corner& c = polygon.corners[i];
-    const int a = signs[i], b = signs[(i + 1) % polygon.size];
-    const auto turn = [&](Corner corner) {
-      corner.line = made.line;
-      corner.direction = made.direction;
-      return corner;
-    };
-    if (a >= 0) result.push(a == 0 && b < 0 ? turn(c) : c);
-    if (a * b >= 0) continue;
-    Corner corner = c;
-    corner.point = crossingOf(c.line);
-    corner.cut = made.cut;
-    result.push(a > 0 ? turn(corner) : corner);
-  }
-  polygon = result;
-}
-
-void ClearanceClipper::clipToEdge(Polygon& polygon, int k) {
-  std::array<int, 12> signs{};
-  for (int i = 0; i < polygon.size; ++i) signs[i] = geometry_.sideOfEdge(k, polygon.corners[i].point);
-  Corner made;
-  made.line = k;  // FaceGeometry: the face's edges are the lines 0, 1, 2
-  made.direction = geometry_.edgeDirection(k);
-  keepPositive(polygon, signs, made, [&](Index line) {
-    const Index point = geometry_.crossing(line, k);
-    geometry_.addBorder(point, static_cast<std::uint8_t>(1 << k));
-    return point;
-  });
-}
-
 int ClearanceClipper::sideOfCell(std::size_t side, Index point) {
   const int s = geometry_.side(sideLines_[side], point) * sides_[side].keep;
   if (s == 0) {
@@ -327,17 +255,13 @@ bool ClearanceClipper::isInside(std::size_t side, Index triangle) const {
 }
 
 void ClearanceClipper::clipToSide(Polygon& polygon, std::size_t side) {
-  std::array<int, 12> signs{};
+  std::array<int, kMostCorners> signs{};
   for (int i = 0; i < polygon.size; ++i) signs[i] = sideOfCell(side, polygon.corners[i].point);
   Corner made;
   made.line = sideLines_[side];
   made.direction = 1;
   made.cut = true;
   keepPositive(polygon, signs, made, [&](Index line) { return geometry_.crossing(line, sideLines_[side]); });
-}
-
-std::uint8_t ClearanceClipper::cellBorders(Index point) const {
-  return static_cast<std::size_t>(point) < cellBorders_.size() ? cellBorders_[point] : std::uint8_t{0};
 }
 
 // The most common wall stands on a whole edge of the face: between its ends, and in the clearance at both.
@@ -421,151 +345,6 @@ void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
     (a < 0 ? cutFirst : cutLast) = true;
   }
   addSegment(first, last, line, 1, 0, true, cutFirst, cutLast);
-}
-
-void ClearanceClipper::addSegment(Index from, Index to, Index line, int direction, int winding, bool wall, bool cutFrom,
-                                  bool cutTo) {
-  if (from == to || (!sides_.empty() && geometry_.lineAt(line).kind == PlanLine::Border)) return;  // or a seam
-  CutSegment s{from, to, line, static_cast<std::int8_t>(direction), winding, wall};
-  const auto turn = [&s] {
-    std::swap(s.from, s.to);
-    s.direction = static_cast<std::int8_t>(-s.direction);
-    s.winding = -s.winding;
-  };
-  if (cutFrom || cutTo) {
-    if (cutFrom) s.from = -1;
-    if (cutTo) s.to = -1;
-    if (direction < 0) turn();
-    pieces_.push_back({obstacle_, s});
-    return;
-  }
-  if (s.from > s.to) turn();
-  segments_.push_back(s);
-}
-
-/// Adds the segments of FaceCuts or of a FaceShare, and tells what its points and lines are called here.
-template <class Cuts>
-void ClearanceClipper::addCuts(const Cuts& cuts, std::vector<Index>& points, std::vector<Index>& lines) {
-  startGeometry();
-  points.clear();
-  lines.clear();
-  for (std::size_t i = 0; i < cuts.points.size(); ++i) {
-    points.push_back(geometry_.point(cuts.points[i]));
-    geometry_.addBorder(points.back(), cuts.borders[i]);
-  }
-  for (const PlanLine& l : cuts.lines) lines.push_back(geometry_.line(l));
-  for (const CutSegment& s : cuts.segments)
-    addSegment(points[s.from], points[s.to], lines[s.line], s.direction, s.winding, s.wall);
-}
-
-bool ClearanceClipper::precedes(Index line, Index other) const {
-  const PlanLine l = geometry_.lineAt(line), m = geometry_.lineAt(other);
-  return std::tie(l.kind, l.a, l.b) < std::tie(m.kind, m.a, m.b);
-}
-
-// Two obstacles that share an edge and lie on either side of it in the plan cover it: their windings cancel.
-// What lies on a cell's border may meet its opposite in another cell, so it is kept there.
-void ClearanceClipper::cancelSegments() {
-  sortSegments();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < segments_.size();) {
-    CutSegment sum = segments_[i];
-    std::size_t j = i + 1;
-    for (; j < segments_.size() && segments_[j].from == sum.from && segments_[j].to == sum.to; ++j) {
-      if (segments_[j].line != sum.line && precedes(segments_[j].line, sum.line)) {
-        sum.line = segments_[j].line;
-        sum.direction = segments_[j].direction;
-      }
-      sum.winding += segments_[j].winding;
-      sum.wall = sum.wall || segments_[j].wall;
-    }
-    if (sum.winding != 0 || sum.wall || (cellBorders(sum.from) & cellBorders(sum.to)) != 0) segments_[kept++] = sum;
-    i = j;
-  }
-  segments_.resize(kept);
-}
-
-// By their ends. Giants have tens of thousands of segments: those are counted into place, by one end and then the
-// other.
-void ClearanceClipper::sortSegments() {
-  constexpr std::size_t kFewSegments = 256;
-  if (segments_.size() < kFewSegments) {
-    std::sort(segments_.begin(), segments_.end(), [](const CutSegment& a, const CutSegment& b) {
-      return a.from != b.from ? a.from < b.from : a.to < b.to;
-    });
-    return;
-  }
-  sorted_.resize(segments_.size());
-  for (const auto end : {&CutSegment::to, &CutSegment::from}) {
-    poll_();
-    counts_.assign(geometry_.pointCount() + 1, 0);
-    for (const CutSegment& s : segments_) ++counts_[s.*end + 1];
-    std::partial_sum(counts_.begin(), counts_.end(), counts_.begin());
-    for (const CutSegment& s : segments_) sorted_[counts_[s.*end]++] = s;
-    segments_.swap(sorted_);
-  }
-}
-
-// In an order that depends on nothing but what they are: points along a curve, segments by their points, lines as they
-// come.
-template <class Cuts>
-void ClearanceClipper::collect(Cuts& cuts) {
-  if (segments_.empty() && pieces_.empty()) return;
-  const std::size_t lineSlots = geometry_.pointCount();
-  numbers_.assign(lineSlots + geometry_.lineCount(), -1);
-  std::vector<Index> order;
-  const auto need = [&](Index point) {
-    if (numbers_[point] >= 0) return;
-    numbers_[point] = 0;
-    order.push_back(point);
-  };
-  for (const CutSegment& s : segments_) {
-    need(s.from);
-    need(s.to);
-  }
-  constexpr bool kIsShare = std::is_same_v<Cuts, FaceShare>;
-  if constexpr (kIsShare) {
-    for (const FaceShare::Piece& piece : pieces_)
-      for (const Index end : {piece.segment.from, piece.segment.to})
-        if (end >= 0) need(end);
-  } else {
-    sortAlongCurve(geometry_, order);
-  }
-  cuts.points.reserve(order.size());
-  cuts.borders.reserve(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    numbers_[order[i]] = static_cast<Index>(i);
-    cuts.points.push_back(geometry_[order[i]]);
-    cuts.borders.push_back(geometry_.border(order[i]));
-  }
-  for (CutSegment& s : segments_) {
-    s.from = numbers_[s.from];
-    s.to = numbers_[s.to];
-    if (s.from < s.to) continue;
-    std::swap(s.from, s.to);
-    s.direction = static_cast<std::int8_t>(-s.direction);
-    s.winding = -s.winding;
-  }
-  if (!kIsShare) sortSegments();
-  const auto numberLine = [&](Index& line) {
-    Index& number = numbers_[lineSlots + line];
-    if (number < 0) {
-      number = static_cast<Index>(cuts.lines.size());
-      cuts.lines.push_back(geometry_.lineAt(line));
-    }
-    line = number;
-  };
-  for (CutSegment& s : segments_) numberLine(s.line);
-  cuts.segments.assign(segments_.begin(), segments_.end());
-  if constexpr (kIsShare) {
-    for (FaceShare::Piece& piece : pieces_) {
-      for (Index* end : {&piece.segment.from, &piece.segment.to})
-        if (*end >= 0) *end = numbers_[*end];
-      numberLine(piece.segment.line);
-    }
-    cuts.pieces = std::move(pieces_);
-    pieces_.clear();
-  }
 }
 
 }  // namespace footfall::detail

@@ -8,16 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "core/assembly/face_share.hpp"
-#include "core/base/poll.hpp"
-#include "core/exact/face_cuts.hpp"
-#include "core/exact/face_geometry.hpp"
 #include "core/filters/clearance/clearance_candidates.hpp"
+#include "core/filters/face_cutter.hpp"
 
 namespace footfall::detail {
 
 /// One for each thread; reused from face to face.
-class ClearanceClipper {
+class ClearanceClipper : private FaceCutter {
  public:
   /// As ClearanceCandidates.
   ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
@@ -40,23 +37,6 @@ class ClearanceClipper {
   [[nodiscard]] ExactFallbacks fallbacks() const;
 
  private:
-  struct Corner {
-    Index point = -1;
-    Index line = -1;    ///< of the edge to the next corner
-    int direction = 0;  ///< +1: that edge runs along the line
-    int floor = 0;      ///< sign of the height above the floor
-    int ceiling = 0;    ///< sign of the height above floor + clearance
-    bool cut = false;   ///< a border of the cell made it
-  };
-  /// A triangle clipped by two heights and three edges has at most eight corners.
-  struct Polygon {
-    std::array<Corner, 12> corners;
-    int size = 0;
-    void push(const Corner& c) { corners[size++] = c; }
-  };
-
-  void begin(Index face);
-  void startGeometry();
   /// False when one obstacle covers the whole face. `leftOut` marks those that change nothing; empty: none.
   bool clipAll(std::span<const ClearanceCandidate> candidates, const std::vector<char>& leftOut);
   FaceCuts cut(std::span<const ClearanceCandidate> candidates);
@@ -64,48 +44,13 @@ class ClearanceClipper {
   bool isWallOfEdge(const ClearanceCandidate& candidate);
   void addWall(const ClearanceCandidate& candidate);
   void clipToLevel(Polygon& polygon, Index obstacle, bool ceiling);
-  void clipToEdge(Polygon& polygon, int k);
   void clipToSide(Polygon& polygon, std::size_t side);
-  /// Keeps the corners at which `signs` is positive or 0. New ones come from `crossingOf(line)`; the edges between them
-  /// lie on the line of `made`, which is also what new corners are like beside that.
-  template <class Crossing>
-  static void keepPositive(Polygon& polygon, const std::array<int, 12>& signs, const Corner& made,
-                           const Crossing& crossingOf);
   /// Whether the whole triangle lies beyond the border, strictly.
   [[nodiscard]] bool isInside(std::size_t side, Index triangle) const;
   int sideOfCell(std::size_t side, Index point);
-  [[nodiscard]] std::uint8_t cellBorders(Index point) const;
-  /// `cutFrom`, `cutTo`: a border of the cell made that end.
-  void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall, bool cutFrom = false,
-                  bool cutTo = false);
-  template <class Cuts>
-  void addCuts(const Cuts& cuts, std::vector<Index>& points, std::vector<Index>& lines);
-  void cancelSegments();
-  void sortSegments();
-  template <class Cuts>
-  void collect(Cuts& cuts);
-  [[nodiscard]] bool precedes(Index line, Index other) const;
 
-  const SourceMesh& mesh_;
   Index level_;
-  Poll poll_;
-  std::uint32_t polls_ = 0;
-
-  FaceGeometry geometry_;
   ClearanceCandidates candidates_;
-  Index face_ = -1;
-  bool started_ = false;
-  std::uint8_t edgeWalls_ = 0;
-  std::vector<CutSegment> segments_, sorted_;
-  std::vector<Index> counts_;
-  std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
-
-  // Of the cell whose share is being cut.
-  std::span<const CellSide> sides_;
-  std::vector<Index> sideLines_;
-  std::vector<std::uint8_t> cellBorders_;  ///< for each point, bit i: it lies on side i
-  Index obstacle_ = -1;
-  std::vector<FaceShare::Piece> pieces_;
 };
 
 }  // namespace footfall::detail

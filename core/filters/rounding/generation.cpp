@@ -23,8 +23,11 @@ class SoupBuilder {
  public:
   explicit SoupBuilder(const WalkableState& state) : state_(state), source_(state.kernel->mesh()) {}
 
-  GenerationSoup build(RunContext& context, ExactFallbacks& fallbacks) {
-    if (state_.mesh) addWalkable(context);
+  GenerationSoup build(const NavigationMesh* product, RunContext& context, ExactFallbacks& fallbacks) {
+    if (product != nullptr)
+      addProduct(*product);
+    else if (state_.mesh)
+      addWalkable(context);
     addSourceTriangles(context, fallbacks);
     if (state_.dropped) addDropped(context);
     return std::move(result_);
@@ -39,6 +42,11 @@ class SoupBuilder {
     result_.soup.triangles.push_back(t);
     result_.soup.inputTriangles.push_back(source_.inputTriangles[face]);
     result_.walkable.push_back(static_cast<char>(walkable));
+  }
+
+  void addProduct(const NavigationMesh& product) {
+    result_.soup = {product.vertices, product.triangles, product.sourceTriangles, product.obstacleEdges};
+    result_.walkable.assign(product.triangles.size(), 1);
   }
 
   void addWalkable(RunContext& context) {
@@ -156,12 +164,22 @@ class SoupBuilder {
 }  // namespace
 
 GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& context, ExactFallbacks& fallbacks) {
-  return SoupBuilder(state).build(context, fallbacks);
+  return SoupBuilder(state).build(nullptr, context, fallbacks);
 }
 
-StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context) {
+GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMesh& product, RunContext& context,
+                                  ExactFallbacks& fallbacks) {
+  return SoupBuilder(state).build(&product, context, fallbacks);
+}
+
+StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
+                         std::vector<Index>* faces) {
   std::vector<std::uint32_t> order;
   auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, context));
+  if (faces != nullptr) {
+    faces->resize(order.size());
+    for (std::size_t t = 0; t < order.size(); ++t) (*faces)[order[t]] = static_cast<Index>(t);
+  }
   auto state = std::make_shared<WalkableState>();
   state->environment = earlier.environment;
   state->clearance = earlier.clearance;

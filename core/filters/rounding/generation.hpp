@@ -9,6 +9,7 @@
 #include "core/assembly/walkable_state.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
+#include "footfall/navigation_mesh.hpp"
 
 namespace footfall::detail {
 
@@ -23,8 +24,14 @@ struct GenerationSoup {
 /// obstacle: rejected triangles, covered parts of floors, and what AreaFilter took away.
 GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& context, ExactFallbacks& fallbacks);
 
-/// The state that starts from a soup. Floors that are degenerate or do not face up any more are rejected.
-StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context);
+/// The same, with a product of the state as its floors: they come first, in the product's order.
+GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMesh& product, RunContext& context,
+                                  ExactFallbacks& fallbacks);
+
+/// The state that starts from a soup. Floors that are degenerate or do not face up any more are rejected. `faces` (may
+/// be null) receives for each triangle of the soup its number.
+StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
+                         std::vector<Index>* faces = nullptr);
 
 /// True when the state has vertices that are not the environment's own.
 bool hasConstructedVertices(const WalkableState& state);

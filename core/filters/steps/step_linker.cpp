@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
-#include "core/base/box_tree.hpp"
 #include "core/base/geometry.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 #include "core/mesh/triangle_split.hpp"
@@ -43,25 +43,34 @@ int axisBetween(const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry
 
 }  // namespace
 
-StepLinker::StepLinker(const WalkableState& state, double step, double height, RunContext& context)
+StepLinker::StepLinker(const WalkableState& state, RunContext& context)
     : state_(state),
       kernel_(*state.kernel),
       mesh_(*state.mesh),
       context_(context),
-      step_(std::ldexp(step, kernel_.mesh().grid.scaleExponent())),
-      stepLevel_(kernel_.levelOf(step).value()),
-      heightLevel_(kernel_.levelOf(height).value()),
-      geometry_(kernel_, mesh_.vertices) {}
-
-std::shared_ptr<const WalkableMesh> StepLinker::run() {
-  topology_ = topologyOf(state_, context_);
+      topology_(topologyOf(state, context)),
+      geometry_(kernel_, mesh_.vertices) {
   findBorders();
-  findStretches();
-  splitEdges();
-  context_.checkCancelled();
-  auto mesh = makeMesh();
-  fallbacks_ += geometry_.fallbacks;
-  return mesh;
+  buildTree();
+}
+
+std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height) {
+  findStretches(step, height);
+  return makeMesh();
+}
+
+std::shared_ptr<const WalkableMesh> StepLinker::relink(const WalkableMesh& earlier) {
+  const Adjacency topology = findEdges(earlier.triangles, earlier.vertices.size(), context_);
+  const auto borderOf = [&](const std::array<Index, 2>& edge) {
+    const Index side = findSide(earlier.triangles, topology, edge[0], edge[1]);
+    if (side < 0) throw std::logic_error("a link without its triangle");
+    return Border{side, -1, edge[0], edge[1], earlier.triangles[side / 3].face};
+  };
+  for (const MeshLink& link : earlier.links) {
+    context_.checkCancelled();
+    addStretches(earlier, borderOf(link.from), borderOf(link.to));
+  }
+  return makeMesh();
 }
 
 void StepLinker::findBorders() {
@@ -74,25 +83,30 @@ void StepLinker::findBorders() {
   }
 }
 
-void StepLinker::findStretches() {
-  const auto count = static_cast<Index>(borders_.size());
-  const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
+void StepLinker::buildTree() {
   std::vector<Index> all(borders_.size());
   std::iota(all.begin(), all.end(), 0);
-  Tree tree;
-  tree.build(
-      all, [&](Index i) { return boundsOf(vertex(borders_[i].from), vertex(borders_[i].to)); }, context_);
+  tree_.build(
+      all, [&](Index i) { return boundsOf(mesh_.vertices[borders_[i].from], mesh_.vertices[borders_[i].to]); },
+      context_);
+}
+
+void StepLinker::findStretches(double step, double height) {
+  const auto count = static_cast<Index>(borders_.size());
+  const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
+  const Index stepLevel = kernel_.levelOf(step).value(), heightLevel = kernel_.levelOf(height).value();
+  const double scaledStep = std::ldexp(step, kernel_.mesh().grid.scaleExponent());
   tbb::enumerable_thread_specific<Worker> workers([&] {
-    return Worker{{kernel_, mesh_.vertices}, {kernel_, state_.removed, stepLevel_, heightLevel_}, {}};
+    return Worker{{kernel_, mesh_.vertices}, {kernel_, state_.removed, stepLevel, heightLevel}, {}};
   });
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
     Worker& worker = workers.local();
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();
       Tree::Bounds query = boundsOf(vertex(borders_[i].from), vertex(borders_[i].to));
-      query.lower[2] -= step_;
-      query.upper[2] += step_;
-      tree.visitOverlapping(query, [&](Index other) {
+      query.lower[2] -= scaledStep;
+      query.upper[2] += scaledStep;
+      tree_.visitOverlapping(query, [&](Index other) {
         if (other > i) tryPair(i, other, worker);
       });
     }
@@ -105,6 +119,46 @@ void StepLinker::findStretches() {
   std::stable_sort(stretches_.begin(), stretches_.end(), [](const Stretch& a, const Stretch& b) {
     return std::array{a.first, a.second} < std::array{b.first, b.second};
   });
+}
+
+// What is left of the two borders of a link, which run against each other.
+void StepLinker::addStretches(const WalkableMesh& earlier, const Border& from, const Border& to) {
+  const auto remainsOf = [&](const Border& old) {
+    const MeshVertex &a = earlier.vertices[old.from], &b = earlier.vertices[old.to];
+    std::vector<Index> numbers;
+    const Index origin = kernel_.mesh().triangles[old.face][0];
+    const auto isOn = [&](Index v) {
+      return kernel_.orientation(a.point, b.point, mesh_.vertices[v].point, origin, geometry_.fallbacks) == 0;
+    };
+    tree_.visitOverlapping(boundsOf(a, b), [&](Index i) {
+      if (borders_[i].face == old.face && isOn(borders_[i].from) && isOn(borders_[i].to)) numbers.push_back(i);
+    });
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  };
+  const MeshVertex &begin = earlier.vertices[from.from], &end = earlier.vertices[from.to];
+  const int axis = axisBetween(begin, end, geometry_);
+  if (axis < 0) return;
+  const int direction = geometry_.compare(end, begin, axis);
+  const auto order = [&](const MeshVertex& a, const MeshVertex& b) {
+    return direction * geometry_.compare(a, b, axis);
+  };
+  const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
+  const std::vector<Index> others = remainsOf(to);
+  for (const Index first : remainsOf(from)) {
+    const Border& e = borders_[first];
+    if (order(vertex(e.from), vertex(e.to)) >= 0) continue;
+    for (const Index second : others) {
+      const Border& f = borders_[second];
+      if (order(vertex(f.to), vertex(f.from)) >= 0) continue;
+      MeshVertex low = begin, high = end;
+      for (const MeshVertex* p : {&vertex(e.from), &vertex(f.to)})
+        if (order(*p, low) > 0) low = *p;
+      for (const MeshVertex* p : {&vertex(e.to), &vertex(f.from)})
+        if (order(*p, high) < 0) high = *p;
+      if (order(low, high) < 0) stretches_.push_back({first, second, low, high});
+    }
+  }
 }
 
 void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
@@ -218,6 +272,8 @@ void StepLinker::splitEdges() {
 }
 
 std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
+  splitEdges();
+  context_.checkCancelled();
   auto result = std::make_shared<WalkableMesh>();
   result->layerCount = mesh_.layerCount;
   result->vertices = mesh_.vertices;
@@ -283,6 +339,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
   }
   std::sort(result->links.begin(), result->links.end());
   result->links.erase(std::unique(result->links.begin(), result->links.end()), result->links.end());
+  fallbacks_ += geometry_.fallbacks;
   return result;
 }
 

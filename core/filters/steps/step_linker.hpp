@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
+#include "core/base/box_tree.hpp"
 #include "core/filters/steps/step_conditions.hpp"
 #include "footfall/run_context.hpp"
 
@@ -17,10 +18,13 @@ namespace footfall::detail {
 /// has one, so that links are pairs of whole edges.
 class StepLinker {
  public:
-  /// The state must have a mesh, and its kernel the levels of `step` and `height` (environment units).
-  StepLinker(const WalkableState& state, double step, double height, RunContext& context);
+  /// The state must have a mesh.
+  StepLinker(const WalkableState& state, RunContext& context);
 
-  std::shared_ptr<const WalkableMesh> run();
+  /// The state's kernel must have the levels of `step` and `height` (environment units).
+  std::shared_ptr<const WalkableMesh> link(double step, double height);
+  /// Links what `earlier` links, where there is still a border. Its vertices are those of the state's kernel.
+  std::shared_ptr<const WalkableMesh> relink(const WalkableMesh& earlier);
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
   /// Pairs of borders of which it is not known where the link ends: they are not linked.
@@ -47,7 +51,9 @@ class StepLinker {
   };
 
   void findBorders();
-  void findStretches();
+  void buildTree();
+  void findStretches(double step, double height);
+  void addStretches(const WalkableMesh& earlier, const Border& from, const Border& to);
   void tryPair(Index first, Index second, Worker& worker) const;
   [[nodiscard]] std::vector<KnownLine> linesOf(const Border& border, MeshGeometry& geometry) const;
   void splitEdges();
@@ -61,10 +67,9 @@ class StepLinker {
   const PlanKernel& kernel_;
   const WalkableMesh& mesh_;
   RunContext& context_;
-  double step_;
-  Index stepLevel_, heightLevel_;
   std::shared_ptr<const Adjacency> topology_;
   std::vector<Border> borders_;
+  BoxTree<3> tree_;  ///< of the borders
   std::vector<Stretch> stretches_;
   std::unordered_map<Index, std::vector<MeshVertex>> splits_;  ///< of edges, in the order of their line
   MeshGeometry geometry_;

@@ -39,6 +39,7 @@ enum class FilterType : std::uint8_t {
   Slope,
   VerticalClearance,
   Step,
+  Radius,
   Area,
   Simplification,
   LayerSubdivision,

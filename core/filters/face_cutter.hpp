@@ -1,0 +1,122 @@
+// Cuts convex polygons and pieces of line out of one floor triangle, and collects what that leaves (FaceCuts).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/assembly/face_share.hpp"
+#include "core/base/poll.hpp"
+#include "core/exact/face_cuts.hpp"
+#include "core/exact/face_geometry.hpp"
+
+namespace footfall::detail {
+
+/// One for each thread; reused from face to face.
+class FaceCutter {
+ public:
+  FaceCutter(const PlanKernel& kernel, Poll poll) : mesh_(kernel.mesh()), poll_(poll), geometry_(kernel) {}
+
+  /// The cuts that convex polygons of the plan make on a face, each given by the plan ids of its corners, at most
+  /// twelve, counter-clockwise.
+  FaceCuts cut(Index face, std::span<const std::span<const Index>> polygons);
+
+  [[nodiscard]] const ExactFallbacks& cutFallbacks() const { return geometry_.fallbacks; }
+
+ protected:
+  struct Corner {
+    Index point = -1;
+    Index line = -1;    ///< of the edge to the next corner
+    int direction = 0;  ///< +1: that edge runs along the line
+    int floor = 0;      ///< sign of the height above the floor
+    int ceiling = 0;    ///< sign of the height above floor + clearance
+    bool cut = false;   ///< a border of the cell made it
+  };
+  /// A triangle clipped by two heights and three edges has at most eight corners, twelve corners clipped by three edges
+  /// are fifteen.
+  static constexpr std::size_t kMostCorners = 16;
+  struct Polygon {
+    std::array<Corner, kMostCorners> corners;
+    int size = 0;
+    void push(const Corner& c) { corners[size++] = c; }
+  };
+
+  void begin(Index face);
+  void startGeometry();
+  /// Clips to the face's edge k.
+  void clipToEdge(Polygon& polygon, int k);
+  /// Keeps the corners at which `signs` is positive or 0. New ones come from `crossingOf(line)`; the edges between them
+  /// lie on the line of `made`, which is also what new corners are like beside that.
+  template <class Crossing>
+  static void keepPositive(Polygon& polygon, const std::array<int, kMostCorners>& signs, const Corner& made,
+                           const Crossing& crossingOf) {
+    bool any = false;
+    for (int i = 0; i < polygon.size; ++i) any = any || signs[i] > 0;
+    if (!any) {
+      polygon.size = 0;
+      return;
+    }
+    Polygon result;
+    for (int i = 0; i < polygon.size; ++i) {
+      const Corner& c = polygon.corners[i];
+      const int a = signs[i], b = signs[(i + 1) % polygon.size];
+      const auto turn = [&](Corner corner) {
+        corner.line = made.line;
+        corner.direction = made.direction;
+        return corner;
+      };
+      if (a >= 0) result.push(a == 0 && b < 0 ? turn(c) : c);
+      if (a * b >= 0) continue;
+      Corner corner = c;
+      corner.point = crossingOf(c.line);
+      corner.cut = made.cut;
+      result.push(a > 0 ? turn(corner) : corner);
+    }
+    polygon = result;
+  }
+  /// Whether a polygon is the whole face.
+  static bool isWhole(const Polygon& polygon);
+  void addOutline(const Polygon& polygon);
+  [[nodiscard]] std::uint8_t cellBorders(Index point) const;
+  /// `cutFrom`, `cutTo`: a border of the cell made that end.
+  void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall, bool cutFrom = false,
+                  bool cutTo = false);
+  /// Adds the segments of FaceCuts or of a FaceShare, and tells what its points and lines are called here.
+  void addCuts(const FaceCuts& cuts, std::vector<Index>& points, std::vector<Index>& lines);
+  void addCuts(const FaceShare& cuts, std::vector<Index>& points, std::vector<Index>& lines);
+  void cancelSegments();
+  void collect(FaceCuts& cuts);
+  void collect(FaceShare& cuts);
+
+  const SourceMesh& mesh_;
+  Poll poll_;
+  std::uint32_t polls_ = 0;
+  FaceGeometry geometry_;
+  Index face_ = -1;
+  std::uint8_t edgeWalls_ = 0;
+
+  // Of the cell whose share is being cut.
+  std::span<const CellSide> sides_;
+  std::vector<Index> sideLines_;
+  std::vector<std::uint8_t> cellBorders_;  ///< for each point, bit i: it lies on side i
+  Index obstacle_ = -1;
+
+ private:
+  bool addPolygon(std::span<const Index> planIds);
+  template <class Cuts>
+  void addAllCuts(const Cuts& cuts, std::vector<Index>& points, std::vector<Index>& lines);
+  template <class Cuts>
+  void collectAll(Cuts& cuts);
+  void sortSegments();
+  [[nodiscard]] bool precedes(Index line, Index other) const;
+
+  bool started_ = false;
+  std::vector<CutSegment> segments_, sorted_;
+  std::vector<Index> counts_;
+  std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
+  std::vector<FaceShare::Piece> pieces_;
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,38 @@
+// What is too near the border of the walkable area (design section 7, RadiusFilter).
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// D(p) is the least length, in the plan, of a straight walk from p over joined edges and links to a border. The nearest
+// border point of p is inside a border edge, then p lies in the rectangle of height r over that edge; or it is a corner
+// where the border turns by more than half a turn on the walkable side, then p lies in the sector between the normals
+// of the two edges there. So the area with D(p) < r is within the union of these rectangles and sectors, taken on the
+// surface: on those triangles that a straight walk of at most r from the edge or corner reaches.
+//
+// Each shape is a convex polygon with double corners. The outer edges of a rectangle and the tangents that stand for
+// the arc of a sector are drawn at the distance R = r (1 + 2^-46) + m, where m is 32 units of the scaled coordinates
+// and what the places of the vertices may be off. A corner is computed with an error below r 2^-48 + 3 units, and
+// borders that go on straight to within 8 units are one edge: so no outer edge comes nearer to its edge or corner than
+// r, and nothing that is nearer than r is left. The tangents meet at R / cos(d / 2), d being the angle between
+// neighbours, which is chosen such that this is below (1 + tolerance) r: nothing that is farther is lost.
+// What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
+// nearer still.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/filters/radius/margin_surface.hpp"
+
+namespace footfall::detail {
+
+/// A convex polygon of the plan, counter-clockwise; scaled.
+struct Margin {
+  static constexpr std::size_t kMostCorners = 12;
+  std::vector<PlanVector> corners;
+  std::vector<Index> faces;  ///< that it reaches; ascending
+};
+
+/// All margins of a state that has a mesh, in an order that depends on it alone. `radius`, above 0, is scaled;
+/// `tolerance` is above 0. Throws InputError where the radius is too small beside the coordinates.
+std::vector<Margin> findMargins(const WalkableState& state, double radius, double tolerance, RunContext& context);
+
+}  // namespace footfall::detail

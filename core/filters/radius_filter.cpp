@@ -1,0 +1,142 @@
+// RadiusFilter: removes what is nearer to the border of the walkable area than an agent's radius (design section 7).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cmath>
+#include <memory>
+#include <span>
+
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/filters/face_cutter.hpp"
+#include "core/filters/filter_registry.hpp"
+#include "core/filters/radius/margins.hpp"
+#include "core/filters/rounding/generation.hpp"
+#include "core/filters/steps/step_linker.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kTolerance = 0.01;
+constexpr std::size_t kFacesPerTask = 8;
+
+/// What is walkable when a generation starts: the product, in the generation's own numbers, each triangle a face.
+std::shared_ptr<WalkableMesh> makeFloors(const NavigationMesh& product, const SourceMesh& source,
+                                         const std::vector<Index>& faces, double error) {
+  auto mesh = std::make_shared<WalkableMesh>();
+  mesh->vertices.resize(product.vertices.size());
+  mesh->triangles.resize(product.triangles.size());
+  for (std::size_t v = 0; v < product.vertices.size(); ++v) {
+    const Index number = source.welded[v];
+    const Vec3& place = source.scaled[number];
+    mesh->vertices[v] = {PlanPoint::source(source.planIds[number]), -1, number, place.x, place.y, place.z, error};
+  }
+  for (std::size_t t = 0; t < product.triangles.size(); ++t) {
+    mesh->triangles[t].face = faces[t];
+    for (int k = 0; k < 3; ++k) {
+      mesh->triangles[t].corners[k] = static_cast<Index>(product.triangles[t][k]);
+      mesh->vertices[product.triangles[t][k]].face = faces[t];
+    }
+  }
+  const auto edge = [](const std::array<std::uint32_t, 2>& e) {
+    return std::array{static_cast<Index>(e[0]), static_cast<Index>(e[1])};
+  };
+  for (const StepLink& link : product.links) mesh->links.push_back({edge(link.from), edge(link.to)});
+  return mesh;
+}
+
+/// The margins in a kernel that has their corners as places of the plan.
+struct KernelWithMargins {
+  std::shared_ptr<const PlanKernel> kernel;
+  std::vector<Index> planIds;      ///< of the corners of all margins
+  std::vector<std::size_t> first;  ///< of each margin, and one more
+};
+
+KernelWithMargins addMargins(const PlanKernel& kernel, const std::vector<Margin>& margins) {
+  std::vector<Vec3> places;
+  KernelWithMargins result{nullptr, {}, {0}};
+  const double anywhere = kernel.mesh().scaled.front().z;
+  for (const Margin& margin : margins) {
+    for (const auto& [x, y] : margin.corners) places.push_back({x, y, anywhere});
+    result.first.push_back(places.size());
+  }
+  auto mesh = std::make_shared<SourceMesh>(kernel.mesh());
+  result.planIds = addPlanPlaces(*mesh, places);
+  result.kernel = std::make_shared<PlanKernel>(std::move(mesh), kernel.heights());
+  return result;
+}
+
+/// For each face the numbers of the margins that reach it, ascending.
+struct MarginsOfFaces {
+  std::vector<Index> faces;  ///< that have any, ascending
+  std::vector<std::vector<Index>> margins;
+};
+
+MarginsOfFaces groupByFaces(const std::vector<Margin>& margins) {
+  std::vector<std::array<Index, 2>> pairs;
+  for (std::size_t i = 0; i < margins.size(); ++i)
+    for (const Index face : margins[i].faces) pairs.push_back({face, static_cast<Index>(i)});
+  std::sort(pairs.begin(), pairs.end());
+  MarginsOfFaces result;
+  for (const auto& [face, margin] : pairs) {
+    if (result.faces.empty() || result.faces.back() != face) {
+      result.faces.push_back(face);
+      result.margins.emplace_back();
+    }
+    result.margins.back().push_back(margin);
+  }
+  return result;
+}
+
+}  // namespace
+
+FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& context) {
+  FilterOutcome outcome;
+  outcome.state = given;
+  if (radius == 0) return outcome;
+  const StatePtr before = withMesh(given, context, outcome.fallbacks);
+  const auto product = makeNavigationMesh(before, context);
+  if (product->triangles.empty()) return outcome;
+  std::vector<Index> faces;
+  auto state = std::make_shared<WalkableState>(
+      *startGeneration(*before, makeGenerationSoup(*before, *product, context, outcome.fallbacks), context, &faces));
+  const auto floors = makeFloors(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
+  state->mesh = floors;
+  const std::vector<Margin> margins =
+      findMargins(*state, std::ldexp(radius, state->kernel->mesh().grid.scaleExponent()), kTolerance, context);
+
+  const KernelWithMargins known = addMargins(*state->kernel, margins);
+  state->kernel = known.kernel;
+  const MarginsOfFaces touched = groupByFaces(margins);
+  std::vector<FaceCuts> found(touched.faces.size());
+  tbb::enumerable_thread_specific<std::unique_ptr<FaceCutter>> cutters;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), kFacesPerTask), [&](const auto& range) {
+    auto& cutter = cutters.local();
+    if (!cutter) cutter = std::make_unique<FaceCutter>(*state->kernel, context);
+    std::vector<std::span<const Index>> polygons;
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      context.checkCancelled();
+      polygons.clear();
+      for (const Index margin : touched.margins[i])
+        polygons.emplace_back(known.planIds.data() + known.first[margin],
+                              known.first[margin + 1] - known.first[margin]);
+      found[i] = cutter->cut(touched.faces[i], polygons);
+    }
+  });
+  for (const auto& cutter : cutters) outcome.fallbacks += cutter->cutFallbacks();
+  auto cuts = std::make_shared<CutTable>(state->walkable.size());
+  for (std::size_t i = 0; i < found.size(); ++i) cuts->set(touched.faces[i], std::move(found[i]));
+  state->cuts = std::move(cuts);
+  state->mesh = assembleMesh(*state, context, outcome.fallbacks);
+  if (!floors->links.empty()) {
+    StepLinker linker(*state, context);
+    state->mesh = linker.relink(*floors);
+    outcome.fallbacks += linker.fallbacks();
+  }
+  if (state->mesh->triangles.empty())
+    outcome.note = FOOTFALL_TEXT("nothing is left: no place is so far from all borders");
+  outcome.state = std::move(state);
+  return outcome;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,68 @@
+// How far it is from a place of a navigation mesh to its border, by walking there (design section 7, RadiusFilter):
+// slow, obvious, in doubles.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "footfall/navigation_mesh.hpp"
+
+namespace footfall::reference {
+
+/// A place on a triangle of a mesh, seen in the plan.
+struct SurfacePlace {
+  std::uint32_t triangle = 0;
+  double x = 0, y = 0;
+};
+
+class BorderDistance {
+ public:
+  explicit BorderDistance(const NavigationMesh& mesh);
+
+  /// A border: a side of a triangle that can neither be crossed nor be stepped over.
+  struct Border {
+    std::uint32_t triangle = 0;
+    int side = 0;
+  };
+  [[nodiscard]] const std::vector<Border>& borders() const { return borders_; }
+
+  struct Distance {
+    std::optional<double> least;  ///< nothing where it is above the limit
+    bool isDoubtful = false;      ///< a walk came upon a needle, and may have missed a border
+  };
+  /// The least length, in the plan, of a straight walk from a place to the border, up to a limit.
+  [[nodiscard]] Distance at(const SurfacePlace& from, double most) const;
+
+  struct Walk {
+    SurfacePlace end;
+    double length = 0;
+    bool isStopped = false;   ///< at a border
+    bool isDoubtful = false;  ///< by way of a needle
+  };
+  /// Straight on to a place of the plan, or to the first border.
+  [[nodiscard]] Walk walk(const SurfacePlace& from, double x, double y) const;
+
+  [[nodiscard]] double height(const SurfacePlace& place) const;
+  /// So thin that doubles say little of the heights on it.
+  [[nodiscard]] bool isNeedle(std::uint32_t triangle) const;
+  /// The triangle over or under a place of the plan whose height is nearest, if it differs by at most `most`.
+  [[nodiscard]] std::optional<std::uint32_t> find(double x, double y, double z, double most) const;
+
+ private:
+  [[nodiscard]] std::array<double, 2> corner(std::uint32_t triangle, int k) const;
+  [[nodiscard]] double heightOn(const Border& border, double x, double y) const;
+  void makeGrid();
+  [[nodiscard]] int cell(double value, int axis) const;
+
+  const NavigationMesh& mesh_;
+  std::vector<std::array<std::vector<std::uint32_t>, 3>> beyond_;  ///< triangles
+  std::vector<Border> borders_;
+  static constexpr int kCells = 128;
+  std::array<double, 2> lower_{}, upper_{};
+  std::vector<std::vector<std::uint32_t>> trianglesIn_, bordersIn_;  ///< of a grid over the plan
+};
+
+}  // namespace footfall::reference

@@ -1,0 +1,365 @@
+// RadiusFilter: its promise at random places, and the cases that people have in mind.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/assembly/walkable_state.hpp"
+#include "core/mesh/surface_topology.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/io.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run.hpp"
+#include "tests/reference/border_distance.hpp"
+#include "tests/support/live_runs.hpp"
+#include "tests/support/pipeline_case.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/run_with_threads.hpp"
+#include "tests/support/soup.hpp"
+#include "tests/support/soup_generators.hpp"
+#include "tests/unit/environment_files.hpp"
+
+using namespace footfall;
+using namespace footfall::test;
+using reference::BorderDistance;
+using reference::SurfacePlace;
+
+namespace {
+
+constexpr double kTolerance = 0.01;
+
+std::string number(double x) { return QString::number(x, 'g', 17).toStdString(); }
+std::string radius(double r) { return "RadiusFilter " + number(r) + "\n"; }
+
+NavigationMesh narrowed(const Soup& soup, double r, const std::string& before = minimalPipeline(2) + "\n",
+                        const std::string& more = "") {
+  return navigationMesh(runFilters(soup.environment(), before + radius(r) + more));
+}
+
+std::uint32_t components(const NavigationMesh& mesh) { return makeSurfaceTopology(mesh).componentCount; }
+
+struct Tally {
+  std::size_t near = 0, far = 0, doubtful = 0, wrong = 0;
+};
+
+/// Looks at places of the area before the filter: evenly strewn, and along its border.
+class PromiseCheck {
+ public:
+  PromiseCheck(const NavigationMesh& before, const NavigationMesh& after, double r)
+      : mesh_(before), before_(before), after_(after), radius_(r) {
+    double sum = 0;
+    for (const Triangle& t : before.triangles) {
+      const Vec3 &a = before.vertices[t[0]], &b = before.vertices[t[1]], &c = before.vertices[t[2]];
+      sums_.push_back(sum += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    }
+  }
+
+  Tally look(int places, std::mt19937& random) {
+    Tally tally;
+    if (mesh_.triangles.empty()) return tally;
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int i = 0; i < places; ++i) {
+      const SurfacePlace place = i % 3 == 0 ? anywhere(share(random), share(random), share(random))
+                                            : nearBorder(share(random), share(random), share(random));
+      lookAt(place, tally);
+    }
+    return tally;
+  }
+
+ private:
+  [[nodiscard]] SurfacePlace anywhere(double which, double u, double v) const {
+    const auto found = std::lower_bound(sums_.begin(), sums_.end(), which * sums_.back());
+    const auto t = static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(found - sums_.begin(), std::ssize(sums_) - 1));
+    return inside(t, u, v);
+  }
+  [[nodiscard]] SurfacePlace inside(std::uint32_t t, double u, double v) const {
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const auto& f = mesh_.triangles[t];
+    const Vec3 &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
+    return {t, a.x + u * (b.x - a.x) + v * (c.x - a.x), a.y + u * (b.y - a.y) + v * (c.y - a.y)};
+  }
+  [[nodiscard]] SurfacePlace nearBorder(double which, double along, double how) const {
+    if (before_.borders().empty()) return anywhere(which, along, how);
+    const auto number = static_cast<std::size_t>(which * static_cast<double>(before_.borders().size()));
+    const auto& [t, side] = before_.borders()[std::min(number, before_.borders().size() - 1)];
+    const SurfacePlace start = inside(t, 0.3, 0.3);
+    const Vec3 &a = mesh_.vertices[mesh_.triangles[t][side]], &b = mesh_.vertices[mesh_.triangles[t][(side + 1) % 3]];
+    const double x = a.x + along * (b.x - a.x), y = a.y + along * (b.y - a.y);
+    // From inside the triangle to a place by the border, and from there in some direction.
+    const SurfacePlace there{t, x + 1e-3 * (start.x - x), y + 1e-3 * (start.y - y)};
+    const double angle = 7919 * along, length = 1.6 * how * radius_;
+    return before_.walk(there, there.x + length * std::cos(angle), there.y + length * std::sin(angle)).end;
+  }
+
+  void lookAt(const SurfacePlace& place, Tally& tally) {
+    constexpr double kRounding = 1e-9;  // what the doubles of the two products are off, beside coordinates of about 10
+    if (before_.isNeedle(place.triangle)) return;
+    const auto [distance, isDoubtful] = before_.at(place, 1.1 * radius_);
+    const bool isLeft = after_.find(place.x, place.y, before_.height(place), 1e-6).has_value();
+    const double slack = kRounding * (1 + radius_);
+    if (distance && *distance < radius_ - slack) {
+      ++tally.near;
+      if (isLeft) tell("left", place, *distance, tally);
+    } else if (isDoubtful) {
+      ++tally.doubtful;
+    } else if (!distance || *distance > (1 + kTolerance) * radius_ + slack) {
+      ++tally.far;
+      if (!isLeft) tell("removed", place, distance.value_or(-1), tally);
+    }
+  }
+  void tell(const char* what, const SurfacePlace& place, double distance, Tally& tally) const {
+    if (++tally.wrong < 4)
+      qWarning("%s: %.17g %.17g %.17g at a distance of %.17g, radius %g", what, place.x, place.y, before_.height(place),
+               distance, radius_);
+  }
+
+  const NavigationMesh& mesh_;
+  BorderDistance before_, after_;
+  double radius_;
+  std::vector<double> sums_;
+};
+
+Tally checkPromise(const std::shared_ptr<Environment>& environment, const std::string& before, double r, int places,
+                   std::mt19937& random) {
+  const StatePtr state = runFilters(environment, before);
+  const NavigationMesh all = navigationMesh(state), left = navigationMesh(runFilters(state, radius(r)));
+  if (const std::string error = findMeshError(left); !error.empty()) {
+    qWarning("%s", error.c_str());
+    return {0, 0, 0, 1};
+  }
+  const Tally tally = PromiseCheck(all, left, r).look(places, random);
+  if (tally.wrong > 0 && environment->triangles.size() < 100) qWarning("%s", toText(*environment).c_str());
+  return tally;
+}
+
+}  // namespace
+
+class TestRadiusFilter : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void roomsShrink() {
+    const Soup room = Soup().floor(0, 0, 10, 10, 0);
+    QVERIFY(std::fabs(area(narrowed(room, 1)) - 64) < 1e-11);
+    QVERIFY(area(narrowed(room, 1)) <= 64);
+    QCOMPARE(area(narrowed(room, 0)), 100.0);
+    QCOMPARE(area(narrowed(room, 5)), 0.0);
+    QCOMPARE(area(narrowed(room, 50)), 0.0);
+    QVERIFY(area(narrowed(room, 4.999)) > 0);
+  }
+
+  void roundCornersArePolygonsOutside() {
+    const Soup edge = Soup().floor(0, 0, 10, 10, 0).box({4, 4, 0}, {6, 6, 3});
+    const double exact = 64 - (4 + 4 * 2 * 1 + std::numbers::pi), lost = exact - area(narrowed(edge, 1));
+    QVERIFY(lost > 0 && lost < 0.02 * std::numbers::pi);
+  }
+
+  void wallsWithoutThicknessHaveTwoSides() {
+    // From (5, 3) to (5, 7): two rectangles and two half discs.
+    const Soup room = Soup().floor(0, 0, 10, 10, 0).wall(5, 3, 5, 7, 0, 3);
+    const double exact = 64 - (4 * 2 + std::numbers::pi), lost = exact - area(narrowed(room, 1));
+    QVERIFY(lost > 0 && lost < 0.02 * std::numbers::pi);
+    QCOMPARE(components(narrowed(room, 1)), 1U);
+    QCOMPARE(components(narrowed(room, 1.5)), 2U);
+  }
+
+  void doorwaysAreAsWideAsTwoRadii() {
+    const auto rooms = [](double width) {
+      return Soup().floor(0, 0, 10, 4, 0).wall(5, -1, 5, 2 - width / 2, 0, 3).wall(5, 2 + width / 2, 5, 5, 0, 3);
+    };
+    QCOMPARE(components(narrowed(rooms(1), 0.5)), 2U);  // a single point does not connect
+    QCOMPARE(components(narrowed(rooms(1.001), 0.5)), 1U);
+    QCOMPARE(components(narrowed(rooms(0.999), 0.5)), 2U);
+  }
+
+  void anUpperFloorsBorderDoesNotTouchWhatLiesBelow() {
+    const Soup floors = Soup().floor(0, 0, 10, 10, 0).floor(3, 3, 7, 7, 3).ceiling(3, 3, 7, 7, 2.5);
+    QVERIFY(std::fabs(area(narrowed(floors, 1)) - (64 + 4)) < 1e-11);
+  }
+
+  void stepsAreNoBorder() {
+    Soup stairs;
+    for (int i = 0; i < 9; ++i) {
+      stairs.floor(i, 0, i + 1, 4, i * 0.25);
+      if (i > 0) stairs.wall(i, 0, i, 4, (i - 1) * 0.25, i * 0.25);
+    }
+    const std::string before = minimalPipeline(2) + "\nStepFilter 0.25\n";
+    const NavigationMesh left = narrowed(stairs, 1, before);
+    QVERIFY(std::fabs(area(left) - 7 * 2) < 1e-11);
+    QCOMPARE(components(left), 1U);
+    QCOMPARE(left.links.size(), std::size_t{6});
+    QCOMPARE(components(narrowed(stairs, 1, before, "AreaFilter 3\nSimplificationFilter\nLayerSubdivisionFilter\n")),
+             1U);
+    QCOMPARE(area(narrowed(stairs, 1)), 0.0);  // without steps, each tread is an island
+  }
+
+  void pipelines() {
+    const Soup room = Soup().floor(0, 0, 10, 10, 0).box({4, 4, 0}, {6, 6, 3});
+    // More filters, before and behind, also those that begin anew.
+    const double once = area(narrowed(room, 1));
+    for (const char* more : {"AreaFilter 1\n", "SimplificationFilter\n", "LayerSubdivisionFilter\n", "RoundingFilter\n",
+                             "VerticalClearanceFilter 2\n", "SimplificationFilter true\n", "SlopeFilter 30\n"})
+      QVERIFY2(std::fabs(area(narrowed(room, 1, minimalPipeline(2) + "\n", more)) - once) < 1e-9, more);
+    for (const char* before :
+         {"", "SimplificationFilter\n", "RoundingFilter\n", "LayerSubdivisionFilter\n", "AreaFilter 1\n"})
+      QVERIFY2(std::fabs(area(narrowed(room, 1, minimalPipeline(2) + "\n" + before)) - once) < 1e-9, before);
+    // Again: the second one moves the border of the first.
+    QVERIFY(std::fabs(area(narrowed(Soup().floor(0, 0, 10, 10, 0), 1, radius(1) + radius(1))) - 16) < 1e-10);
+  }
+
+  void wrongNumbers_data() {
+    QTest::addColumn<QString>("text");
+    for (const char* text : {"RadiusFilter -1", "RadiusFilter nan", "RadiusFilter inf", "RadiusFilter",
+                             "RadiusFilter x", "GridStrategy 2 2\nRadiusFilter 1\nCollapse"})
+      QTest::newRow(text) << QString(text);
+  }
+  void wrongNumbers() {
+    QFETCH(QString, text);
+    QVERIFY_THROWS_EXCEPTION(InputError, parsePipeline(text.toStdString(), "p"));
+  }
+
+  void tooSmallBesideTheCoordinatesIsRefused() {
+    const Soup far = Soup().floor(1e9, 0, 1e9 + 10, 10, 0);
+    QVERIFY_THROWS_EXCEPTION(InputError, narrowed(far, 1e-6));
+    QVERIFY(area(narrowed(far, 1)) > 63.9);
+  }
+
+  void keepsItsPromiseOnBuildings() {
+    std::mt19937 random(static_cast<unsigned>(seed()));
+    Tally sum;
+    for (int i = 0; i < rounds(150); ++i) {
+      std::vector<PartNumbers> parts(3 + random() % 9);
+      for (PartNumbers& part : parts)
+        for (int& n : part) n = static_cast<int>(random() % 64);
+      const Soup soup = Soup(buildingOf(parts)).mapped([&](const Vec3& p) {
+        return i % 2 == 0 ? p : Vec3{0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y, p.z};
+      });
+      const std::string before = minimalPipeline(1.5) + "\n" + (i % 3 == 0 ? "StepFilter 0.5\n" : "");
+      for (const double r : {0.1, 0.3, 0.75}) {
+        const Tally tally = checkPromise(soup.environment(i % 5 == 0), before, r, 300, random);
+        QVERIFY2(tally.wrong == 0, qPrintable(QString("building %1, radius %2").arg(i).arg(r)));
+        sum.near += tally.near;
+        sum.far += tally.far;
+        sum.doubtful += tally.doubtful;
+      }
+    }
+    qInfo("%zu places nearer, %zu farther, %zu near needles", sum.near, sum.far, sum.doubtful);
+    QVERIFY(sum.near > 1000 && sum.far > 1000 && sum.doubtful < sum.far / 10);
+  }
+
+  void keepsItsPromiseOnWalks() {
+    std::mt19937 random(static_cast<unsigned>(seed()) + 1);
+    for (int i = 0; i < rounds(100); ++i) {
+      std::vector<int> moves(4 + random() % 12);
+      for (int& move : moves) move = static_cast<int>(random() % 16);
+      const Soup soup = walkOf(moves);
+      for (const double r : {0.05, 0.2, 0.45}) {
+        const Tally tally =
+            checkPromise(soup.environment(), minimalPipeline(0.5) + "\nStepFilter 0.25\n", r, 300, random);
+        QVERIFY2(tally.wrong == 0, qPrintable(QString("walk %1, radius %2").arg(i).arg(r)));
+      }
+    }
+  }
+
+  void keepsItsPromiseOnSoups() {
+    std::mt19937 random(static_cast<unsigned>(seed()) + 2);
+    int tried = 0;
+    for (int i = 0; i < rounds(300); ++i) {
+      const fuzz::PipelineCase one = fuzz::makePipelineCase(seed() + static_cast<std::uint64_t>(i));
+      const auto environment = one.soup.environment(one.bothSides);
+      double largest = 0;
+      for (const Vec3& v : environment->vertices) largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
+      if (largest > 50 || largest < 1 || one.clearance < 1e-3) continue;  // the doubles here are made for such
+      ++tried;
+      for (const double r : {0.2, 0.7}) {
+        const Tally tally = checkPromise(environment, minimalPipeline(one.clearance) + "\n", r, 200, random);
+        QVERIFY2(tally.wrong == 0, qPrintable(QString("case %1 (%2), clearance %3, radius %4")
+                                                  .arg(i)
+                                                  .arg(QString::fromStdString(one.kind))
+                                                  .arg(one.clearance)
+                                                  .arg(r)));
+      }
+    }
+    QVERIFY(tried > 20);
+  }
+
+  void keepsItsPromiseOnRealEnvironments_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("clearance");
+    // A fifth of the height is climbed, a sixth is the radius.
+    QTest::newRow("nav_test") << "nav_test" << 2.0;
+    QTest::newRow("steelribs") << "steelribs" << 40.0;
+    QTest::newRow("complex") << "complex" << 2.0;
+  }
+  void keepsItsPromiseOnRealEnvironments() {
+    QFETCH(QString, name);
+    QFETCH(double, clearance);
+    if (sharedEnvironments().isEmpty()) QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
+    const auto environment = importEnvironment((sharedEnvironments() + "/" + name + ".obj").toStdString());
+    std::mt19937 random(static_cast<unsigned>(seed()) + 3);
+    const Tally tally = checkPromise(std::make_shared<Environment>(*environment),
+                                     minimalPipeline(clearance) + "\nStepFilter " + number(clearance / 5) + "\n",
+                                     clearance / 6, rounds(20000), random);
+    qInfo("%zu places nearer, %zu farther, %zu near needles", tally.near, tally.far, tally.doubtful);
+    QCOMPARE(tally.wrong, std::size_t{0});
+    QVERIFY(tally.near > 1000 && tally.far > 1000);
+  }
+
+  void orderAndThreadsChangeNothing() {
+    std::mt19937 random(7);
+    for (int i = 0; i < rounds(40); ++i) {
+      const fuzz::PipelineCase one = fuzz::makePipelineCase(seed() + 9000 + static_cast<std::uint64_t>(i));
+      const auto environment = one.soup.environment(one.bothSides);
+      const std::string text = minimalPipeline(one.clearance) + "\n" + radius(0.3) + "SimplificationFilter\n";
+      try {
+        const NavigationMesh mesh = navigationMesh(runFilters(environment, text));
+        QCOMPARE(findMeshError(mesh), std::string());
+        std::vector<std::uint32_t> order(environment->triangles.size());
+        for (std::uint32_t t = 0; t < order.size(); ++t) order[t] = t;
+        std::shuffle(order.begin(), order.end(), random);
+        NavigationMesh other;
+        runWithThreads(1 + i % 3, [&] { other = navigationMesh(runFilters(shuffled(*environment, order, 1), text)); });
+        QVERIFY(other.triangles == mesh.triangles && other.vertices == mesh.vertices);
+      } catch (const InputError&) {  // the radius is nothing beside the coordinates
+      }
+    }
+  }
+
+  void moreRadiusNeverAddsArea() {
+    for (int i = 0; i < rounds(60); ++i) {
+      std::mt19937 random(static_cast<unsigned>(i));
+      std::vector<PartNumbers> parts(8);
+      for (PartNumbers& part : parts)
+        for (int& n : part) n = static_cast<int>(random() % 64);
+      const Soup soup = buildingOf(parts);
+      double before = 1e300;
+      for (const double r : {0.0, 0.1, 0.2, 0.4, 0.8}) {
+        const double now = area(narrowed(soup, r, minimalPipeline(1.5) + "\n"));
+        QVERIFY(now <= before);
+        before = now;
+      }
+    }
+  }
+
+  void liveEditsGiveTheSame() {
+    const Soup level = Soup().floor(0, 0, 10, 6, 0).wall(5, -1, 5, 2, 0, 3).wall(5, 4, 5, 7, 0, 3);
+    const std::string pipeline = minimalPipeline(2) + "\nStepFilter 0.3\n" + radius(0.4) +
+                                 "AreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n";
+    ResultCache cache;
+    EditableEnvironment edited(level.environment());
+    QVERIFY(agrees(edited.environment(), pipeline, cache));
+    const auto crate = [](double x, double y) { return soupFor(Soup().box({x, y, 0}, {x + 0.75, y + 0.75, 1})); };
+    const ObstacleId id = edited.add(crate(1.5, 1));
+    for (int i = 0; i < 12; ++i) {
+      edited.replace(id, crate(0.6 * i, 0.5 + 0.7 * (i % 5)));
+      QVERIFY2(agrees(edited.environment(), pipeline, cache), qPrintable(QString::number(i)));
+    }
+    edited.remove(id);
+    QVERIFY(agrees(edited.environment(), pipeline, cache));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestRadiusFilter)
+#include "test_radius_filter.moc"
