@@ -13,8 +13,10 @@
 // borders that go on straight to within 8 units are one edge: so no outer edge comes nearer to its edge or corner than
 // r, and nothing that is nearer than r is left. The tangents meet at R / cos(d / 2), d being the angle between
 // neighbours, which is chosen such that this is below (1 + tolerance) r: nothing that is farther is lost.
+//
 // What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
-// nearer still.
+// nearer still. Which triangles are reached is found in doubles, and in doubt they are: this may take too much only
+// where one triangle is above itself, as on a spiral about a post thinner than the radius, and never too little.
 #pragma once
 
 #include <array>
