@@ -149,8 +149,9 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
     case MaxSlope:
       return tr("The steepest ground that the agent can walk on");
     case Step:
-      return tr("How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no "
-                "filter for steps");
+      return tr(
+          "How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no "
+          "filter for steps");
     case ComponentCount:
       return tr("Parts of the walkable area that an agent cannot leave");
     case Connections:

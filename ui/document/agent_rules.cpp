@@ -159,15 +159,18 @@ std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit) {
   for (NamedAgent& agent : agents) {
-    for (double* length : {&agent.height, &agent.step}) *length = rounded(*length * fromMetresPerUnit / toMetresPerUnit);
+    for (double* length : {&agent.height, &agent.step})
+      *length = rounded(*length * fromMetresPerUnit / toMetresPerUnit);
   }
   return agents;
 }
 
 // Steps: what is built for who walks or rolls.
-// - Stairs: Approved Document K to the Building Regulations 2010 of England (2013 edition), table 1.1: a riser of a private
+// - Stairs: Approved Document K to the Building Regulations 2010 of England (2013 edition), table 1.1: a riser of a
+// private
 //   stair is at most 220 mm, the most that the codes looked at allow (190 mm for other stairs there).
-// - Wheels: 2010 ADA Standards for Accessible Design, 404.2.5: a threshold is at most 1/2 inch (13 mm); 405.2: a ramp is at
+// - Wheels: 2010 ADA Standards for Accessible Design, 404.2.5: a threshold is at most 1/2 inch (13 mm); 405.2: a ramp
+// is at
 //   most 1 in 12 (4.76 degrees).
 // - Robot: Boston Dynamics, "About Spot": 840 mm high standing, slopes up to 30 degrees, steps up to 300 mm.
 // Defaults of others:
@@ -179,8 +182,8 @@ std::vector<AgentPreset> agentPresets(double metresPerUnit) {
   constexpr double kRiser = 0.22, kThreshold = 0.013;
   const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step,
                                       const QString& help) {
-    return AgentPreset{
-        {0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit)}, help};
+    return AgentPreset{{0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit)},
+                       help};
   };
   return {
       preset(tr("Human"), 2, 45, kRiser, tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
@@ -194,7 +197,8 @@ std::vector<AgentPreset> agentPresets(double metresPerUnit) {
       preset(QStringLiteral("Unity"), 2, 45, 0.75, tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m")),
       preset(QStringLiteral("Unreal"), 1.44, 44, 0.35,
              tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m")),
-      preset(QStringLiteral("Godot"), 1.5, 45, 0.25, tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m")),
+      preset(QStringLiteral("Godot"), 1.5, 45, 0.25,
+             tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m")),
       preset(QStringLiteral("Recast"), 2, 45, 0.9,
              tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m"))};
 }

@@ -205,7 +205,8 @@ class TestAgents : public QObject {
 
     button("copyAgents")->menu()->findChild<QAction*>("copyCsv")->trigger();
     const QStringList csv = QApplication::clipboard()->text().split("\r\n");
-    QCOMPARE(csv[0], QString::fromUtf8("Agent,Height (units),Slope (°),Step (units),Area (units²),Layers,Components,Connections"));
+    QCOMPARE(csv[0], QString::fromUtf8(
+                         "Agent,Height (units),Slope (°),Step (units),Area (units²),Layers,Components,Connections"));
     QVERIFY2(csv[1].startsWith("Human,2,45,0.22,64.00,"), qPrintable(csv[1]));
     button("copyAgents")->menu()->findChild<QAction*>("copyText")->trigger();
     const QStringList text = QApplication::clipboard()->text().split('\n');

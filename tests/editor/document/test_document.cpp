@@ -266,6 +266,22 @@ class TestDocument : public QObject {
     QVERIFY_EXCEPTION_THROWN(readSession(path), InputError);
   }
 
+  void agentsOfOldSessionsClimbNoSteps() {
+    const QTemporaryDir folder;
+    const QByteArray old(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"SlopeFilter\", \"parameters\": {\"max_slope\": 45}}], "
+        "\"agents\": [{\"name\": \"A\", \"height\": 2, \"max_slope\": 45}], \"agent\": 1}");
+    const Session session = readSession(writeFile(folder, "old.footfall", old).toStdString());
+    QCOMPARE(session.agents, (std::vector<NamedAgent>{{1, "A", 2, 45, 0}}));
+    Document document;
+    DocumentState rest;
+    rest.agents = session.agents;
+    rest.agent = session.agent;
+    document.reset(session.pipeline, {}, rest);
+    QCOMPARE(document.state().agent, 1);  // its filters have its sizes
+    QCOMPARE(formatPipeline(document.pipeline()), std::string("SlopeFilter 45\n"));
+  }
+
   void badSessionsAreOneLineWithTheFile_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::newRow("empty") << QByteArray();
@@ -281,6 +297,9 @@ class TestDocument : public QObject {
     QTest::newRow("wrong type") << QByteArray("{\"footfall_session\": 1, \"pipeline\": 3}");
     QTest::newRow("bad scale") << QByteArray(
         "{\"footfall_session\": 1, \"import\": {\"metres_per_unit\": 0}, \"pipeline\": []}");
+    QTest::newRow("step below 0") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [], \"agents\": [{\"name\": \"A\", \"height\": 2, \"max_slope\": 45, "
+        "\"step\": -1}]}");
   }
   void badSessionsAreOneLineWithTheFile() {
     QFETCH(QByteArray, content);
