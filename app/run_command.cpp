@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -6,6 +7,7 @@
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
 #include "core/base/process_usage.hpp"
+#include "core/inspect/parameter_check.hpp"
 #include "core/io/export.hpp"
 #include "core/io/gltf_export.hpp"
 #include "core/report/html_report.hpp"
@@ -65,6 +67,17 @@ void checkTargets(const RunOptions& options) {
   checkScale(options.exported, {});
 }
 
+/// What the numbers of the pipeline will do to the level that nobody wants, on stderr.
+void tellNotes(const Environment& environment, const Pipeline& pipeline, CommandSession& session) {
+  session.begin("checking");
+  const std::vector<ParameterNote> notes = checkParameters(measureLevel(environment, session.context()), pipeline);
+  session.end();
+  for (const ParameterNote& note : notes) {
+    const std::string step = note.step ? formatStep(pipeline.steps[*note.step]) + ": " : std::string("--scale: ");
+    std::cerr << "footfall: note: " << step << note.text.str() << '\n';
+  }
+}
+
 /// Returns the summary for stdout, empty when quiet.
 std::string runAndExport(const RunOptions& options) {
   const Stopwatch total;
@@ -78,6 +91,7 @@ std::string runAndExport(const RunOptions& options) {
   const std::shared_ptr<const Environment> environment = session.load(options.environment);
   times.loadMs = loading.wallMs();
   if (!pipeline) pipeline = defaultPipeline(*environment);
+  if (!options.quiet) tellNotes(*environment, *pipeline, session);
   const RunResult result = session.run(environment, *pipeline, options.pipeline);
 
   if (!options.output.empty()) {
@@ -128,7 +142,7 @@ void addRunCommand(CLI::App& app) {
   command.add_flag("--speed-up", options->speedUp,
                    "Also run everything three times more, and three times on one thread without parallel blocks, to "
                    "tell the speed-up");
-  command.add_flag("--quiet", options->quiet, "No progress bar and no summary");
+  command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
   command.callback([options] {
     options->exported.up = upAxisFrom(options->exportUp);
     print(runAndExport(*options));

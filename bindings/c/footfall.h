@@ -165,7 +165,7 @@ typedef struct footfall_agent {
   double step;         /* metres, at least 0: how high it climbs at once; 0: it does not lift its feet */
 } footfall_agent;
 
-/* 45 degrees, 2 m, 1 square metre, no steps. */
+/* 45 degrees, 2 m, 1 square metre, steps of 0.4 m. */
 FOOTFALL_API footfall_agent footfall_default_agent(void);
 /* The pipeline for an agent (NULL: the default one) as text, one filter a line, in the environment's units. */
 FOOTFALL_API footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,

@@ -176,7 +176,7 @@ height: metres, above 0: the free height that it needs.
 minimum_area: square metres: connected parts that are no larger are left out.
 step: metres, at least 0: how high it climbs at once, on stairs and kerbs; 0: it does not lift its feet.)",
       py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(), py::arg("minimum_area") = 1.0,
-      py::arg("step") = 0.0);
+      py::arg("step") = 0.4);
 
   define(
       environment, "with_roles",

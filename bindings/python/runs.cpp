@@ -264,7 +264,7 @@ threads, progress: as for `run`. Ctrl-C raises KeyboardInterrupt within some 50 
 
 Raises InputError for arrays or numbers that are wrong, and RunError.)",
       py::arg("vertices"), py::arg("triangles"), py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(),
-      py::arg("minimum_area") = 1.0, py::arg("step") = 0.0, py::arg("up") = "z", py::arg("metres_per_unit") = 1.0,
+      py::arg("minimum_area") = 1.0, py::arg("step") = 0.4, py::arg("up") = "z", py::arg("metres_per_unit") = 1.0,
       py::arg("both_sides") = false, py::arg("obstacle_only") = py::none(), py::arg("threads") = 0,
       py::arg("progress") = py::none());
 }

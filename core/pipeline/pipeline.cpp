@@ -88,7 +88,7 @@ Pipeline defaultPipeline(const Environment& environment) {
   Pipeline pipeline;
   for (const FilterType type :
        {FilterType::Duplication, FilterType::Degeneracy, FilterType::Slope, FilterType::VerticalClearance,
-        FilterType::Area, FilterType::Simplification, FilterType::LayerSubdivision})
+        FilterType::Step, FilterType::Area, FilterType::Simplification, FilterType::LayerSubdivision})
     pipeline.steps.push_back(defaultStep(filterDescriptor(type), environment.metresPerUnit));
   return pipeline;
 }
@@ -101,8 +101,9 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
   std::vector<std::pair<FilterType, double>> numbers{{FilterType::Slope, agent.maxSlope},
                                                      {FilterType::VerticalClearance, agent.height},
                                                      {FilterType::Area, agent.minimumArea}};
-  if (agent.step != 0) {
-    pipeline.steps.insert(place(FilterType::Area), defaultStep(filterDescriptor(FilterType::Step), 1));
+  if (agent.step == 0) {
+    pipeline.steps.erase(place(FilterType::Step));
+  } else {
     numbers.emplace_back(FilterType::Step, agent.step);
   }
   for (const auto& [type, value] : numbers) {

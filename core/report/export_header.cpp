@@ -11,6 +11,7 @@ using namespace detail;
 std::string describeAgent(const Pipeline& pipeline) {
   std::string slope = "slope any";
   std::string height = "height any";
+  std::string climbs;
   std::optional<double> smallestSlope, largestHeight;
   for (const PipelineStep& step : pipeline.steps) {
     if (!step.enabled || step.values.empty()) continue;
@@ -21,9 +22,11 @@ std::string describeAgent(const Pipeline& pipeline) {
     } else if (step.filter->type == FilterType::VerticalClearance) {
       largestHeight = std::max(largestHeight.value_or(step.values[0]), step.values[0]);
       height = "height " + formatValue(parameter, *largestHeight);
+    } else if (step.filter->type == FilterType::Step) {
+      climbs = ", step " + formatValue(parameter, step.values[0]);
     }
   }
-  return slope + ", " + height;
+  return slope + ", " + height + climbs;
 }
 
 ExportHeader makeExportHeader(const Pipeline& pipeline) {

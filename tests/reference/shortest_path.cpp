@@ -26,9 +26,10 @@ double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x,
 struct Way {
   Index to;
   Vec3 left, right;  ///< ends of the side, seen when crossing it
+  bool isStep = false;
 };
 
-/// Triangles by the vertices of their sides, in the direction of the triangle.
+/// Triangles by the vertices of their sides, in the direction of the triangle; then those over steps.
 std::vector<std::vector<Way>> waysOf(const NavigationMesh& mesh) {
   std::map<std::pair<Index, Index>, std::vector<Index>> sides;
   for (Index t = 0; t < mesh.triangles.size(); ++t)
@@ -38,6 +39,11 @@ std::vector<std::vector<Way>> waysOf(const NavigationMesh& mesh) {
     const auto back = sides.find({side.second, side.first});
     if (triangles.size() != 1 || back == sides.end() || back->second.size() != 1) continue;
     ways[triangles[0]].push_back({back->second[0], mesh.vertices[side.second], mesh.vertices[side.first]});
+  }
+  for (const StepLink& link : mesh.links) {
+    ways[link.fromTriangle].push_back(
+        {link.toTriangle, mesh.vertices[link.from[1]], mesh.vertices[link.from[0]], true});
+    ways[link.toTriangle].push_back({link.fromTriangle, mesh.vertices[link.to[1]], mesh.vertices[link.to[0]], true});
   }
   return ways;
 }
@@ -139,6 +145,16 @@ double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from
       const Index a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
       sides[{std::min(a, b), std::max(a, b)}].emplace_back(t, i);
     }
+  using Side = std::pair<Index, std::size_t>;  // of a triangle
+  std::map<Side, std::vector<Side>> steps;
+  const auto sideOf = [&](Index t, Index from) {
+    return Side{t, static_cast<std::size_t>(std::ranges::find(mesh.triangles[t], from) - mesh.triangles[t].begin())};
+  };
+  for (const StepLink& link : mesh.links) {
+    const Side from = sideOf(link.fromTriangle, link.from[0]), to = sideOf(link.toTriangle, link.to[0]);
+    steps[from].push_back(to);
+    steps[to].push_back(from);
+  }
   const auto position = [&](std::size_t node) {
     const Triangle& f = mesh.triangles[node / perTriangle];
     const std::size_t side = node % perTriangle / perSide;
@@ -170,11 +186,16 @@ double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from
       improve(t * perTriangle + i, length + planDistance(position(node), position(t * perTriangle + i)));
     const std::size_t side = node % perTriangle / perSide;
     const Index a = mesh.triangles[t][side], b = mesh.triangles[t][(side + 1) % 3];
+    const auto cross = [&](Index other, std::size_t otherSide) {
+      improve(other * perTriangle + otherSide * perSide + (perSide - 1 - node % perSide), length);
+    };
+    if (const auto found = steps.find({t, side}); found != steps.end()) {
+      for (const auto& [other, otherSide] : found->second) cross(other, otherSide);
+    }
     const auto& both = sides[{std::min(a, b), std::max(a, b)}];
     if (both.size() != 2) continue;
     const auto& [other, otherSide] = both[both[0].first == t ? 1 : 0];
-    improve(other * perTriangle + static_cast<std::size_t>(otherSide) * perSide + (perSide - 1 - node % perSide),
-            length);
+    cross(other, static_cast<std::size_t>(otherSide));
   }
   return best;
 }
@@ -201,14 +222,18 @@ std::string findPathError(const NavigationMesh& mesh, const PathResult& path, do
     for (const Vec3& p : {path.points[i], path.points[i + 1]})
       if (distanceFrom(t, p) > tolerance) return "piece " + std::to_string(i) + " leaves its triangle";
     plan += planDistance(path.points[i], path.points[i + 1]);
+    const bool isStep = std::ranges::find(path.steps, i) != path.steps.end();
+    if (isStep && planDistance(path.points[i], path.points[i + 1]) != 0) return "a step is not upright";
     if (i == 0 || path.triangles[i - 1] == t) continue;
-    // Around the point at which it goes from one triangle into the next: through triangles that all reach it.
+    // Around the point at which it goes from one triangle into the next: through triangles that all reach it, and over
+    // links where the path says so.
     std::set<Index> seen{path.triangles[i - 1]};
     std::vector<Index> stack{path.triangles[i - 1]};
     while (!stack.empty() && seen.count(t) == 0) {
       const Index from = stack.back();
       stack.pop_back();
       for (const Way& way : ways[from]) {
+        if (way.isStep && !isStep) continue;
         const double side = planDistance(way.left, way.right);
         const double off = planDistance(way.left, path.points[i]) + planDistance(way.right, path.points[i]) - side;
         if (off <= tolerance && seen.insert(way.to).second) stack.push_back(way.to);

@@ -17,6 +17,18 @@ std::vector<NamedAgent>::iterator find(DocumentState& state, int id) {
   return std::ranges::find(state.agents, id, &NamedAgent::id);
 }
 
+QString resizeText(AgentSize size) {
+  switch (size) {
+    case AgentSize::Height:
+      return tr("Change height of %1 %2 → %3");
+    case AgentSize::MaxSlope:
+      return tr("Change maximum slope of %1 %2 → %3");
+    case AgentSize::Step:
+      break;
+  }
+  return tr("Change step of %1 %2 → %3");
+}
+
 }  // namespace
 
 int addAgent(Document& document, const NamedAgent& agent) {
@@ -28,7 +40,7 @@ int addAgent(Document& document, const NamedAgent& agent) {
   next.agent = added.id;
   const int id = added.id;
   const QString text = tr("Add agent %1").arg(nameOf(added));
-  applyAgent(next);
+  applyAgent(next, document.newFilterId());
   document.edit(std::move(next), text);
   return id;
 }
@@ -42,7 +54,7 @@ int duplicateAgent(Document& document, int id) {
   copy.name = freeAgentName(document.state(), copy.name);
   next.agents.insert(at + 1, copy);
   next.agent = copy.id;
-  applyAgent(next);
+  applyAgent(next, document.newFilterId());
   document.edit(std::move(next), tr("Duplicate agent %1").arg(nameOf(copy)));
   return copy.id;
 }
@@ -73,13 +85,11 @@ void resizeAgent(Document& document, int id, AgentSize size, double value) {
   DocumentState next = document.state();
   const auto at = find(next, id);
   if (at == next.agents.end()) return;
-  const ParameterDescriptor& parameter = filterOf(size).parameters[0];
-  const QString text =
-      (size == AgentSize::Height ? tr("Change height of %1 %2 → %3") : tr("Change maximum slope of %1 %2 → %3"))
-          .arg(nameOf(*at), valueText(parameter, sizeOf(*at, size), document.units()),
-               valueText(parameter, value, document.units()));
+  const ParameterDescriptor& parameter = parameterOf(size);
+  const QString text = resizeText(size).arg(nameOf(*at), valueText(parameter, sizeOf(*at, size), document.units()),
+                                            valueText(parameter, value, document.units()));
   setSizeOf(*at, size, value);
-  applyAgent(next);
+  applyAgent(next, document.newFilterId());
   document.edit(std::move(next), text);
 }
 
@@ -87,7 +97,7 @@ void activateAgent(Document& document, int id) {
   DocumentState next = document.state();
   next.agent = id;
   const NamedAgent* agent = activeAgent(next);
-  applyAgent(next);
+  applyAgent(next, document.newFilterId());
   const QString text = agent ? tr("Switch to agent %1").arg(nameOf(*agent)) : tr("Let go of the agent");
   document.edit(std::move(next), text, QStringLiteral("agent"));
 }
@@ -95,9 +105,10 @@ void activateAgent(Document& document, int id) {
 NamedAgent agentOfFilters(const DocumentState& state, double metresPerUnit) {
   NamedAgent agent = agentPresets(metresPerUnit).front().agent;
   agent.name = tr("Agent").toStdString();
-  for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope}) {
+  agent.step = 0;
+  for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step}) {
     for (const FilterEntry& entry : state.filters) {
-      if (agentSizeOf(*entry.step.filter) != size) continue;
+      if (agentSizeOf(*entry.step.filter) != size || (size == AgentSize::Step && !entry.step.enabled)) continue;
       setSizeOf(agent, size, entry.step.values[0]);
       break;
     }

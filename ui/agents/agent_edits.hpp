@@ -14,11 +14,11 @@ int duplicateAgent(Document& document, int id);
 void removeAgent(Document& document, int id);
 /// An empty name changes nothing.
 void renameAgent(Document& document, int id, const QString& name);
-/// `value` must be valid for the filter of the size. The active agent's filters follow.
+/// `value` must be valid (parameterOf()). The active agent's filters follow.
 void resizeAgent(Document& document, int id, AgentSize size, double value);
 /// Sets the filters to the agent's sizes; 0: none is active any more. Switching several times in a row is one entry.
 void activateAgent(Document& document, int id);
-/// With the values of the first filters that take them, else of a human.
+/// With the values of the first filters that take them, else of a human; no steps where no filter for them is on.
 NamedAgent agentOfFilters(const DocumentState& state, double metresPerUnit);
 
 }  // namespace footfall::ui

@@ -11,7 +11,7 @@
 namespace footfall::ui {
 namespace {
 
-Unit unitOf(AgentSize size) { return filterOf(size).parameters[0].unit; }
+Unit unitOf(AgentSize size) { return parameterOf(size).unit; }
 
 }  // namespace
 
@@ -54,6 +54,7 @@ int AgentModel::rowOf(int agent) const {
 std::optional<AgentSize> AgentModel::sizeIn(int column) {
   if (column == Height) return AgentSize::Height;
   if (column == MaxSlope) return AgentSize::MaxSlope;
+  if (column == Step) return AgentSize::Step;
   return std::nullopt;
 }
 
@@ -87,8 +88,8 @@ QString AgentModel::textIn(const NamedAgent& agent, int column) const {
 }
 
 // In the file's units, where they are not shown.
-QString AgentModel::heightHelp(const NamedAgent& agent) const {
-  return units_.factor() == 1 ? QString() : tr("%1 units of the file").arg(shortText(agent.height));
+QString AgentModel::lengthHelp(double length) const {
+  return units_.factor() == 1 ? QString() : tr("%1 units of the file").arg(shortText(length));
 }
 
 QVariant AgentModel::data(const QModelIndex& index, int role) const {
@@ -108,7 +109,8 @@ QVariant AgentModel::data(const QModelIndex& index, int role) const {
       return font;
     }
     case Qt::ToolTipRole:
-      if (index.column() == Height) return heightHelp(*agent);
+      if (index.column() == Height) return lengthHelp(agent->height);
+      if (index.column() == Step) return lengthHelp(agent->step);
       if (index.column() == Name && index.row() < 9) return tr("Alt+%1").arg(index.row() + 1);
       return {};
     default:
@@ -126,6 +128,8 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
         return tr("Height (%1)").arg(units_.name());
       case MaxSlope:
         return tr("Slope (°)");
+      case Step:
+        return tr("Step (%1)").arg(units_.name());
       case Area:
         return tr("Area (%1)").arg(units_.areaName());
       case Layers:
@@ -144,6 +148,10 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
       return tr("The free height that the agent needs: the clearance of the filters");
     case MaxSlope:
       return tr("The steepest ground that the agent can walk on");
+    case Step:
+      return tr(
+          "How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no "
+          "filter for steps");
     case ComponentCount:
       return tr("Parts of the walkable area that an agent cannot leave");
     case Connections:
@@ -172,7 +180,7 @@ bool AgentModel::setData(const QModelIndex& index, const QVariant& value, int ro
   const auto number = parseNumber(value.toString());
   const double stored = number ? units_.stored(*number, unitOf(*size)) : 0;
   const QString wrong = number
-                            ? coreText(checkValue(filterOf(*size).parameters[0], stored))
+                            ? coreText(checkValue(parameterOf(*size), stored))
                             : tr("'%1' is not a number; write for example %2").arg(value.toString(), numberText(1.8));
   if (!wrong.isEmpty()) {
     emit failed(tr("agent: %1").arg(wrong));

@@ -16,7 +16,7 @@ class AgentModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Name, Height, MaxSlope, Area, Layers, ComponentCount, Connections, State, kColumns };
+  enum Column { Name, Height, MaxSlope, Step, Area, Layers, ComponentCount, Connections, State, kColumns };
 
   AgentModel(Document& document, RunController& controller, AgentResults& results, QObject* parent = nullptr);
 
@@ -43,7 +43,7 @@ class AgentModel : public QAbstractTableModel {
 
  private:
   void follow();
-  [[nodiscard]] QString heightHelp(const NamedAgent& agent) const;
+  [[nodiscard]] QString lengthHelp(double length) const;
   [[nodiscard]] QString textIn(const NamedAgent& agent, int column) const;
 
   Document& document_;

@@ -26,7 +26,7 @@ class AgentDelegate : public QStyledItemDelegate {
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     const auto size = AgentModel::sizeIn(index.column());
     if (!size) return QStyledItemDelegate::createEditor(parent, option, index);
-    return new NumberField(filterOf(*size).parameters[0], parent);
+    return new NumberField(parameterOf(*size), parent);
   }
   // Once: the table is told of runs while somebody types, and must not take the text away.
   void setEditorData(QWidget* editor, const QModelIndex& index) const override {
@@ -82,7 +82,7 @@ AgentsPanel::AgentsPanel(Document& document, RunController& controller, QWidget*
   hint_->setWordWrap(true);
   hintButton_ = new QPushButton(tr("Add filters"), this);
   hintButton_->setObjectName(QStringLiteral("addAgentFilters"));
-  hintButton_->setToolTip(tr("Add the filters that the agents drive, before all others"));
+  hintButton_->setToolTip(tr("Add the filters that the agents drive, before all others; steps behind the clearance"));
   auto* hints = new QHBoxLayout;
   hints->addWidget(hint_, 1);
   hints->addWidget(hintButton_);
@@ -195,7 +195,8 @@ void AgentsPanel::follow() {
   const bool tell = !state.agents.empty() && !missing.empty();
   QString hint;
   if (state.agents.empty()) {
-    hint = tr("An agent is a height and a slope that the filters follow. Add one to compare what each can reach.");
+    hint =
+        tr("An agent is a height, a slope and a step that the filters follow. Add one to compare what each can reach.");
   } else if (tell) {
     hint = tr("No filter '%1' is on: that size of the agents has no effect.")
                .arg(names.join(tr("' and no filter '", "between two names of filters")));
@@ -205,7 +206,7 @@ void AgentsPanel::follow() {
   hintButton_->setVisible(tell);
 }
 
-// In front, where they are in the default pipeline; those that are off are switched on.
+// In front, where they are in the default pipeline, and steps where they may be; those that are off are switched on.
 void AgentsPanel::addMissingFilters() {
   DocumentState next = document_.state();
   std::vector<FilterEntry> added;
@@ -214,12 +215,12 @@ void AgentsPanel::addMissingFilters() {
         next.filters, [size](const FilterEntry& entry) { return agentSizeOf(*entry.step.filter) == size; });
     if (off != next.filters.end()) {
       off->step.enabled = true;
-    } else {
+    } else if (size != AgentSize::Step) {  // those have a place of their own
       added.push_back({document_.newFilterId(), defaultStep(filterOf(size), metresPerUnit_)});
     }
   }
   next.filters.insert(next.filters.begin(), added.begin(), added.end());
-  applyAgent(next);
+  applyAgent(next, document_.newFilterId());
   document_.edit(std::move(next), tr("Add the filters of agents"));
 }
 

@@ -13,6 +13,7 @@ struct NamedAgent {
   std::string name;
   double height = 0;    ///< free height that it needs, in the environment's units
   double maxSlope = 0;  ///< degrees
+  double step = 0;      ///< how high it climbs at once, in the environment's units; 0: it does not lift its feet
   bool operator==(const NamedAgent&) const = default;
 };
 

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/pipeline/block_structure.hpp"
+
 namespace footfall::ui {
 namespace {
 
@@ -19,24 +21,84 @@ double rounded(double value) {
   return std::strtod(digits.data(), nullptr);
 }
 
+bool isOn(const FilterEntry& entry, AgentSize size) {
+  return entry.step.enabled && agentSizeOf(*entry.step.filter) == size;
+}
+
+Pipeline pipelineOf(const std::vector<FilterEntry>& filters) {
+  Pipeline pipeline;
+  for (const FilterEntry& entry : filters) pipeline.steps.push_back(entry.step);
+  return pipeline;
+}
+
+/// Behind all that would lose its links, and in front of the filters that count what is linked as one.
+void insertSteps(std::vector<FilterEntry>& filters, const FilterEntry& steps) {
+  for (auto at = filters.begin();; ++at) {
+    std::vector<FilterEntry> with(filters.begin(), at);
+    with.push_back(steps);
+    with.insert(with.end(), at, filters.end());
+    if (!findStructureError(pipelineOf(with))) {
+      filters = std::move(with);
+      return;
+    }
+    if (at == filters.end()) return;
+  }
+}
+
 }  // namespace
 
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Slope) return AgentSize::MaxSlope;
   if (filter.type == FilterType::VerticalClearance) return AgentSize::Height;
+  if (filter.type == FilterType::Step) return AgentSize::Step;
   return std::nullopt;
 }
 
 const FilterDescriptor& filterOf(AgentSize size) {
-  return filterDescriptor(size == AgentSize::Height ? FilterType::VerticalClearance : FilterType::Slope);
+  switch (size) {
+    case AgentSize::Height:
+      return filterDescriptor(FilterType::VerticalClearance);
+    case AgentSize::MaxSlope:
+      return filterDescriptor(FilterType::Slope);
+    case AgentSize::Step:
+      break;
+  }
+  return filterDescriptor(FilterType::Step);
+}
+
+const ParameterDescriptor& parameterOf(AgentSize size) {
+  static const ParameterDescriptor step = [] {
+    ParameterDescriptor orNone = filterDescriptor(FilterType::Step).parameters[0];
+    orNone.minimumOpen = false;
+    return orNone;
+  }();
+  return size == AgentSize::Step ? step : filterOf(size).parameters[0];
 }
 
 double sizeOf(const NamedAgent& agent, AgentSize size) {
-  return size == AgentSize::Height ? agent.height : agent.maxSlope;
+  switch (size) {
+    case AgentSize::Height:
+      return agent.height;
+    case AgentSize::MaxSlope:
+      return agent.maxSlope;
+    case AgentSize::Step:
+      break;
+  }
+  return agent.step;
 }
 
 void setSizeOf(NamedAgent& agent, AgentSize size, double value) {
-  (size == AgentSize::Height ? agent.height : agent.maxSlope) = value;
+  switch (size) {
+    case AgentSize::Height:
+      agent.height = value;
+      break;
+    case AgentSize::MaxSlope:
+      agent.maxSlope = value;
+      break;
+    case AgentSize::Step:
+      agent.step = value;
+      break;
+  }
 }
 
 const NamedAgent* activeAgent(const DocumentState& state) {
@@ -44,18 +106,32 @@ const NamedAgent* activeAgent(const DocumentState& state) {
   return found == state.agents.end() ? nullptr : &*found;
 }
 
-void applyAgent(DocumentState& state) {
+void writeSizes(DocumentState& state) {
   const NamedAgent* agent = activeAgent(state);
   if (!agent) return;
   for (FilterEntry& entry : state.filters) {
-    if (const auto size = agentSizeOf(*entry.step.filter)) entry.step.values[0] = sizeOf(*agent, *size);
+    const auto size = agentSizeOf(*entry.step.filter);
+    if (size && (size != AgentSize::Step || agent->step > 0)) entry.step.values[0] = sizeOf(*agent, *size);
   }
+}
+
+void applyAgent(DocumentState& state, int newId) {
+  const NamedAgent* agent = activeAgent(state);
+  if (!agent) return;
+  const FilterDescriptor& steps = filterOf(AgentSize::Step);
+  if (agent->step == 0) {
+    std::erase_if(state.filters, [](const FilterEntry& entry) { return isOn(entry, AgentSize::Step); });
+  } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &steps; })) {
+    insertSteps(state.filters, {newId, defaultStep(steps, 1)});
+  }
+  writeSizes(state);
 }
 
 bool followsAgent(const DocumentState& state) {
   const NamedAgent* agent = activeAgent(state);
   return !agent || std::ranges::all_of(state.filters, [agent](const FilterEntry& entry) {
     const auto size = agentSizeOf(*entry.step.filter);
+    if (size == AgentSize::Step && agent->step == 0) return !entry.step.enabled;
     return !size || entry.step.values[0] == sizeOf(*agent, *size);
   });
 }
@@ -65,39 +141,66 @@ Pipeline pipelineFor(const DocumentState& state, int agent) {
   other.filters = state.filters;
   other.agents = state.agents;
   other.agent = agent;
-  applyAgent(other);
-  Pipeline pipeline;
-  for (const FilterEntry& entry : other.filters) pipeline.steps.push_back(entry.step);
-  return pipeline;
+  if (agent != state.agent) applyAgent(other, 0);
+  return pipelineOf(other.filters);
 }
 
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
   std::vector<AgentSize> missing;
-  for (const AgentSize size : {AgentSize::MaxSlope, AgentSize::Height}) {
-    const bool driven = std::ranges::any_of(state.filters, [size](const FilterEntry& entry) {
-      return entry.step.enabled && agentSizeOf(*entry.step.filter) == size;
-    });
-    if (!driven) missing.push_back(size);
+  const NamedAgent* active = activeAgent(state);
+  for (const AgentSize size : {AgentSize::MaxSlope, AgentSize::Height, AgentSize::Step}) {
+    if (size == AgentSize::Step && (!active || active->step == 0)) continue;
+    if (std::ranges::none_of(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); }))
+      missing.push_back(size);
   }
   return missing;
 }
 
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit) {
-  for (NamedAgent& agent : agents) agent.height = rounded(agent.height * fromMetresPerUnit / toMetresPerUnit);
+  for (NamedAgent& agent : agents) {
+    for (double* length : {&agent.height, &agent.step})
+      *length = rounded(*length * fromMetresPerUnit / toMetresPerUnit);
+  }
   return agents;
 }
 
+// Steps: what is built for who walks or rolls.
+// - Stairs: Approved Document K to the Building Regulations 2010 of England (2013 edition), table 1.1: a riser of a
+// private
+//   stair is at most 220 mm, the most that the codes looked at allow (190 mm for other stairs there).
+// - Wheels: 2010 ADA Standards for Accessible Design, 404.2.5: a threshold is at most 1/2 inch (13 mm); 405.2: a ramp
+// is at
+//   most 1 in 12 (4.76 degrees).
+// - Robot: Boston Dynamics, "About Spot": 840 mm high standing, slopes up to 30 degrees, steps up to 300 mm.
+// Defaults of others:
+// - Unity: the agent type Humanoid of a new project (ProjectSettings/NavMeshAreas.asset).
+// - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, in centimetres.
+// - Godot 4: agent_height, agent_max_slope and agent_max_climb of NavigationMesh.
+// - Recast: RecastDemo, Sample::resetCommonSettings().
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
-  const auto preset = [metresPerUnit](const QString& name, double metres, double degrees, const QString& help) {
-    return AgentPreset{{0, name.toStdString(), rounded(metres / metresPerUnit), degrees}, help};
+  constexpr double kRiser = 0.22, kThreshold = 0.013;
+  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step,
+                                      const QString& help) {
+    return AgentPreset{{0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit)},
+                       help};
   };
-  return {preset(tr("Human"), 2, 45, tr("2 m, stairs and slopes up to 45°")),
-          preset(tr("Child"), 1.2, 45, tr("1.2 m, stairs and slopes up to 45°")),
-          preset(tr("Wheelchair"), 1.5, 5, tr("1.5 m, slopes up to 5°: ramps of 1 in 12 are 4.76°")),
-          preset(tr("Cart"), 1.2, 10, tr("1.2 m, slopes up to 10°")),
-          preset(tr("Giant"), 4, 45, tr("4 m, slopes up to 45°")),
-          preset(tr("Crawler"), 0.5, 60, tr("0.5 m, slopes up to 60°"))};
+  return {
+      preset(tr("Human"), 2, 45, kRiser, tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
+      preset(tr("Child"), 1.2, 45, kRiser, tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
+      preset(tr("Wheelchair"), 1.5, 5, kThreshold,
+             tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds up to 0.013 m")),
+      preset(tr("Cart"), 1.2, 10, kThreshold, tr("1.2 m, slopes up to 10°, thresholds up to 0.013 m")),
+      preset(tr("Giant"), 4, 45, 0.8, tr("4 m, slopes up to 45°, steps up to 0.8 m")),
+      preset(tr("Crawler"), 0.5, 60, 0.1, tr("0.5 m, slopes up to 60°, steps up to 0.1 m")),
+      preset(tr("Robot"), 0.84, 30, 0.3, tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m")),
+      preset(QStringLiteral("Unity"), 2, 45, 0.75, tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m")),
+      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35,
+             tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m")),
+      preset(QStringLiteral("Godot"), 1.5, 45, 0.25,
+             tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m")),
+      preset(QStringLiteral("Recast"), 2, 45, 0.9,
+             tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m"))};
 }
 
 int newAgentId(const DocumentState& state) {

@@ -11,28 +11,35 @@
 
 namespace footfall::ui {
 
-enum class AgentSize { Height, MaxSlope };
+enum class AgentSize { Height, MaxSlope, Step };
 
 /// The size that the first parameter of a filter is; nothing for filters that no agent drives.
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter);
-/// The filter that a size drives, with the parameter that says what the size may be.
+/// The filter that a size drives.
 const FilterDescriptor& filterOf(AgentSize size);
+/// What a size may be: the parameter of its filter, and 0 for agents that climb no steps.
+const ParameterDescriptor& parameterOf(AgentSize size);
 /// In the environment's units, or in degrees.
 double sizeOf(const NamedAgent& agent, AgentSize size);
 void setSizeOf(NamedAgent& agent, AgentSize size, double value);
 
 /// The one whose filters these are; null when there is none.
 const NamedAgent* activeAgent(const DocumentState& state);
-/// Writes the active agent's sizes into all filters that take them, those that are switched off too.
-void applyAgent(DocumentState& state);
+/// Writes the active agent's sizes into all filters that take them, those that are switched off too. A step of 0 is no
+/// value for a filter: those stay.
+void writeSizes(DocumentState& state);
+/// The same, and where the agent climbs no steps, filters for them that are on go; where it does and there is none, one
+/// with the id `newId` comes as far in front as a StepFilter may stand (nowhere without a clearance before it).
+void applyAgent(DocumentState& state, int newId);
 /// Whether the filters have the active agent's sizes; true without an active agent.
 bool followsAgent(const DocumentState& state);
-/// The same filters for another agent; nothing else is different. Unknown id: as they are.
+/// What switching to that agent would make of the filters. The active one or an unknown id: as they are.
 Pipeline pipelineFor(const DocumentState& state, int agent);
-/// Sizes that no filter that is switched on takes: there the agents have no effect.
+/// Sizes that no filter that is switched on takes: there the agents have no effect. Steps, which switching between
+/// agents adds and removes, only where the active agent climbs some.
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state);
 
-/// Heights in the environment's units stay the same in metres.
+/// Heights and steps in the environment's units stay the same in metres.
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit);
 
@@ -40,7 +47,8 @@ struct AgentPreset {
   NamedAgent agent;  ///< without an id
   QString help;      ///< in metres
 };
-/// Sizes of people and things that walk or roll, converted from metres.
+/// Sizes of people and things that walk or roll, and what navigation meshes of others are made for unless somebody says
+/// otherwise, converted from metres.
 std::vector<AgentPreset> agentPresets(double metresPerUnit);
 
 /// For a new agent: above all that are there.

@@ -93,7 +93,7 @@ void Document::setState(const DocumentState& state) {
 void Document::addFilter(const FilterDescriptor& filter, double metresPerUnit) {
   DocumentState next = state_;
   next.filters.push_back({nextId_++, defaultStep(filter, metresPerUnit)});
-  applyAgent(next);
+  writeSizes(next);
   const QString text = tr("Add %1").arg(labelOf(next.filters.back().step));
   push(std::move(next), text);
 }
@@ -135,7 +135,7 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
   const auto agent = std::ranges::find(next.agents, next.agent, &NamedAgent::id);
   if (size && parameter == 0 && agent != next.agents.end()) {
     setSizeOf(*agent, *size, value);
-    applyAgent(next);
+    writeSizes(next);
   }
   push(std::move(next), {},
        editSession < 0 ? QString() : QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession));
@@ -191,7 +191,7 @@ void Document::setImportAndPipeline(const ImportOptions& options, const Pipeline
     }
     next.filters = std::move(entries);
   }
-  if (agents) applyAgent(next);
+  if (agents) writeSizes(next);
   push(std::move(next), text, mergeKey);
 }
 

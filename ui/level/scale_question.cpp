@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/environment/scale_guess.hpp"
+#include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
@@ -14,16 +16,6 @@ namespace {
 struct ScaleText {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::ScaleText)
 };
-
-// In metres. Landscapes of games are up to a few hundred metres long, and their towers a few dozen high; a doll's house
-// is no level.
-constexpr double kLongest = 400, kHighest = 80, kShortest = 1;
-constexpr std::array kUsual = {1.0, 0.01, 0.001};
-
-bool isPlausible(const Vec3& size, double scale) {
-  const double length = scale * std::max(size.x, size.y);
-  return length >= kShortest && length <= kLongest && scale * size.z <= kHighest;
-}
 
 }  // namespace
 
@@ -43,13 +35,12 @@ QString unitLengthText(double metresPerUnit) {
 }
 
 ScaleQuestion askAboutScale(const Vec3& size, double guess) {
-  const auto other = std::ranges::find_if(kUsual, [&](double scale) { return isPlausible(size, scale); });
-  if (isPlausible(size, guess) || other == kUsual.end())
-    return {ScaleText::tr("1 unit = %1?").arg(unitLengthText(guess)), guess, std::nullopt};
-  const double length = guess * std::max(size.x, size.y), height = guess * size.z;
-  const bool high = length >= kShortest && length <= kLongest;
+  const std::optional<double> other = betterScale(size, guess);
+  if (!other) return {ScaleText::tr("1 unit = %1?").arg(unitLengthText(guess)), guess, std::nullopt};
+  const bool high = isTooHigh(size, guess);
   const QString what = high ? ScaleText::tr("%1 m high: is 1 unit = %2?") : ScaleText::tr("%1 m long: is 1 unit = %2?");
-  return {what.arg(shortText(high ? height : length, 3), unitLengthText(*other)), *other, guess};
+  const double metres = guess * (high ? size.z : std::max(size.x, size.y));
+  return {what.arg(shortText(metres, 3), unitLengthText(*other)), *other, guess};
 }
 
 }  // namespace footfall::ui

@@ -16,6 +16,7 @@
 #include "ui/base/theme_commands.hpp"
 #include "ui/base/translations.hpp"
 #include "ui/filters/filter_tools.hpp"
+#include "ui/filters/parameter_notes.hpp"
 #include "ui/inspect/compare_feature.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/inspect/measure_panel.hpp"
@@ -186,6 +187,7 @@ void EditorWindow::createFeatures() {
   new ObstacleFeatures(host, *view_, document_, file_, composer_, controller_);
   new SkippedFeature(host, *view_, file_, *import_);
   new CompareFeature(host, *view_, *overlays_, document_, file_, controller_);
+  new ParameterNotes(document_, file_, *messages_, this);
   exports_ = new ResultExport({.window = *this,
                                .document = document_,
                                .level = file_,

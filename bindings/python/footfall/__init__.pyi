@@ -101,7 +101,7 @@ class Environment:
         self, *, obstacle_only: Optional[ArrayLike] = None, ignored: Optional[ArrayLike] = None
     ) -> Environment: ...
     def pipeline_for(
-        self, slope: float = 45.0, height: float = 2.0, *, minimum_area: float = 1.0, step: float = 0.0
+        self, slope: float = 45.0, height: float = 2.0, *, minimum_area: float = 1.0, step: float = 0.4
     ) -> Pipeline: ...
 
 class EditableEnvironment:
@@ -368,7 +368,7 @@ def walkable_area(
     height: float = 2.0,
     *,
     minimum_area: float = 1.0,
-    step: float = 0.0,
+    step: float = 0.4,
     up: str = "z",
     metres_per_unit: float = 1.0,
     both_sides: bool = False,

@@ -14,14 +14,14 @@ struct Agent {
   /// Square metres, at least 0: connected parts that are no larger are left out.
   double minimumArea = 1;
   /// Metres, at least 0: how high it climbs at once, on stairs, kerbs, low walls. 0: it does not lift its feet.
-  double step = 0;
+  double step = 0.4;
   bool operator==(const Agent&) const = default;
 };
 
 /// The default pipeline with the numbers of `agent`, turned into the environment's units by its metresPerUnit: weld
-/// equal vertices, drop triangles without area, slope, clearance, steps (where it climbs any), area, simplification,
-/// layers. For the default agent
-/// it is defaultPipeline(). Throws InputError when a number is out of range.
+/// equal vertices, drop triangles without area, slope, clearance, steps (left out where it climbs none), area,
+/// simplification, layers. For the default agent it is defaultPipeline(). Throws InputError when a number is out of
+/// range.
 Pipeline pipelineFor(const Environment& environment, const Agent& agent = {});
 
 }  // namespace footfall

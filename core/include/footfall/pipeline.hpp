@@ -48,7 +48,8 @@ PipelineStep defaultStep(const FilterDescriptor& filter, double metresPerUnit);
 /// Checks values against the descriptor; returns an empty text when valid, else what is wrong and what to do.
 Text checkValue(const ParameterDescriptor& parameter, double value);
 
-/// Duplication 0, degeneracy, slope 45, clearance 2 m, area, simplification, layers, in the environment's units.
+/// Duplication 0, degeneracy, slope 45, clearance 2 m, steps of 0.4 m, area, simplification, layers, in the
+/// environment's units.
 Pipeline defaultPipeline(const Environment& environment);
 
 }  // namespace footfall

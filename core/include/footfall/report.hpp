@@ -19,8 +19,9 @@ namespace footfall {
 // --- Exports
 // ----------------------------------------------------------------------------------------------------------
 
-/// The agent that can walk wherever the enabled steps leave: "slope 45 degrees, height 2" (the environment's units).
-/// Where a filter occurs more than once, the strictest counts; "any" where there is no such filter.
+/// The agent that can walk wherever the enabled steps leave: "slope 45 degrees, height 2, step 0.4" (the environment's
+/// units). Where a filter occurs more than once, the strictest counts; "any" where there is no such filter, and nothing
+/// about steps where none are climbed.
 std::string describeAgent(const Pipeline& pipeline);
 
 /// The header of an export: the enabled steps and the agent.

@@ -171,7 +171,7 @@ static void testPipelines(void) {
   footfall_result* result = NULL;
   char* text = NULL;
   const footfall_agent standard = footfall_default_agent();
-  CHECK(standard.max_slope == 45 && standard.height == 2 && standard.minimum_area == 1 && standard.step == 0);
+  CHECK(standard.max_slope == 45 && standard.height == 2 && standard.minimum_area == 1 && standard.step == 0.4);
   CHECK_OK(footfall_pipeline_for(level, &kAgent, &text));
   CHECK(text != NULL && strstr(text, "SlopeFilter 45\nVerticalClearanceFilter 1.8\nAreaFilter 1\n") != NULL);
   CHECK_OK(footfall_check_pipeline(text));

@@ -150,13 +150,15 @@ class ArraysOut(unittest.TestCase):
 
     def test_steps_are_links(self):
         vertices, triangles = scenes.together(scenes.floor(), scenes.box(4, 4, 0, 6, 6, 0.25))
-        area = footfall.walkable_area(vertices, triangles, step=0.4)
+        area = footfall.walkable_area(vertices, triangles)
         self.assertEqual(len(area.links), 4)
         np.testing.assert_array_equal(area.link_heights, 0.25)
         places = area.vertices
         np.testing.assert_array_equal(places[area.links[:, 0], :2], places[area.links[:, 3], :2])
         np.testing.assert_array_equal(places[area.links[:, 1], :2], places[area.links[:, 2], :2])
         self.assertEqual(area.statistics()["links"], 4)
+        self.assertEqual(len(footfall.walkable_area(vertices, triangles, step=0.2).links), 0)
+        self.assertEqual(len(footfall.walkable_area(vertices, triangles, step=0).links), 0)
 
     def test_views_are_no_copies_and_cannot_be_written_to(self):
         for owner, name in [(self.area, "vertices"), (self.area, "triangles"), (self.area.environment, "vertices")]:

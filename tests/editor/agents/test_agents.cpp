@@ -110,6 +110,18 @@ class TestAgents : public QObject {
     QCOMPARE(document().state().agents[0].height, 1.75);
     QCOMPARE(clearance(), 1.75);
     QCOMPARE(document().undoStack()->undoText(), QString::fromUtf8("Change height of Human 2 → 1.75"));
+    typeInto(AgentModel::Step, "0.3");
+    QCOMPARE(document().state().agents[0].step, 0.3);
+    QCOMPARE(filterNames(*window_)[3], QString("StepFilter"));
+    QCOMPARE(document().filters()[3].step.values[0], 0.3);
+    typeInto(AgentModel::Step, "0");
+    QVERIFY(!filterNames(*window_).contains("StepFilter"));
+    QVERIFY(document().state().agent != 0);
+    typeInto(AgentModel::Step, "-1");
+    QVERIFY2(window_->messageBar().text().contains("-1 is out of range"), qPrintable(window_->messageBar().text()));
+    QCOMPARE(document().state().agents[0].step, 0.0);
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(filterNames(*window_)[3], QString("StepFilter"));
     typeInto(AgentModel::Name, "Tall, \"old\" human");
     QCOMPARE(QString::fromStdString(document().state().agents[0].name), QString("Tall, \"old\" human"));
     typeInto(AgentModel::MaxSlope, "95");
@@ -130,7 +142,10 @@ class TestAgents : public QObject {
     QCOMPARE(slope(), 10.0);
     QVERIFY(!button("removeAgent")->isEnabled());
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10}));
+    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10, 0.013}));
+    document().removeFilter(document().filters()[3].id);
+    panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
+    QCOMPARE(document().state().agents[2], (NamedAgent{3, "Agent 2", 1.2, 10, 0}));
   }
 
   void missingFiltersAreToldAndAdded() {
@@ -156,6 +171,8 @@ class TestAgents : public QObject {
     QTest::keyClicks(scale, "0.05");
     QCOMPARE(document().state().agents[0].height, 40.0);
     QCOMPARE(clearance(), 40.0);
+    QCOMPARE(document().state().agents[0].step, 4.4);
+    QCOMPARE(document().filters()[3].step.values[0], 4.4);
     QVERIFY(document().state().agent != 0);
     addPreset("Crawler");
     QCOMPARE(clearance(), 10.0);
@@ -188,8 +205,9 @@ class TestAgents : public QObject {
 
     button("copyAgents")->menu()->findChild<QAction*>("copyCsv")->trigger();
     const QStringList csv = QApplication::clipboard()->text().split("\r\n");
-    QCOMPARE(csv[0], QString::fromUtf8("Agent,Height (units),Slope (°),Area (units²),Layers,Components,Connections"));
-    QVERIFY2(csv[1].startsWith("Human,2,45,64.00,"), qPrintable(csv[1]));
+    QCOMPARE(csv[0], QString::fromUtf8(
+                         "Agent,Height (units),Slope (°),Step (units),Area (units²),Layers,Components,Connections"));
+    QVERIFY2(csv[1].startsWith("Human,2,45,0.22,64.00,"), qPrintable(csv[1]));
     button("copyAgents")->menu()->findChild<QAction*>("copyText")->trigger();
     const QStringList text = QApplication::clipboard()->text().split('\n');
     QVERIFY(text[0].startsWith("Agent") && text[0].size() == text[1].size());
@@ -263,6 +281,7 @@ class TestAgents : public QObject {
     QVERIFY(waitUntilIdle(other));
     QCOMPARE(other.document().state().agents.size(), std::size_t{2});
     QCOMPARE(activeAgent(other.document().state())->name, std::string("Wheelchair"));
+    QCOMPARE(activeAgent(other.document().state())->step, 0.013);
     QCOMPARE(other.findChild<AgentsPanel*>()->table()->currentIndex().row(), 1);
   }
 

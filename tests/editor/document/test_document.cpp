@@ -1,6 +1,8 @@
 // What is edited, without a window: undo, sessions, numbers, the background queue.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <atomic>
+#include <set>
 
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/up_axis.hpp"
@@ -108,6 +110,88 @@ class TestDocument : public QObject {
     QVERIFY(document.state().agents.empty());
   }
 
+  void stepsOfAgentsComeAndGo() {
+    Document document;
+    const std::string before = "SlopeFilter 45\nVerticalClearanceFilter 2\nDegeneracyFilter\nAreaFilter 1\n";
+    document.reset(parsePipeline(before, "test"), {});
+    const auto text = [&] { return formatPipeline(document.pipeline()); };
+    const int climber = addAgent(document, {0, "Climber", 2, 45, 0.4});
+    const std::string with =
+        "SlopeFilter 45\nVerticalClearanceFilter 2\nDegeneracyFilter\nStepFilter 0.4\nAreaFilter 1\n";
+    QCOMPARE(text(), with);  // behind what would lose the links, in front of what counts them
+    const int roller = addAgent(document, {0, "Roller", 2, 45, 0});
+    QCOMPARE(text(), before);
+    QCOMPARE(formatPipeline(pipelineFor(document.state(), climber)), with);
+    activateAgent(document, climber);
+    QCOMPARE(text(), with);
+    QCOMPARE(formatPipeline(pipelineFor(document.state(), roller)), before);
+    document.undoStack()->undo();
+    QCOMPARE(text(), before);
+    document.undoStack()->redo();
+    resizeAgent(document, climber, AgentSize::Step, 0.25);
+    QCOMPARE(document.undoStack()->undoText(), QString::fromUtf8("Change step of Climber 0.4 → 0.25"));
+    QCOMPARE(document.filters()[3].step.values[0], 0.25);
+    document.setValue(document.filters()[3].id, 0, 0.3, 1);  // the row is the agent's
+    QCOMPARE(document.state().agents[0].step, 0.3);
+    resizeAgent(document, climber, AgentSize::Step, 0);
+    QCOMPARE(text(), before);
+    QCOMPARE(document.state().agent, climber);
+    document.undoStack()->undo();
+    QCOMPARE(document.filters()[3].step.values[0], 0.3);
+    document.undoStack()->redo();
+    // A filter for steps is not for who climbs none.
+    document.addFilter(filterDescriptor(FilterType::Step), 1);
+    QCOMPARE(document.state().agent, 0);
+    QCOMPARE(document.filters().back().step.values[0], 0.4);
+    std::set<int> ids;
+    for (const FilterEntry& entry : document.filters()) ids.insert(entry.id);
+    QCOMPARE(ids.size(), document.filters().size());
+  }
+
+  void stepsNeedAPlace() {
+    const auto with = [](const std::string& filters) {
+      Document document;
+      document.reset(parsePipeline(filters, "test"), {});
+      addAgent(document, {0, "Climber", 2, 45, 0.4});
+      const std::vector<AgentSize> missing = sizesWithoutEffect(document.state());
+      const bool isTold = std::ranges::find(missing, AgentSize::Step) != missing.end();
+      return formatPipeline(document.pipeline()) + (isTold ? "no effect" : "");
+    };
+    QCOMPARE(with("SlopeFilter 45\n"), std::string("SlopeFilter 45\nno effect"));
+    QCOMPARE(with("#off VerticalClearanceFilter 2\n"), std::string("#off VerticalClearanceFilter 2\nno effect"));
+    QCOMPARE(with("VerticalClearanceFilter 2\n#off StepFilter 1\n"),
+             std::string("VerticalClearanceFilter 2\n#off StepFilter 0.4\nno effect"));
+    QCOMPARE(with("AutoStrategy\nVerticalClearanceFilter 2\nCollapse\nSimplificationFilter true 0.001\n"),
+             std::string("AutoStrategy\nVerticalClearanceFilter 2\nCollapse\nSimplificationFilter true 0.001\n"
+                         "StepFilter 0.4\n"));
+  }
+
+  void presetsClimbWhatTheySay() {
+    for (const double metresPerUnit : {1.0, 0.01}) {
+      for (const AgentPreset& preset : agentPresets(metresPerUnit)) {
+        for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step}) {
+          const double value = sizeOf(preset.agent, size);
+          QVERIFY(checkValue(parameterOf(size), value).empty());
+          const double shown = size == AgentSize::MaxSlope ? value : value * metresPerUnit;
+          QVERIFY2(preset.help.contains(QString::number(shown)), qPrintable(preset.help));
+        }
+      }
+    }
+    QCOMPARE(agentPresets(0.01).front().agent.step, 22.0);
+    QVERIFY(!checkValue(parameterOf(AgentSize::Height), 0).empty());
+    QVERIFY(checkValue(parameterOf(AgentSize::Step), 0).empty());
+    QVERIFY(!checkValue(parameterOf(AgentSize::Step), -0.1).empty());
+  }
+
+  void theDefaultPipelineRunsInParallel() {
+    Document document;
+    document.reset(defaultPipeline(Environment{}), {});
+    QVERIFY(document.addParallelBlock());
+    const std::string text = formatPipeline(document.pipeline());
+    QVERIFY(text.find("Collapse\nStepFilter 0.4\n") != std::string::npos);
+    QVERIFY(parsePipeline(text, "test") == document.pipeline());
+  }
+
   void fragmentsNeedNotBeWhole() {
     QCOMPARE(parsePipelineFragment("GridStrategy 1 1\nSlopeFilter 45\n", "clipboard").steps.size(), std::size_t{2});
     QCOMPARE(parsePipelineFragment("Collapse\r\n#off AreaFilter 2", "clipboard").steps.size(), std::size_t{2});
@@ -182,6 +266,22 @@ class TestDocument : public QObject {
     QVERIFY_EXCEPTION_THROWN(readSession(path), InputError);
   }
 
+  void agentsOfOldSessionsClimbNoSteps() {
+    const QTemporaryDir folder;
+    const QByteArray old(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"SlopeFilter\", \"parameters\": {\"max_slope\": 45}}], "
+        "\"agents\": [{\"name\": \"A\", \"height\": 2, \"max_slope\": 45}], \"agent\": 1}");
+    const Session session = readSession(writeFile(folder, "old.footfall", old).toStdString());
+    QCOMPARE(session.agents, (std::vector<NamedAgent>{{1, "A", 2, 45, 0}}));
+    Document document;
+    DocumentState rest;
+    rest.agents = session.agents;
+    rest.agent = session.agent;
+    document.reset(session.pipeline, {}, rest);
+    QCOMPARE(document.state().agent, 1);  // its filters have its sizes
+    QCOMPARE(formatPipeline(document.pipeline()), std::string("SlopeFilter 45\n"));
+  }
+
   void badSessionsAreOneLineWithTheFile_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::newRow("empty") << QByteArray();
@@ -197,6 +297,9 @@ class TestDocument : public QObject {
     QTest::newRow("wrong type") << QByteArray("{\"footfall_session\": 1, \"pipeline\": 3}");
     QTest::newRow("bad scale") << QByteArray(
         "{\"footfall_session\": 1, \"import\": {\"metres_per_unit\": 0}, \"pipeline\": []}");
+    QTest::newRow("step below 0") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [], \"agents\": [{\"name\": \"A\", \"height\": 2, \"max_slope\": 45, "
+        "\"step\": -1}]}");
   }
   void badSessionsAreOneLineWithTheFile() {
     QFETCH(QByteArray, content);

@@ -41,7 +41,7 @@ class TestEditorWindow : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->environment()->triangles.size(), std::size_t{6});
-    QCOMPARE(filterNames(*window_).size(), 7);  // the default pipeline
+    QCOMPARE(filterNames(*window_).size(), 8);  // the default pipeline
     QCOMPARE(QSettings().value("recentFiles").toStringList().value(0), table_);
   }
 

@@ -321,6 +321,26 @@ class TestPathFinder : public QObject {
     }
   }
 
+  // Tiles of random heights: steps of up to 0.5 are climbed, and lead round higher ones.
+  void randomSteps() {
+    Random random(seed() + 5);
+    int compared = 0, steps = 0;
+    for (int i = 0; i < rounds(60); ++i) {
+      Soup soup;
+      const int side = 2 + static_cast<int>(below(random, 3));
+      for (int x = 0; x < side; ++x)
+        for (int y = 0; y < side; ++y) soup.floor(x, y, x + 1, y + 1, 0.3 * static_cast<double>(below(random, 4)));
+      const auto mesh = std::make_shared<NavigationMesh>(navigationMesh(
+          runFilters(soup.environment(), minimalPipeline(2, 60) + "\nStepFilter 0.5\nLayerSubdivisionFilter")));
+      compareRandom(mesh, random, 4, compared);
+      if (QTest::currentTestFailed()) return;
+      const PathResult path = PathFinder(mesh).find(anyPlace(*mesh, random), anyPlace(*mesh, random));
+      steps += static_cast<int>(path.steps.size());
+    }
+    QVERIFY(compared > 0);
+    QVERIFY(steps > 0);
+  }
+
   void realEnvironments_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"nav_test", "complex", "steelribs"}) QTest::newRow(name) << name;

@@ -275,23 +275,26 @@ void TestPipelineFile::localeDoesNotMatter() {
 void TestPipelineFile::defaultsFollowTheScale_data() {
   QTest::addColumn<double>("metresPerUnit");
   QTest::addColumn<QByteArray>("clearance");
+  QTest::addColumn<QByteArray>("step");
   QTest::addColumn<QByteArray>("area");
-  QTest::newRow("metres") << 1.0 << QByteArray("2") << QByteArray("1");
-  QTest::newRow("centimetres") << 0.01 << QByteArray("200") << QByteArray("10000");
-  QTest::newRow("20 a metre") << 0.05 << QByteArray("40") << QByteArray("400");
-  QTest::newRow("feet") << 0.3048 << QByteArray("6.56167979003") << QByteArray("10.7639104167");
-  QTest::newRow("no scale") << 0.0 << QByteArray("2") << QByteArray("1");
+  QTest::newRow("metres") << 1.0 << QByteArray("2") << QByteArray("0.4") << QByteArray("1");
+  QTest::newRow("centimetres") << 0.01 << QByteArray("200") << QByteArray("40") << QByteArray("10000");
+  QTest::newRow("20 a metre") << 0.05 << QByteArray("40") << QByteArray("8") << QByteArray("400");
+  QTest::newRow("feet") << 0.3048 << QByteArray("6.56167979003") << QByteArray("1.31233595801")
+                        << QByteArray("10.7639104167");
+  QTest::newRow("no scale") << 0.0 << QByteArray("2") << QByteArray("0.4") << QByteArray("1");
 }
 
 void TestPipelineFile::defaultsFollowTheScale() {
   QFETCH(double, metresPerUnit);
   QFETCH(QByteArray, clearance);
+  QFETCH(QByteArray, step);
   QFETCH(QByteArray, area);
   Environment environment;
   environment.metresPerUnit = metresPerUnit;
   QCOMPARE(QByteArray::fromStdString(formatPipeline(defaultPipeline(environment))),
            "DuplicationFilter 0\nDegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter " + clearance +
-               "\nAreaFilter " + area + "\nSimplificationFilter\nLayerSubdivisionFilter\n");
+               "\nStepFilter " + step + "\nAreaFilter " + area + "\nSimplificationFilter\nLayerSubdivisionFilter\n");
 }
 
 void TestPipelineFile::defaultPipelineIsTheShippedFile() {
@@ -329,6 +332,10 @@ void TestPipelineFile::agent_data() {
   QTest::addColumn<QByteArray>("agent");
   QTest::newRow("both") << QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2")
                         << QByteArray("slope 45 degrees, height 2");
+  QTest::newRow("with steps") << QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.25")
+                              << QByteArray("slope 45 degrees, height 2, step 0.25");
+  QTest::newRow("steps off") << QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2\n#off StepFilter 0.25")
+                             << QByteArray("slope 45 degrees, height 2");
   QTest::newRow("strictest") << QByteArray(
                                     "SlopeFilter 60\nVerticalClearanceFilter 3\nSlopeFilter 30.5\n"
                                     "VerticalClearanceFilter 1\n#off SlopeFilter 5")

@@ -46,6 +46,14 @@ std::string steps(double metresPerUnit, const Agent& agent) {
 
 std::string sampleFile(const std::string& name) { return FOOTFALL_SOURCE_DIR "/samples/" + name + "/" + name + ".obj"; }
 
+/// The triangles of an export that stand for steps: two for a step, one where both borders have a vertex in common.
+std::size_t facesOf(const std::vector<StepLink>& links) {
+  std::size_t count = 0;
+  for (const StepLink& link : links)
+    count += link.from[0] == link.to[1] || link.from[1] == link.to[0] ? std::size_t{1} : std::size_t{2};
+  return count;
+}
+
 /// Two floors of 4 x 4, one above the other with so much between them.
 Environment twoStoreys(double height) { return *Soup().floor(0, 0, 4, 4, 0).floor(0, 0, 4, 4, height).environment(); }
 
@@ -60,10 +68,31 @@ class TestWalkableArea : public QObject {
   }
 
   void metresBecomeUnits() {
-    const Agent child{.maxSlope = 30, .height = 1.2, .minimumArea = 0.5};
-    QCOMPARE(steps(1, child), std::string("SlopeFilter 30\nVerticalClearanceFilter 1.2\nAreaFilter 0.5\n"));
-    QCOMPARE(steps(0.01, child), std::string("SlopeFilter 30\nVerticalClearanceFilter 120\nAreaFilter 5000\n"));
-    QCOMPARE(steps(0.5, child), std::string("SlopeFilter 30\nVerticalClearanceFilter 2.4\nAreaFilter 2\n"));
+    const Agent child{.maxSlope = 30, .height = 1.2, .minimumArea = 0.5, .step = 0.25};
+    QCOMPARE(steps(1, child),
+             std::string("SlopeFilter 30\nVerticalClearanceFilter 1.2\nStepFilter 0.25\nAreaFilter 0.5\n"));
+    QCOMPARE(steps(0.01, child),
+             std::string("SlopeFilter 30\nVerticalClearanceFilter 120\nStepFilter 25\nAreaFilter 5000\n"));
+    QCOMPARE(steps(0.5, child),
+             std::string("SlopeFilter 30\nVerticalClearanceFilter 2.4\nStepFilter 0.5\nAreaFilter 2\n"));
+  }
+
+  void withoutAStepThereIsNoFilterForIt() {
+    for (const double metresPerUnit : {1.0, 0.3048}) {
+      Pipeline expected = defaultPipeline(withScale(metresPerUnit));
+      QCOMPARE(std::erase_if(expected.steps, [](const PipelineStep& s) { return s.filter->type == FilterType::Step; }),
+               std::size_t{1});
+      QVERIFY(pipelineFor(withScale(metresPerUnit), {.step = 0}) == expected);
+    }
+  }
+
+  // Two halves of a floor, one 0.25 m higher: a step of exactly that is climbed.
+  void theStepCounts() {
+    const Environment level = *Soup().floor(0, 0, 4, 4, 0).floor(4, 0, 8, 4, 0.25).environment();
+    QCOMPARE(walkableArea(level).links.size(), std::size_t{1});
+    QCOMPARE(walkableArea(level, {.step = 0.25}).links.size(), std::size_t{1});
+    QCOMPARE(walkableArea(level, {.step = 0.24}).links.size(), std::size_t{0});
+    QCOMPARE(walkableArea(level, {.step = 0}).links.size(), std::size_t{0});
   }
 
   void agentsOutOfRange() {
@@ -74,6 +103,8 @@ class TestWalkableArea : public QObject {
       QVERIFY(message({.height = height}).starts_with("agent: "));
     for (const double area : {-1.0, kNaN, kInfinity}) QVERIFY(message({.minimumArea = area}).starts_with("agent: "));
     QCOMPARE(message({.minimumArea = 0}), std::string("no error"));
+    for (const double step : {-0.1, kNaN, kInfinity}) QVERIFY(message({.step = step}).starts_with("agent: step"));
+    QCOMPARE(message({.step = 0}), std::string("no error"));
     // In range in metres, and above all doubles in units.
     QVERIFY(messageOf([] { (void)pipelineFor(withScale(1e-200), {.height = 1e200}); }).starts_with("agent, in the"));
   }
@@ -104,10 +135,10 @@ class TestWalkableArea : public QObject {
     const TemporaryFolder folder;
     for (const char* name : {"level.obj", "level.glb"}) {
       const Environment level = load(sampleFile("house"));
-      const NavigationMesh mesh = walkableArea(level, {.maxSlope = 45, .height = 2});
+      const NavigationMesh mesh = walkableArea(level, {.maxSlope = 45, .height = 2, .step = 0.4});
       const double error = save(mesh, folder.path(name));
       const Environment back = load(folder.path(name));
-      QCOMPARE(back.triangles.size(), mesh.triangles.size());
+      QCOMPARE(back.triangles.size(), mesh.triangles.size() + facesOf(mesh.links));
       QCOMPARE(back.up, level.up);
       // In the frame of the source: the box around it is that of the mesh.
       for (std::size_t v = 0; v < back.vertices.size(); ++v) {
@@ -123,7 +154,7 @@ class TestWalkableArea : public QObject {
     int begun = 0;
     RunContext context([&](const RunEvent& event) { begun += event.kind == RunEvent::Kind::StepStarted ? 1 : 0; });
     (void)walkableArea(level, {}, &context, 1);
-    QCOMPARE(begun, 7);
+    QCOMPARE(begun, 8);
     context.cancel();
     QVERIFY_EXCEPTION_THROWN((void)walkableArea(level, {}, &context), Cancelled);
     QVERIFY_EXCEPTION_THROWN((void)load(sampleFile("villa"), {}, &context), Cancelled);

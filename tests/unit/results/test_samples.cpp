@@ -108,7 +108,7 @@ void TestSamples::pipelinesParse_data() { addSampleRows(); }
 void TestSamples::pipelinesParse() {
   QFETCH(QString, name);
   const Pipeline pipeline = readPipelineFile(sampleFile(name, "pipeline").toStdString());
-  QCOMPARE(pipeline.steps.size(), std::size_t{7});
+  QCOMPARE(pipeline.steps.size(), std::size_t{8});
 }
 
 void TestSamples::villaHasMeshErrors() {

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/inspect/parameter_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/base/number_text.hpp"
+#include "core/environment/scale_guess.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kUpright = 1e-9;   // area in the plan, by the square of the longest side
+constexpr double kSame = 1e-6;      // heights that differ by less of them are the same but for roundings
+constexpr double kNear = 0.05;      // a step that misses risers by less of it was meant to climb them
+constexpr std::size_t kFewest = 6;  // triangles: three risers are stairs
+
+struct Risers {
+  double lowest = 0, highest = 0;
+  std::size_t triangles = 0;
+};
+
+/// Of walls that are no higher than `limit`.
+Risers mostFrequent(const std::vector<double>& heights, double limit) {
+  Risers best;
+  for (auto first = heights.begin(); first != heights.end() && *first <= limit;) {
+    const auto end = std::upper_bound(first, heights.end(), *first * (1 + kSame));
+    const auto count = static_cast<std::size_t>(end - first);
+    if (count > best.triangles) best = {*first, *(end - 1), count};
+    first = end;
+  }
+  return best;
+}
+
+std::string shortNumber(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 6);
+  return {digits.data(), end.ptr};
+}
+
+/// A little more, in two digits.
+std::string littleMore(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return shortNumber(std::ceil(value * (1 + kNear / 10) / unit) * unit);
+}
+
+Text stepText(const LevelMeasures& level, double step, double clearance) {
+  const Risers risers = mostFrequent(level.wallHeights, clearance / 2);
+  if (risers.triangles < kFewest || risers.highest <= step || risers.lowest > step * (1 + kNear)) return {};
+  if (risers.lowest > step * (1 + kSame)) {
+    return {FOOTFALL_TEXT("most risers here are %1 high, a little more than the step, and are not climbed; give %2"),
+            shortNumber(risers.highest), littleMore(risers.highest)};
+  }
+  const auto above = std::ranges::upper_bound(level.wallHeights, step);
+  const auto higher = std::ranges::upper_bound(level.wallHeights, risers.highest) - above;
+  return {
+      FOOTFALL_TEXT("most risers here are %1 high, as the step is, and roundings make %2 of %3 a little higher, which "
+                    "are not climbed; give %4"),
+      shortNumber(risers.highest), Text::count(static_cast<std::uint64_t>(higher + 1) / 2),
+      Text::count((risers.triangles + 1) / 2), littleMore(risers.highest)};
+}
+
+}  // namespace
+
+LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
+  constexpr std::size_t kPollEvery = 4096;
+  LevelMeasures measures;
+  measures.metresPerUnit = environment.metresPerUnit;
+  measures.scaleGuessed = environment.scaleGuessed;
+  Vec3 low, high;
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
+    if (t % kPollEvery == 0) poll();
+    std::array<Vec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = environment.vertices[environment.triangles[t][k]];
+    if (t == 0) low = high = p[0];
+    double longest = 0;
+    bool isLevel = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = p[k], &b = p[(k + 1) % 3];
+      low = {std::min(low.x, a.x), std::min(low.y, a.y), std::min(low.z, a.z)};
+      high = {std::max(high.x, a.x), std::max(high.y, a.y), std::max(high.z, a.z)};
+      longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
+      isLevel = isLevel || a.z == b.z;
+    }
+    const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    const auto [least, most] = std::minmax({p[0].z, p[1].z, p[2].z});
+    if (isLevel && most > least && longest > 0 && std::fabs(area) <= kUpright * longest * longest)
+      measures.wallHeights.push_back(most - least);
+  }
+  poll();
+  std::ranges::sort(measures.wallHeights);
+  measures.size = {high.x - low.x, high.y - low.y, high.z - low.z};
+  return measures;
+}
+
+std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pipeline& pipeline) {
+  std::vector<ParameterNote> notes;
+  if (level.scaleGuessed) {
+    if (const auto other = betterScale(level.size, level.metresPerUnit)) {
+      const bool high = isTooHigh(level.size, level.metresPerUnit);
+      const double metres = level.metresPerUnit * (high ? level.size.z : std::max(level.size.x, level.size.y));
+      notes.push_back(
+          {std::nullopt, Text(high ? FOOTFALL_TEXT("the scale is a guess that makes the level %1 m high; give "
+                                                   "the metres of a unit, perhaps %2")
+                                   : FOOTFALL_TEXT("the scale is a guess that makes the level %1 m long; give "
+                                                   "the metres of a unit, perhaps %2"),
+                              shortNumber(metres), shortNumber(*other))});
+    }
+  }
+  const double longest = std::max({level.size.x, level.size.y, level.size.z});
+  double clearance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
+    const PipelineStep& step = pipeline.steps[i];
+    if (!step.enabled || step.values.empty()) continue;
+    const double value = step.values[0];
+    if (step.filter->type == FilterType::VerticalClearance) {
+      clearance = value;
+      if (value > longest && longest > 0) {
+        notes.push_back(
+            {i, Text(FOOTFALL_TEXT("agents are %1 high, and the whole level is no larger than %2; check the "
+                                   "scale"),
+                     shortNumber(value), shortNumber(longest))});
+      }
+    } else if (step.filter->type == FilterType::Step) {
+      if (Text text = stepText(level, value, clearance); !text.empty()) notes.push_back({i, std::move(text)});
+    }
+  }
+  return notes;
+}
+
+}  // namespace footfall::detail

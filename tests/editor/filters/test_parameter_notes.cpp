@@ -1,0 +1,62 @@
+// Hints about filters that do not suit the level.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/editor/editor_driver.hpp"
+
+using namespace footfall;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+/// Nine treads, each 0.25 above the one before, with risers between them.
+QByteArray stairsObj() {
+  QByteArray text;
+  int vertices = 0;
+  const auto face = [&](double x0, double z0, double x1, double z1) {
+    for (const auto& [x, y, z] : {std::array{x0, 0.0, z0},
+                                  {x1, x0 == x1 ? 2.0 : 0.0, x0 == x1 ? z0 : z1},
+                                  {x1, 2.0, z1},
+                                  {x0, x0 == x1 ? 0.0 : 2.0, x0 == x1 ? z1 : z0}})
+      text += "v " + QByteArray::number(x) + ' ' + QByteArray::number(y) + ' ' + QByteArray::number(z) + '\n';
+    text += "f";
+    for (int i = 1; i <= 4; ++i) text += ' ' + QByteArray::number(vertices + i);
+    text += '\n';
+    vertices += 4;
+  };
+  for (int i = 0; i < 9; ++i) {
+    face(i, 0.25 * i, i + 1, 0.25 * i);
+    if (i > 0) face(i, 0.25 * (i - 1), i, 0.25 * i);
+  }
+  return text;
+}
+
+}  // namespace
+
+class TestParameterNotes : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void stepsThatMissTheRisersAreTold() {
+    const QTemporaryDir folder;
+    EditorWindow window;
+    QVERIFY(showWindow(window));
+    QVERIFY(openZUp(window, writeFile(folder, "stairs.obj", stairsObj()),
+                    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.245\n"));
+    const QString expected =
+        "Steps: most risers here are 0.25 high, a little more than the step, and are not climbed; give 0.26";
+    QTRY_COMPARE(window.messageBar().text(), expected);
+    const int id = window.document().filters()[2].id;
+    window.document().setValue(id, 0, 0.26, 1);
+    QVERIFY(waitUntilIdle(window));
+    QTRY_COMPARE(window.messageBar().text(), QString());
+    window.document().undoStack()->undo();
+    QTRY_COMPARE(window.messageBar().text(), expected);
+    window.document().setValue(window.document().filters()[0].id, 0, 40, 2);  // told, and not again
+    QVERIFY(waitUntilIdle(window));
+    QTest::qWait(100);
+    QCOMPARE(window.messageBar().text(), QString());
+  }
+};
+
+FOOTFALL_EDITOR_SUITE(TestParameterNotes)
+#include "test_parameter_notes.moc"
