@@ -43,8 +43,9 @@ std::shared_ptr<const PathFinder> finderOf(Mesh& mesh) {
 std::shared_ptr<const SeparationFinder> separationsOf(Area& area, const PathFinder& finder) {
   if (!area.separations)
     area.separations = interruptible(py::none(), [&](RunContext& context) {
-      return std::make_shared<const SeparationFinder>(
-          finder, area.environment, agentHeight(area.pipeline, area.environment->metresPerUnit), &context);
+      return std::make_shared<const SeparationFinder>(finder, area.environment,
+                                                      agentHeight(area.pipeline, area.environment->metresPerUnit),
+                                                      agentStep(area.pipeline), &context);
     });
   return area.separations;
 }

@@ -36,6 +36,7 @@ struct SeparationGround {
   std::vector<BorderEdge> borders;
   TriangleTree tree;  ///< of the borders
   LinkObstacles obstacles;
+  double step = 0;  ///< the agent's
 };
 
 }  // namespace detail
@@ -298,13 +299,13 @@ TriangleTree treeOver(const std::vector<BorderEdge>& borders, Poll poll) {
 }  // namespace
 
 SeparationFinder::SeparationFinder(const PathFinder& finder, std::shared_ptr<const Environment> environment,
-                                   double height, const RunContext* context) {
+                                   double height, double step, const RunContext* context) {
   const Poll poll(context);
   const std::shared_ptr<const PathGround>& ground = finder.inside();
   std::vector<BorderEdge> borders = findBorders(*ground->mesh, ground->topology);
   TriangleTree tree = treeOver(borders, poll);
   inside_ = std::make_unique<const SeparationGround>(SeparationGround{
-      ground, std::move(borders), std::move(tree), LinkObstacles(std::move(environment), height, poll)});
+      ground, std::move(borders), std::move(tree), LinkObstacles(std::move(environment), height, poll), step});
 }
 
 SeparationFinder::~SeparationFinder() = default;

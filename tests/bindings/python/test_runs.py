@@ -110,6 +110,9 @@ class Runs(unittest.TestCase):
         self.assertEqual(statistics["steps"][1]["area_in"], 104.0)
         self.assertEqual(statistics["steps"][1]["area_out"], 100.0)
         self.assertEqual(statistics["threads"], 1)
+        self.assertEqual([component["area"] for component in statistics["components"]], [96.0, 4.0])
+        self.assertEqual((statistics["links"], statistics["highest_link"]), (0, None))
+        self.assertAlmostEqual(statistics["connected_share"], 0.96**2 + 0.04**2)
         self.assertIn("VerticalClearanceFilter", str(area))
         self.assertRegex(repr(area), "^<footfall.WalkableArea of arrays: \\d+ vertices")
 
