@@ -270,6 +270,17 @@ class Comparisons(unittest.TestCase):
         with self.assertRaises(footfall.InputError):
             footfall.compare(a, b, height=-1)
 
+    def test_steps(self):
+        soup = scenes.together(scenes.floor(0, 0, 2, 4, 0), scenes.floor(2, 0, 4, 4, 0.25))
+        level = footfall.Environment(*soup)
+        filters = ["SlopeFilter 45", "VerticalClearanceFilter 2"]
+        without, with_steps = footfall.run(level, filters), footfall.run(level, filters + ["StepFilter 0.25"])
+        comparison = footfall.compare(without, with_steps)
+        self.assertTrue(comparison.equal)
+        self.assertFalse(comparison.equal_links)
+        self.assertEqual(comparison.link_lengths, [0.0, 4.0, 0.0])
+        self.assertEqual((comparison.a.components, comparison.b.components), (2, 1))
+
 
 if __name__ == "__main__":
     unittest.main()
