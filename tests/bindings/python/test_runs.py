@@ -193,6 +193,18 @@ class Paths(unittest.TestCase):
         self.assertEqual(path.end[0], 10.0)
         self.assertIn(path.message, str(path))
 
+    def test_what_is_missing_beyond_a_step(self):
+        level = footfall.Environment(*scenes.together(scenes.floor(), scenes.floor(10, 0, 20, 10, 0.5)))
+        area = footfall.run(level, ["SlopeFilter 45", "VerticalClearanceFilter 2", "StepFilter 0.375"])
+        path = area.find_path((1, 1, 0), (15, 1, 0.5))
+        self.assertEqual((path.barrier.rise, path.barrier.excess), (0.5, 0.125))
+        self.assertEqual((path.barrier.triangles, path.other_ways), ([], []))
+        self.assertIn("a step of 0.5 up, 0.125 too high", path.message)
+        area = footfall.run(level, ["SlopeFilter 45", "VerticalClearanceFilter 2", "StepFilter 0.5"])
+        path = area.find_path((1, 1, 0), (15, 1, 0.5))
+        self.assertTrue(path.reached)
+        self.assertIsNone(path.other_ways)
+
     def test_places_that_are_not_walkable(self):
         area = footfall.walkable_area(*scenes.floor())
         self.assertEqual(area.find_path((-1, 0, 0), (1, 1, 0)).status, "start_not_walkable")
