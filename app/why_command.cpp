@@ -79,7 +79,10 @@ std::string explainPair(const WhyOptions& options) {
   session.end();
   if (options.json) return formatPathJson(*result.mesh, path);
   if (path.reached()) return "a way leads from the start to the target\n" + formatPath(path, up);
-  return formatSeparation(*environment, path);
+  std::string text = formatSeparation(*environment, path);
+  if (path.status == PathStatus::StartNotWalkable) text += "`footfall why --at` tells of the start why it is not\n";
+  if (path.status == PathStatus::TargetNotWalkable) text += "`footfall why --at` tells of the target why it is not\n";
+  return text;
 }
 
 /// What to say of the highest place at or under the point.

@@ -124,6 +124,20 @@ class TestWhyCommand : public QObject {
     QVERIFY(json["separation"]["others"].empty());
   }
 
+  void pairWithoutAFloor() {
+    const QStringList common{"--filter", "SlopeFilter 45", "--filter", "VerticalClearanceFilter 2"};
+    const Outcome start =
+        footfallWhy(QStringList{path("z.obj"), "--up", "z", "--from", "1", "3", "0", "--to", "8", "3", "0"} + common);
+    QVERIFY2(
+        start.exitCode == 0 && start.out.startsWith("the start is not walkable; the nearest place that is lies 3 away"),
+        start.out.constData());
+    QVERIFY(start.out.contains("`footfall why --at` tells of the start"));
+    const Outcome target =
+        footfallWhy(QStringList{path("z.obj"), "--up", "z", "--from", "8", "3", "0", "--to", "1", "3", "0"} + common);
+    QVERIFY2(target.out.startsWith("the target is not walkable") && target.out.contains("tells of the target"),
+             target.out.constData());
+  }
+
   void badInput_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QString>("message");
