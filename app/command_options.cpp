@@ -55,8 +55,9 @@ void addUpAxis(CLI::App& command, const std::string& name, std::string& up, cons
   command.add_option(name, up, help)->check(CLI::IsMember(names, CLI::ignore_case))->type_name(kUpAxisNames);
 }
 
-void addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place, const std::string& help) {
-  command.add_option(name, place, help)->required()->type_name("X Y Z");
+CLI::Option* addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place,
+                      const std::string& help) {
+  return command.add_option(name, place, help)->required()->type_name("X Y Z");
 }
 
 WriteTargets targetsBeside(const EnvironmentOptions& environment, const PipelineOptions& pipeline) {

@@ -42,7 +42,8 @@ void addThreads(CLI::App& command, int& threads,
 /// `--up` and options like it.
 void addUpAxis(CLI::App& command, const std::string& name, std::string& up, const std::string& help);
 /// An option with three coordinates.
-void addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place, const std::string& help);
+CLI::Option* addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place,
+                      const std::string& help);
 
 /// What a command reads, which it must not write over.
 detail::WriteTargets targetsBeside(const EnvironmentOptions& environment, const PipelineOptions& pipeline);

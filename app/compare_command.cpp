@@ -46,7 +46,8 @@ std::array<NavigationMeshFile, 2> readBoth(const CompareOptions& options, RunCon
 /// One line, when the meshes differ by more than the options allow; else empty.
 std::string differenceOf(const CompareOptions& options, const MeshComparison& comparison) {
   const std::string names = options.files[0] + " and " + options.files[1];
-  if (options.failIfDifferent && !comparison.equal()) return names + " are not the same set of points";
+  if (options.failIfDifferent && !comparison.equal())
+    return names + " are not the same set of points; " + howDifferent(comparison);
   if (!options.failAbove) return {};
   const double most = std::max(comparison.meshes[0].whole.uncovered.plan, comparison.meshes[1].whole.uncovered.plan);
   if (most <= *options.failAbove) return {};

@@ -133,7 +133,8 @@ void addRunCommand(CLI::App& app) {
   command.add_option("-o,--output", options->output, "Write the walkable area to this OBJ, glTF or GLB file")
       ->type_name("OUT.obj|OUT.gltf|OUT.glb");
   addExportOptions(command, *options);
-  command.add_option("--stats", options->statistics, "Write times and counts to this file")->type_name("FILE.json");
+  command.add_option("--stats", options->statistics, "Write times, counts and components to this file")
+      ->type_name("FILE.json");
   command
       .add_option("--trace", options->trace,
                   "Write the timeline of the run to this file, for Perfetto (ui.perfetto.dev) or chrome://tracing")

@@ -9,8 +9,10 @@
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
 #include "core/base/number_text.hpp"
+#include "core/report/path_report.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/inspect.hpp"
+#include "footfall/path.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 
@@ -20,7 +22,8 @@ namespace {
 
 struct WhyOptions {
   EnvironmentOptions environment;
-  std::array<double, 3> place{};  ///< in the file's frame and units
+  /// In the file's frame and units: one place, or two.
+  std::array<double, 3> place{}, from{}, to{};
   PipelineOptions pipeline;
   int threads = 0;
   bool json = false;
@@ -47,11 +50,44 @@ std::string nothingBelow(const Environment& environment, const Vec3& place) {
          " is up; give a point above a floor";
 }
 
+Vec3 placeGiven(const char* option, const std::array<double, 3>& p) {
+  if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    throw InputError(std::string(option) +
+                     ": takes three finite numbers; give x, y and z in the file's frame and units");
+  return {p[0], p[1], p[2]};
+}
+
+/// Why no way leads from one place to another, or the one that does.
+std::string explainPair(const WhyOptions& options) {
+  const Vec3 from = placeGiven("--from", options.from), to = placeGiven("--to", options.to);
+  std::optional<Pipeline> pipeline = options.pipeline.given();
+  CommandSession session(options.threads);
+  const auto environment = session.load(options.environment);
+  if (!pipeline) pipeline = defaultPipeline(*environment);
+  const RunResult result = session.run(environment, *pipeline, options.pipeline);
+  session.begin("looking for a way");
+  RunContext& context = session.context();
+  const PathFinder finder(result.mesh, &context);
+  const UpAxis up = environment->up;
+  PathResult path = finder.find(fromFileFrame(from, up), fromFileFrame(to, up), placeReach(*pipeline), &context);
+  if (path.status == PathStatus::NotConnected) {
+    session.begin("looking for what keeps the parts apart");
+    const SeparationFinder separations(finder, environment, agentHeight(*pipeline, environment->metresPerUnit),
+                                       agentStep(*pipeline), &context);
+    addSeparation(path, separations, &context);
+  }
+  session.end();
+  if (options.json) return formatPathJson(*result.mesh, path);
+  if (path.reached()) return "a way leads from the start to the target\n" + formatPath(path, up);
+  std::string text = formatSeparation(*environment, path);
+  if (path.status == PathStatus::StartNotWalkable) text += "`footfall why --at` tells of the start why it is not\n";
+  if (path.status == PathStatus::TargetNotWalkable) text += "`footfall why --at` tells of the target why it is not\n";
+  return text;
+}
+
 /// What to say of the highest place at or under the point.
 std::string explainPlace(const WhyOptions& options) {
-  const Vec3 given{options.place[0], options.place[1], options.place[2]};
-  if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.z))
-    throw InputError("--at: takes three finite numbers; give x, y and z in the file's frame and units");
+  const Vec3 given = placeGiven("--at", options.place);
   std::optional<Pipeline> pipeline = options.pipeline.given();
   CommandSession session(options.threads);
   const auto environment = session.load(options.environment);
@@ -71,16 +107,28 @@ std::string explainPlace(const WhyOptions& options) {
 
 void addWhyCommand(CLI::App& app) {
   const auto options = std::make_shared<WhyOptions>();
-  CLI::App& command = *app.add_subcommand("why", "Tell why a place is walkable, or which filter rejected it");
+  CLI::App& command = *app.add_subcommand(
+      "why",
+      "Tell why a place is walkable, or which filter rejected it; or why no way leads from one place to another");
   options->environment.addTo(command);
-  addPlace(command, "--at", options->place,
-           "The place, in the file's frame and units: the highest triangle at or under this point counts");
+  CLI::Option* at =
+      addPlace(command, "--at", options->place,
+               "The place, in the file's frame and units: the highest triangle at or under this point counts");
+  CLI::Option* from = addPlace(command, "--from", options->from,
+                               "Instead of --at, with --to: tell what is missing least for a way between two places");
+  CLI::Option* to = addPlace(command, "--to", options->to, "Where no way leads to from there");
+  at->required(false)->excludes(from)->excludes(to);
+  from->required(false)->needs(to);
+  to->required(false)->needs(from);
   options->pipeline.addTo(command, "A pipeline file",
                           "One step of the pipeline; give it once for each step. Without steps and file the default "
                           "pipeline runs");
   addThreads(command, options->threads);
   command.add_flag("--json", options->json, "Print one JSON object");
-  command.callback([options] { print(explainPlace(*options)); });
+  command.callback([options, at, from] {
+    if (at->empty() && from->empty()) throw InputError("--at is required, or --from and --to; give a place or two");
+    print(from->empty() ? explainPlace(*options) : explainPair(*options));
+  });
 }
 
 }  // namespace footfall::app

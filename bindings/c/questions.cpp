@@ -104,7 +104,8 @@ footfall_status footfall_find_path(const footfall_path_finder* finder, const dou
         finder->finder.find(placeOf(from, "from"), placeOf(to, "to"), placeReach(finder->pipeline), contextOf(context));
     if (found->path.status == PathStatus::NotConnected) {
       const SeparationFinder separations(finder->finder, finder->environment,
-                                         agentHeight(finder->pipeline, environment.metresPerUnit), contextOf(context));
+                                         agentHeight(finder->pipeline, environment.metresPerUnit),
+                                         agentStep(finder->pipeline), contextOf(context));
       addSeparation(found->path, separations, contextOf(context));
     }
     found->failure = formatFailure(found->path, environment.up);

@@ -86,6 +86,11 @@ void bindComparison(py::module_& module) {
       .def_property_readonly(
           "both", [](const MeshComparison& c) { return c.sets.areas[2].surface; },
           "The area of the surface that is in both.")
+      .def_property_readonly("equal_links", &MeshComparison::hasEqualLinks,
+                             "Whether both have the same steps, exactly.")
+      .def_property_readonly(
+          "link_lengths", [](const MeshComparison& c) { return c.links.lengths; },
+          "The lengths of steps in the plan, a list of three: of those only in A, only in B, and in both.")
       .def_property_readonly("covered", &MeshComparison::covered,
                              "The share of A that B covers, heights differing by `height` at most: 0 to 1.")
       .def_property_readonly("area_ratio", &MeshComparison::areaRatio, "Area of B over area of A; None for an empty A.")

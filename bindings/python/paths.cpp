@@ -43,8 +43,9 @@ std::shared_ptr<const PathFinder> finderOf(Mesh& mesh) {
 std::shared_ptr<const SeparationFinder> separationsOf(Area& area, const PathFinder& finder) {
   if (!area.separations)
     area.separations = interruptible(py::none(), [&](RunContext& context) {
-      return std::make_shared<const SeparationFinder>(
-          finder, area.environment, agentHeight(area.pipeline, area.environment->metresPerUnit), &context);
+      return std::make_shared<const SeparationFinder>(finder, area.environment,
+                                                      agentHeight(area.pipeline, area.environment->metresPerUnit),
+                                                      agentStep(area.pipeline), &context);
     });
   return area.separations;
 }
@@ -101,6 +102,13 @@ point only).)")
       .def_property_readonly(
           "headroom", [](const BorderLink& l) { return l.headroom; },
           "Of a \"low_ceiling\": the free height over the higher place.")
+      .def_property_readonly(
+          "excess", [](const BorderLink& l) { return l.excess; },
+          R"(What the agent lacks: the largest of the gap, of the height that is climbed beyond its step, and
+of the height that a ceiling lacks.)")
+      .def_property_readonly(
+          "triangles", [](const BorderLink& l) { return l.triangles; },
+          "What stands there, such as the riser of a step: a list of indices into the environment's triangles.")
       .def_property_readonly("size", &BorderLink::size, "The larger of the gap and of the height that is climbed.")
       .def_property_readonly("is_blocked", &BorderLink::isBlocked, "Whether no step or jump gets over it.")
       .def("__repr__", [](const BorderLink& l) {
@@ -160,6 +168,14 @@ for; None where nothing is walkable.)")
           },
           R"(What keeps start and target apart: a list of `BorderLink` that leads from part to part, chosen so that the
 largest of them is least. None where nothing does, and on a mesh that knows no environment.)")
+      .def_property_readonly(
+          "other_ways",
+          [](const PathResult& p) -> std::optional<std::vector<BorderLink>> {
+            if (!p.separation) return std::nullopt;
+            return p.separation->others;
+          },
+          R"(Other places where mending one thing would join both parts as well, a list of `BorderLink`, least first:
+those that lack at most twice as much as `barrier`, or a sixteenth of the agent's height. None where `separation` is.)")
       .def_property_readonly(
           "barrier",
           [](const PathResult& p) -> std::optional<BorderLink> {

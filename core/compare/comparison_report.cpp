@@ -48,6 +48,9 @@ Json meshJson(const NavigationMeshFile& file, const MeshDescription& mesh) {
   json["connection_length"] = mesh.connectionLength;
   json["obstacle_edges"] = mesh.obstacleEdges;
   json["obstacle_edge_length"] = mesh.obstacleEdgeLength;
+  json["links"] = mesh.links;
+  json["link_length"] = mesh.linkLength;
+  json["highest_link"] = mesh.links > 0 ? Json(mesh.highestLink) : Json();
   json["by_layer"] = Json::array();
   for (const MeshPart& part : mesh.layers) json["by_layer"].push_back(partJson(part));
   return json;
@@ -115,6 +118,11 @@ void addMeshes(const MeshComparison& comparison, Table& table) {
   table.row({"  their length", number(a.connectionLength), number(b.connectionLength)});
   counts("obstacle edges", a.obstacleEdges, b.obstacleEdges);
   table.row({"  their length", number(a.obstacleEdgeLength), number(b.obstacleEdgeLength)});
+  if (a.links + b.links > 0) {
+    counts("steps", a.links, b.links);
+    table.row({"  their length in the plan", number(a.linkLength), number(b.linkLength)});
+    table.row({"  the highest", number(a.highestLink), number(b.highestLink)});
+  }
   table.row({"area", number(a.whole.areas.surface), number(b.whole.areas.surface)});
   table.row({"  in the plan", number(a.whole.areas.plan), number(b.whole.areas.plan)});
 }
@@ -136,6 +144,8 @@ void addDifferences(const MeshComparison& comparison, Table& table) {
     };
     table.row({"    layer_" + std::to_string(i), cell(a), cell(b)});
   }
+  if (a.links + b.links > 0)
+    table.row({"steps, length in the plan", number(comparison.links.lengths[0]), number(comparison.links.lengths[1])});
 }
 
 void addDistances(const std::array<SurfaceDistances, 2>& distances, Table& table) {
@@ -158,10 +168,32 @@ std::string verdict(const MeshComparison& comparison) {
   const auto& sets = comparison.sets;
   if (!sets.hasArea[0]) return "Different: B holds all of A, and more.\n";
   if (!sets.hasArea[1]) return "Different: A holds all of B, and more.\n";
-  return "Different as exact sets.\n";
+  return "Different as exact sets; " + howDifferent(comparison) + ".\n";
+}
+
+/// The steps are told beside the verdict on the sets; nothing where neither has any.
+std::string linkVerdict(const MeshComparison& comparison) {
+  if (comparison.meshes[0].links + comparison.meshes[1].links == 0) return {};
+  if (comparison.hasEqualLinks()) return "Both have the same steps.\n";
+  if (comparison.meshes[1].links == 0) return "Only A has steps.\n";
+  if (comparison.meshes[0].links == 0) return "Only B has steps.\n";
+  return "Their steps differ.\n";
 }
 
 }  // namespace
+
+std::string howDifferent(const MeshComparison& comparison) {
+  const double most = std::max(comparison.meshes[0].whole.uncovered.plan, comparison.meshes[1].whole.uncovered.plan);
+  std::string text = "heights within " + number(comparison.height, "%.4g") + ", ";
+  text += most > 0 ? "an area of at most " + number(most, "%.4g") + " in the plan is in one of them only"
+                   : "each covers all of the other";
+  if (comparison.distances) {
+    const auto& [ab, ba] = *comparison.distances;
+    text +=
+        ", and no point of either is farther than " + number(std::max(ab.upper, ba.upper), "%.4g") + " from the other";
+  }
+  return text;
+}
 
 std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, const MeshComparison& comparison,
                              const ComparisonTimes& times) {
@@ -172,7 +204,7 @@ std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, con
   }
   if (files[0].metresPerUnit && files[1].metresPerUnit && *files[0].metresPerUnit != *files[1].metresPerUnit)
     text += "Note: the files state different metres per unit; their numbers are compared as they are.\n";
-  text += '\n' + verdict(comparison) + '\n';
+  text += '\n' + verdict(comparison) + linkVerdict(comparison) + '\n';
   Table table;
   addMeshes(comparison, table);
   addDifferences(comparison, table);
@@ -198,6 +230,11 @@ std::string formatComparisonJson(const std::array<NavigationMeshFile, 2>& files,
   json["exact"] = {{"a_without_b", setJson(sets, comparison::kOnlyFirst)},
                    {"b_without_a", setJson(sets, comparison::kOnlySecond)},
                    {"common", setJson(sets, comparison::kBoth)}};
+  const LinkDifference& links = comparison.links;
+  const auto lengthJson = [&links](std::size_t part) {
+    return Json{{"empty", !links.hasLength[part]}, {"length", links.lengths[part]}};
+  };
+  json["links"] = {{"a_without_b", lengthJson(0)}, {"b_without_a", lengthJson(1)}, {"common", lengthJson(2)}};
   json["within_height"] = {{"height", comparison.height},
                            {"a_without_b", areasJson(comparison.meshes[0].whole.uncovered)},
                            {"b_without_a", areasJson(comparison.meshes[1].whole.uncovered)}};

@@ -29,6 +29,8 @@ Positions collectPositions(const NavigationMesh& a, const NavigationMesh& b, dou
     std::vector<bool> used(mesh->vertices.size(), false);
     for (const Triangle& triangle : mesh->triangles)
       for (const std::uint32_t v : triangle) used[v] = true;
+    for (const StepLink& link : mesh->links)
+      for (const std::uint32_t v : {link.from[0], link.from[1], link.to[0], link.to[1]}) used[v] = true;
     for (std::size_t v = 0; v < used.size(); ++v)
       if (used[v]) all.places.push_back(mesh->vertices[v]);
   }

@@ -13,8 +13,8 @@
 
 namespace footfall::detail::comparison {
 
-/// The positions of both meshes, each once, sorted by x, y, z. Nothing that is computed from them depends on the order
-/// of vertices or triangles in the files.
+/// The positions of both meshes' triangles and steps, each once, sorted by x, y, z. Nothing that is computed from them
+/// depends on the order of vertices or triangles in the files.
 struct Positions {
   std::vector<Vec3> places;
   /// The same as integers times 2^unit.

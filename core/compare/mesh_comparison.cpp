@@ -6,6 +6,7 @@
 #include "core/base/disjoint_sets.hpp"
 #include "core/compare/comparison_distances.hpp"
 #include "core/compare/comparison_plan.hpp"
+#include "core/compare/link_difference.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "footfall/compare.hpp"
 #include "footfall/errors.hpp"
@@ -42,6 +43,10 @@ std::vector<std::size_t> countComponents(const NavigationMesh& mesh, const Adjac
       if (layerOf(around[i]) == layerOf(around[i - 1]) && sets.unite(around[i - 1], around[i]))
         --counts[layerOf(around[i])];
   }
+  for (const StepLink& link : mesh.links) {
+    const auto from = static_cast<Index>(link.fromTriangle), to = static_cast<Index>(link.toTriangle);
+    if (layerOf(from) == layerOf(to) && sets.unite(from, to)) --counts[layerOf(from)];
+  }
   return counts;
 }
 
@@ -66,6 +71,17 @@ struct PartSums {
   }
 };
 
+void describeLinks(const NavigationMesh& mesh, MeshDescription& description) {
+  description.links = mesh.links.size();
+  long double sum = 0;
+  for (const StepLink& link : mesh.links) {
+    const Vec3 &a = mesh.vertices[link.from[0]], &b = mesh.vertices[link.from[1]];
+    sum += std::hypot(b.x - a.x, b.y - a.y);
+    description.highestLink = std::max(description.highestLink, link.height);
+  }
+  description.linkLength = static_cast<double>(sum);
+}
+
 MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& surface,
                          const std::vector<SurfaceArea>& areas, const std::vector<SurfaceArea>& uncovered,
                          RunContext& context) {
@@ -76,6 +92,7 @@ MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& 
   description.connectionLength = length(mesh, mesh.connections);
   description.obstacleEdges = mesh.obstacleEdges.size();
   description.obstacleEdgeLength = length(mesh, mesh.obstacleEdges);
+  describeLinks(mesh, description);
 
   PartSums whole;
   std::vector<PartSums> layers(mesh.layers.empty() ? 0 : mesh.layerCount);
@@ -195,6 +212,7 @@ MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, c
   context.endStep();
   context.beginStep(1, "exact sets");
   result.sets = comparison::subtractSets(surfaces, context);
+  result.links = comparison::subtractLinks(surfaces, a, b, context);
   context.endStep();
   context.beginStep(2, "plan");
   const auto uncovered = comparison::findUncovered(surfaces, result.sets, result.height, context);

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
@@ -50,6 +51,14 @@ void finishCentre(Component& component, const NavigationMesh& mesh) {
     centre = origin;
 }
 
+/// Parts that a step leads between become one; they stay numbered in the order of their first triangles.
+void joinOverLinks(const NavigationMesh& mesh, std::vector<Index>& partOf, Index& partCount) {
+  DisjointSets sets(static_cast<std::size_t>(partCount));
+  for (const StepLink& link : mesh.links) sets.unite(partOf[link.fromTriangle], partOf[link.toTriangle]);
+  const std::vector<Index> joined = sets.numbers(partCount);
+  for (Index& part : partOf) part = joined[part];
+}
+
 }  // namespace
 
 double Components::totalArea() const {
@@ -57,10 +66,20 @@ double Components::totalArea() const {
                          [](double sum, const Component& component) { return sum + component.area; });
 }
 
+double Components::connectedShare() const {
+  const double total = totalArea();
+  if (!(total > 0)) return 0;
+  return std::accumulate(list.begin(), list.end(), 0.0, [total](double sum, const Component& component) {
+    const double share = component.area / total;
+    return sum + share * share;
+  });
+}
+
 Components findComponents(const NavigationMesh& mesh, const RunContext* context) {
   const Poll poll(context);
   Index count = 0;
-  const std::vector<Index> region = findParts(mesh.triangles, mesh.vertices.size(), count, poll);
+  std::vector<Index> region = findParts(mesh.triangles, mesh.vertices.size(), count, poll);
+  if (!mesh.links.empty()) joinOverLinks(mesh, region, count);
   poll();
 
   std::vector<Component> found(static_cast<std::size_t>(count));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/disjoint_sets.hpp"
+
 namespace footfall {
 
 double BorderLink::size() const { return std::max({gap, std::fabs(rise), kind == LinkKind::Obstacle ? obstacle : 0}); }
@@ -31,7 +33,7 @@ double nearestIn(const BorderEdge& e, const Vec3& p) {
 /// Of two borders: the best place so far.
 class Choice {
  public:
-  Choice(const BorderEdge& a, const BorderEdge& b) : a_(a), b_(b) {
+  Choice(const BorderEdge& a, const BorderEdge& b, double step) : a_(a), b_(b), step_(step) {
     for (const Vec3& p : {a.from, a.to, b.from, b.to})
       tiny_ = std::max({tiny_, kTiny * std::fabs(p.x), kTiny * std::fabs(p.y), kTiny * std::fabs(p.z)});
   }
@@ -47,14 +49,17 @@ class Choice {
     link.gap = std::hypot(q.x - p.x, q.y - p.y);
     link.rise = q.z - p.z;
     link.isInterval = isInterval;
-    if (!best_ || (best_->size() > tiny_ && link.size() < kClearlyLess * best_->size())) best_ = link;
+    if (!best_ || (lackAt(*best_) > tiny_ && lackAt(link) < kClearlyLess * lackAt(*best_))) best_ = link;
   }
+  /// What a step of the agent does not overcome.
+  [[nodiscard]] double lackAt(const BorderLink& link) const { return excessOf(link, 0, step_); }
   [[nodiscard]] const std::optional<BorderLink>& best() const { return best_; }
   /// Lengths up to this are none.
   [[nodiscard]] double tiny() const { return tiny_; }
 
  private:
   const BorderEdge &a_, &b_;
+  double step_;
   double tiny_ = 0;
   std::optional<BorderLink> best_;
 };
@@ -72,14 +77,39 @@ double heightOver(const BorderEdge& a, const BorderEdge& b, double s) {
 
 }  // namespace
 
-std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology) {
+SurfaceParts findSurfaceParts(const NavigationMesh& mesh, const SurfaceTopology& topology) {
+  constexpr std::uint32_t kNone = SurfaceTopology::kNone;
+  const std::vector<std::uint32_t>& components = topology.components;
+  DisjointSets sets(topology.componentCount);
+  for (const StepLink& link : mesh.links) {
+    const std::uint32_t from = components[link.fromTriangle], to = components[link.toTriangle];
+    if (from != kNone && to != kNone) sets.unite(static_cast<Index>(from), static_cast<Index>(to));
+  }
+  Index count = 0;
+  const std::vector<Index> numbers = sets.numbers(count);
+  SurfaceParts parts;
+  parts.count = static_cast<std::uint32_t>(count);
+  parts.of.reserve(components.size());
+  for (const std::uint32_t component : components)
+    parts.of.push_back(component == kNone ? kNone : static_cast<std::uint32_t>(numbers[component]));
+  return parts;
+}
+
+std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
+                                    const SurfaceParts& parts) {
+  // Over a joined side lies a triangle with the same two vertices, over a step one with others.
+  const auto isJoined = [&](const Triangle& f, std::size_t k, std::uint32_t neighbour) {
+    if (neighbour == SurfaceTopology::kNone) return false;
+    const Triangle& other = mesh.triangles[neighbour];
+    return std::ranges::count(other, f[k]) + std::ranges::count(other, f[(k + 1) % 3]) == 2;
+  };
   std::vector<BorderEdge> borders;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (topology.components[t] == SurfaceTopology::kNone) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (topology.neighbours[t][k] != SurfaceTopology::kNone) continue;
       const Triangle& f = mesh.triangles[t];
-      borders.push_back({mesh.vertices[f[k]], mesh.vertices[f[(k + 1) % 3]], t, topology.components[t]});
+      if (isJoined(f, k, topology.neighbours[t][k])) continue;
+      borders.push_back({mesh.vertices[f[k]], mesh.vertices[f[(k + 1) % 3]], t, parts.of[t]});
     }
   }
   return borders;
@@ -102,9 +132,16 @@ BorderLink reversed(const BorderLink& link) {
   return other;
 }
 
-std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b) {
+double excessOf(const BorderLink& link, double height, double step) {
+  const double climbed = std::max(std::fabs(link.rise), link.kind == LinkKind::Obstacle ? link.obstacle : 0);
+  double excess = std::max({link.gap, climbed - step, 0.0});
+  if (link.kind == LinkKind::LowCeiling) excess = std::max(excess, height - link.headroom);
+  return excess;
+}
+
+std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b, double step) {
   const double ax = a.to.x - a.from.x, ay = a.to.y - a.from.y, bx = b.to.x - b.from.x, by = b.to.y - b.from.y;
-  Choice choice(a, b);
+  Choice choice(a, b, step);
   if (a.from == b.to && a.to == b.from) {  // both sides of one edge: without rounding
     const Vec3 middle = pointAt(a, 0.5);
     choice.take(middle, middle, true);
@@ -130,7 +167,7 @@ std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b) 
     if (isSameSide && std::hypot(over.x - middle.x, over.y - middle.y) <= choice.tiny()) return std::nullopt;
   }
   BorderLink link = *choice.best();
-  if (!link.isInterval && link.size() <= choice.tiny()) link.kind = LinkKind::Touch;
+  if (!link.isInterval && choice.lackAt(link) <= choice.tiny()) link.kind = LinkKind::Touch;
   link.fromComponent = a.component;
   link.toComponent = b.component;
   return link;

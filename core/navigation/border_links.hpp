@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/mesh/surface_topology.hpp"
@@ -12,21 +13,37 @@
 
 namespace footfall::detail {
 
-/// A side of a triangle that cannot be crossed; the triangle lies to the left of it. Each side of an obstacle edge is
-/// one.
+/// The parts of a mesh: what hangs together over edges and over all of its steps, also those that paths do not take
+/// because a side leads to several (SurfaceTopology).
+struct SurfaceParts {
+  std::vector<std::uint32_t> of;  ///< of each triangle, numbered from 0 by first triangles; SurfaceTopology::kNone
+  std::uint32_t count = 0;
+};
+SurfaceParts findSurfaceParts(const NavigationMesh& mesh, const SurfaceTopology& topology);
+
+/// A side of a triangle on which no other triangle is joined; the triangle lies to the left of it. Each side of an
+/// obstacle edge is one, and of a step: it may lack something towards a third border.
 struct BorderEdge {
   Vec3 from, to;
   std::uint32_t triangle = 0;
-  std::uint32_t component = 0;
+  std::uint32_t component = 0;  ///< its part (SurfaceParts)
 };
 
 /// In the order of triangles and sides.
-std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology);
+std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
+                                    const SurfaceParts& parts);
 
-/// The place on each border where the larger of the gap in the plan and the difference in height is least, among:
-/// the ends of both, where they cross, and, where they run side by side, the middle and where they are level. Nothing
-/// where one lies over the other with both walkable sides on the same side.
-std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b);
+/// What an agent of that height and step lacks at a place (BorderLink::excess).
+double excessOf(const BorderLink& link, double height, double step);
+
+/// The place on each border where the larger of the gap in the plan and of the rise beyond `step` is least, among: the
+/// ends of both, where they cross, and, where they run side by side, the middle and where they are level. Nothing where
+/// one lies over the other with both walkable sides on the same side.
+///
+/// In doubles. Both places lie on the borders up to a few units in the last place, so the gap and the rise that are
+/// told are there, and what they ask for is enough, never too little by more than rounding; another place may ask for
+/// less. Whether borders touch in a point only is decided with kTiny of the coordinates: lengths below that are none.
+std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b, double step = 0);
 
 /// The place on a border that is nearest to another place in the plan.
 Vec3 nearestPoint(const BorderEdge& border, const Vec3& place);

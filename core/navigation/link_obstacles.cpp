@@ -98,8 +98,14 @@ Box boxOf(const Way& way, double low, double high) {
 
 }  // namespace
 
-LinkObstacles::LinkObstacles(std::shared_ptr<const Environment> environment, double height, Poll poll)
-    : environment_(std::move(environment)), height_(height) {
+struct LinkObstacles::Sight {
+  BorderLink link;
+  Way way;
+  bool isCrossed = false;
+};
+
+LinkObstacles::LinkObstacles(std::shared_ptr<const Environment> environment, double height, double step, Poll poll)
+    : environment_(std::move(environment)), height_(height), step_(step) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;
   boxes.reserve(environment_->triangles.size());
@@ -113,55 +119,91 @@ LinkObstacles::LinkObstacles(std::shared_ptr<const Environment> environment, dou
   if (!boxes.empty()) tree_.build(boxes, ids, poll);
 }
 
-bool LinkObstacles::lookAt(BorderLink& link, const BorderEdge& a, const BorderEdge& b,
-                           std::vector<std::int32_t>& stack) const {
+std::optional<LinkObstacles::Sight> LinkObstacles::look(const BorderLink& link, const BorderEdge& a,
+                                                        const BorderEdge& b, std::vector<std::int32_t>& stack) const {
   const double beside = kBeside * height_;
-  std::optional<BorderLink> best;
+  std::optional<Sight> best;
   const auto rank = [](const BorderLink& seen) { return std::pair(seen.isBlocked(), seen.size()); };
-  bool isCrossed = false;
   const auto lookAlong = [&](const Vec3& p, const Vec3& q) {
     const Way way = wayBetween(a, p, q, kReach * height_);
     const bool crosses = isCrossing(way, a, b);
-    if (isCrossed && !crosses) return;
-    const BorderLink seen = seeAlong(way, link, stack);
-    if (!best || (crosses && !isCrossed) || rank(seen) < rank(*best)) best = seen;
-    isCrossed = crosses;
+    if (best && best->isCrossed && !crosses) return;
+    BorderLink seen = seeAlong(way, link, stack);
+    if (!best || (crosses && !best->isCrossed) || rank(seen) < rank(best->link))
+      best.emplace(Sight{std::move(seen), way, crosses});
   };
   // The end of a wall touches the way on one side only, and the seam of two walls on both.
   for (const double step : {-beside, beside}) {
     if (const auto p = besideOn(a, link.from, step)) lookAlong(*p, nearestPoint(b, *p));
     if (const auto q = besideOn(b, link.to, step)) lookAlong(nearestPoint(a, *q), *q);
   }
-  if (best && link.kind == LinkKind::Open) link = *best;
-  return isCrossed;
+  return best;
 }
 
-BorderLink LinkObstacles::seeAlong(const Way& way, const BorderLink& link, std::vector<std::int32_t>& stack) const {
+bool LinkObstacles::lookAt(BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+                           std::vector<std::int32_t>& stack) const {
+  const std::optional<Sight> sight = look(link, a, b, stack);
+  if (sight && link.kind == LinkKind::Open) link = sight->link;
+  return sight && sight->isCrossed;
+}
+
+/// Between the higher border, or what is stepped over, and the agent's head there.
+std::array<double, 2> LinkObstacles::heightsInTheWay(const BorderLink& link) const {
   const double base = std::max(link.from.z, link.to.z), lower = std::min(link.from.z, link.to.z);
-  const double floor = base + kMargin * height_, ceiling = base + height_ - kMargin * height_;
-  Span inTheWay;
-  tree_.visitOverlapping(boxOf(way, floor, ceiling), stack, [&](std::int32_t id) {
+  return {std::max(base + kMargin * height_, lower + step_), base + height_ - kMargin * height_};
+}
+
+template <class Visit>
+void LinkObstacles::visitAlong(const Way& way, double low, double high, std::vector<std::int32_t>& stack,
+                               const Visit& visit) const {
+  if (low >= high) return;
+  tree_.visitOverlapping(boxOf(way, low, high), stack, [&](std::int32_t id) {
     const Triangle& t = environment_->triangles[id];
     const Span span =
         way.spanOf({environment_->vertices[t[0]], environment_->vertices[t[1]], environment_->vertices[t[2]]});
-    if (span.low < ceiling && span.high > floor) {
-      inTheWay.add(span.low);
-      inTheWay.add(span.high);
-    }
+    if (span.low < high && span.high > low) visit(id, span);
     return true;
+  });
+}
+
+BorderLink LinkObstacles::seeAlong(const Way& way, const BorderLink& link, std::vector<std::int32_t>& stack) const {
+  const auto [floor, ceiling] = heightsInTheWay(link);
+  Span inTheWay;
+  visitAlong(way, floor, ceiling, stack, [&](std::int32_t, const Span& span) {
+    inTheWay.add(span.low);
+    inTheWay.add(span.high);
   });
   BorderLink seen = link;
   if (inTheWay.low > inTheWay.high) return seen;
   if (inTheWay.high < ceiling) {
     seen.kind = LinkKind::Obstacle;
-    seen.obstacle = inTheWay.high - lower;
+    seen.obstacle = inTheWay.high - std::min(link.from.z, link.to.z);
   } else if (inTheWay.low > floor) {
     seen.kind = LinkKind::LowCeiling;
-    seen.headroom = inTheWay.low - base;
+    seen.headroom = inTheWay.low - std::max(link.from.z, link.to.z);
   } else {
     seen.kind = LinkKind::Wall;
   }
   return seen;
+}
+
+void LinkObstacles::findTriangles(BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+                                  std::vector<std::int32_t>& stack) const {
+  link.triangles.clear();
+  BorderLink open = link;
+  open.kind = LinkKind::Open;
+  const std::optional<Sight> sight = look(open, a, b, stack);
+  if (!sight) return;
+  const auto take = [&](std::int32_t id, const Span&) { link.triangles.push_back(static_cast<std::uint32_t>(id)); };
+  const auto [floor, ceiling] = heightsInTheWay(link);
+  visitAlong(sight->way, floor, ceiling, stack, take);
+  // Of a step its riser, between both floors.
+  const auto [low, high] = std::minmax(link.from.z, link.to.z);
+  const double margin = kMargin * height_;
+  if (high - low > 2 * margin) visitAlong(sight->way, low + margin, high - margin, stack, take);
+  std::ranges::sort(link.triangles);
+  const auto rest = std::ranges::unique(link.triangles);
+  link.triangles.erase(rest.begin(), rest.end());
 }
 
 }  // namespace footfall::detail

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/poll.hpp"
@@ -18,24 +20,38 @@ class LinkObstacles {
  public:
   struct Way;
 
-  /// `height` is that of the agent, in the environment's units. `poll` may throw.
-  LinkObstacles(std::shared_ptr<const Environment> environment, double height, Poll poll = {});
+  /// `height` and `step` are those of the agent, in the environment's units. `poll` may throw.
+  LinkObstacles(std::shared_ptr<const Environment> environment, double height, double step = 0, Poll poll = {});
 
   /// Looks at what lies over the way between the two places of a link, from border `a` to border `b`: above the higher
-  /// of both, and less than the agent's height above it. Sets the kind of an open link, and its obstacle or headroom.
-  /// Returns whether the way leads from one walkable side to the other, and not only along one of them. As a link must
-  /// be more than one point, it is looked right beside the places, where less stands.
+  /// of both and above what is stepped over, and less than the agent's height above it. Sets the kind of an open link,
+  /// and its obstacle or headroom. Returns whether the way leads from one walkable side to the other, and not only
+  /// along one of them. As a link must be more than one point, it is looked right beside the places, where less stands.
   ///
-  /// In doubles, and blind for what is lower than a thousandth of the agent.
+  /// In doubles, and from one side: what is told stands there, up to a few units in the last place, within kReach of
+  /// both borders; what stands nowhere on the two lines that are looked along, or reaches less than kMargin into the
+  /// agent, is not seen. So an obstacle is never invented, and a way that is told open may not be.
   bool lookAt(BorderLink& link, const BorderEdge& a, const BorderEdge& b, std::vector<std::int32_t>& stack) const;
 
+  /// Fills in `triangles` of a link that was looked at.
+  void findTriangles(BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+                     std::vector<std::int32_t>& stack) const;
+
   [[nodiscard]] double height() const { return height_; }
+  [[nodiscard]] double step() const { return step_; }
 
  private:
+  /// What was seen, and along which way.
+  struct Sight;
+  [[nodiscard]] std::optional<Sight> look(const BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+                                          std::vector<std::int32_t>& stack) const;
   [[nodiscard]] BorderLink seeAlong(const Way& way, const BorderLink& link, std::vector<std::int32_t>& stack) const;
+  template <class Visit>
+  void visitAlong(const Way& way, double low, double high, std::vector<std::int32_t>& stack, const Visit& visit) const;
+  [[nodiscard]] std::array<double, 2> heightsInTheWay(const BorderLink& link) const;
 
   std::shared_ptr<const Environment> environment_;
-  double height_;
+  double height_, step_;
   TriangleTree tree_;
 };
 

@@ -10,13 +10,15 @@ namespace {
 
 constexpr double kUsualHeight = 2;  // metres
 
-double largestClearance(const Pipeline& pipeline) {
-  double clearance = 0;
+/// Of the first parameters of all enabled filters of a type; 0 without any.
+double largestValue(const Pipeline& pipeline, FilterType type) {
+  double largest = 0;
   for (const PipelineStep& step : pipeline.steps)
-    if (step.enabled && step.filter->type == FilterType::VerticalClearance && !step.values.empty())
-      clearance = std::max(clearance, step.values[0]);
-  return clearance;
+    if (step.enabled && step.filter->type == type && !step.values.empty()) largest = std::max(largest, step.values[0]);
+  return largest;
 }
+
+double largestClearance(const Pipeline& pipeline) { return largestValue(pipeline, FilterType::VerticalClearance); }
 
 }  // namespace
 
@@ -29,5 +31,7 @@ double agentHeight(const Pipeline& pipeline, double metresPerUnit) {
   const double clearance = largestClearance(pipeline);
   return clearance > 0 ? clearance : kUsualHeight / metresPerUnit;
 }
+
+double agentStep(const Pipeline& pipeline) { return largestValue(pipeline, FilterType::Step); }
 
 }  // namespace footfall

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kNothing = 1e-9;  // of the larger of gap and step: the other one is rounding
 
-Text openText(const BorderLink& link, const std::function<std::string(double)>& length) {
-  const double step = std::fabs(link.rise), none = kNothing * std::max(link.gap, step);
+Text openText(const BorderLink& link, const std::function<std::string(double)>& length, double allowed) {
+  const double step = std::fabs(link.rise), none = step <= allowed ? 0 : kNothing * std::max(link.gap, step);
   const bool isUp = link.rise > 0;
   if (step <= none && link.gap <= none)
     return FOOTFALL_TEXT("an obstacle edge, on which nothing stands that could be seen");
@@ -24,11 +24,11 @@ Text openText(const BorderLink& link, const std::function<std::string(double)>& 
 
 }  // namespace
 
-Text barrierText(const BorderLink& link, const std::function<std::string(double)>& length) {
+Text barrierText(const BorderLink& link, const std::function<std::string(double)>& length, double step) {
   const bool isApart = link.size() > 0 && link.gap > kNothing * link.size();
   switch (link.kind) {
     case LinkKind::Open:
-      return openText(link, length);
+      return openText(link, length, step);
     case LinkKind::Obstacle:
       return Text(FOOTFALL_TEXT("something %1 high to climb over"), length(link.obstacle));
     case LinkKind::LowCeiling:
@@ -40,6 +40,17 @@ Text barrierText(const BorderLink& link, const std::function<std::string(double)
       return FOOTFALL_TEXT("the parts only touch in a point, through which nobody fits");
   }
   return {};
+}
+
+Text lackText(const BorderLink& link, const Separation& separation, const std::function<std::string(double)>& length) {
+  Text what = barrierText(link, length, separation.step);
+  if (link.kind == LinkKind::LowCeiling && link.headroom < separation.height)
+    return {FOOTFALL_TEXT("%1, %2 too low"), what, length(separation.height - link.headroom)};
+  if (separation.step == 0 || (link.kind != LinkKind::Open && link.kind != LinkKind::Obstacle)) return what;
+  const double climbed = std::max(std::fabs(link.rise), link.kind == LinkKind::Obstacle ? link.obstacle : 0);
+  if (climbed > separation.step) return {FOOTFALL_TEXT("%1, %2 too high"), what, length(climbed - separation.step)};
+  if (climbed > 0 && link.gap == 0) return {FOOTFALL_TEXT("%1; low enough, but StepFilter does not link it"), what};
+  return what;
 }
 
 }  // namespace footfall::detail

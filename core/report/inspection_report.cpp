@@ -39,12 +39,6 @@ std::string triangleText(const Environment& environment, std::uint32_t triangle)
   return text + ')';
 }
 
-std::string list(const Environment& environment, const std::vector<std::uint32_t>& triangles) {
-  std::string text;
-  for (const std::uint32_t t : triangles) text += (text.empty() ? "" : ", ") + triangleText(environment, t);
-  return text;
-}
-
 std::string verdictText(const Inspector& inspector, const PlaceExplanation& told) {
   const Environment& environment = inspector.environment();
   switch (told.verdict) {
@@ -79,6 +73,12 @@ std::string verdictText(const Inspector& inspector, const PlaceExplanation& told
 }
 
 }  // namespace
+
+std::string detail::triangleList(const Environment& environment, const std::vector<std::uint32_t>& triangles) {
+  std::string text;
+  for (const std::uint32_t t : triangles) text += (text.empty() ? "" : ", ") + triangleText(environment, t);
+  return text;
+}
 
 std::string_view verdictWord(PlaceVerdict verdict) {
   switch (verdict) {
@@ -133,7 +133,7 @@ std::string formatExplanation(const Inspector& inspector, const PlaceExplanation
       text += "unlimited, nothing is above\n";
   }
   if (!told.walls.empty())
-    text += "on an obstacle edge: " + list(environment, told.walls) +
+    text += "on an obstacle edge: " + triangleList(environment, told.walls) +
             (told.walls.size() == 1 ? " stands here\n" : " stand here\n");
   return text;
 }

@@ -1,13 +1,20 @@
-// Numbers in explanations (footfall/report.hpp has the rest).
+// Numbers and triangles in explanations (footfall/report.hpp has the rest).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
+
+#include "footfall/environment.hpp"
 
 namespace footfall::detail {
 
 /// A value that is known to differ from a limit, with as many digits as it takes to see that; the same text where even
 /// 17 do not tell.
 std::string textBeside(double value, double limit);
+
+/// "triangle 12 (mesh door, material wood), triangle 13".
+std::string triangleList(const Environment& environment, const std::vector<std::uint32_t>& triangles);
 
 }  // namespace footfall::detail

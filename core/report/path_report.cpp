@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/path_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +9,7 @@
 #include "core/base/number_text.hpp"
 #include "core/io/obj_text.hpp"
 #include "core/navigation/separation_text.hpp"
+#include "core/report/inspection_report.hpp"
 #include "footfall/up_axis.hpp"
 
 namespace footfall {
@@ -21,8 +23,11 @@ std::string shown(double x) {
   return text;
 }
 
-std::string place(const SurfacePlace& p, UpAxis up) {
-  const Vec3 q = inFileFrame(p.position, up);
+/// Also what is less than that, which may be all that is missing.
+std::string shownLength(double x) { return std::fabs(x) < 1e-6 ? formatted(x, "%.3g") : shown(x); }
+
+std::string place(const Vec3& p, UpAxis up) {
+  const Vec3 q = inFileFrame(p, up);
   return shown(q.x) + ' ' + shown(q.y) + ' ' + shown(q.z);
 }
 
@@ -31,14 +36,39 @@ nlohmann::ordered_json pointJson(const Vec3& p, UpAxis up) {
   return {q.x + 0.0, q.y + 0.0, q.z + 0.0};
 }
 
+std::string lackAt(const BorderLink& link, const Separation& separation) {
+  return lackText(link, separation, shownLength).str();
+}
+
 std::string barrierSentence(const Separation& separation, UpAxis up) {
+  constexpr std::size_t kShown = 3;
   const BorderLink& link = separation.barrier();
-  const Vec3 p = inFileFrame(link.from, up);
-  std::string text = "the parts are nearest at " + shown(p.x) + ' ' + shown(p.y) + ' ' + shown(p.z) + ": " +
-                     barrierText(link, shown).str();
+  std::string text = "the parts are nearest at " + place(link.from, up) + ": " + lackAt(link, separation);
   if (separation.links.size() > 1)
     text += " (the largest of " + std::to_string(separation.links.size()) + " obstacles on the way)";
+  const std::vector<BorderLink>& others = separation.others;
+  if (others.empty()) return text;
+  text += "; " + counted(others.size(), "more way", "more ways") + ": ";
+  for (std::size_t i = 0; i < std::min(kShown, others.size()); ++i) {
+    if (i > 0) text += "; ";
+    text += lackAt(others[i], separation) + ", at " + place(others[i].from, up);
+  }
+  if (others.size() > kShown) text += "; ...";
   return text;
+}
+
+nlohmann::ordered_json linkJson(const BorderLink& link, UpAxis up) {
+  nlohmann::ordered_json json;
+  json["kind"] = linkWord(link.kind);
+  json["from"] = pointJson(link.from, up);
+  json["to"] = pointJson(link.to, up);
+  json["gap"] = link.gap;
+  json["rise"] = link.rise;
+  json["obstacle"] = link.kind == LinkKind::Obstacle ? nlohmann::ordered_json(link.obstacle) : nullptr;
+  json["headroom"] = link.kind == LinkKind::LowCeiling ? nlohmann::ordered_json(link.headroom) : nullptr;
+  json["excess"] = link.excess;
+  json["triangles"] = link.triangles;
+  return json;
 }
 
 nlohmann::ordered_json separationJson(const std::optional<Separation>& separation, UpAxis up) {
@@ -46,17 +76,11 @@ nlohmann::ordered_json separationJson(const std::optional<Separation>& separatio
   nlohmann::ordered_json json;
   json["largest"] = separation->largest;
   json["links"] = nlohmann::ordered_json::array();
-  for (const BorderLink& link : separation->links) {
-    nlohmann::ordered_json entry;
-    entry["kind"] = linkWord(link.kind);
-    entry["from"] = pointJson(link.from, up);
-    entry["to"] = pointJson(link.to, up);
-    entry["gap"] = link.gap;
-    entry["rise"] = link.rise;
-    entry["obstacle"] = link.kind == LinkKind::Obstacle ? nlohmann::ordered_json(link.obstacle) : nullptr;
-    entry["headroom"] = link.kind == LinkKind::LowCeiling ? nlohmann::ordered_json(link.headroom) : nullptr;
-    json["links"].push_back(std::move(entry));
-  }
+  for (const BorderLink& link : separation->links) json["links"].push_back(linkJson(link, up));
+  json["others"] = nlohmann::ordered_json::array();
+  for (const BorderLink& link : separation->others) json["others"].push_back(linkJson(link, up));
+  json["height"] = separation->height;
+  json["step"] = separation->step;
   return json;
 }
 
@@ -87,11 +111,34 @@ std::string formatFailure(const PathResult& path, UpAxis up) {
   return path.separation ? text + "; " + barrierSentence(*path.separation, up) : text;
 }
 
+std::string detail::formatSeparation(const Environment& environment, const PathResult& path) {
+  const UpAxis up = environment.up;
+  std::string text = describeFailure(path) + '\n';
+  if (!path.separation) return text;
+  const Separation& separation = *path.separation;
+  const auto line = [&](const BorderLink& link) {
+    std::string all = "at " + place(link.from, up) + ": " + lackAt(link, separation);
+    if (!link.triangles.empty()) all += "; " + triangleList(environment, link.triangles);
+    return all + '\n';
+  };
+  text += "what is missing least, " + line(separation.barrier());
+  if (separation.links.size() > 1) {
+    text += "on the same way, over parts between:\n";
+    for (std::size_t i = 0; i < separation.links.size(); ++i)
+      if (i != separation.largest) text += "  " + line(separation.links[i]);
+  }
+  if (!separation.others.empty()) text += counted(separation.others.size(), "more way", "more ways") + ":\n";
+  for (const BorderLink& link : separation.others) text += "  " + line(link);
+  return text;
+}
+
 std::string formatPath(const PathResult& path, UpAxis up) {
   std::string text;
   if (path.start)
-    text += (path.status == PathStatus::StartNotWalkable ? "nearest  " : "start    ") + place(*path.start, up) + '\n';
-  if (path.end && path.hasPath()) text += (path.reached() ? "end      " : "fails at ") + place(*path.end, up) + '\n';
+    text += (path.status == PathStatus::StartNotWalkable ? "nearest  " : "start    ") +
+            place(path.start->position, up) + '\n';
+  if (path.end && path.hasPath())
+    text += (path.reached() ? "end      " : "fails at ") + place(path.end->position, up) + '\n';
   if (path.hasPath()) {
     text += "length   " + shown(path.length) + " (" + shown(path.planLength) + " in the plan), " +
             counted(path.bends.size(), "bend", "bends") + '\n';

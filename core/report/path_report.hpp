@@ -11,6 +11,10 @@ namespace footfall::detail {
 /// A point in the frame of the environment's file, "1 2.5 -3": the way the user wrote it.
 std::string formatPlace(const Vec3& p, UpAxis up);
 
+/// Why no way leads from start to target, a line for each place: what is missing least, what else is on the same way,
+/// other ways; with the triangles that stand there. Places in the frame of the environment's file.
+std::string formatSeparation(const Environment& environment, const PathResult& path);
+
 /// The path as one polyline (`g path`, one `l` element), in the frame and units of a file.
 std::string formatPathObj(const SourceFrame& frame, const ExportHeader& header, const PathResult& path);
 

@@ -11,6 +11,7 @@
 #include "core/environment/skipped_polygons.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/report/text_table.hpp"
+#include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 
@@ -145,6 +146,73 @@ Json skippedJson(const SkippedElements& skipped) {
   return {{"points", skipped.points}, {"lines", skipped.lines}, {"polygons", skipped.polygons}, {"listed", listed}};
 }
 
+/// What the steps of a mesh amount to.
+struct LinkFigures {
+  double planLength = 0, highest = 0;
+};
+
+LinkFigures measureLinks(const NavigationMesh& mesh) {
+  LinkFigures figures;
+  for (const StepLink& link : mesh.links) {
+    const Vec3 &a = mesh.vertices[link.from[0]], &b = mesh.vertices[link.from[1]];
+    figures.planLength += std::hypot(b.x - a.x, b.y - a.y);
+    figures.highest = std::max(figures.highest, link.height);
+  }
+  return figures;
+}
+
+Json componentsJson(const Components& components) {
+  Json list = Json::array();
+  const double total = components.totalArea();
+  for (const Component& component : components.list) {
+    list.push_back({{"area", component.area},
+                    {"share", total > 0 ? component.area / total : 0},
+                    {"triangles", component.triangles},
+                    {"layers", component.layers}});
+  }
+  return list;
+}
+
+/// The largest parts, and what the others amount to; empty where there are none.
+std::string componentLines(const Components& components) {
+  constexpr std::size_t kShown = 5;
+  const std::vector<Component>& list = components.list;
+  if (list.empty()) return {};
+  const double total = components.totalArea();
+  const auto share = [total](double area) { return number(total > 0 ? 100 * area / total : 0, "%.3g") + " %"; };
+  std::vector<std::vector<std::string>> rows = {{"component", "area", "share", "triangles", "layers"}};
+  const std::size_t shown = std::min(kShown, list.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    std::string layers;
+    for (const std::uint32_t layer : list[i].layers) {
+      if (!layers.empty()) layers += ' ';
+      layers += std::to_string(layer);
+    }
+    rows.push_back({std::to_string(i + 1), number(list[i].area, "%.6g"), share(list[i].area),
+                    std::to_string(list[i].triangles), layers});
+  }
+  if (shown < list.size()) {
+    double area = 0;
+    std::size_t triangles = 0;
+    for (std::size_t i = shown; i < list.size(); ++i) {
+      area += list[i].area;
+      triangles += list[i].triangles;
+    }
+    rows.push_back({formatted(static_cast<double>(list.size() - shown), "(%.0f more)"), number(area, "%.6g"),
+                    share(area), std::to_string(triangles), ""});
+  }
+  return '\n' + counted(list.size(), "component", "components") +
+         "; two random places are connected with a probability of " + number(components.connectedShare(), "%.3g") +
+         '\n' + formatTable(rows) + '\n';
+}
+
+std::string linkLine(const NavigationMesh& mesh) {
+  if (mesh.links.empty()) return {};
+  const LinkFigures figures = measureLinks(mesh);
+  return counted(mesh.links.size(), "step", "steps") + " between borders, " + number(figures.planLength, "%.6g") +
+         " long in the plan, the highest " + number(figures.highest, "%.6g") + '\n';
+}
+
 }  // namespace
 
 std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
@@ -180,12 +248,19 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["cpu_ms"] = result.cpuMs;
   json["threads"] = result.threads;
   json["peak_rss_bytes"] = peakRssBytes();
-  json["triangles"] = result.mesh ? result.mesh->triangles.size() : result.summary.triangles;
+  const NavigationMesh& mesh = *result.mesh;
+  json["triangles"] = mesh.triangles.size();
   json["area"] = result.summary.area;
-  json["layers"] = result.mesh ? result.mesh->layerCount : result.summary.layers;
-  json["connections"] = result.mesh ? result.mesh->connections.size() : result.summary.connections;
-  json["links"] = result.mesh ? result.mesh->links.size() : result.summary.links;
-  json["obstacle_edges"] = result.mesh ? result.mesh->obstacleEdges.size() : result.summary.obstacleEdges;
+  json["layers"] = mesh.layerCount;
+  json["connections"] = mesh.connections.size();
+  const LinkFigures links = measureLinks(mesh);
+  json["links"] = mesh.links.size();
+  json["link_length"] = links.planLength;
+  json["highest_link"] = mesh.links.empty() ? Json() : Json(links.highest);
+  json["obstacle_edges"] = mesh.obstacleEdges.size();
+  const Components components = findComponents(mesh);
+  json["components"] = componentsJson(components);
+  json["connected_share"] = components.connectedShare();
   const ExactFallbacks fallbacks = sumFallbacks(result);
   json["exact_fallbacks"] = fallbacks.total();
   json["exact_fallbacks_by_kind"] = {
@@ -211,20 +286,17 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
     rows.push_back({stepText(step), number(step.wallMs), number(step.cpuMs), std::to_string(step.out.triangles),
                     number(step.out.area, "%.6g"), step.note.str()});
   }
-  rows.push_back({"(navigation mesh)", number(result.finishMs), "",
-                  std::to_string(result.mesh ? result.mesh->triangles.size() : result.summary.triangles), "", ""});
+  const NavigationMesh& mesh = *result.mesh;
+  rows.push_back({"(navigation mesh)", number(result.finishMs), "", std::to_string(mesh.triangles.size()), "", ""});
   std::string text = environment.source + ": " + counted(environment.triangles.size(), "triangle", "triangles") + ", " +
                      shownName(environment.up) + " up" + (environment.upGuessed ? " (guessed)" : "") + ", " +
                      number(environment.metresPerUnit, "%.6g") + " m per unit" +
                      (environment.scaleGuessed ? " (guessed)" : "") + '\n' + skippedLines(environment) + '\n' +
                      formatTable(rows) + '\n';
-  const StateSummary& summary = result.summary;
-  text += counted(result.mesh ? result.mesh->layerCount : summary.layers, "layer", "layers") + ", " +
-          counted(result.mesh ? result.mesh->connections.size() : summary.connections, "connection", "connections") +
-          ", " +
-          counted(result.mesh ? result.mesh->obstacleEdges.size() : summary.obstacleEdges, "obstacle edge",
-                  "obstacle edges") +
-          '\n';
+  text += counted(mesh.layerCount, "layer", "layers") + ", " +
+          counted(mesh.connections.size(), "connection", "connections") + ", " +
+          counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + '\n' + linkLine(mesh) +
+          componentLines(findComponents(mesh));
   for (const BlockReport& block : result.blocks) {
     text += "block of " + counted(block.cells.size(), "cell", "cells") + ": partitioning " +
             number(block.partitioningMs) + " ms, parallel " + number(block.parallelMs) + " ms, merging " +

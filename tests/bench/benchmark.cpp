@@ -12,6 +12,7 @@
 #include "tests/bench/live_measurement.hpp"
 #include "tests/bench/markdown.hpp"
 #include "tests/bench/prototype_measurement.hpp"
+#include "tests/bench/reach_measurement.hpp"
 #if FOOTFALL_BENCH_RECAST
 #include "tests/bench/recast_measurement.hpp"
 #endif
@@ -66,11 +67,17 @@ class Benchmark {
     results["threads"] = options_.threads;
     results["runs"] = options_.repetition.runs;
     results["environments"] = Json::array();
+    for (const char* part : {"growth", "cancelling", "live", "reach"}) results[part] = Json::array();
+    if (options_.reach) {
+      for (const Subject& subject : options_.given) results["reach"].push_back(measureTheReach(subject, "given"));
+      for (const Subject& subject : options_.samples) results["reach"].push_back(measureTheReach(subject, "sample"));
+      return results;
+    }
     for (const Subject& subject : options_.given) results["environments"].push_back(measure(subject, "given"));
     for (const Subject& subject : options_.samples) results["environments"].push_back(measure(subject, "sample"));
-    results["growth"] = options_.growth ? measureGrowth() : Json::array();
-    results["cancelling"] = options_.cancelMoments > 0 ? measureCancellings() : Json::array();
-    results["live"] = options_.live ? measureEdits() : Json::array();
+    if (options_.growth) results["growth"] = measureGrowth();
+    if (options_.cancelMoments > 0) results["cancelling"] = measureCancellings();
+    if (options_.live) results["live"] = measureEdits();
     return results;
   }
 
@@ -80,6 +87,21 @@ class Benchmark {
     // The limit of memory is for peers that take what they can get: threads reserve address space they never use.
     return runIsolated([&] { return measurePipeline(subject, threads, options_.repetition); },
                        {options_.limits.time, 0});
+  }
+
+  Json measureTheReach(const Subject& subject, const char* group) const {
+    const double step = options_.step / subject.metresPerUnit();
+    const int threads = options_.threads.back();
+    tell(subject.name, "who can reach whom");
+    Json entry{{"name", subject.name}, {"group", group}};
+    entry.update(runIsolated([&] { return measureReach(subject, step, threads); }, {options_.limits.time, 0}));
+#if FOOTFALL_BENCH_RECAST
+    if (options_.recast) {
+      tell(subject.name, "who can reach whom in Recast");
+      entry["recast"] = runIsolated([&] { return compareReach(subject, step, threads); }, options_.limits);
+    }
+#endif
+    return entry;
   }
 
   Json measure(const Subject& subject, const char* group) {

@@ -16,6 +16,8 @@ struct BenchmarkOptions {
   bool growth = false;
   int cancelMoments = 0;           ///< of each file, and with `growth` of the largest generated environments
   bool live = false;               ///< edits of each environment too, and of a generated terrain
+  bool reach = false;              ///< who can reach whom, and nothing else
+  double step = 0.4;               ///< for `reach`: metres that agents climb at once
   std::vector<int> threads{1, 2};  ///< ascending; the last is what the report compares with the peers
   Repetition repetition;
   bool recast = true;                                                 ///< where the program was built with it
@@ -34,7 +36,9 @@ struct BenchmarkOptions {
 ///   the same file to the walkable environment), `thesis_s` (an environment of the same size in the thesis);
 /// - `growth`: a list of `series`, `size` and what measurePipeline() says with most threads;
 /// - `cancelling`: a list of `name` and what measureCancelling() says with most threads;
-/// - `live`: a list of `name` and what measureLive() says with most threads.
+/// - `live`: a list of `name` and what measureLive() says with most threads;
+/// - `reach`: with BenchmarkOptions::reach, when all others are empty: a list of `name`, `group`, what measureReach()
+///   says with most threads, and `recast` (of compareReach()).
 /// Whatever cannot be measured has `fails` with the reason in the place of its figures.
 Json runBenchmark(const BenchmarkOptions& options);
 

@@ -5,10 +5,12 @@
 #include <malloc.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/process_usage.hpp"
 
 namespace footfall::bench {
@@ -54,8 +56,10 @@ Soup toSoup(const Environment& environment) {
   return soup;
 }
 
-rcConfig makeConfig(const Soup& soup, double metresPerUnit, const RecastCell& cell) {
-  constexpr double kAgentHeight = 2, kClimb = 0.9;  // metres
+constexpr double kDemoClimb = 0.9;  // metres
+
+rcConfig makeConfig(const Soup& soup, double metresPerUnit, const RecastCell& cell, double climb) {
+  constexpr double kAgentHeight = 2;  // metres
   constexpr float kSlope = 45;
   constexpr int kRegionMinSize = 8, kRegionMergeSize = 20;  // this and what follows: the demo's defaults
   constexpr double kEdgeMaxLength = 12;
@@ -66,7 +70,7 @@ rcConfig makeConfig(const Soup& soup, double metresPerUnit, const RecastCell& ce
   config.ch = static_cast<float>(cell.height / metresPerUnit);
   config.walkableSlopeAngle = kSlope;
   config.walkableHeight = static_cast<int>(std::ceil(kAgentHeight / cell.height));
-  config.walkableClimb = static_cast<int>(std::floor(kClimb / cell.height));
+  config.walkableClimb = static_cast<int>(std::floor(climb / cell.height));
   config.walkableRadius = 0;
   config.maxEdgeLen = static_cast<int>(kEdgeMaxLength / cell.size);
   config.maxSimplificationError = kEdgeMaxError;
@@ -89,9 +93,10 @@ rcConfig makeConfig(const Soup& soup, double metresPerUnit, const RecastCell& ce
 constexpr int kMostSpans = (1 << 24) - 1;
 
 using PolyMesh = std::unique_ptr<rcPolyMesh, Release<rcFreePolyMesh>>;
+using CompactField = std::unique_ptr<rcCompactHeightfield, Release<rcFreeCompactHeightfield>>;
 
-PolyMesh build(const Soup& soup, const rcConfig& config) {
-  Log log;
+/// With what is walkable in it.
+CompactField buildCompactField(Log& log, const Soup& soup, const rcConfig& config) {
   const auto need = [&log](bool done, const char* stage) {
     if (!done) log.fail(stage);
   };
@@ -111,10 +116,18 @@ PolyMesh build(const Soup& soup, const rcConfig& config) {
   rcFilterWalkableLowHeightSpans(&log, config.walkableHeight, *field);
   if (rcGetHeightFieldSpanCount(&log, *field) > kMostSpans) throw std::runtime_error("more than 2^24 spans");
 
-  std::unique_ptr<rcCompactHeightfield, Release<rcFreeCompactHeightfield>> compact(rcAllocCompactHeightfield());
+  CompactField compact(rcAllocCompactHeightfield());
   need(rcBuildCompactHeightfield(&log, config.walkableHeight, config.walkableClimb, *field, *compact),
        "compact heightfield");
-  field.reset();
+  return compact;
+}
+
+PolyMesh build(const Soup& soup, const rcConfig& config) {
+  Log log;
+  const auto need = [&log](bool done, const char* stage) {
+    if (!done) log.fail(stage);
+  };
+  const CompactField compact = buildCompactField(log, soup, config);
   need(rcErodeWalkableArea(&log, config.walkableRadius, *compact), "eroding");
   need(rcBuildDistanceField(&log, *compact), "distance field");
   need(rcBuildRegions(&log, *compact, 0, config.minRegionArea, config.mergeRegionArea), "regions");
@@ -148,7 +161,7 @@ double planAreaOf(const rcPolyMesh& mesh) {
 Json measureRecast(const Environment& environment, double metresPerUnit, const RecastCell& cell,
                    const Repetition& repetition) {
   const Soup soup = toSoup(environment);
-  const rcConfig config = makeConfig(soup, metresPerUnit, cell);
+  const rcConfig config = makeConfig(soup, metresPerUnit, cell, kDemoClimb);
   ::malloc_trim(0);  // what reading the file has freed must not hide what Recast takes
   const std::uint64_t before = residentMemory().now;
   Samples samples;
@@ -171,6 +184,45 @@ Json measureRecast(const Environment& environment, double metresPerUnit, const R
           {"peak_bytes", peak > before ? peak - before : 0},
           {"plan_area", planAreaOf(*mesh)},
           {"polygons", mesh->npolys}};
+}
+
+RecastPlaces findRecastPlaces(const Environment& environment, double metresPerUnit, const RecastCell& cell,
+                              double climb) {
+  const Soup soup = toSoup(environment);
+  const rcConfig config = makeConfig(soup, metresPerUnit, cell, climb);
+  Log log;
+  const CompactField field = buildCompactField(log, soup, config);
+  const auto spanCount = static_cast<std::size_t>(field->spanCount);
+  DisjointSets sets(spanCount);
+  RecastPlaces found;
+  std::vector<Index> spans;
+  for (int y = 0; y < field->height; ++y) {
+    for (int x = 0; x < field->width; ++x) {
+      const rcCompactCell& own = field->cells[x + y * field->width];
+      for (unsigned i = own.index, end = own.index + static_cast<unsigned>(own.count); i < end; ++i) {
+        if (field->areas[i] == RC_NULL_AREA) continue;
+        const rcCompactSpan& span = field->spans[i];
+        for (int direction = 0; direction < 4; ++direction) {
+          if (rcGetCon(span, direction) == RC_NOT_CONNECTED) continue;
+          const int nextX = x + rcGetDirOffsetX(direction), nextY = y + rcGetDirOffsetY(direction);
+          const unsigned next =
+              field->cells[nextX + nextY * field->width].index + static_cast<unsigned>(rcGetCon(span, direction));
+          if (field->areas[next] != RC_NULL_AREA) sets.unite(static_cast<Index>(i), static_cast<Index>(next));
+        }
+        const double cs = field->cs, ch = field->ch;
+        found.places.push_back(
+            {field->bmin[0] + (x + 0.5) * cs, -(field->bmin[2] + (y + 0.5) * cs), field->bmin[1] + span.y * ch});
+        spans.push_back(static_cast<Index>(i));
+      }
+    }
+  }
+  std::vector<std::uint32_t> partOf(spanCount, std::numeric_limits<std::uint32_t>::max());
+  for (const Index span : spans) {
+    std::uint32_t& part = partOf[sets.find(span)];
+    if (part == std::numeric_limits<std::uint32_t>::max()) part = found.partCount++;
+    found.parts.push_back(part);
+  }
+  return found;
 }
 
 }  // namespace footfall::bench

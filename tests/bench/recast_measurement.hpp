@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "footfall/environment.hpp"
 #include "tests/bench/sampling.hpp"
 
@@ -21,5 +24,18 @@ struct RecastCell {
 /// run isolated, with a limit of memory.
 Json measureRecast(const Environment& environment, double metresPerUnit, const RecastCell& cell,
                    const Repetition& repetition);
+
+/// What Recast has found walkable, as a sample of its area: the middle of the top of each open span that one can stand
+/// on, in the environment's units with Z up, and the part that its connections make it belong to.
+struct RecastPlaces {
+  std::vector<Vec3> places;
+  std::vector<std::uint32_t> parts;  ///< of each place, numbered from 0
+  std::uint32_t partCount = 0;
+};
+
+/// The same agents, filters and scale, but for a climb of `climb` metres: up to the compact heightfield, whose
+/// connections between neighbouring cells regions and polygons only simplify. Throws as measureRecast().
+RecastPlaces findRecastPlaces(const Environment& environment, double metresPerUnit, const RecastCell& cell,
+                              double climb);
 
 }  // namespace footfall::bench

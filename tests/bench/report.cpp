@@ -17,6 +17,7 @@ class Report {
   explicit Report(const Json& results) : results_(results), threads_(results["threads"].back().get<int>()) {}
 
   std::string format() {
+    if (!results_["reach"].empty()) return reach();
     std::string text = "Footfall " + results_["program"]["version"].get<std::string>() + ", at most " +
                        std::to_string(results_["runs"].get<int>()) + " runs after one warm-up, medians, ms.\n\n";
     if (!results_["targets"].empty()) text += "### Targets\n\n" + targets();
@@ -34,6 +35,44 @@ class Report {
 
  private:
   [[nodiscard]] std::string threadText() const { return bench::threadText(threads_); }
+
+  std::string reach() const {
+    const bool hasRecast = results_["program"]["recast"];
+    std::vector<std::string> header{"environment", "as it is", "with steps", "components", "with steps", "links"};
+    if (hasRecast)
+      header.insert(header.end(), {"Recast", "common places", "ours", "Recast's", "only ours", "only Recast's"});
+    Table table(header);
+    std::string failures;
+    const auto fails = [&](const std::string& name, const Json& entry) {
+      failures += "- " + name + ": " + entry["fails"].get<std::string>() + '\n';
+    };
+    for (const Json& entry : results_["reach"]) {
+      std::vector<std::string> row{entry["name"]};
+      if (entry.contains("fails")) {
+        fails(row[0], entry);
+        row.resize(6, "fails");
+      } else {
+        row.insert(row.end(), {share(entry["plain"]["share"]), share(entry["steps"]["share"]),
+                               grouped(entry["plain"]["components"]), grouped(entry["steps"]["components"]),
+                               grouped(entry["links"])});
+      }
+      if (hasRecast) {
+        const Json& theirs = entry["recast"];
+        if (theirs.contains("fails")) {
+          fails("Recast on " + row[0], theirs);
+          row.push_back("fails");
+          row.resize(header.size());
+        } else {
+          for (const char* figure : {"share", "common", "ours", "theirs", "only_ours", "only_theirs"})
+            row.push_back(share(theirs[figure]));
+        }
+      }
+      table.addRow(row);
+    }
+    return table.text() + (failures.empty() ? "" : "Fails:\n\n" + failures + '\n');
+  }
+
+  static std::string share(const Json& value) { return groupedWithDecimals(value, 3); }
 
   std::string targets() const {
     Table table({"against", "figure", "due", "measured", ""});

@@ -26,6 +26,11 @@ fi
 "${build}/footfall-bench" "${arguments[@]}"
 replace bench "${scratch}/bench.md"
 
+arguments=(--reach --samples --timeout 60 --json "${build}/reach.json" --markdown "${scratch}/reach.md")
+environments
+"${build}/footfall-bench" "${arguments[@]}"
+replace reach "${scratch}/reach.md"
+
 if [ -x "${build}/footfall-editor-bench" ]; then
   command=("${build}/footfall-editor-bench" --json "${build}/editor-bench.json" --markdown "${scratch}/editor.md")
   if [ -n "${DISPLAY:-}" ]; then

@@ -33,7 +33,8 @@ struct PathModel::Finder {
   void separate(PathResult& result, const RunContext& context) {
     if (!ground.environment) return;
     if (!separations)
-      separations = std::make_unique<SeparationFinder>(*finder, ground.environment, ground.agentHeight, &context);
+      separations = std::make_unique<SeparationFinder>(*finder, ground.environment, ground.agentHeight,
+                                                       ground.agentStep, &context);
     addSeparation(result, *separations, &context);
     last = {partsOf(result), result.separation};
   }

@@ -22,17 +22,22 @@ QColor barrierColour() { return toColour(kVermilion); }
 
 }  // namespace
 
-QString barrierText(const BorderLink& link, const LevelWriter& write) {
-  return coreText(detail::barrierText(link, [&](double length) { return write.length(length).toStdString(); }));
+QString lackText(const BorderLink& link, const Separation& separation, const LevelWriter& write) {
+  return coreText(
+      detail::lackText(link, separation, [&](double length) { return write.length(length).toStdString(); }));
 }
 
 QString separationText(const Separation& separation, const LevelWriter& write) {
   const BorderLink& link = separation.barrier();
-  QString text =
-      SeparationText::tr("The parts are nearest at %1: %2.").arg(write.place(link.from), barrierText(link, write));
+  QString text = SeparationText::tr("The parts are nearest at %1: %2.")
+                     .arg(write.place(link.from), lackText(link, separation, write));
   const auto count = static_cast<int>(separation.links.size());
   if (count > 1)
     text += QLatin1Char(' ') + SeparationText::tr("It is the largest of %n obstacles on the easiest way.", "", count);
+  const auto others = static_cast<int>(separation.others.size());
+  if (others > 0)
+    text += QLatin1Char(' ') + (others == 1 ? SeparationText::tr("Another way lacks little more.")
+                                            : SeparationText::tr("%n other ways lack little more.", "", others));
   return text;
 }
 
@@ -44,7 +49,7 @@ void addSeparation(ViewOverlay& overlay, const Separation& separation, const Lev
     overlay.marks.push_back({link.from, barrierColour(), i == separation.largest ? 12.0F : 7.0F});
   }
   overlay.lines.push_back(std::move(lines));
-  overlay.labels.push_back({separation.barrier().to, barrierText(separation.barrier(), write)});
+  overlay.labels.push_back({separation.barrier().to, lackText(separation.barrier(), separation, write)});
 }
 
 std::array<Vec3, 2> boundsOf(const Separation& separation, double margin) {

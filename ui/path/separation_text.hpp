@@ -19,8 +19,8 @@ struct LevelWriter {
 
 /// "The parts are nearest at 4, 1, 0: a step of 0.43 m up."
 QString separationText(const Separation& separation, const LevelWriter& write);
-/// What stands between two borders: "a step of 0.43 m up".
-QString barrierText(const BorderLink& link, const LevelWriter& write);
+/// What is missing between two borders: "a step of 0.43 m up, 0.03 m too high"; `link` is one of `separation`.
+QString lackText(const BorderLink& link, const Separation& separation, const LevelWriter& write);
 
 /// All links, the largest with its text.
 void addSeparation(ViewOverlay& overlay, const Separation& separation, const LevelWriter& write);

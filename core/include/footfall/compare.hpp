@@ -31,6 +31,15 @@ struct SetDifference {
   std::array<std::vector<char>, 2> covered;
 };
 
+/// The steps of A and of B as sets of points (x, y, lower height, upper height): however they are cut into pairs of
+/// edges.
+struct LinkDifference {
+  /// What is only in A, only in B and in both, in this order. Whether there is anything is exact; lengths, in the plan,
+  /// are correct to 14 digits.
+  std::array<bool, 3> hasLength{};
+  std::array<double, 3> lengths{};
+};
+
 /// Distances from one surface to another one: Euclidean, not squared (thesis 5.5 writes squares, and its tables have
 /// distances).
 struct SurfaceDistances {
@@ -55,8 +64,9 @@ struct MeshPart {
   std::string name;  ///< of the layer; empty for the whole
   std::size_t triangles = 0;
   std::size_t degenerate = 0;  ///< of them, triangles without area
-  std::size_t components = 0;  ///< parts that hang together over edges with the same two vertex indices
-  SurfaceArea areas;           ///< of its triangles, added up
+  /// Parts that hang together over edges with the same two vertex indices, or over steps.
+  std::size_t components = 0;
+  SurfaceArea areas;  ///< of its triangles, added up
   /// What the other mesh does not cover, heights differing by the tolerance at most.
   SurfaceArea uncovered;
 };
@@ -68,19 +78,26 @@ struct MeshDescription {
   std::size_t positions = 0;     ///< different ones that triangles use
   std::size_t connections = 0, obstacleEdges = 0;
   double connectionLength = 0, obstacleEdgeLength = 0;
+  std::size_t links = 0;   ///< steps, as pairs of edges
+  double linkLength = 0;   ///< of all of them, in the plan
+  double highestLink = 0;  ///< the largest difference in height on one; 0 without any
 };
 
 /// Two meshes compared. A is the ground truth where one is needed (thesis 5.5).
 struct MeshComparison {
   std::array<MeshDescription, 2> meshes;
   SetDifference sets;
+  LinkDifference links;
   double height = 0;
   double error = 0;
   /// A to B and B to A; none when a mesh is empty.
   std::optional<std::array<SurfaceDistances, 2>> distances;
 
   /// Whether both are the same set of points, exactly: whatever their triangulation, winding and order.
+  /// Steps are no part of it.
   [[nodiscard]] bool equal() const { return !sets.hasArea[0] && !sets.hasArea[1]; }
+  /// Whether both have the same steps, exactly.
+  [[nodiscard]] bool hasEqualLinks() const { return !links.hasLength[0] && !links.hasLength[1]; }
   /// Share of A's surface that B covers within the height; 1 for an empty A.
   [[nodiscard]] double covered() const;
   /// Area of B over area of A: "walkable space covered" as thesis 5.5 computes it. None for an empty A.

@@ -37,11 +37,15 @@ struct Components {
   std::vector<std::uint32_t> ofTriangle;  ///< for each triangle of the mesh its place in `list`
 
   [[nodiscard]] double totalArea() const;
+  /// How likely two random places, each taken by area, are connected: the sum of the squared shares of the area, 0 to
+  /// 1; 0 without any area.
+  [[nodiscard]] double connectedShare() const;
 };
 
 /// Triangles belong to one component when they share an edge by its two vertices: an agent crosses it, also from layer
-/// to layer. The two sides of an obstacle edge have vertices of their own, so it parts components, and so does a single
-/// vertex in common. Linear in the mesh; on all threads. Throws Cancelled when `context` (may be null) is cancelled.
+/// to layer; or when a step (NavigationMesh::links) leads from one to the other. The two sides of an obstacle edge have
+/// vertices of their own, so it parts components, and so does a single vertex in common. Linear in the mesh; on all
+/// threads. Throws Cancelled when `context` (may be null) is cancelled.
 Components findComponents(const NavigationMesh& mesh, const RunContext* context = nullptr);
 
 // --- Places ----------------------------------------------------------------------------------------------------------

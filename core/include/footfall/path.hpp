@@ -45,17 +45,31 @@ struct BorderLink {
   double obstacle = 0;     ///< LinkKind::Obstacle: its height over the lower place
   double headroom = 0;     ///< LinkKind::LowCeiling: the free height over the higher place
   bool isInterval = true;  ///< the borders face each other, and do not only meet in a point
+  /// What the agent lacks here: the largest of the gap, of the height that is climbed beyond its step, and of the
+  /// height that a ceiling lacks. Of walls, and where two parts only touch: the larger of gap and rise. By
+  /// SeparationFinder.
+  double excess = 0;
+  /// What stands there: the riser of a step, the obstacle, the ceiling, the wall. Indices into
+  /// Environment::triangles, rising; in doubles. By SeparationFinder.
+  std::vector<std::uint32_t> triangles = {};
 
   /// The larger of the gap and the height that is climbed, walls left out.
   [[nodiscard]] double size() const;
   /// An agent of any step and gap does not get over it.
   [[nodiscard]] bool isBlocked() const { return kind != LinkKind::Open && kind != LinkKind::Obstacle; }
+  /// As above, and it is not only too low either.
+  [[nodiscard]] bool isClosed() const { return kind == LinkKind::Wall || kind == LinkKind::Touch; }
 };
 
 /// The least that would have to be overcome between two parts.
 struct Separation {
   std::vector<BorderLink> links;  ///< from the first part to the other one, over parts between
   std::size_t largest = 0;        ///< of `links`: what to mend first; the first one where several are as large
+  /// Other places where mending one thing would join both parts as well, least excess first: those that lack at most
+  /// twice as much as barrier(), or a sixteenth of the agent's height. Places next to each other along the same borders
+  /// are one. None where walls are between.
+  std::vector<BorderLink> others = {};
+  double height = 0, step = 0;  ///< what the agent needs and climbs (SeparationFinder)
 
   [[nodiscard]] const BorderLink& barrier() const { return links[largest]; }
 };
@@ -155,14 +169,14 @@ class PathFinder {
   std::shared_ptr<const detail::PathGround> inside_;
 };
 
-/// Finds what keeps two parts apart. Made once for a result (60,000 triangles take some 30 ms), then asked from any
-/// thread.
+/// Finds what keeps two parts apart; a part is what hangs together over edges and steps (findComponents()). Made once
+/// for a result (60,000 triangles take some 30 ms), then asked from any thread.
 class SeparationFinder {
  public:
-  /// `environment` is what the finder's mesh was computed from, `height` the agent's, in the environment's units
-  /// (agentHeight()). Throws Cancelled.
+  /// `environment` is what the finder's mesh was computed from, `height` (above 0) and `step` (at least 0) are the
+  /// agent's, in the environment's units (agentHeight(), agentStep()). Throws Cancelled.
   SeparationFinder(const PathFinder& finder, std::shared_ptr<const Environment> environment, double height,
-                   const RunContext* context = nullptr);
+                   double step = 0, const RunContext* context = nullptr);
   ~SeparationFinder();
   SeparationFinder(const SeparationFinder&) = delete;
   SeparationFinder& operator=(const SeparationFinder&) = delete;
@@ -188,5 +202,8 @@ double placeReach(const Pipeline& pipeline);
 /// The height of the agent that a pipeline is for: the largest clearance that an enabled VerticalClearanceFilter asks
 /// for, or 2 metres, in the environment's units.
 double agentHeight(const Pipeline& pipeline, double metresPerUnit);
+
+/// The largest step that an enabled StepFilter allows, in the environment's units; 0 when there is no such filter.
+double agentStep(const Pipeline& pipeline);
 
 }  // namespace footfall

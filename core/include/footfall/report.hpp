@@ -50,8 +50,11 @@ struct ProgramTimes {
 /// JSON text with `environment`, `steps` (a list; each with `name`, `parameters` (an object by parameter name),
 /// `start_ms`, `wall_ms`, `cpu_ms`, `triangles_in`, `triangles_out`, `area_in`, `area_out`, `note`), `load_ms`,
 /// `start_ms`, `finish_ms`, `export_ms`, `total_ms`, `run_ms`, `cpu_ms` (of the run), `threads`, `peak_rss_bytes`,
-/// `triangles`, `area`, `layers`, `connections`, `obstacle_edges`, `exact_fallbacks` (all steps together) and
-/// `exact_fallbacks_by_kind`. Areas are in the square of the environment's unit.
+/// `triangles`, `area`, `layers`, `connections`, `links` (steps, as pairs of edges), `link_length` (in the plan),
+/// `highest_link` (null without any), `obstacle_edges`, `components` (connected over edges and steps, largest first: a
+/// list; each with `area`, `share` of all area, `triangles`, `layers` (their numbers)), `connected_share`
+/// (Components::connectedShare()), `exact_fallbacks` (all steps together) and `exact_fallbacks_by_kind`. Areas are in
+/// the square of the environment's unit.
 ///
 /// Of parallel blocks: `times` (thesis 5.4: `preprocessing_ms`, `partitioning_ms`, `parallel_ms`, `merging_ms`,
 /// `postprocessing_ms`, `overhead_ms`, `total_ms`), `speed_up` (S; an object with `one_thread_ms`, `parallel_ms`,
@@ -82,9 +85,9 @@ std::string formatPath(const PathResult& path, UpAxis up);
 /// or `position`, `distance` from what was asked for, `layer` or null), `length`, `plan_length`, `layers`,
 /// `connections`, `bends` and `points` (lists of points), `max_slope_degrees`, `max_incline_degrees`, and `separation`,
 /// null unless start and target are on separate parts: `largest` (the place in the list of what to overcome first, from
-/// 0) and `links`, from start to target, each with `kind` (linkWord()), `from`, `to`, `gap`, `rise`, `obstacle` and
-/// `headroom` (null where the kind has none). Points are [x, y, z] in the
-/// frame of the mesh's file.
+/// 0), `links`, from start to target, each with `kind` (linkWord()), `from`, `to`, `gap`, `rise`, `obstacle` and
+/// `headroom` (null where the kind has none), `excess` and `triangles` (BorderLink), `others` (other places, each as in
+/// `links`), and the agent's `height` and `step`. Points are [x, y, z] in the frame of the mesh's file.
 std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path);
 
 // --- Places

@@ -111,6 +111,9 @@ class Runs(unittest.TestCase):
         self.assertEqual(statistics["steps"][1]["area_in"], 104.0)
         self.assertEqual(statistics["steps"][1]["area_out"], 100.0)
         self.assertEqual(statistics["threads"], 1)
+        self.assertEqual([component["area"] for component in statistics["components"]], [96.0, 4.0])
+        self.assertEqual((statistics["links"], statistics["highest_link"]), (0, None))
+        self.assertAlmostEqual(statistics["connected_share"], 0.96**2 + 0.04**2)
         self.assertIn("VerticalClearanceFilter", str(area))
         self.assertRegex(repr(area), "^<footfall.WalkableArea of arrays: \\d+ vertices")
 
@@ -191,6 +194,18 @@ class Paths(unittest.TestCase):
         self.assertEqual(path.end[0], 10.0)
         self.assertIn(path.message, str(path))
 
+    def test_what_is_missing_beyond_a_step(self):
+        level = footfall.Environment(*scenes.together(scenes.floor(), scenes.floor(10, 0, 20, 10, 0.5)))
+        area = footfall.run(level, ["SlopeFilter 45", "VerticalClearanceFilter 2", "StepFilter 0.375"])
+        path = area.find_path((1, 1, 0), (15, 1, 0.5))
+        self.assertEqual((path.barrier.rise, path.barrier.excess), (0.5, 0.125))
+        self.assertEqual((path.barrier.triangles, path.other_ways), ([], []))
+        self.assertIn("a step of 0.5 up, 0.125 too high", path.message)
+        area = footfall.run(level, ["SlopeFilter 45", "VerticalClearanceFilter 2", "StepFilter 0.5"])
+        path = area.find_path((1, 1, 0), (15, 1, 0.5))
+        self.assertTrue(path.reached)
+        self.assertIsNone(path.other_ways)
+
     def test_places_that_are_not_walkable(self):
         area = footfall.walkable_area(*scenes.floor())
         self.assertEqual(area.find_path((-1, 0, 0), (1, 1, 0)).status, "start_not_walkable")
@@ -267,6 +282,17 @@ class Comparisons(unittest.TestCase):
         self.assertGreaterEqual(upper, 0.125)
         with self.assertRaises(footfall.InputError):
             footfall.compare(a, b, height=-1)
+
+    def test_steps(self):
+        soup = scenes.together(scenes.floor(0, 0, 2, 4, 0), scenes.floor(2, 0, 4, 4, 0.25))
+        level = footfall.Environment(*soup)
+        filters = ["SlopeFilter 45", "VerticalClearanceFilter 2"]
+        without, with_steps = footfall.run(level, filters), footfall.run(level, filters + ["StepFilter 0.25"])
+        comparison = footfall.compare(without, with_steps)
+        self.assertTrue(comparison.equal)
+        self.assertFalse(comparison.equal_links)
+        self.assertEqual(comparison.link_lengths, [0.0, 4.0, 0.0])
+        self.assertEqual((comparison.a.components, comparison.b.components), (2, 1))
 
 
 if __name__ == "__main__":

@@ -80,6 +80,7 @@ class TestCommandLine : public QObject {
   void exportSaysHowItWasMade();
   void sameBytesWithAnyNumberOfThreads();
   void statisticsSchema();
+  void statisticsOfComponents();
   void parallelListingRuns();
   void wrongUsageOrInput_data();
   void wrongUsageOrInput();
@@ -222,7 +223,7 @@ void TestCommandLine::statisticsSchema() {
   QVERIFY(json.at("total_ms").get<double>() >= json.at("load_ms").get<double>() + json.at("export_ms").get<double>());
   QVERIFY(json.at("threads") == 2);
   QVERIFY(json.at("peak_rss_bytes").get<std::uint64_t>() > 1000000);
-  for (const char* key : {"layers", "connections", "obstacle_edges", "exact_fallbacks"}) {
+  for (const char* key : {"layers", "connections", "links", "obstacle_edges", "exact_fallbacks"}) {
     QVERIFY2(json.at(key).is_number_unsigned(), key);
   }
   std::uint64_t sum = 0;
@@ -233,6 +234,51 @@ void TestCommandLine::statisticsSchema() {
   QVERIFY(environment.at("triangles") == 4);
   QVERIFY(environment.at("up") == "z");
   QVERIFY(environment.at("metres_per_unit").get<double>() > 0);
+}
+
+// Three treads of 2, seven islands of 1 and one step that is too high; with steps three treads are one component.
+void TestCommandLine::statisticsOfComponents() {
+  QByteArray text;
+  const auto floor = [&text](double x0, double x1, double z) {
+    for (const auto& [x, y] : {std::pair{x0, 0}, std::pair{x1, 0}, std::pair{x1, 1}, std::pair{x0, 1}})
+      text +=
+          QByteArray("v ") + QByteArray::number(x) + ' ' + QByteArray::number(y) + ' ' + QByteArray::number(z) + '\n';
+    text += "f -4 -3 -2 -1\n";
+  };
+  for (int i = 0; i < 3; ++i) floor(2 * i, 2 * i + 2, 0.25 * i);
+  for (int i = 0; i < 6; ++i) floor(10 + 2 * i, 11 + 2 * i, 0);
+  floor(6, 7, 3);
+  write(path("stairs.obj"), text);
+  const auto run = [&](const QString& step) {
+    QStringList arguments{"run",      path("stairs.obj"),         "--up",     "z",
+                          "--stats",  path("stats.json"),         "--filter", "SlopeFilter 45",
+                          "--filter", "VerticalClearanceFilter 2"};
+    if (!step.isEmpty()) arguments += {"--filter", step};
+    arguments += {"--filter", "LayerSubdivisionFilter"};
+    return runProgram(arguments);
+  };
+  const Outcome linked = run("StepFilter 0.3");
+  QVERIFY2(linked.exitCode == 0, linked.err.constData());
+  auto json = nlohmann::json::parse(contentOf(path("stats.json")).toStdString());
+  QVERIFY(json.at("links") == 2 && json.at("link_length") == 2.0 && json.at("highest_link") == 0.25);
+  QCOMPARE(json.at("components").size(), std::size_t{8});
+  const auto& first = json.at("components")[0];
+  QVERIFY(first.at("area") == 6.0 && first.at("triangles") == 6 && first.at("layers").size() == 1);
+  QVERIFY(std::fabs(first.at("share").get<double>() - 6.0 / 13) < 1e-15);
+  QVERIFY(std::fabs(json.at("connected_share").get<double>() - (36.0 + 7) / 169) < 1e-15);
+  QVERIFY2(linked.out.contains("2 steps between borders, 2 long in the plan, the highest 0.25\n"),
+           linked.out.constData());
+  QVERIFY(linked.out.contains("8 components; two random places are connected with a probability of 0.254\n"));
+  // Five of them, and the three others in one line.
+  QVERIFY2(QString(linked.out).contains(QRegularExpression("\n1 +6 +46.2 % +6 +0\n2 +1 +7.69 % +2 +0\n")),
+           linked.out.constData());
+  QVERIFY(QString(linked.out).contains(QRegularExpression("\n5 +1 .*\n\\(3 more\\) +3 +23.1 % +6\n")));
+
+  const Outcome apart = run({});
+  json = nlohmann::json::parse(contentOf(path("stats.json")).toStdString());
+  QVERIFY(json.at("links") == 0 && json.at("link_length") == 0.0 && json.at("highest_link").is_null());
+  QCOMPARE(json.at("components").size(), std::size_t{10});
+  QVERIFY(!apart.out.contains("between borders"));
 }
 
 void TestCommandLine::parallelListingRuns() {

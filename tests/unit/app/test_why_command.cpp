@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTemporaryDir>
 #include <QtTest>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "tests/unit/program_run.hpp"
 
@@ -37,7 +39,8 @@ class TestWhyCommand : public QObject {
   void help() {
     const Outcome outcome = footfallWhy({"--help"});
     QCOMPARE(outcome.exitCode, 0);
-    for (const char* word : {"--at", "-p", "--filter", "--up", "--scale", "--both-sides", "--threads", "--json"})
+    for (const char* word :
+         {"--at", "--from", "--to", "-p", "--filter", "--up", "--scale", "--both-sides", "--threads", "--json"})
       QVERIFY2(outcome.out.contains(word), word);
     QVERIFY(runProgram({"--help"}).out.contains("why"));
   }
@@ -91,10 +94,61 @@ class TestWhyCommand : public QObject {
     QVERIFY(place["headroom"].is_null() && place["step"].is_null());
   }
 
+  // Two floors with a step of 0.5 and its riser between them.
+  void pairOfPlaces() {
+    write(path("step.obj"),
+          "v 0 0 0\nv 6 0 0\nv 6 6 0\nv 0 6 0\nv 6 0 0.5\nv 12 0 0.5\nv 12 6 0.5\nv 6 6 0.5\n"
+          "f 1 2 3 4\nf 5 6 7 8\nf 2 5 8 3\n");
+    const auto ask = [&](const char* step, const QStringList& more = {}) {
+      return footfallWhy(QStringList{path("step.obj"), "--up", "z", "--from", "1", "3", "0", "--to", "11", "3", "0.5",
+                                     "--filter", "SlopeFilter 45", "--filter", "VerticalClearanceFilter 2", "--filter",
+                                     step} +
+                         more);
+    };
+    const Outcome low = ask("StepFilter 0.4");
+    QVERIFY2(low.exitCode == 0 && low.err.isEmpty(), low.err.constData());
+    QVERIFY2(low.out.startsWith("no way leads from the start to the target") &&
+                 low.out.contains("what is missing least, at 6 3 0: a step of 0.5 up, 0.1 too high; triangle "),
+             low.out.constData());
+    QVERIFY2(!low.out.contains("more way"), low.out.constData());
+    const Outcome high = ask("StepFilter 0.5");
+    QVERIFY2(high.exitCode == 0 && high.out.startsWith("a way leads from the start to the target\n"),
+             high.out.constData());
+    QVERIFY(high.out.contains("steps    1;"));
+    const auto json = nlohmann::json::parse(ask("StepFilter 0.4", {"--json"}).out.toStdString());
+    QCOMPARE(json["status"].get<std::string>(), std::string("not_connected"));
+    const auto& link = json["separation"]["links"][0];
+    QVERIFY(json["separation"]["step"] == 0.4 && json["separation"]["height"] == 2.0);
+    QVERIFY(std::fabs(link["excess"].get<double>() - 0.1) < 1e-15);
+    QVERIFY((link["triangles"].get<std::vector<int>>() == std::vector<int>{4, 5}));
+    QVERIFY(json["separation"]["others"].empty());
+  }
+
+  void pairWithoutAFloor() {
+    const QStringList common{"--filter", "SlopeFilter 45", "--filter", "VerticalClearanceFilter 2"};
+    const Outcome start =
+        footfallWhy(QStringList{path("z.obj"), "--up", "z", "--from", "1", "3", "0", "--to", "8", "3", "0"} + common);
+    QVERIFY2(
+        start.exitCode == 0 && start.out.startsWith("the start is not walkable; the nearest place that is lies 3 away"),
+        start.out.constData());
+    QVERIFY(start.out.contains("`footfall why --at` tells of the start"));
+    const Outcome target =
+        footfallWhy(QStringList{path("z.obj"), "--up", "z", "--from", "8", "3", "0", "--to", "1", "3", "0"} + common);
+    QVERIFY2(target.out.startsWith("the target is not walkable") && target.out.contains("tells of the target"),
+             target.out.constData());
+  }
+
   void badInput_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QString>("message");
     QTest::newRow("no place") << QStringList{"z.obj"} << "--at is required";
+    QTest::newRow("no target") << QStringList{"z.obj", "--from", "1", "2", "0"} << "--from requires --to";
+    QTest::newRow("no start") << QStringList{"z.obj", "--to", "1", "2", "0"} << "--to requires --from";
+    QTest::newRow("place and pair") << QStringList{"z.obj", "--at", "1",    "2", "0", "--from", "1",
+                                                   "2",     "0",    "--to", "1", "2", "0"}
+                                    << "--at excludes --";
+    QTest::newRow("nan among two") << QStringList{"z.obj", "--from", "1", "nan", "0", "--to", "1", "2", "0"}
+                                   << "--from: takes three finite numbers";
     QTest::newRow("two numbers") << QStringList{"z.obj", "--at", "1", "2"} << "--at";
     QTest::newRow("no number") << QStringList{"z.obj", "--at", "1", "2", "up"} << "--at";
     QTest::newRow("nan") << QStringList{"z.obj", "--at", "1", "nan", "0"} << "three finite numbers";

@@ -57,6 +57,29 @@ bool isEqualInAll(const MeshComparison& c) {
   return none;
 }
 
+/// Steps on one of a few lines, by whole numbers along it: level, rising, and at an angle in the plan.
+struct StepLine {
+  Vec3 origin, direction;
+  double rise, riseGrowth;
+};
+const std::array<StepLine, 6> kStepLines = {{{{0, 0, 0}, {0, 1, 0}, 0.5, 0},
+                                             {{0, 0, 0}, {0, 1, 0}, 0.75, 0},
+                                             {{0, 0, 0}, {0, 1, 0}, 0.5, 0.125},
+                                             {{0, 0, 0}, {0, 1, 1}, 0.5, 0},
+                                             {{5, 7, 1}, {3, -4, 0.5}, 0.25, 0},
+                                             {{5, 7, 1}, {-3, 4, -0.5}, 0.25, 0}}};
+
+void addStep(NavigationMesh& mesh, const StepLine& line, double from, double to, bool isTurned) {
+  const auto add = [&](double t, bool isUpper) {
+    const double z = line.origin.z + t * line.direction.z + (isUpper ? line.rise + t * line.riseGrowth : 0);
+    mesh.vertices.push_back({line.origin.x + t * line.direction.x, line.origin.y + t * line.direction.y, z});
+    return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+  };
+  StepLink step{{add(from, false), add(to, false)}, {add(to, true), add(from, true)}, 0, 0, line.rise};
+  if (isTurned) std::swap(step.from, step.to);
+  mesh.links.push_back(step);
+}
+
 using Corners = std::array<Vec3, 3>;
 
 Vec3 mix(const Vec3& a, const Vec3& b, double t) {
@@ -199,6 +222,8 @@ class TestCompare : public QObject {
   void hausdorffBoundsHold();
   void nearlyEqualSurfacesAreBoundedTightly();
   void componentsByIndex();
+  void componentsOverSteps();
+  void stepsAsSets();
   void sameBitsWithAnyNumberOfThreads();
   void wrongOptions();
   void cancelled();
@@ -488,6 +513,72 @@ void TestCompare::componentsByIndex() {
   QCOMPARE(c.meshes[1].obstacleEdges, std::size_t{1});
   QVERIFY(isNear(c.meshes[1].obstacleEdgeLength, std::sqrt(2.0)));
   QCOMPARE(c.meshes[1].connectionLength, 1.0);
+}
+
+void TestCompare::componentsOverSteps() {
+  Soup soup;
+  for (int i = 0; i < 3; ++i) soup.floor(i, 0, i + 1, 2, 0.25 * i);
+  // The upper tread lies over nothing else, but is given a layer of its own.
+  NavigationMesh with = navigationMesh(
+                     runFilters(soup.environment(), minimalPipeline(2) + "StepFilter 0.25\nLayerSubdivisionFilter")),
+                 without = with;
+  without.links.clear();
+  const auto c = compare(with, without);
+  QVERIFY(c.equal() && !c.hasEqualLinks());
+  QCOMPARE(c.meshes[0].whole.components, std::size_t{1});
+  QCOMPARE(c.meshes[1].whole.components, std::size_t{3});
+  QCOMPARE(c.meshes[0].links, std::size_t{2});
+  QCOMPARE(c.meshes[0].linkLength, 4.0);
+  QCOMPARE(c.meshes[0].highestLink, 0.25);
+  QCOMPARE(c.meshes[1].highestLink, 0.0);
+  QVERIFY((c.links.hasLength == std::array<bool, 3>{true, false, false}));
+  QVERIFY((c.links.lengths == std::array<double, 3>{4, 0, 0}));
+  NavigationMesh parted = with;
+  parted.layerCount = 2;
+  for (std::size_t t = 0; t < parted.triangles.size(); ++t)
+    parted.layers[t] = parted.vertices[parted.triangles[t][0]].z > 0.3 ? 1 : 0;
+  const auto layers = compare(parted, with).meshes[0].layers;
+  QCOMPARE(layers[0].components, std::size_t{1});
+  QCOMPARE(layers[1].components, std::size_t{1});
+}
+
+// Pieces of a few lines, given in any order, cut anywhere and overlapping, against marks on each unit of each line.
+void TestCompare::stepsAsSets() {
+  QVERIFY(check("steps as sets", 150, [](unsigned seed) {
+    std::mt19937 random(seed);
+    std::array<NavigationMesh, 2> meshes = {meshOf(Soup().floor(0, 0, 1, 1, 0)), meshOf(Soup().floor(0, 0, 1, 1, 0))};
+    constexpr int kUnits = 12;
+    // The fifth and the sixth line are one, in both directions.
+    std::array<std::array<std::array<bool, 2 * kUnits>, 5>, 2> marks{};
+    for (const std::size_t side : {0, 1}) {
+      const int pieces = static_cast<int>(random() % 9);
+      for (int i = 0; i < pieces; ++i) {
+        const std::size_t line = random() % 6;
+        const int from = static_cast<int>(random() % (kUnits - 1)),
+                  to = from + 1 + static_cast<int>(random() % (kUnits - from - 1));
+        addStep(meshes[side], kStepLines[line], from, to, random() % 2 == 0);
+        for (int unit = from; unit < to; ++unit)
+          marks[side][std::min<std::size_t>(line, 4)][line == 5 ? kUnits - 1 - unit : kUnits + unit] = true;
+      }
+    }
+    std::array<double, 3> expected{};
+    for (std::size_t line = 0; line < 5; ++line)
+      for (std::size_t unit = 0; unit < 2 * kUnits; ++unit) {
+        const bool a = marks[0][line][unit], b = marks[1][line][unit];
+        if (a || b) expected[a && b ? 2 : b ? 1 : 0] += line == 4 ? 5 : 1;
+      }
+    const LinkDifference found = compare(meshes[0], meshes[1]).links;
+    for (std::size_t part = 0; part < 3; ++part) {
+      RC_ASSERT(isNear(found.lengths[part], expected[part], 1e-14));
+      RC_ASSERT(found.hasLength[part] == (expected[part] > 0));
+    }
+  }));
+  // One unit in the last place is another step.
+  NavigationMesh a = meshOf(Soup().floor(0, 0, 1, 1, 0)), b = a;
+  addStep(a, kStepLines[0], 0, 1, false);
+  addStep(b, {{0, 0, 0}, {0, 1, 0}, std::nextafter(0.5, 1.0), 0}, 0, 1, false);
+  const LinkDifference other = compare(a, b).links;
+  QVERIFY((other.hasLength == std::array<bool, 3>{true, true, false}));
 }
 
 void TestCompare::sameBitsWithAnyNumberOfThreads() {

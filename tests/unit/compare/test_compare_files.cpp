@@ -78,6 +78,7 @@ class TestCompareFiles : public QObject {
   void refusedFiles();
   void emptyExport();
   void reportForPeople();
+  void stepsInReports();
   void jsonKeys();
   void exitCodes();
   void wrongUsage_data();
@@ -219,6 +220,39 @@ void TestCompareFiles::reportForPeople() {
   QVERIFY(QString(half.out).contains(QRegularExpression("exact area +8 +0\n")));
   QVERIFY(half.out.contains("walkable space covered: 0.5 of A"));
   QVERIFY(runProgram({"compare", square, square}).out.contains("Equal"));
+}
+
+// Steps end in vertices of their own, and these are rounded: floors that slope differ by that, and nothing else.
+void TestCompareFiles::stepsInReports() {
+  const std::string filters = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+  const Product without = exported("villa", filters), with = exported("villa", filters + "StepFilter 0.4\n");
+  QVERIFY(with.mesh.links.size() > 100);
+  const QString a = file("without.obj", without.text), b = file("with.obj", with.text);
+  const Outcome outcome = runProgram({"compare", a, b, "--json"});
+  const auto json = nlohmann::json::parse(outcome.out.toStdString());
+  QVERIFY(json.at("equal") == false);
+  QVERIFY(json.at("a").at("links") == 0 && json.at("a").at("highest_link").is_null());
+  QVERIFY(json.at("b").at("links") == with.mesh.links.size());
+  QVERIFY(json.at("b").at("components") < json.at("a").at("components"));
+  QVERIFY(json.at("links").at("a_without_b").at("empty") == true && json.at("links").at("common").at("length") == 0);
+  const double length = json.at("b").at("link_length"), only = json.at("links").at("b_without_a").at("length");
+  QVERIFY(length > 100 && std::fabs(length - only) <= 1e-12 * length);
+  QVERIFY(json.at("b").at("highest_link").get<double>() < 0.4 + 1e-9);  // between rounded vertices
+
+  const Outcome people = runProgram({"compare", a, b, "--fail-if-different"});
+  QCOMPARE(people.exitCode, 1);
+  QVERIFY2(
+      QString(people.err)
+          .contains(QRegularExpression(
+              "are not the same set of points; heights within [0-9.e-]+, an area of at most [0-9.]+e-1[0-9] in the "
+              "plan is in one of them only, and no point of either is farther than [0-9.]+e-[0-9]+ from the other")),
+      people.err.constData());
+  QVERIFY(people.out.contains("Different as exact sets; heights within "));
+  QVERIFY(people.out.contains("Only B has steps.\n"));
+  QVERIFY(QString(people.out).contains(QRegularExpression("steps, length in the plan +0 +[1-9]")));
+  QVERIFY(runProgram({"compare", b, b}).out.contains("Both have the same steps.\n"));
+  const QString lower = file("lower.obj", exported("villa", filters + "StepFilter 0.2\n").text);
+  QVERIFY(runProgram({"compare", lower, b}).out.contains("Their steps differ.\n"));
 }
 
 void TestCompareFiles::jsonKeys() {

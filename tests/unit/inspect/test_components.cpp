@@ -31,7 +31,8 @@ double areaOf(const NavigationMesh& mesh, std::size_t t) {
   return area(one);
 }
 
-/// Whether every claim of `components` is true, with the parts found again by spreading marks over shared edges.
+/// Whether every claim of `components` is true, with the parts found again by spreading marks over shared edges and
+/// steps.
 bool check(const NavigationMesh& mesh, const Components& components) {
   std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -39,6 +40,7 @@ bool check(const NavigationMesh& mesh, const Components& components) {
       const auto a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
       edges[{std::min(a, b), std::max(a, b)}].push_back(t);
     }
+  for (const StepLink& link : mesh.links) edges[{link.from[0], ~link.to[0]}] = {link.fromTriangle, link.toTriangle};
   std::vector<std::size_t> part(mesh.triangles.size());
   std::iota(part.begin(), part.end(), std::size_t{0});
   for (bool changed = true; changed;) {
@@ -51,7 +53,7 @@ bool check(const NavigationMesh& mesh, const Components& components) {
   std::map<std::size_t, std::vector<std::size_t>> parts;
   for (std::size_t t = 0; t < part.size(); ++t) parts[part[t]].push_back(t);
   if (parts.size() != components.list.size() || components.ofTriangle.size() != part.size()) return false;
-  if (countParts(mesh) != parts.size()) return false;
+  if (mesh.links.empty() && countParts(mesh) != parts.size()) return false;
   for (std::size_t i = 0; i + 1 < components.list.size(); ++i)
     if (components.list[i].area < components.list[i + 1].area) return false;
   for (const auto& [first, triangles] : parts) {
@@ -85,6 +87,7 @@ class TestComponents : public QObject {
     const Components none = findComponents({});
     QVERIFY(none.list.empty() && none.ofTriangle.empty());
     QCOMPARE(none.totalArea(), 0.0);
+    QCOMPARE(none.connectedShare(), 0.0);
   }
 
   void largestFirst() {
@@ -127,10 +130,33 @@ class TestComponents : public QObject {
     QVERIFY(check(mesh, components));
   }
 
+  // Three treads and, apart from them, a table: without steps four parts, with them two.
+  void stepsJoin() {
+    Soup soup;
+    for (int i = 0; i < 3; ++i) soup.floor(i, 0, i + 1, 2, 0.25 * i);
+    soup.floor(9, 0, 10, 2, 0);
+    const Components apart = findComponents(walkable(soup));
+    QCOMPARE(apart.list.size(), std::size_t{4});
+    QCOMPARE(apart.connectedShare(), 4 * 0.25 * 0.25);
+    const NavigationMesh mesh = walkable(soup, "StepFilter 0.25\nLayerSubdivisionFilter");
+    QCOMPARE(mesh.links.size(), std::size_t{2});
+    const Components joined = findComponents(mesh);
+    QCOMPARE(joined.list.size(), std::size_t{2});
+    QCOMPARE(joined.list[0].area, 6.0);
+    QCOMPARE(joined.list[0].upper.z, 0.5);
+    QCOMPARE(joined.connectedShare(), 0.75 * 0.75 + 0.25 * 0.25);
+    QVERIFY(check(mesh, joined));
+    // A step that is too high joins nothing.
+    QCOMPARE(findComponents(walkable(soup, "StepFilter 0.125")).list.size(), std::size_t{4});
+  }
+
   void randomBuildings() {
     QVERIFY(test::check("components of buildings", 60, [] {
       const Soup soup = buildingOf(*buildingParts(12));
-      const NavigationMesh mesh = walkable(soup, "LayerSubdivisionFilter");
+      const bool hasSteps = *rc::gen::arbitrary<bool>();
+      const NavigationMesh mesh =
+          walkable(soup, hasSteps ? "StepFilter 1\nLayerSubdivisionFilter" : "LayerSubdivisionFilter");
+      RC_TAG(mesh.links.empty() ? "no steps" : "steps");
       RC_ASSERT(::check(mesh, findComponents(mesh)));
     }));
   }

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/link_difference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace footfall::detail::comparison {
+namespace {
+
+constexpr std::size_t kPolled = 1024;
+
+/// x, y, lower height, upper height, on the grid of the positions.
+using Point4 = std::array<mpz_class, 4>;
+
+/// A line in four dimensions: its direction without a common divisor, the first number that is not 0 positive, and its
+/// moment, the products p[i] d[j] - p[j] d[i], which are the same for all of its points p.
+struct Line {
+  std::array<mpz_class, 4> direction;
+  std::array<mpz_class, 6> moment;
+  bool operator<(const Line& other) const {
+    if (direction != other.direction) return direction < other.direction;
+    return moment < other.moment;
+  }
+};
+
+/// Where a mesh begins and ends to have a step along a line: by the coordinate that is first in its direction.
+struct Event {
+  mpz_class at;
+  std::size_t mesh;
+  int change;  ///< 1 or -1
+};
+
+class LinkLines {
+ public:
+  explicit LinkLines(int unit) : unit_(unit) {}
+
+  void add(const NavigationMesh& mesh, std::size_t number, RunContext& context) {
+    for (std::size_t i = 0; i < mesh.links.size(); ++i) {
+      if (i % kPolled == 0) context.checkCancelled();
+      const StepLink& link = mesh.links[i];
+      addSegment(pointOf(mesh, link.from[0], link.to[1]), pointOf(mesh, link.from[1], link.to[0]), number);
+    }
+  }
+
+  [[nodiscard]] LinkDifference subtract() {
+    LinkDifference result;
+    std::array<long double, 3> sums{};
+    for (auto& [line, events] : lines_) {
+      const std::array<mpz_class, 3> lengths = subtractOn(events);
+      for (std::size_t part = 0; part < 3; ++part) {
+        if (lengths[part] == 0) continue;
+        result.hasLength[part] = true;
+        sums[part] += planLength(line, lengths[part]);
+      }
+    }
+    for (std::size_t part = 0; part < 3; ++part) result.lengths[part] = static_cast<double>(sums[part]);
+    return result;
+  }
+
+ private:
+  /// Over the place in the plan of the lower vertex: both have the same, unless rounding moved them apart.
+  [[nodiscard]] Point4 pointOf(const NavigationMesh& mesh, std::uint32_t first, std::uint32_t second) const {
+    const bool isRising = mesh.vertices[first].z <= mesh.vertices[second].z;
+    const Vec3 &low = mesh.vertices[isRising ? first : second], &high = mesh.vertices[isRising ? second : first];
+    return {onGrid(low.x, unit_), onGrid(low.y, unit_), onGrid(low.z, unit_), onGrid(high.z, unit_)};
+  }
+
+  void addSegment(const Point4& p, const Point4& q, std::size_t mesh) {
+    Line line;
+    mpz_class divisor = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      line.direction[k] = q[k] - p[k];
+      divisor = gcd(divisor, line.direction[k]);
+    }
+    if (line.direction[0] == 0 && line.direction[1] == 0) return;  // a point of the plan is no step
+    const std::size_t first = leading(line);
+    if (line.direction[first] < 0) divisor = -divisor;
+    for (mpz_class& number : line.direction) number /= divisor;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) line.moment[next++] = p[i] * line.direction[j] - p[j] * line.direction[i];
+    const bool isForwards = p[first] < q[first];
+    std::vector<Event>& events = lines_[line];
+    events.push_back({p[first], mesh, isForwards ? 1 : -1});
+    events.push_back({q[first], mesh, isForwards ? -1 : 1});
+  }
+
+  static std::size_t leading(const Line& line) { return line.direction[0] != 0 ? 0 : 1; }
+
+  /// What only the first mesh, only the second and both have, along the leading coordinate.
+  static std::array<mpz_class, 3> subtractOn(std::vector<Event>& events) {
+    std::ranges::sort(events, {}, &Event::at);
+    std::array<mpz_class, 3> lengths{};
+    std::array<int, 2> open{};
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (i > 0 && open[0] + open[1] > 0) {
+        const std::size_t part = open[1] == 0 ? 0 : open[0] == 0 ? 1 : 2;
+        lengths[part] += events[i].at - events[i - 1].at;
+      }
+      open[events[i].mesh] += events[i].change;
+    }
+    return lengths;
+  }
+
+  [[nodiscard]] long double planLength(const Line& line, const mpz_class& alongLeading) const {
+    const double x = line.direction[0].get_d(), y = line.direction[1].get_d();
+    const long double steepness =
+        std::hypot(static_cast<long double>(x), static_cast<long double>(y)) / std::fabs(leading(line) == 0 ? x : y);
+    return std::ldexp(alongLeading.get_d(), unit_) * steepness;
+  }
+
+  int unit_;
+  std::map<Line, std::vector<Event>> lines_;
+};
+
+}  // namespace
+
+LinkDifference subtractLinks(const ComparedSurfaces& surfaces, const NavigationMesh& a, const NavigationMesh& b,
+                             RunContext& context) {
+  LinkLines lines(surfaces.positions.unit);
+  lines.add(a, 0, context);
+  lines.add(b, 1, context);
+  return lines.subtract();
+}
+
+}  // namespace footfall::detail::comparison
