@@ -77,7 +77,7 @@ py::tuple stepOf(const PipelineStep& step) {
   py::list parts;
   parts.append(std::string(step.filter->name));
   for (std::size_t i = 0; i < step.values.size(); ++i)
-    parts.append(valueOf(step.filter->parameters[i].type, step.values[i]));
+    parts.append(valueOf(step.filter->parameterOf(i).type, step.values[i]));
   return py::tuple(parts);
 }
 
