@@ -170,6 +170,9 @@ void bindPipelines(py::module_& module) {
           "parameters", [](const FilterDescriptor& f) { return f.parameters; },
           "Its numbers, in order: a list of `Parameter`.")
       .def_property_readonly(
+          "repeats", [](const FilterDescriptor& f) { return f.repeats; },
+          "So many of the last parameters are a group that a step has any number of times; 0: none.")
+      .def_property_readonly(
           "kind", [](const FilterDescriptor& f) { return wordFor(f.kind); },
           "\"filter\", \"strategy\" (begins a parallel block) or \"collapse\" (ends one).")
       .def_property_readonly(
