@@ -216,8 +216,10 @@ FilterDescriptor reachable() {
       .aliases = {},
       .label = "Reachable",
       .help =
-          "Keeps what can be reached from given places, the seeds, over shared edges and steps; roofs, islands and the "
-          "insides of solids go. Put it behind a StepFilter, where there is one. A seed means the highest walkable "
+          "Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps; roofs, "
+          "islands "
+          "and the insides of solids go. Put it behind a StepFilter, where there is one. A seed means the highest "
+          "walkable "
           "place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. "
           "On an edge or a corner it means all that meets there. What is removed stays an obstacle.",
       .precondition = "Each seed has a walkable place under it.",

@@ -84,7 +84,9 @@ QString filterHelp(const FilterDescriptor& filter, int emphasised) {
     const QString body =
         QStringLiteral("%1<br>%2")
             .arg(escaped(parameter.help),
-                 FilterHelp::tr("Takes %1. Default: %2.").arg(rangeText(parameter), defaultText(parameter)));
+                 filter.repeats > 0
+                     ? FilterHelp::tr("Takes %1.").arg(rangeText(parameter))
+                     : FilterHelp::tr("Takes %1. Default: %2.").arg(rangeText(parameter), defaultText(parameter)));
     const bool marked = static_cast<int>(i) == emphasised;
     text += QStringLiteral("<p><a name='parameter%1'></a><b>%2%3</b><br>%4</p>")
                 .arg(i)
