@@ -116,7 +116,7 @@ class Parser {
     const std::size_t given = tokens.size() - 1, repeats = step.filter->repeats, once = parameters.size() - repeats;
     if (repeats > 0 && given > once && !step.filter->takes(given)) {
       fail(tokens[1 + given - (given - once) % repeats].column,
-           Text(FOOTFALL_TEXT("%1 takes \"%2\"; values given: %3, which is no multiple of %4"), name,
+           Text(FOOTFALL_TEXT("%1 takes \"%2\"; values given: %3; give a multiple of %4"), name,
                 describeUsage(*step.filter), given, repeats));
     }
     if (repeats == 0 && given > once) {

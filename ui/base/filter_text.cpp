@@ -13,7 +13,6 @@ struct FilterHelp {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::FilterHelp)
 };
 
-QString plain(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 QString escaped(std::string_view view) { return filterText(view).toHtmlEscaped(); }
 
 QString unitName(Unit unit) {
@@ -102,7 +101,7 @@ QString filterHelp(const FilterDescriptor& filter, int emphasised) {
   text += section(FilterHelp::tr("Where"), scope);
   text += section(FilterHelp::tr("In pipeline files"),
                   QStringLiteral("<code>%1</code>").arg(QString::fromStdString(describeUsage(filter)).toHtmlEscaped()));
-  return text + section(FilterHelp::tr("Source"), plain(filter.source).toHtmlEscaped());
+  return text + section(FilterHelp::tr("Source"), escaped(filter.source));
 }
 
 }  // namespace footfall::ui

@@ -13,7 +13,7 @@ SeedFeature::SeedFeature(const FeatureHost& host, LevelView& view, Document& doc
   place_ = host.tools.add({QStringLiteral("tools.seeds"),
                            CommandMenu::Tools,
                            QStringLiteral("tools"),
-                           tr("Place &seeds"),
+                           tr("&Place seeds"),
                            tr("Click places from where agents start; what they cannot reach goes"),
                            {QKeySequence(Qt::SHIFT | Qt::Key_S)},
                            QStringLiteral("seeds")},
