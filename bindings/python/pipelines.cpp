@@ -77,7 +77,7 @@ py::tuple stepOf(const PipelineStep& step) {
   py::list parts;
   parts.append(std::string(step.filter->name));
   for (std::size_t i = 0; i < step.values.size(); ++i)
-    parts.append(valueOf(step.filter->parameters[i].type, step.values[i]));
+    parts.append(valueOf(step.filter->parameterOf(i).type, step.values[i]));
   return py::tuple(parts);
 }
 
@@ -169,6 +169,9 @@ void bindPipelines(py::module_& module) {
       .def_property_readonly(
           "parameters", [](const FilterDescriptor& f) { return f.parameters; },
           "Its numbers, in order: a list of `Parameter`.")
+      .def_property_readonly(
+          "repeats", [](const FilterDescriptor& f) { return f.repeats; },
+          "So many of the last parameters are a group that a step has any number of times; 0: none.")
       .def_property_readonly(
           "kind", [](const FilterDescriptor& f) { return wordFor(f.kind); },
           "\"filter\", \"strategy\" (begins a parallel block) or \"collapse\" (ends one).")

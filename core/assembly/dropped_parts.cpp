@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/assembly/dropped_parts.hpp"
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <optional>
 
+#include "core/assembly/mesh_assembly.hpp"
 #include "core/base/triangle_tree.hpp"
 
 namespace footfall::detail {
+namespace {
 
-// What AreaFilter took away does not come back when floors are cut anew. The outlines of earlier parts stay among the
+constexpr std::size_t kPolled = 1 << 16;
+
+}  // namespace
+
+// What was taken away does not come back when floors are cut anew. The outlines of earlier parts stay among the
 // cuts, so a new triangle lies in an earlier part as a whole, and any inner point tells which.
 std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                    const WalkableMesh& dropped, RunContext& context,
@@ -70,6 +78,69 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
     if (!gone) result->triangles.push_back(t);
   }
   return result;
+}
+
+std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const std::vector<Index>& region,
+                                                 const std::vector<char>& keep, const SameFilter& sameOf,
+                                                 RunContext& context, ExactFallbacks& fallbacks) {
+  context.checkCancelled();
+  const WalkableMesh& mesh = *state.mesh;
+  auto kept = std::make_shared<WalkableMesh>();
+  auto dropped = std::make_shared<WalkableMesh>();
+  if (state.dropped) *dropped = *state.dropped;
+  std::vector<Index> droppedVertex(mesh.vertices.size(), -1);
+  const auto divide = [&] {
+    kept->triangles.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (t % kPolled == 0) context.checkCancelled();
+      MeshTriangle triangle = mesh.triangles[t];
+      if (keep[region[t]] != 0) {
+        kept->triangles.push_back(triangle);
+        if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
+        continue;
+      }
+      for (Index& v : triangle.corners) {
+        if (droppedVertex[v] < 0) {
+          droppedVertex[v] = static_cast<Index>(dropped->vertices.size());
+          dropped->vertices.push_back(mesh.vertices[v]);
+        }
+        v = droppedVertex[v];
+      }
+      dropped->triangles.push_back(triangle);
+    }
+  };
+  tbb::parallel_invoke(divide, [&] { kept->vertices = mesh.vertices; });
+  kept->layerCount = mesh.layerCount;
+  kept->links = linksBetween(mesh, kept->triangles);
+  auto result = std::make_shared<WalkableState>(state);
+  if (!state.cuts) {
+    // Floors without cuts are in one region each: those that went are no floors for a later clearance filter.
+    const auto keepFloorsOf = [&](const WalkableMesh& floors) {
+      result->walkable.assign(state.walkable.size(), 0);
+      for (const MeshTriangle& t : floors.triangles) result->walkable[t.face] = 1;
+    };
+    auto plain = std::make_shared<WalkableState>(state);
+    plain->mesh = nullptr;
+    plain->simplified = false;
+    // Triangles of a simplified mesh may span several floors.
+    if (!state.simplified)
+      keepFloorsOf(*kept);
+    else if (mesh.links.empty())
+      result->walkable = sameOf(std::move(plain))->walkable;
+    else  // behind a clearance filter: no floors overlap in one plane
+      keepFloorsOf(
+          *withoutDropped(*state.kernel, *assembleMesh(*plain, context, fallbacks), *dropped, context, fallbacks));
+    dropped = nullptr;  // rejected source triangles are obstacles as they are
+  }
+  result->mesh = std::move(kept);
+  result->topology = nullptr;
+  result->dropped = std::move(dropped);
+  return result;
+}
+
+Text regionsRemoved(std::int64_t removed, std::int64_t all) {
+  return all == 1 ? Text(FOOTFALL_TEXT("%1 of 1 region removed"), removed)
+                  : Text(FOOTFALL_TEXT("%1 of %2 regions removed"), Text::count(removed), Text::count(all));
 }
 
 }  // namespace footfall::detail

@@ -1,11 +1,16 @@
-// What AreaFilter took away stays away when floors are cut anew.
+// Taking regions away: they are obstacles still, and stay away when floors are cut anew.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <vector>
 
+#include "core/assembly/recall.hpp"
 #include "core/assembly/walkable_state.hpp"
 #include "footfall/run_context.hpp"
+#include "footfall/text.hpp"
 
 namespace footfall::detail {
 
@@ -13,5 +18,18 @@ namespace footfall::detail {
 std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                    const WalkableMesh& dropped, RunContext& context,
                                                    ExactFallbacks& fallbacks);
+
+/// What the filter that takes regions away makes of another state.
+using SameFilter = std::function<StatePtr(const StatePtr& state)>;
+
+/// The state without the regions r of its mesh for which keep[r] is 0; `region` has the number of each triangle's
+/// region (findRegions()). Links stay where both of their sides do. `sameOf` is asked for the state before a
+/// simplification, where that is needed to tell which floors are left.
+std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const std::vector<Index>& region,
+                                                 const std::vector<char>& keep, const SameFilter& sameOf,
+                                                 RunContext& context, ExactFallbacks& fallbacks);
+
+/// "2 of 5 regions removed", for people.
+Text regionsRemoved(std::int64_t removed, std::int64_t all);
 
 }  // namespace footfall::detail

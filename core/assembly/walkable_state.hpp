@@ -28,6 +28,8 @@ struct WalkableState {
   std::shared_ptr<const CutTable> cuts;
   /// The largest height that a clearance filter asked for, or one that stands for it; 0 before the first.
   double clearance = 0;
+  /// The same exactly as it was asked for.
+  double agentHeight = 0;
   /// The mesh of walkable parts; null until a filter needed it.
   std::shared_ptr<const WalkableMesh> mesh;
   /// The edges of `topologyOwner`, when a filter found them; of use while that is still `mesh` (topologyOf()).
@@ -35,7 +37,7 @@ struct WalkableState {
   std::weak_ptr<const WalkableMesh> topologyOwner;
   /// The mesh's triangles may span several coplanar source triangles (SimplificationFilter).
   bool simplified = false;
-  /// Pieces that AreaFilter took away since the cuts were made: obstacles still, but no floor any more.
+  /// Pieces that AreaFilter and ReachableFilter took away since the cuts were made: obstacles still, but no floor any more.
   std::shared_ptr<const WalkableMesh> dropped;
   /// How the last clearance filter made its mesh, which later runs reuse; null unless the run was asked to keep it.
   std::shared_ptr<const AssemblyMemory> memory;

@@ -7,7 +7,6 @@
 // count as equal, and are removed.
 #include <mpfr.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include <span>
 #include <string>
 
+#include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
@@ -25,7 +25,6 @@ namespace footfall::detail {
 namespace {
 
 constexpr mpfr_prec_t kFinestPrecision = 4096;
-constexpr std::size_t kPolled = 1 << 16;
 
 ErrorDouble squareRoot(ErrorDouble x) {
   // |sqrt(x) - q| = |x - q^2| / (sqrt(x) + q) <= |x - q^2| / q
@@ -162,56 +161,10 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
     outcome.state = std::move(known);
     return outcome;
   }
-  context.checkCancelled();
-  auto kept = std::make_shared<WalkableMesh>();
-  auto dropped = std::make_shared<WalkableMesh>();
-  if (state->dropped) *dropped = *state->dropped;
-  std::vector<Index> droppedVertex(mesh.vertices.size(), -1);
-  const auto divide = [&] {
-    kept->triangles.reserve(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (t % kPolled == 0) context.checkCancelled();
-      MeshTriangle triangle = mesh.triangles[t];
-      if (keep[region[t]] != 0) {
-        kept->triangles.push_back(triangle);
-        if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
-        continue;
-      }
-      for (Index& v : triangle.corners) {
-        if (droppedVertex[v] < 0) {
-          droppedVertex[v] = static_cast<Index>(dropped->vertices.size());
-          dropped->vertices.push_back(mesh.vertices[v]);
-        }
-        v = droppedVertex[v];
-      }
-      dropped->triangles.push_back(triangle);
-    }
-  };
-  tbb::parallel_invoke(divide, [&] { kept->vertices = mesh.vertices; });
-  kept->layerCount = mesh.layerCount;
-  kept->links = linksBetween(mesh, kept->triangles);
-  auto result = std::make_shared<WalkableState>(*state);
-  if (!state->cuts) {
-    // Floors without cuts are in one region each: those that went are no floors for a later clearance filter.
-    if (state->simplified) {
-      // Triangles may span several floors here; the regions of the floors themselves have the same areas.
-      auto plain = std::make_shared<WalkableState>(*state);
-      plain->mesh = nullptr;
-      plain->simplified = false;
-      result->walkable = applyArea(plain, minimum, context).state->walkable;
-    } else {
-      result->walkable.assign(state->walkable.size(), 0);
-      for (const MeshTriangle& t : kept->triangles) result->walkable[t.face] = 1;
-    }
-    dropped = nullptr;  // rejected source triangles are obstacles as they are
-  }
-  result->mesh = std::move(kept);
-  result->topology = nullptr;
-  result->dropped = std::move(dropped);
-  outcome.state = std::move(result);
-  outcome.note = regionCount == 1
-                     ? Text(FOOTFALL_TEXT("%1 of 1 region removed"), removed)
-                     : Text(FOOTFALL_TEXT("%1 of %2 regions removed"), Text::count(removed), Text::count(regionCount));
+  outcome.state = withRegions(
+      *state, region, keep, [&](const StatePtr& other) { return applyArea(other, minimum, context).state; }, context,
+      outcome.fallbacks);
+  outcome.note = regionsRemoved(removed, regionCount);
   return outcome;
 }
 

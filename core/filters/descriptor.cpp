@@ -226,6 +226,45 @@ FilterDescriptor radius() {
   };
 }
 
+ParameterDescriptor coordinate(std::string_view name, std::string_view label, std::string_view help) {
+  return {
+      .name = name,
+      .label = label,
+      .help = help,
+      .type = ParameterType::Real,
+      .unit = Unit::Length,
+      .defaultValue = 0,
+      .minimum = -kNoLimit,
+      .maximum = kNoLimit,
+  };
+}
+
+FilterDescriptor reachable() {
+  return {
+      .type = FilterType::Reachable,
+      .name = "ReachableFilter",
+      .aliases = {},
+      .label = "Reachable",
+      .help =
+          "Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps; roofs, "
+          "islands "
+          "and the insides of solids go. Put it behind a StepFilter, where there is one. A seed means the highest "
+          "walkable "
+          "place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. "
+          "On an edge or a corner it means all that meets there. What is removed stays an obstacle.",
+      .precondition = "Each seed has a walkable place under it.",
+      .effect = "Every walkable region holds a seed.",
+      .source = "ours",
+      .parameters = {coordinate("x", "X", "The first coordinate of a seed, as in the environment's file."),
+                     coordinate("y", "Y", "The second coordinate of a seed, as in the environment's file."),
+                     coordinate("z", "Z", "The third coordinate of a seed, as in the environment's file.")},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+      .repeats = 3,
+      .groups = "seeds",
+  };
+}
+
 FilterDescriptor area() {
   return {
       .type = FilterType::Area,
@@ -480,6 +519,7 @@ std::span<const FilterDescriptor> filterDescriptors() {
       verticalClearance(),
       step(),
       radius(),
+      reachable(),
       area(),
       simplification(),
       layerSubdivision(),

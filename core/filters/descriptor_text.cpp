@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <limits>
+#include <span>
 #include <sstream>
 #include <vector>
 
@@ -104,6 +105,10 @@ std::string formatValue(const ParameterDescriptor& parameter, double value) {
 
 Text describeRange(const ParameterDescriptor& parameter) {
   if (parameter.type == ParameterType::Boolean) return FOOTFALL_TEXT("true or false");
+  if (parameter.minimum == -std::numeric_limits<double>::max() && !hasMaximum(parameter)) {
+    const Text any = unitText(parameter.unit);
+    return any.empty() ? Text(FOOTFALL_TEXT("a number")) : Text(FOOTFALL_TEXT("a number (%1)"), any);
+  }
   Pattern number =
       parameter.minimumOpen ? FOOTFALL_TEXT("a number above %1") : FOOTFALL_TEXT("a number of at least %1");
   if (parameter.type == ParameterType::Integer)
@@ -125,7 +130,14 @@ std::string describeUsage(const FilterDescriptor& filter) {
     text.append(parameter.optional ? " [" : " ").append(parameter.name);
     if (parameter.optional) closing += ']';
   }
-  return text + closing;
+  text += closing;
+  if (filter.repeats > 0) {
+    text += " [";
+    for (const ParameterDescriptor& parameter : std::span(filter.parameters).last(filter.repeats))
+      text.append(parameter.name).append(" ");
+    text += "...]";
+  }
+  return text;
 }
 
 std::string describeFilter(const FilterDescriptor& filter) {
@@ -135,8 +147,9 @@ std::string describeFilter(const FilterDescriptor& filter) {
   for (const ParameterDescriptor& parameter : filter.parameters) {
     const std::string head = "  " + std::string(parameter.name) + ": ";
     appendWrapped(text, head,
-                  std::string(parameter.help) + " Write " + describeRange(parameter).str() + "; default " +
-                      defaultText(parameter) + (parameter.optional ? ", may be left out." : "."));
+                  std::string(parameter.help) + " Write " + describeRange(parameter).str() +
+                      (filter.repeats > 0 ? "" : "; default " + defaultText(parameter)) +
+                      (parameter.optional ? ", may be left out." : "."));
   }
   if (!filter.parameters.empty()) text += '\n';
   if (!filter.aliases.empty()) appendWrapped(text, "  also called:  ", joinAliases(filter));
@@ -182,7 +195,7 @@ std::string filtersMarkdown() {
       text += "| parameter | meaning | value | default |\n|---|---|---|---|\n";
       for (const ParameterDescriptor& parameter : filter.parameters) {
         text += "| `" + std::string(parameter.name) + "` | " + std::string(parameter.help) + " | " +
-                describeRange(parameter).str() + " | " + defaultText(parameter) + " |\n";
+                describeRange(parameter).str() + " | " + (filter.repeats > 0 ? "" : defaultText(parameter)) + " |\n";
       }
       text += '\n';
     }

@@ -69,6 +69,8 @@ constexpr std::array kFilterFunctions = {
     FilterFunction{FilterType::Step, [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.context); }},
     FilterFunction{FilterType::Radius,
                    [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.context); }},
+    FilterFunction{FilterType::Reachable,
+                   [](const FilterCall& f) { return applyReachable(f.state, f.values, f.context); }},
     FilterFunction{FilterType::Area, [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.context); }},
     FilterFunction{FilterType::Simplification,
                    [](const FilterCall& f) {

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/assembly/recall.hpp"
 #include "footfall/environment.hpp"
+#include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/navigation_mesh.hpp"
 #include "footfall/run_context.hpp"
@@ -23,13 +26,19 @@ struct FilterOutcome {
   ExactFallbacks fallbacks;
 };
 
+/// One of a step's values asks for what the environment does not have.
+struct ValueError : InputError {
+  ValueError(std::size_t index, Text text) : InputError(std::move(text)), value(index) {}
+  std::size_t value;  ///< number of the value within its step
+};
+
 /// The state before the first filter: all non-degenerate triangles that face up are walkable.
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context,
                           const Recall& recall = {});
 
 /// Runs one filter. `values` has one number for each parameter of the descriptor (booleans 0 or 1), already
-/// validated against it; a strategy or Collapse is the runner's. Throws Cancelled or std::bad_alloc; the given state is
-/// never changed. The result does not depend on the number of threads.
+/// validated against it; a strategy or Collapse is the runner's. Throws Cancelled, InputError or std::bad_alloc; the
+/// given state is never changed. The result does not depend on the number of threads.
 FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,
                           RunContext& context, const Recall& recall = {});
 

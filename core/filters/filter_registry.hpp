@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
@@ -15,6 +16,8 @@ FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& cont
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyStep(const StatePtr& state, double step, RunContext& context);
 FilterOutcome applyRadius(const StatePtr& state, double radius, RunContext& context);
+/// `seeds`: the coordinates of places in the file's frame, three each.
+FilterOutcome applyReachable(const StatePtr& state, std::span<const double> seeds, RunContext& context);
 FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);
 FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, const Recall& recall,
                                   RunContext& context);

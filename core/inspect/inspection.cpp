@@ -63,6 +63,7 @@ PlaceVerdict verdictOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Slope) return PlaceVerdict::TooSteep;
   if (filter.type == FilterType::VerticalClearance) return PlaceVerdict::TooLow;
   if (filter.type == FilterType::Area) return PlaceVerdict::RegionTooSmall;
+  if (filter.type == FilterType::Reachable) return PlaceVerdict::Unreachable;
   return PlaceVerdict::Moved;
 }
 
@@ -222,7 +223,7 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
     if (cover) continue;
     result.verdict = verdictOf(*step.filter);
     result.step = steps[s];
-    if (!step.values.empty()) result.limit = step.values[0];
+    if (!step.values.empty() && step.filter->repeats == 0) result.limit = step.values[0];
     if (result.verdict == PlaceVerdict::TooSteep && &before.mesh() != &mesh)
       result.movedSlope = slopeOf(before.mesh(), before.face());
     if (result.verdict == PlaceVerdict::TooLow)

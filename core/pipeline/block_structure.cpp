@@ -4,10 +4,10 @@
 namespace footfall::detail {
 
 Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
-  const auto& [filter, values, enabled, line] = pipeline.steps[step];
+  const int line = pipeline.steps[step].line;
   if (line > 0) return {FOOTFALL_TEXT("line %1"), line};
   // Labels are literals, which end as patterns have to.
-  return {FOOTFALL_TEXT("step %1 (%2)"), step + 1, Text(Pattern{filter->label.data()})};
+  return {FOOTFALL_TEXT("step %1 (%2)"), step + 1, Text(Pattern{pipeline.steps[step].filter->label.data()})};
 }
 
 namespace {
@@ -17,6 +17,7 @@ bool losesLinks(const PipelineStep& step) {
   switch (step.filter->type) {
     case FilterType::Slope:
     case FilterType::Radius:
+    case FilterType::Reachable:
     case FilterType::Area:
     case FilterType::LayerSubdivision:
       return false;
@@ -34,6 +35,11 @@ std::optional<StructureError> findStepError(const Pipeline& pipeline) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled) continue;
     hasClearance = hasClearance || step.filter->type == FilterType::VerticalClearance;
+    if (step.filter->repeats > 0 && step.values.size() < step.filter->parameters.size()) {
+      return StructureError{i, Text(FOOTFALL_TEXT("%1 has no seed; give the coordinates of a walkable place, or click "
+                                                  "one in the editor"),
+                                    step.filter->name)};
+    }
     if (linked && losesLinks(step)) {
       const Text name = step.filter->type == FilterType::Simplification
                             ? Text(FOOTFALL_TEXT("%1 in its approximate form"), step.filter->name)

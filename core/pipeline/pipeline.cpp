@@ -44,12 +44,12 @@ double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit
 std::string formatStep(const PipelineStep& step) {
   const std::vector<ParameterDescriptor>& parameters = step.filter->parameters;
   std::size_t written = step.values.size();
-  while (written > 0 && parameters[written - 1].optional &&
+  while (written > 0 && step.filter->repeats == 0 && parameters[written - 1].optional &&
          step.values[written - 1] == parameters[written - 1].defaultValue) {
     --written;
   }
   std::string text(step.filter->name);
-  for (std::size_t i = 0; i < written; ++i) text += ' ' + formatValue(parameters[i], step.values[i]);
+  for (std::size_t i = 0; i < written; ++i) text += ' ' + formatValue(step.filter->parameterOf(i), step.values[i]);
   return text;
 }
 
@@ -62,9 +62,8 @@ std::string formatPipeline(const Pipeline& pipeline) {
 PipelineStep defaultStep(const FilterDescriptor& filter, double metresPerUnit) {
   PipelineStep step;
   step.filter = &filter;
-  for (const ParameterDescriptor& parameter : filter.parameters) {
-    step.values.push_back(defaultInUnits(parameter, metresPerUnit));
-  }
+  for (std::size_t i = 0; i + filter.repeats < filter.parameters.size(); ++i)
+    step.values.push_back(defaultInUnits(filter.parameters[i], metresPerUnit));
   return step;
 }
 

@@ -1,5 +1,6 @@
 // The text form of pipelines: the thesis's files (5.4), with messages that name line and column.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -112,16 +113,23 @@ class Parser {
       fail(columnBehind, Text(FOOTFALL_TEXT("%1 needs a value for %2; write for example \"%3\""), name, parameter.name,
                               formatStep(defaultStep(*step.filter, 1))));
     };
-    if (tokens.size() > parameters.size() + 1) {
-      const Token& extra = tokens[parameters.size() + 1];
+    const std::size_t given = tokens.size() - 1, repeats = step.filter->repeats, once = parameters.size() - repeats;
+    if (repeats > 0 && given > once && !step.filter->takes(given)) {
+      fail(tokens[1 + given - (given - once) % repeats].column,
+           Text(FOOTFALL_TEXT("%1 takes \"%2\"; values given: %3; give a multiple of %4"), name,
+                describeUsage(*step.filter), given, repeats));
+    }
+    if (repeats == 0 && given > once) {
+      const Token& extra = tokens[once + 1];
       if (parameters.empty())
         fail(extra.column, Text(FOOTFALL_TEXT("%1 takes no parameters; remove %2"), name, quote(extra.text)));
       fail(extra.column, Text(FOOTFALL_TEXT("%1 takes only \"%2\"; remove %3"), name, describeUsage(*step.filter),
                               quote(extra.text)));
     }
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      if (i + 1 < tokens.size()) {
-        step.values.push_back(parseValue(parameters[i], tokens[i + 1]));
+    for (std::size_t i = 0; i < std::max(once, given); ++i) {
+      if (i < given) {
+        step.values.push_back(parseValue(step.filter->parameterOf(i), tokens[i + 1]));
+        step.columns.push_back(tokens[i + 1].column);
       } else if (parameters[i].optional) {
         step.values.push_back(parameters[i].defaultValue);
       } else {

@@ -24,12 +24,14 @@ void checkRunnable(const Pipeline& pipeline) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled) continue;
     const Text place(Pattern{"%1, %2"}, placeOfStep(pipeline, i), step.filter->name);
-    if (step.values.size() != step.filter->parameters.size()) {
-      throw InputError(FOOTFALL_TEXT("%1: values given: %2; give %3"), place, step.values.size(),
-                       step.filter->parameters.size());
+    if (!step.filter->takes(step.values.size())) {
+      const std::size_t repeats = step.filter->repeats;
+      throw InputError(repeats == 0 ? FOOTFALL_TEXT("%1: values given: %2; give %3")
+                                    : FOOTFALL_TEXT("%1: values given: %2; give a multiple of %3"),
+                       place, step.values.size(), repeats == 0 ? step.filter->parameters.size() : repeats);
     }
     for (std::size_t v = 0; v < step.values.size(); ++v) {
-      const Text wrong = checkValue(step.filter->parameters[v], step.values[v]);
+      const Text wrong = checkValue(step.filter->parameterOf(v), step.values[v]);
       if (!wrong.empty()) throw InputError(kAtPlace, place, wrong);
     }
   }
@@ -206,8 +208,7 @@ class Run {
     guarded(place, [&] {
       context_.beginStep(index, statistics.name);
       const Stopwatch watch;
-      FilterOutcome outcome = withPlace(
-          place, [&] { return applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1)); });
+      FilterOutcome outcome = withPlace(place, [&] { return apply(step, index); });
       statistics.wallMs = watch.wallMs();
       statistics.cpuMs = watch.cpuMs();
       statistics.note = std::move(outcome.note);
@@ -221,6 +222,15 @@ class Run {
       context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
       (isBehindBlock(index) ? times_.postprocessing : times_.preprocessing) += watch.wallMs();
     });
+  }
+
+  FilterOutcome apply(const PipelineStep& step, std::size_t index) {
+    try {
+      return applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1));
+    } catch (const ValueError& error) {
+      if (error.value >= step.columns.size()) throw;
+      throw InputError(FOOTFALL_TEXT("column %1: %2"), step.columns[error.value], error.text());
+    }
   }
 
   void runBlockAt(std::size_t first) {

@@ -68,6 +68,8 @@ std::string verdictText(const Inspector& inspector, const PlaceExplanation& told
              number(told.limit);
     case PlaceVerdict::Moved:
       return "not walkable: the filter moved vertices, and no triangle is here any more";
+    case PlaceVerdict::Unreachable:
+      return "not walkable: it cannot be reached from the seeds";
   }
   return {};
 }
@@ -100,6 +102,8 @@ std::string_view verdictWord(PlaceVerdict verdict) {
       return "region_too_small";
     case PlaceVerdict::Moved:
       return "moved";
+    case PlaceVerdict::Unreachable:
+      return "unreachable";
   }
   return {};
 }

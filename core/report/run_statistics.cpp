@@ -21,24 +21,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json valueJson(const ParameterDescriptor& parameter, double value) {
+  switch (parameter.type) {
+    case ParameterType::Boolean:
+      return value != 0;
+    case ParameterType::Integer:
+      return static_cast<std::int64_t>(value);
+    case ParameterType::Real:
+      break;
+  }
+  return value;
+}
+
 Json parametersJson(const StepStatistics& step) {
   Json parameters = Json::object();
   const FilterDescriptor* filter = findFilter(step.name);
-  if (filter == nullptr) return parameters;
-  for (std::size_t i = 0; i < std::min(filter->parameters.size(), step.parameters.size()); ++i) {
-    const ParameterDescriptor& parameter = filter->parameters[i];
-    Json& value = parameters[std::string(parameter.name)];
-    switch (parameter.type) {
-      case ParameterType::Boolean:
-        value = step.parameters[i] != 0;
-        break;
-      case ParameterType::Integer:
-        value = static_cast<std::int64_t>(step.parameters[i]);
-        break;
-      case ParameterType::Real:
-        value = step.parameters[i];
-        break;
-    }
+  if (filter == nullptr || !filter->takes(step.parameters.size())) return parameters;
+  const std::size_t once = filter->parameters.size() - filter->repeats;
+  for (std::size_t i = 0; i < once; ++i)
+    parameters[std::string(filter->parameters[i].name)] = valueJson(filter->parameters[i], step.parameters[i]);
+  if (filter->repeats == 0) return parameters;
+  Json& groups = parameters[std::string(filter->groups)] = Json::array();
+  for (std::size_t i = once; i < step.parameters.size(); ++i) {
+    if ((i - once) % filter->repeats == 0) groups.push_back(Json::array());
+    groups.back().push_back(valueJson(filter->parameterOf(i), step.parameters[i]));
   }
   return parameters;
 }

@@ -18,9 +18,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   for (const PipelineStep& step : pipeline.steps) {
     require(step.filter != nullptr, "a step without a filter");
-    require(step.values.size() == step.filter->parameters.size(), "not one value for each parameter");
+    require(step.filter->takes(step.values.size()), "not one value for each parameter");
     for (std::size_t i = 0; i < step.values.size(); ++i)
-      require(checkValue(step.filter->parameters[i], step.values[i]).empty(), "a value out of range was accepted");
+      require(checkValue(step.filter->parameterOf(i), step.values[i]).empty(), "a value out of range was accepted");
   }
   const std::string text = formatPipeline(pipeline);
   const Pipeline again = parsePipeline(text, "again.pipeline");

@@ -37,7 +37,8 @@ int main() {
       "\n"
       "[[maybe_unused]] static const char* const kTexts[] = {");
   for (const footfall::FilterDescriptor& filter : footfall::filterDescriptors()) {
-    for (const std::string_view text : {filter.label, filter.help, filter.precondition, filter.effect}) write(text);
+    for (const std::string_view text : {filter.label, filter.help, filter.precondition, filter.effect, filter.source})
+      write(text);
     for (const footfall::ParameterDescriptor& parameter : filter.parameters) {
       write(parameter.label);
       write(parameter.help);

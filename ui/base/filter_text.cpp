@@ -13,7 +13,6 @@ struct FilterHelp {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::FilterHelp)
 };
 
-QString plain(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 QString escaped(std::string_view view) { return filterText(view).toHtmlEscaped(); }
 
 QString unitName(Unit unit) {
@@ -84,7 +83,9 @@ QString filterHelp(const FilterDescriptor& filter, int emphasised) {
     const QString body =
         QStringLiteral("%1<br>%2")
             .arg(escaped(parameter.help),
-                 FilterHelp::tr("Takes %1. Default: %2.").arg(rangeText(parameter), defaultText(parameter)));
+                 filter.repeats > 0
+                     ? FilterHelp::tr("Takes %1.").arg(rangeText(parameter))
+                     : FilterHelp::tr("Takes %1. Default: %2.").arg(rangeText(parameter), defaultText(parameter)));
     const bool marked = static_cast<int>(i) == emphasised;
     text += QStringLiteral("<p><a name='parameter%1'></a><b>%2%3</b><br>%4</p>")
                 .arg(i)
@@ -100,7 +101,7 @@ QString filterHelp(const FilterDescriptor& filter, int emphasised) {
   text += section(FilterHelp::tr("Where"), scope);
   text += section(FilterHelp::tr("In pipeline files"),
                   QStringLiteral("<code>%1</code>").arg(QString::fromStdString(describeUsage(filter)).toHtmlEscaped()));
-  return text + section(FilterHelp::tr("Source"), plain(filter.source).toHtmlEscaped());
+  return text + section(FilterHelp::tr("Source"), escaped(filter.source));
 }
 
 }  // namespace footfall::ui

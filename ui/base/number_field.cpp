@@ -75,8 +75,8 @@ void NumberField::setUnits(const LevelUnits& units) {
   units_ = units;
   const double factor = units.factor(parameter_.unit);
   asShown_ = parameter_;
-  asShown_.minimum = parameter_.minimum * factor;
   // The end of what the type can hold is no limit of people.
+  if (parameter_.minimum > std::numeric_limits<double>::lowest()) asShown_.minimum = parameter_.minimum * factor;
   if (parameter_.maximum < std::numeric_limits<double>::max()) asShown_.maximum = parameter_.maximum * factor;
   if (factor != 1) asShown_.unit = Unit::None;  // the core's words are of the file's units
   if (text().isEmpty()) return;

@@ -68,6 +68,7 @@ std::vector<FilterEntry> Document::entriesOf(const Pipeline& pipeline) {
   for (const PipelineStep& step : pipeline.steps) {
     entries.push_back({nextId_++, step});
     entries.back().step.line = 0;  // from here on, its place is its row
+    entries.back().step.columns.clear();
   }
   return entries;
 }
@@ -223,7 +224,7 @@ Pipeline rescaleLengths(const Pipeline& pipeline, double fromMetresPerUnit, doub
   for (std::size_t s = 0; s < rescaled.steps.size(); ++s) {
     PipelineStep& step = rescaled.steps[s];
     const PipelineStep defaults = defaultStep(*step.filter, fromMetresPerUnit);
-    for (std::size_t i = 0; i < step.values.size(); ++i) {
+    for (std::size_t i = 0; i < defaults.values.size(); ++i) {  // not the places behind them
       const double before = pipeline.steps[s].values[i];
       const Unit unit = step.filter->parameters[i].unit;
       if (before == defaults.values[i] || (unit != Unit::Length && unit != Unit::Area)) continue;
@@ -239,7 +240,7 @@ Pipeline rescaleDefaults(const Pipeline& pipeline, double fromMetresPerUnit, dou
   for (PipelineStep& step : rescaled.steps) {
     const PipelineStep before = defaultStep(*step.filter, fromMetresPerUnit);
     const PipelineStep after = defaultStep(*step.filter, toMetresPerUnit);
-    for (std::size_t i = 0; i < step.values.size(); ++i) {
+    for (std::size_t i = 0; i < before.values.size(); ++i) {
       if (step.values[i] == before.values[i]) step.values[i] = after.values[i];
     }
   }

@@ -38,10 +38,12 @@ QString valueText(const ParameterDescriptor& parameter, double value, const Leve
 QString valueEditText(const DocumentState& before, const DocumentState& after, const LevelUnits& units) {
   for (const FilterEntry& now : after.filters) {
     const auto was = std::ranges::find(before.filters, now.id, &FilterEntry::id);
-    if (was == before.filters.end() || was->step.filter != now.step.filter) continue;
+    if (was == before.filters.end() || was->step.filter != now.step.filter ||
+        was->step.values.size() != now.step.values.size())
+      continue;
     for (std::size_t i = 0; i < now.step.values.size(); ++i) {
       if (was->step.values[i] == now.step.values[i]) continue;
-      const ParameterDescriptor& parameter = now.step.filter->parameters[i];
+      const ParameterDescriptor& parameter = now.step.filter->parameterOf(i);
       return tr("Change %1 %2 → %3")
           .arg(inside(parameter.label), valueText(parameter, was->step.values[i], units),
                valueText(parameter, now.step.values[i], units));

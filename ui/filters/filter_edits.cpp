@@ -51,6 +51,7 @@ FilterIds insertFilters(Document& document, std::size_t index, const std::vector
     ids.push_back(document.newFilterId());
     at = next.filters.insert(at, {ids.back(), step}) + 1;
     std::prev(at)->step.line = 0;  // from here on, its place is its row
+    std::prev(at)->step.columns.clear();
   }
   document.edit(std::move(next), text);
   return ids;

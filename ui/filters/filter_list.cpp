@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/base/flow_layout.hpp"
+#include "ui/filters/seed_edits.hpp"
 
 namespace footfall::ui {
 
@@ -93,6 +94,11 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
   connect(row, &FilterRow::enabledEdited, &document_, &Document::setEnabled);
   connect(row, &FilterRow::valueEdited, &document_, &Document::setValue);
   connect(row, &FilterRow::previewRequested, this, &FilterList::previewRequested);
+  connect(row, &FilterRow::placingRequested, this, &FilterList::placingRequested);
+  connect(
+      row, &FilterRow::groupRemoved, this, [this](int id, std::size_t seed) { removeSeed(document_, id, seed); },
+      Qt::QueuedConnection);
+  if (row->placeButton()) row->placeButton()->setChecked(placing_ == entry.id);
   connect(row, &FilterRow::draggingChanged, &controller_, &RunController::setDragging);
   // Later: the row that sends this goes with it.
   connect(row, &FilterRow::removeRequested, &document_, &Document::removeFilter, Qt::QueuedConnection);
@@ -108,6 +114,7 @@ void FilterList::showFilters() {
   std::vector<int> ids;
   for (const FilterEntry& entry : document_.filters()) {
     FilterRow* known = rowOf(entry.id);
+    if (known && !known->fits(entry)) known = nullptr;
     if (known) known->setEntry(entry);
     next.push_back(known ? known : makeRow(entry));
     ids.push_back(entry.id);
@@ -165,6 +172,13 @@ void FilterList::showStatuses() {
 void FilterList::showSelection() {
   for (FilterRow* row : rows_) row->setSelected(selection_.contains(row->entryId()));
   actions_->update();
+  emit selectionChanged();
+}
+
+void FilterList::setPlacing(int id) {
+  placing_ = id;
+  for (FilterRow* row : rows_)
+    if (row->placeButton()) row->placeButton()->setChecked(row->entryId() == id);
 }
 
 void FilterList::giveRowsTheirHeight() {

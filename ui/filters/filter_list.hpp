@@ -37,8 +37,13 @@ class FilterList : public QWidget {
   void choose(const FilterIds& ids);
   /// New filters take their defaults in this scale.
   void setUnits(const LevelUnits& units);
+  /// The row whose seeds are being placed in the view; -1: none.
+  void setPlacing(int id);
 
  signals:
+  void selectionChanged();
+  /// Somebody wants to place seeds of a row, or no more.
+  void placingRequested(int id, bool on);
   /// Somebody wants to see the cells of a strategy.
   void previewRequested(int id);
   void failed(const QString& message);
@@ -84,6 +89,7 @@ class FilterList : public QWidget {
   QFrame* dropLine_;
   QLabel* empty_;
   std::vector<FilterRow*> rows_;
+  int placing_ = -1;
   FilterRow* dragged_ = nullptr;
   std::size_t dropGap_ = 0;
   bool choosing_ = false;  // the focus follows the selection and must not change it

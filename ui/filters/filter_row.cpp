@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/filters/descriptor_text.hpp"
 #include "ui/base/core_text.hpp"
@@ -20,6 +21,8 @@ namespace {
 constexpr int kMark = 16;          // pixels of the sign of a state
 constexpr int kFieldLetters = 15;  // of the width of a field
 constexpr int kUnitLetters = 9;    // and of the unit behind it, so that fields stand in a column
+constexpr int kGroupLetters = 8;   // of the width of a field of a group, at least
+constexpr std::size_t kMostGroups = 24;
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
 
@@ -31,7 +34,12 @@ QString helpOf(const FilterDescriptor& filter) {
   return help + FilterRow::tr("<p><i>Effect:</i> %1</p>").arg(filterText(filter.effect));
 }
 
-QString helpOf(const ParameterDescriptor& parameter) {
+std::size_t fieldsFor(const FilterDescriptor& filter, std::size_t values) {
+  const std::size_t once = filter.parameters.size() - filter.repeats;
+  return std::min(values, once + kMostGroups * filter.repeats);
+}
+
+QString helpOf(const ParameterDescriptor& parameter, bool hasDefault) {
   const QString drag = parameter.type == ParameterType::Boolean
                            ? QString()
                            : FilterRow::tr(
@@ -40,6 +48,9 @@ QString helpOf(const ParameterDescriptor& parameter) {
   // The unit stands behind the field.
   ParameterDescriptor range = parameter;
   if (range.unit != Unit::Degrees) range.unit = Unit::None;
+  if (!hasDefault)
+    return QStringLiteral("<p>%1</p><p>%2</p>%3")
+        .arg(filterText(parameter.help), FilterRow::tr("Takes %1.").arg(coreText(describeRange(range))), drag);
   return QStringLiteral("<p>%1</p><p>%2</p>%3")
       .arg(filterText(parameter.help),
            FilterRow::tr("Takes %1. Default: %2%3.")
@@ -111,6 +122,7 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   layout->setSpacing(3);
   layout->addLayout(head);
   addParameters(layout);
+  if (filter_.repeats > 0) addGroups(layout, entry.step.values.size());
   figures_ = new WrappedLabel(this);
   figures_->setObjectName(QStringLiteral("figures"));
   figures_->setContentsMargins(22, 0, 0, 0);
@@ -131,22 +143,22 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
 }
 
 void FilterRow::addParameters(QVBoxLayout* layout) {
-  if (filter_.parameters.empty()) return;
+  if (filter_.parameters.size() == filter_.repeats) return;
   parameters_ = new QWidget(this);
   auto* grid = new QGridLayout(parameters_);
   grid->setContentsMargins(22, 0, 4, 0);
   grid->setVerticalSpacing(3);
   grid->setColumnStretch(0, 1);
-  for (std::size_t i = 0; i < filter_.parameters.size(); ++i) {
+  for (std::size_t i = 0; i + filter_.repeats < filter_.parameters.size(); ++i) {
     const ParameterDescriptor& parameter = filter_.parameters[i];
     const int row = static_cast<int>(i);
     auto* label = new WrappedLabel(parameters_);
     label->setText(filterText(parameter.label));
-    label->setToolTip(helpOf(parameter));
+    label->setToolTip(helpOf(parameter, true));
     grid->addWidget(label, row, 0);
     if (parameter.type == ParameterType::Boolean) {
       auto* box = new QCheckBox(parameters_);
-      box->setToolTip(helpOf(parameter));
+      box->setToolTip(helpOf(parameter, true));
       box->setAccessibleName(filterText(parameter.label));
       connect(box, &QCheckBox::clicked, this, [this, i](bool on) { emit valueEdited(id_, i, on ? 1 : 0, -1); });
       grid->addWidget(box, row, 1);
@@ -159,25 +171,87 @@ void FilterRow::addParameters(QVBoxLayout* layout) {
   layout->addWidget(parameters_);
 }
 
-void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label) {
-  const int row = static_cast<int>(index);
-  auto* field = new NumberField(parameter, parameters_);
+NumberField* FilterRow::makeNumber(const ParameterDescriptor& parameter, std::size_t index, QWidget* parent) {
+  auto* field = new NumberField(parameter, parent);
   field->setObjectName(text(parameter.name));
-  field->setToolTip(helpOf(parameter));
-  field->setAccessibleName(filterText(parameter.label));
-  field->setFixedWidth(kFieldLetters * fontMetrics().averageCharWidth());
-  field->takeDragsOf(label);
-  label->setBuddy(field);
   connect(field, &NumberField::valueEdited, this,
           [this, index, field](double value) { emit valueEdited(id_, index, value, field->editSession()); });
   connect(field, &NumberField::problemChanged, this, &FilterRow::showError);
   connect(field, &NumberField::draggingChanged, this, &FilterRow::draggingChanged);
+  fields_.push_back(field);
+  return field;
+}
+
+void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label) {
+  const int row = static_cast<int>(index);
+  NumberField* field = makeNumber(parameter, index, parameters_);
+  field->takeDragsOf(label);
+  field->setToolTip(helpOf(parameter, true));
+  field->setAccessibleName(filterText(parameter.label));
+  field->setFixedWidth(kFieldLetters * fontMetrics().averageCharWidth());
+  label->setBuddy(field);
   grid->addWidget(field, row, 1);
   auto* unit = new QLabel(parameters_);
   unit->setMinimumWidth(kUnitLetters * fontMetrics().averageCharWidth());
   grid->addWidget(unit, row, 2);
-  fields_.push_back(field);
   units_.push_back(unit);
+}
+
+// A line for each seed: its number, its coordinates, and what takes it away.
+void FilterRow::addGroups(QVBoxLayout* layout, std::size_t values) {
+  const std::size_t once = filter_.parameters.size() - filter_.repeats, count = fieldsFor(filter_, values);
+  groups_ = new QWidget(this);
+  auto* grid = new QGridLayout(groups_);
+  grid->setContentsMargins(22, 0, 4, 0);
+  grid->setVerticalSpacing(2);
+  grid->setHorizontalSpacing(4);
+  const int last = static_cast<int>(filter_.repeats) + 1;
+  if (count > once) {
+    groupUnit_ = new QLabel(groups_);
+    grid->addWidget(groupUnit_, 0, 0);
+    for (int k = 1; k < last; ++k) {
+      const ParameterDescriptor& parameter = filter_.parameters[once + static_cast<std::size_t>(k) - 1];
+      auto* head = new QLabel(filterText(parameter.label), groups_);
+      head->setToolTip(helpOf(parameter, false));
+      grid->addWidget(head, 0, k, Qt::AlignRight);
+      grid->setColumnStretch(k, 1);
+    }
+  }
+  for (std::size_t i = once; i < count; ++i) {
+    const std::size_t group = (i - once) / filter_.repeats, k = (i - once) % filter_.repeats;
+    const int row = static_cast<int>(group) + 1;
+    const QString number = QString::number(group + 1);
+    if (k == 0) {
+      grid->addWidget(new QLabel(number, groups_), row, 0);
+      auto* remove = new QToolButton(groups_);
+      remove->setText(QStringLiteral("✕"));
+      remove->setAutoRaise(true);
+      remove->setToolTip(tr("Remove seed %1").arg(number));
+      remove->setAccessibleName(tr("Remove seed %1").arg(number));
+      connect(remove, &QToolButton::clicked, this, [this, group] { emit groupRemoved(id_, group); });
+      grid->addWidget(remove, row, last);
+      removeGroup_.push_back(remove);
+    }
+    const ParameterDescriptor& parameter = filter_.parameterOf(i);
+    NumberField* field = makeNumber(parameter, i, groups_);
+    field->setToolTip(helpOf(parameter, false));
+    field->setAccessibleName(tr("%1 of seed %2").arg(filterText(parameter.label), number));
+    field->setMinimumWidth(kGroupLetters * fontMetrics().averageCharWidth());
+    grid->addWidget(field, row, static_cast<int>(k) + 1);
+    units_.push_back(nullptr);
+  }
+  const int end = grid->rowCount();
+  moreGroups_ = new QLabel(groups_);
+  moreGroups_->setObjectName(QStringLiteral("moreSeeds"));
+  grid->addWidget(moreGroups_, end, 0, 1, last + 1);
+  place_ = new QToolButton(groups_);
+  place_->setObjectName(QStringLiteral("placeSeeds"));
+  place_->setText(tr("Place seeds"));
+  place_->setToolTip(tr("Click places in the view from where agents start; what they cannot reach goes"));
+  place_->setCheckable(true);
+  connect(place_, &QToolButton::clicked, this, [this](bool on) { emit placingRequested(id_, on); });
+  grid->addWidget(place_, end + 1, 0, 1, last + 1, Qt::AlignLeft);
+  layout->addWidget(groups_);
 }
 
 void FilterRow::setUnits(const LevelUnits& units) {
@@ -190,11 +264,22 @@ void FilterRow::setUnits(const LevelUnits& units) {
 void FilterRow::showUnits() {
   for (std::size_t i = 0; i < units_.size(); ++i)
     if (units_[i]) units_[i]->setText(unitText(filter_.parameters[i].unit, shown_));
+  if (groupUnit_) groupUnit_->setText(unitText(filter_.parameters.back().unit, shown_));
+}
+
+bool FilterRow::fits(const FilterEntry& entry) const {
+  return fieldsFor(filter_, entry.step.values.size()) == fields_.size();
 }
 
 void FilterRow::setEntry(const FilterEntry& entry) {
   enabled_->setChecked(entry.step.enabled);
   if (parameters_) parameters_->setEnabled(entry.step.enabled);
+  if (groups_) {
+    groups_->setEnabled(entry.step.enabled);
+    const std::size_t more = (entry.step.values.size() - fields_.size()) / filter_.repeats;
+    moreGroups_->setText(tr("and %1 more").arg(countText(more)));
+    moreGroups_->setVisible(more > 0);
+  }
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     if (auto* field = qobject_cast<NumberField*>(fields_[i])) {
       if (field->value() != entry.step.values[i] || field->text().isEmpty()) field->setValue(entry.step.values[i]);

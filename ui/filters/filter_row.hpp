@@ -25,7 +25,9 @@ class FilterRow : public QFrame {
   explicit FilterRow(const FilterEntry& entry, QWidget* parent = nullptr);
 
   [[nodiscard]] int entryId() const { return id_; }
-  /// The same filter with other values.
+  /// Whether the row has the fields that an entry needs: a step whose values repeat may have more or fewer of them.
+  [[nodiscard]] bool fits(const FilterEntry& entry) const;
+  /// The same filter with other values, which it fits.
   void setEntry(const FilterEntry& entry);
   void setStatus(const StepStatus& status);
   /// Marks the rows of a parallel block, from its strategy to its Collapse.
@@ -37,8 +39,14 @@ class FilterRow : public QFrame {
 
   /// Where the row can be dragged.
   [[nodiscard]] QWidget* handle() const { return handle_; }
-  /// The NumberField or QCheckBox of a parameter.
-  [[nodiscard]] QWidget* field(std::size_t parameter) const { return fields_[parameter]; }
+  /// The NumberField or QCheckBox of a value.
+  [[nodiscard]] QWidget* field(std::size_t value) const { return fields_[value]; }
+  /// The first values; where a filter has very many, the others have no field.
+  [[nodiscard]] std::size_t fieldCount() const { return fields_.size(); }
+  /// Null for filters without seeds.
+  [[nodiscard]] QToolButton* placeButton() const { return place_; }
+  /// Of a seed that has fields.
+  [[nodiscard]] QToolButton* removeGroupButton(std::size_t group) const { return removeGroup_[group]; }
   [[nodiscard]] QCheckBox* enabledBox() const { return enabled_; }
   [[nodiscard]] QToolButton* removeButton() const { return remove_; }
   /// Null for filters that are no strategy.
@@ -56,6 +64,9 @@ class FilterRow : public QFrame {
   void removeRequested(int id);
   /// Only of strategies.
   void previewRequested(int id);
+  /// Seeds are to be placed in the view, or no more.
+  void placingRequested(int id, bool on);
+  void groupRemoved(int id, std::size_t group);
   /// A value is held by the mouse, or let go.
   void draggingChanged(bool dragging);
 
@@ -64,6 +75,8 @@ class FilterRow : public QFrame {
 
  private:
   void addParameters(QVBoxLayout* layout);
+  void addGroups(QVBoxLayout* layout, std::size_t values);
+  NumberField* makeNumber(const ParameterDescriptor& parameter, std::size_t index, QWidget* parent);
   void addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label);
   void showUnits();
   void showState();
@@ -78,10 +91,15 @@ class FilterRow : public QFrame {
   QColor stateColour_;
   QToolButton* preview_ = nullptr;
   QToolButton* remove_;
+  QToolButton* place_ = nullptr;
+  std::vector<QToolButton*> removeGroup_;
+  QLabel* groupUnit_ = nullptr;
+  QLabel* moreGroups_ = nullptr;
   std::vector<QWidget*> fields_;
-  std::vector<QLabel*> units_;  ///< null for booleans
+  std::vector<QLabel*> units_;  ///< null for booleans and for groups, which have one unit together
   LevelUnits shown_;
   QWidget* parameters_ = nullptr;
+  QWidget* groups_ = nullptr;
   QLabel* figures_;
   QLabel* error_;
   ShareBar* share_;

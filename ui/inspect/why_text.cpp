@@ -40,6 +40,8 @@ QString WhyText::headline(const PlaceExplanation& told) {
       return tr("Not walkable: too small an area");
     case PlaceVerdict::Moved:
       return tr("Not walkable: merged away");
+    case PlaceVerdict::Unreachable:
+      return tr("Not walkable: unreachable");
   }
   return {};
 }
@@ -103,6 +105,9 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
       break;
     case PlaceVerdict::Moved:
       text = tr("The filter moved vertices, and no triangle is here any more.");
+      break;
+    case PlaceVerdict::Unreachable:
+      text = tr("It cannot be reached from the seeds.");
       break;
   }
   if (told.floor)

@@ -17,6 +17,7 @@
 #include "ui/base/translations.hpp"
 #include "ui/filters/filter_tools.hpp"
 #include "ui/filters/parameter_notes.hpp"
+#include "ui/filters/seed_feature.hpp"
 #include "ui/inspect/compare_feature.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/inspect/measure_panel.hpp"
@@ -182,6 +183,7 @@ void EditorWindow::createFeatures() {
   bars_->main().addWidget(&look_->modes().box());
   camera_ = new CameraTools(host, *view_, *overlays_);
   new PathFeature(host, *view_, file_, controller_);
+  new SeedFeature(host, *view_, document_, controller_, *filters_);
   new MeasureFeature(host, *view_, file_, composer_);
   new InspectionFeature(host, *view_, document_, file_, composer_, controller_, *filters_);
   new ObstacleFeatures(host, *view_, document_, file_, composer_, controller_);

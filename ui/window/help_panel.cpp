@@ -34,9 +34,10 @@ void HelpPanel::follow(QWidget* focused) {
   if (entry == entries.end()) return;
   const FilterDescriptor& filter = *entry->step.filter;
   int parameter = -1;
-  for (std::size_t i = 0; i < filter.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < (*row)->fieldCount(); ++i) {
     const QWidget* field = (*row)->field(i);
-    if (field && (field == focused || field->isAncestorOf(focused))) parameter = static_cast<int>(i);
+    if (field && (field == focused || field->isAncestorOf(focused)))
+      parameter = static_cast<int>(&filter.parameterOf(i) - filter.parameters.data());
   }
   showFilter(filter, parameter);
 }

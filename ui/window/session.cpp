@@ -31,18 +31,32 @@ Vec3 vectorFrom(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
+Json toJson(const ParameterDescriptor& parameter, double value) {
+  return parameter.type == ParameterType::Boolean ? Json(value != 0) : Json(value);
+}
+
 Json toJson(const PipelineStep& step) {
+  const FilterDescriptor& filter = *step.filter;
+  const std::size_t once = filter.parameters.size() - filter.repeats;
   Json parameters = Json::object();
-  for (std::size_t i = 0; i < step.values.size(); ++i) {
-    const ParameterDescriptor& parameter = step.filter->parameters[i];
-    Json& value = parameters[std::string(parameter.name)];
-    if (parameter.type == ParameterType::Boolean) {
-      value = step.values[i] != 0;
-    } else {
-      value = step.values[i];
+  for (std::size_t i = 0; i < once; ++i)
+    parameters[std::string(filter.parameters[i].name)] = toJson(filter.parameters[i], step.values[i]);
+  if (filter.repeats > 0) {
+    Json groups = Json::array();
+    for (std::size_t i = once; i < step.values.size(); ++i) {
+      if ((i - once) % filter.repeats == 0) groups.push_back(Json::array());
+      groups.back().push_back(toJson(filter.parameterOf(i), step.values[i]));
     }
+    parameters[std::string(filter.groups)] = std::move(groups);
   }
-  return {{"filter", step.filter->name}, {"enabled", step.enabled}, {"parameters", parameters}};
+  return {{"filter", filter.name}, {"enabled", step.enabled}, {"parameters", parameters}};
+}
+
+double valueFrom(const FilterDescriptor& filter, const ParameterDescriptor& parameter, const Json& json) {
+  const double value = json.is_boolean() ? (json.get<bool>() ? 1 : 0) : json.get<double>();
+  const Text wrong = checkValue(parameter, value);
+  if (!wrong.empty()) throw InputError(kAtPlace, filter.name, wrong);
+  return value;
 }
 
 PipelineStep stepFrom(const Json& json) {
@@ -53,14 +67,22 @@ PipelineStep stepFrom(const Json& json) {
   step.enabled = json.value("enabled", true);
   const Json parameters = json.value("parameters", Json::object());
   for (const auto& [key, value] : parameters.items()) {
+    if (filter->repeats > 0 && key == filter->groups) {
+      for (const Json& group : value)
+        for (const Json& each : group)
+          step.values.push_back(valueFrom(*filter, filter->parameterOf(step.values.size()), each));
+      if (!filter->takes(step.values.size()))
+        throw InputError(FOOTFALL_TEXT("%1: '%2' has %3 values; give a multiple of %4"), name, key, step.values.size(),
+                         filter->repeats);
+      continue;
+    }
     std::size_t index = 0;
-    while (index < filter->parameters.size() && filter->parameters[index].name != key) ++index;
-    if (index == filter->parameters.size()) {
+    const std::size_t once = filter->parameters.size() - filter->repeats;
+    while (index < once && filter->parameters[index].name != key) ++index;
+    if (index == once) {
       throw InputError(FOOTFALL_TEXT("%1 has no parameter '%2'; see 'footfall filters %1'"), name, key);
     }
-    step.values[index] = value.is_boolean() ? (value.get<bool>() ? 1 : 0) : value.get<double>();
-    const Text wrong = checkValue(filter->parameters[index], step.values[index]);
-    if (!wrong.empty()) throw InputError(kAtPlace, name, wrong);
+    step.values[index] = valueFrom(*filter, filter->parameters[index], value);
   }
   return step;
 }

@@ -29,6 +29,7 @@ ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<Fa
   checkHeight(state->kernel->mesh(), height,
               FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or check "
                             "the scale and the largest coordinates"));
+  result_->agentHeight = std::max(state->agentHeight, given);
   result_->kernel = kernelWithHeight(state->kernel, height);
   const PlanKernel& kernel = *result_->kernel;
   level_ = *kernel.levelOf(height);

@@ -183,6 +183,7 @@ StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& sou
   auto state = std::make_shared<WalkableState>();
   state->environment = earlier.environment;
   state->clearance = earlier.clearance;
+  state->agentHeight = earlier.agentHeight;
   state->removed.assign(order.size(), 0);
   state->walkable.resize(order.size());
   for (std::size_t t = 0; t < order.size(); ++t)

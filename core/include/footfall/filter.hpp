@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -40,6 +41,7 @@ enum class FilterType : std::uint8_t {
   VerticalClearance,
   Step,
   Radius,
+  Reachable,
   Area,
   Simplification,
   LayerSubdivision,
@@ -71,6 +73,21 @@ struct FilterDescriptor {
   std::vector<ParameterDescriptor> parameters;
   FilterKind kind = FilterKind::Filter;
   Scope scope = Scope::Local;
+  /// So many of the last parameters are a group that a step has any number of times, also not at all (ReachableFilter's
+  /// x y z); 0: each parameter stands once.
+  std::size_t repeats = 0;
+  std::string_view groups{};  ///< what the groups are called in JSON, e.g. "seeds"; empty where nothing repeats
+
+  /// What value `index` of a step means.
+  [[nodiscard]] const ParameterDescriptor& parameterOf(std::size_t index) const {
+    const std::size_t once = parameters.size() - repeats;
+    return parameters[index < once ? index : once + (index - once) % repeats];
+  }
+  /// Whether a step may have so many values.
+  [[nodiscard]] bool takes(std::size_t values) const {
+    const std::size_t once = parameters.size() - repeats;
+    return repeats == 0 ? values == once : values >= once && (values - once) % repeats == 0;
+  }
 };
 
 /// All filters, in the order in which users should see them.

@@ -66,6 +66,7 @@ enum class PlaceVerdict {
   TooLow,          ///< VerticalClearanceFilter
   RegionTooSmall,  ///< AreaFilter
   Moved,           ///< a filter that moves vertices left nothing here
+  Unreachable,     ///< ReachableFilter
 };
 
 /// A triangle above a place.

@@ -15,9 +15,12 @@ namespace footfall {
 /// A filter with its parameters.
 struct PipelineStep {
   const FilterDescriptor* filter = nullptr;
-  std::vector<double> values;  ///< one for each parameter of the descriptor; lengths in the environment's units
+  /// One for each parameter of the descriptor (FilterDescriptor::takes()); lengths in the environment's units, places
+  /// in the file's frame.
+  std::vector<double> values;
   bool enabled = true;         ///< the editor can switch a step off; in text a disabled step is a comment
   int line = 0;                ///< where it stood in a file, 1-based; 0 when it came from elsewhere
+  std::vector<int> columns{};  ///< of the values in that line, 1-based, for messages; may be empty or too short
   bool operator==(const PipelineStep& o) const {
     return filter == o.filter && values == o.values && enabled == o.enabled;
   }
@@ -42,7 +45,8 @@ std::string formatPipeline(const Pipeline& pipeline);
 /// One line of it, without its end.
 std::string formatStep(const PipelineStep& step);
 
-/// A step with default values, lengths and areas converted from metres to the environment's units.
+/// A step with default values, lengths and areas converted from metres to the environment's units; without any of the
+/// groups that repeat.
 PipelineStep defaultStep(const FilterDescriptor& filter, double metresPerUnit);
 
 /// Checks values against the descriptor; returns an empty text when valid, else what is wrong and what to do.

@@ -186,6 +186,10 @@ static void testPipelines(void) {
   CHECK_FAILS(footfall_check_pipeline("SlopeFilter 45\nNoFilter 2\n"), FOOTFALL_INPUT_ERROR, "pipeline:2:1:");
   CHECK_FAILS(footfall_check_pipeline("SlopeFilter 91"), FOOTFALL_INPUT_ERROR, "pipeline:1:13:");
   CHECK_FAILS(footfall_run(level, "SlopeFilter", NULL, NULL, 0, &result), FOOTFALL_INPUT_ERROR, "pipeline:1:");
+  CHECK_OK(footfall_check_pipeline("ReachableFilter 1 2 3 4 5 6"));
+  CHECK_FAILS(footfall_check_pipeline("ReachableFilter 1 2 3 4 5"), FOOTFALL_INPUT_ERROR, "pipeline:1:23:");
+  CHECK_FAILS(footfall_run(level, "ReachableFilter 2000 0 0", NULL, NULL, 0, &result), FOOTFALL_INPUT_ERROR,
+              "column 17: seed 1 at 2000 0 0 has no walkable place");
   footfall_agent climbs = kAgent;
   climbs.step = 0.25;
   CHECK_OK(footfall_pipeline_for(level, &climbs, &text));

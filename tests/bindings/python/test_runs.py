@@ -25,6 +25,17 @@ class Pipelines(unittest.TestCase):
         self.assertEqual(pickle.loads(pickle.dumps(steps)), steps)
         self.assertNotEqual(steps, footfall.Pipeline("SlopeFilter 41"))
 
+    def test_values_that_repeat(self):
+        pipeline = footfall.Pipeline([("ReachableFilter", 1, 1, 0, *np.array([2.5, 3, 0.5]))])
+        self.assertEqual(pipeline[0], ("ReachableFilter", 1.0, 1.0, 0.0, 2.5, 3.0, 0.5))
+        self.assertEqual(str(pipeline), "ReachableFilter 1 1 0 2.5 3 0.5\n")
+        reachable = next(f for f in footfall.filters() if f.name == "ReachableFilter")
+        self.assertEqual((reachable.repeats, [p.name for p in reachable.parameters]), (3, ["x", "y", "z"]))
+        with self.assertRaisesRegex(footfall.InputError, "^pipeline:1:23: .*values given: 4"):
+            footfall.Pipeline([("ReachableFilter", 1, 1, 0, 2)])
+        with self.assertRaisesRegex(footfall.InputError, "ReachableFilter has no seed"):
+            footfall.Pipeline(["ReachableFilter"])
+
     def test_numbers_and_truth_values(self):
         step = footfall.Pipeline([("SmartRecursiveStrategy", 50, 3, True), "Collapse"])[0]
         self.assertEqual(step[1:], (50, 3, True))
@@ -254,6 +265,20 @@ class Places(unittest.TestCase):
                 area.why((-5, 0, 0))
             with self.assertRaises(footfall.InputError):
                 area.why((1, 1, 0), triangle=len(level.triangles))
+
+
+    def test_what_cannot_be_reached_goes(self):
+        soup = scenes.together(scenes.floor(), scenes.floor(20, 0, 25, 10), scenes.floor(2, 2, 4, 4, 5))
+        level = footfall.Environment(*soup)
+        steps = ["VerticalClearanceFilter 2"]
+        self.assertEqual(footfall.run(level, steps).components().total_area, 154)
+        area = footfall.run(level, [*steps, ("ReachableFilter", 1, 1, 0)])
+        self.assertEqual(area.components().total_area, 100)
+        gone = area.why((22, 1, 0.5))
+        self.assertEqual((gone.verdict, gone.filter, gone.limit), ("unreachable", "ReachableFilter", 0.0))
+        self.assertIn("cannot be reached from the seeds", str(gone))
+        with self.assertRaisesRegex(footfall.InputError, "line 2, ReachableFilter: column 23: seed 2 at 15 1 0"):
+            footfall.run(level, [*steps, ("ReachableFilter", 1, 1, 0, 15, 1, 0)])
 
 
 class Comparisons(unittest.TestCase):

@@ -221,7 +221,7 @@ class TestUntranslated : public QObject {
     }
     for (QMenu* menu : window.findChildren<QMenu*>()) emit menu->aboutToShow();
     texts.insert(textsOf(window));
-    for (const char* tool : {"tools.path", "tools.measure", "inspect.why", "obstacle.box", "view.fly"}) {
+    for (const char* tool : {"tools.path", "tools.measure", "tools.seeds", "inspect.why", "obstacle.box", "view.fly"}) {
       window.commands().find(tool)->trigger();
       QTest::mouseClick(&window.view(), Qt::LeftButton, {}, window.view().rect().center());
       QTest::qWait(50);

@@ -294,6 +294,17 @@ class TestDocument : public QObject {
     QTest::newRow("out of range") << QByteArray(
         "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"SlopeFilter\", \"parameters\": {\"max_slope\": "
         "90}}]}");
+    QTest::newRow("half a seed") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"ReachableFilter\", \"parameters\": {\"seeds\": [[1, "
+        "2]]}}]}");
+    QTest::newRow("a seed without numbers") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"ReachableFilter\", \"parameters\": {\"seeds\": [[1, "
+        "2, "
+        "\"z\"]]}}]}");
+    QTest::newRow("no seeds") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"ReachableFilter\", \"parameters\": {\"seeds\": 3}}]}");
+    QTest::newRow("a coordinate") << QByteArray(
+        "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"ReachableFilter\", \"parameters\": {\"x\": 3}}]}");
     QTest::newRow("wrong type") << QByteArray("{\"footfall_session\": 1, \"pipeline\": 3}");
     QTest::newRow("bad scale") << QByteArray(
         "{\"footfall_session\": 1, \"import\": {\"metres_per_unit\": 0}, \"pipeline\": []}");

@@ -42,7 +42,9 @@ double arbitraryValue(const ParameterDescriptor& parameter) {
 
 PipelineStep arbitraryStep(const FilterDescriptor& filter) {
   PipelineStep step{&filter, {}, *rc::gen::arbitrary<bool>(), 0};
-  for (const ParameterDescriptor& parameter : filter.parameters) {
+  const std::size_t more = filter.repeats == 0 ? 0 : filter.repeats * *rc::gen::inRange<std::size_t>(0, 5);
+  for (std::size_t i = 0; i < filter.parameters.size() + more; ++i) {
+    const ParameterDescriptor& parameter = filter.parameterOf(i);
     const bool isDefault = *rc::gen::arbitrary<bool>();
     step.values.push_back(isDefault ? parameter.defaultValue : arbitraryValue(parameter));
   }
