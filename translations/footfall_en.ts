@@ -57,6 +57,13 @@
             <numerusform>It is the largest of %n obstacles on the easiest way.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other ways lack little more.</source>
+        <translation>
+            <numerusform>Another way lacks little more.</numerusform>
+            <numerusform>%n other ways lack little more.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::SkippedFeature</name>

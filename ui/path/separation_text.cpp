@@ -35,9 +35,7 @@ QString separationText(const Separation& separation, const LevelWriter& write) {
   if (count > 1)
     text += QLatin1Char(' ') + SeparationText::tr("It is the largest of %n obstacles on the easiest way.", "", count);
   const auto others = static_cast<int>(separation.others.size());
-  if (others > 0)
-    text += QLatin1Char(' ') + (others == 1 ? SeparationText::tr("Another way lacks little more.")
-                                            : SeparationText::tr("%n other ways lack little more.", "", others));
+  if (others > 0) text += QLatin1Char(' ') + SeparationText::tr("%n other ways lack little more.", "", others);
   return text;
 }
 

@@ -46,7 +46,7 @@ struct BorderLink {
   double headroom = 0;     ///< LinkKind::LowCeiling: the free height over the higher place
   bool isInterval = true;  ///< the borders face each other, and do not only meet in a point
   /// What the agent lacks here: the largest of the gap, of the height that is climbed beyond its step, and of the
-  /// height that a ceiling lacks. Of walls, and where two parts only touch: the larger of gap and rise. By
+  /// height that a ceiling lacks. Walls, and what only touches in a point, are told by `kind` and add nothing to it. By
   /// SeparationFinder.
   double excess = 0;
   /// What stands there: the riser of a step, the obstacle, the ceiling, the wall. Indices into
