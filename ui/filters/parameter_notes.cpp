@@ -33,7 +33,7 @@ void ParameterNotes::show() {
   for (const ParameterNote& note : checkParameters(*measures_, pipeline)) {
     if (!note.step) continue;
     isFine = false;
-    const QString text = tr("%1: %2").arg(labelOf(pipeline.steps[*note.step]), coreText(note.text));
+    const QString text = QStringLiteral("%1: %2").arg(labelOf(pipeline.steps[*note.step]), coreText(note.text));
     if (text == told_ || !messages_.text().isEmpty()) continue;
     told_ = text;
     messages_.showHint(text);
