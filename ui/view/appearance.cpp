@@ -26,6 +26,8 @@ bool inked(FillPattern pattern, double x, double y) {
       return wrap(x - y, 8) <= 2.5;
     case FillPattern::Dots:
       return std::hypot(wrap(x, 6) - 3, wrap(y, 6) - 3) <= 1.6;
+    case FillPattern::Grid:
+      return wrap(x, 8) <= 2 || wrap(y, 8) <= 2;
   }
   return false;
 }
@@ -74,7 +76,7 @@ QColor heatColour(double value) {
 }
 
 const RemovalStyle* removalStyle(FilterType filter) {
-  static const std::array<RemovalStyle, 3> kStyles = {{
+  static const std::array<RemovalStyle, 4> kStyles = {{
       {FilterType::Slope,
        QCoreApplication::translate("Legend", "Too steep"),
        {QColor(176, 150, 128), FillPattern::RisingStripes},
@@ -83,6 +85,10 @@ const RemovalStyle* removalStyle(FilterType filter) {
        QCoreApplication::translate("Legend", "Too little headroom"),
        {QColor(150, 138, 176), FillPattern::FallingStripes},
        {QColor(204, 121, 167), FillPattern::FallingStripes}},
+      {FilterType::Reachable,
+       QCoreApplication::translate("Legend", "Cannot be reached"),
+       {QColor(188, 180, 132), FillPattern::Grid},
+       {toColour(kYellow), FillPattern::Grid}},
       {FilterType::Area,
        QCoreApplication::translate("Legend", "Too small an area"),
        {QColor(146, 160, 168), FillPattern::Dots},

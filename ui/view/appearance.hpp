@@ -13,7 +13,7 @@ namespace footfall::ui {
 
 /// Drawn over a paint, so that what was removed differs from layers in more than colour. The numbers are those of
 /// shaders/surface.frag.
-enum class FillPattern : std::uint8_t { Plain = 0, RisingStripes = 1, FallingStripes = 2, Dots = 3 };
+enum class FillPattern : std::uint8_t { Plain = 0, RisingStripes = 1, FallingStripes = 2, Dots = 3, Grid = 4 };
 
 struct Paint {
   QColor colour;

@@ -6,6 +6,7 @@
 #include "tests/editor/editor_driver.hpp"
 #include "ui/filters/seed_edits.hpp"
 #include "ui/filters/seed_feature.hpp"
+#include "ui/view/legend.hpp"
 #include "ui/window/session.hpp"
 
 using namespace footfall;
@@ -48,6 +49,13 @@ class TestSeeds : public QObject {
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 64.0);
     QCOMPARE(seeds().size(), 1U);
+    // What it took away says why.
+    const auto* legend = window_->view().findChild<Legend*>();
+    QVERIFY(legend);
+    QTRY_VERIFY2(legendTexts(*legend).contains("Cannot be reached"), qPrintable(legendTexts(*legend).join("; ")));
+    const QColor island = colourInView(*window_, {7.5, 1.5, 0});
+    QVERIFY2(island.green() > island.blue() + 20 && island.red() + 20 > island.green(), qPrintable(island.name()));
+    shoot(*window_, "unreachable");
     // A little over the floor, on numbers of few digits.
     QVERIFY(std::fabs(seeds()[0].x + 2) < 0.05 && seeds()[0].z > 0 && seeds()[0].z < 0.01);
     QVERIFY(QString::number(seeds()[0].x, 'g', 17).size() < 9);
@@ -205,6 +213,11 @@ class TestSeeds : public QObject {
   }
 
  private:
+  static QStringList legendTexts(const QWidget& legend) {
+    QStringList texts;
+    for (const auto* label : legend.findChildren<QLabel*>()) texts << label->text();
+    return texts;
+  }
   void startTool() {
     window_->commands().find("tools.seeds")->trigger();
     window_->view().setFocus();
