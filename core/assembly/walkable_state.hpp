@@ -37,7 +37,7 @@ struct WalkableState {
   std::weak_ptr<const WalkableMesh> topologyOwner;
   /// The mesh's triangles may span several coplanar source triangles (SimplificationFilter).
   bool simplified = false;
-  /// Pieces that AreaFilter and ReachableFilter took away since the cuts were made: obstacles still, but no floor any more.
+  /// Pieces of regions that filters took away since the cuts were made: obstacles still, but no floor any more.
   std::shared_ptr<const WalkableMesh> dropped;
   /// How the last clearance filter made its mesh, which later runs reuse; null unless the run was asked to keep it.
   std::shared_ptr<const AssemblyMemory> memory;

@@ -104,7 +104,7 @@ class Document : public QObject {
 
 /// Values of lengths and areas that are defaults at one scale become the defaults of the other.
 Pipeline rescaleDefaults(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit);
-/// All lengths and areas stay the same in metres. Places (groups of values that repeat) stay where they are in the file.
+/// All lengths and areas stay the same in metres. Places (values that repeat) stay where they are in the file.
 Pipeline rescaleLengths(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit);
 
 }  // namespace footfall::ui
