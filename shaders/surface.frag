@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 flat in vec3 shade;
-flat in int pattern;  // ui/appearance.hpp: 0 plain, 1 rising stripes, 2 falling stripes, 3 dots, 4 grid
+flat in int pattern;  // ui/appearance.hpp: 0 plain, 1 rising stripes, 2 falling stripes, 3 dots, 4 grid,
+                      // 5 level stripes
 
 uniform float patternScale;  // device pixels a logical pixel
 uniform bool asBackground;   // what is there is not to be seen, nor what lies under it
@@ -29,7 +30,8 @@ void main() {
     if (pattern == 1) ink = step(mod(p.x - p.y, 8.0), 2.5);
     else if (pattern == 2) ink = step(mod(p.x + p.y, 8.0), 2.5);
     else if (pattern == 3) ink = step(distance(mod(p, 6.0), vec2(3.0)), 1.6);
-    else ink = max(step(mod(p.x, 8.0), 2.0), step(mod(p.y, 8.0), 2.0));
+    else if (pattern == 4) ink = max(step(mod(p.x, 8.0), 2.0), step(mod(p.y, 8.0), 2.0));
+    else ink = step(mod(p.y, 8.0), 2.5);
   }
   fragment = vec4(shade * (1.0 - 0.45 * ink), 1.0);
 }

@@ -329,7 +329,8 @@ typedef enum footfall_verdict {
   FOOTFALL_TOO_LOW = 6,          /* the clearance filter */
   FOOTFALL_REGION_TOO_SMALL = 7, /* the area filter */
   FOOTFALL_MOVED = 8,            /* a filter that moves vertices left nothing here */
-  FOOTFALL_UNREACHABLE = 9       /* the reachable filter */
+  FOOTFALL_UNREACHABLE = 9,      /* the reachable filter */
+  FOOTFALL_TOO_NEAR = 10         /* the radius filter */
 } footfall_verdict;
 
 #define FOOTFALL_NONE UINT32_MAX

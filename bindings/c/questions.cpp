@@ -25,7 +25,7 @@ void copyTo(const Vec3& from, double (&to)[3]) {
 static_assert(static_cast<int>(PathStatus::NotConnected) == FOOTFALL_PATH_NOT_CONNECTED &&
               static_cast<int>(LinkKind::Touch) == FOOTFALL_LINK_TOUCH &&
               static_cast<int>(PlaceVerdict::TooSteep) == FOOTFALL_TOO_STEEP &&
-              static_cast<int>(PlaceVerdict::Unreachable) == FOOTFALL_UNREACHABLE);
+              static_cast<int>(PlaceVerdict::TooNear) == FOOTFALL_TOO_NEAR);
 
 footfall_explanation explanationOf(const PlaceExplanation& found) {
   footfall_explanation result{};

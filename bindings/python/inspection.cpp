@@ -102,8 +102,8 @@ void bindExplanation(py::module_& module) {
       .def_property_readonly(
           "verdict", [](const Explanation& e) { return verdictWord(e.answer.verdict); },
           R"("walkable", or what it is instead: "no_area" (the triangle is degenerate), "vertical", "faces_down",
-"obstacle_only", "too_steep", "too_low" (under something), "region_too_small", "unreachable" (from the seeds), or
-"moved" (a filter that moves vertices left nothing here).)")
+"obstacle_only", "too_steep", "too_low" (under something), "region_too_small", "unreachable" (from the seeds),
+"too_near" (a border), or "moved" (a filter that moves vertices left nothing here).)")
       .def_property_readonly(
           "filter", [](const Explanation& e) { return e.filter; },
           "The name of the filter that rejected it; None where none did.")

@@ -63,6 +63,7 @@ PlaceVerdict verdictOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Slope) return PlaceVerdict::TooSteep;
   if (filter.type == FilterType::VerticalClearance) return PlaceVerdict::TooLow;
   if (filter.type == FilterType::Area) return PlaceVerdict::RegionTooSmall;
+  if (filter.type == FilterType::Radius) return PlaceVerdict::TooNear;
   if (filter.type == FilterType::Reachable) return PlaceVerdict::Unreachable;
   return PlaceVerdict::Moved;
 }

@@ -63,8 +63,14 @@ void appendLines(std::string& text, const char* group, const std::vector<std::ar
 void appendSteps(std::string& text, const std::vector<StepLink>& links) {
   if (links.empty()) return;
   text += "g steps\n";
-  for (const StepLink& link : links)
-    appendElement(text, 'f', std::array{link.from[0], link.from[1], link.to[0], link.to[1]});
+  for (const auto& [from, to, fromTriangle, toTriangle, height] : links) {
+    if (from[1] == to[0])
+      appendElement(text, 'f', std::array{from[0], from[1], to[1]});
+    else if (to[1] == from[0])
+      appendElement(text, 'f', std::array{from[0], from[1], to[0]});
+    else
+      appendElement(text, 'f', std::array{from[0], from[1], to[0], to[1]});
+  }
 }
 
 /// A name that every reader takes for one word.

@@ -186,12 +186,12 @@ void addLayers(GltfMaker& maker, const NavigationMesh& mesh, bool byLayers) {
     maker.add("layer_" + std::to_string(i), layerColour(i), mesh.vertices, layers[i]);
 }
 
-/// Two for each; without area where the borders are equally high.
+/// Two for each, or one where both borders end in one vertex; without area where the borders are equally high.
 std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links) {
   std::vector<Triangle> triangles;
   for (const StepLink& link : links) {
-    triangles.push_back({link.from[0], link.from[1], link.to[0]});
-    triangles.push_back({link.from[0], link.to[0], link.to[1]});
+    if (link.from[1] != link.to[0]) triangles.push_back({link.from[0], link.from[1], link.to[0]});
+    if (link.from[0] != link.to[1]) triangles.push_back({link.from[0], link.to[0], link.to[1]});
   }
   return triangles;
 }

@@ -143,41 +143,54 @@ void dropExtras(ObjGroups& groups, Environment& soup, const StatedContent& state
   groups.groups.erase(first, groups.groups.end());
 }
 
+/// The corners of a face of the group of steps; the last one is kNone for a triangle.
+using StepFace = std::array<std::uint32_t, 4>;
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
 /// Takes the group of steps out of the text of an export, as its faces are no area. Corners that are no numbers, or too
 /// large, make no link; the counts tell.
-std::vector<StepLink> takeSteps(std::string& text) {
+std::vector<StepFace> takeSteps(std::string& text) {
   constexpr std::string_view kGroup = "\ng steps\n";
-  std::vector<StepLink> links;
+  std::vector<StepFace> faces;
   const std::size_t group = text.find(kGroup);
-  if (group == std::string::npos) return links;
+  if (group == std::string::npos) return faces;
   const std::size_t first = group + kGroup.size();
   std::size_t at = first;
   while (text.compare(at, 2, "f ") == 0) {
     const std::size_t stop = std::min(text.find('\n', at), text.size());
-    std::array<std::uint32_t, 4> corners{};
+    StepFace corners{kNone, kNone, kNone, kNone};
     const char* next = text.data() + at + 1;
-    bool isRead = true;
-    for (std::uint32_t& corner : corners) {
+    std::size_t read = 0;
+    for (; read < corners.size(); ++read) {
       while (next < text.data() + stop && *next == ' ') ++next;
-      const auto [end, error] = std::from_chars(next, text.data() + stop, corner);
-      isRead = isRead && error == std::errc() && corner > 0;
+      std::uint32_t number = 0;
+      const auto [end, error] = std::from_chars(next, text.data() + stop, number);
+      if (error != std::errc() || number == 0) break;
+      corners[read] = number - 1;
       next = end;
     }
-    if (isRead) links.push_back({{corners[0] - 1, corners[1] - 1}, {corners[2] - 1, corners[3] - 1}, 0, 0, 0});
+    if (read >= 3) faces.push_back(corners);
     at = std::min(stop + 1, text.size());
   }
   text.erase(group + 1, at - group - 1);
-  return links;
+  return faces;
 }
 
 /// The triangles whose edges they are, and how high they are. Those without are left out.
-void completeSteps(std::vector<StepLink> links, NavigationMesh& mesh) {
-  if (links.empty()) return;
+void completeSteps(const std::vector<StepFace>& faces, NavigationMesh& mesh) {
+  if (faces.empty()) return;
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> triangleAt;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       triangleAt.try_emplace({mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}, t);
-  for (StepLink& link : links) {
+  for (const auto& [a, b, c, d] : faces) {
+    if (std::max({a, b, c}) >= mesh.vertices.size() || (d != kNone && d >= mesh.vertices.size())) continue;
+    StepLink link{{a, b}, {c, d}};
+    if (d ==
+        kNone) {  // both borders end in one vertex, at the end where the third corner does not lie over the first two
+      const Vec3 &first = mesh.vertices[a], &third = mesh.vertices[c];
+      link.to = first.x == third.x && first.y == third.y ? std::array{b, c} : std::array{c, a};
+    }
     const auto from = triangleAt.find(link.from), to = triangleAt.find(link.to);
     if (from == triangleAt.end() || to == triangleAt.end()) continue;
     link.fromTriangle = from->second;
@@ -223,7 +236,7 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
                                       RunContext* context) {
   std::string text = readInputFile(path, context);
   const StatedContent stated = readComments(text);
-  std::vector<StepLink> steps;
+  std::vector<StepFace> steps;
   if (stated.isExport) steps = takeSteps(text);
   Environment soup;
   ObjGroups groups;
@@ -241,7 +254,7 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   file.mesh.triangles = std::move(soup.triangles);
   takeGroups(groups, file);
   for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
-  completeSteps(std::move(steps), file.mesh);
+  completeSteps(steps, file.mesh);
   checkContent(file, stated);
   file.mesh.frame = {path, file.up, file.metresPerUnit.value_or(1)};
   return file;

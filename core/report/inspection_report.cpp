@@ -70,6 +70,8 @@ std::string verdictText(const Inspector& inspector, const PlaceExplanation& told
       return "not walkable: the filter moved vertices, and no triangle is here any more";
     case PlaceVerdict::Unreachable:
       return "not walkable: it cannot be reached from the seeds";
+    case PlaceVerdict::TooNear:
+      return "not walkable: a border is nearer than the radius of " + number(told.limit);
   }
   return {};
 }
@@ -104,6 +106,8 @@ std::string_view verdictWord(PlaceVerdict verdict) {
       return "moved";
     case PlaceVerdict::Unreachable:
       return "unreachable";
+    case PlaceVerdict::TooNear:
+      return "too_near";
   }
   return {};
 }

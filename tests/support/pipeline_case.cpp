@@ -192,7 +192,7 @@ std::vector<std::string> chooseSameSetFilters(Dice& dice, double slope, double c
 std::vector<std::string> chooseAnyFilters(Dice& dice, double scale) {
   std::vector<std::string> filters;
   for (int count = 1 + dice.below(7); count > 0; --count) {
-    switch (dice.below(8)) {
+    switch (dice.below(9)) {
       case 0:
         filters.emplace_back("DegeneracyFilter");
         break;
@@ -214,6 +214,9 @@ std::vector<std::string> chooseAnyFilters(Dice& dice, double scale) {
         break;
       case 6:
         filters.emplace_back("LayerSubdivisionFilter");
+        break;
+      case 7:
+        filters.push_back(filter("RadiusFilter", scale * dice.oneOf({0.0, 0.1, 0.35, 2.0})));
         break;
       default:
         filters.push_back(dice.oneOf({"RoundingFilter", "RoundingFilter false"}));

@@ -42,6 +42,8 @@ QString WhyText::headline(const PlaceExplanation& told) {
       return tr("Not walkable: merged away");
     case PlaceVerdict::Unreachable:
       return tr("Not walkable: unreachable");
+    case PlaceVerdict::TooNear:
+      return tr("Not walkable: too near a border");
   }
   return {};
 }
@@ -108,6 +110,9 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
       break;
     case PlaceVerdict::Unreachable:
       text = tr("It cannot be reached from the seeds.");
+      break;
+    case PlaceVerdict::TooNear:
+      text = tr("A wall, a drop or another border is nearer than the radius of %1.").arg(units.length(told.limit));
       break;
   }
   if (told.floor)

@@ -28,6 +28,8 @@ bool inked(FillPattern pattern, double x, double y) {
       return std::hypot(wrap(x, 6) - 3, wrap(y, 6) - 3) <= 1.6;
     case FillPattern::Grid:
       return wrap(x, 8) <= 2 || wrap(y, 8) <= 2;
+    case FillPattern::LevelStripes:
+      return wrap(y, 8) <= 2.5;
   }
   return false;
 }
@@ -76,7 +78,7 @@ QColor heatColour(double value) {
 }
 
 const RemovalStyle* removalStyle(FilterType filter) {
-  static const std::array<RemovalStyle, 4> kStyles = {{
+  static const std::array<RemovalStyle, 5> kStyles = {{
       {FilterType::Slope,
        QCoreApplication::translate("Legend", "Too steep"),
        {QColor(176, 150, 128), FillPattern::RisingStripes},
@@ -85,6 +87,10 @@ const RemovalStyle* removalStyle(FilterType filter) {
        QCoreApplication::translate("Legend", "Too little headroom"),
        {QColor(150, 138, 176), FillPattern::FallingStripes},
        {QColor(204, 121, 167), FillPattern::FallingStripes}},
+      {FilterType::Radius,
+       QCoreApplication::translate("Legend", "Too near a border"),
+       {QColor(140, 172, 150), FillPattern::LevelStripes},
+       {QColor(0, 158, 115), FillPattern::LevelStripes}},
       {FilterType::Reachable,
        QCoreApplication::translate("Legend", "Cannot be reached"),
        {QColor(188, 180, 132), FillPattern::Grid},

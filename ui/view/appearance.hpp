@@ -13,7 +13,14 @@ namespace footfall::ui {
 
 /// Drawn over a paint, so that what was removed differs from layers in more than colour. The numbers are those of
 /// shaders/surface.frag.
-enum class FillPattern : std::uint8_t { Plain = 0, RisingStripes = 1, FallingStripes = 2, Dots = 3, Grid = 4 };
+enum class FillPattern : std::uint8_t {
+  Plain = 0,
+  RisingStripes = 1,
+  FallingStripes = 2,
+  Dots = 3,
+  Grid = 4,
+  LevelStripes = 5
+};
 
 struct Paint {
   QColor colour;

@@ -67,6 +67,7 @@ enum class PlaceVerdict {
   RegionTooSmall,  ///< AreaFilter
   Moved,           ///< a filter that moves vertices left nothing here
   Unreachable,     ///< ReachableFilter
+  TooNear,         ///< RadiusFilter
 };
 
 /// A triangle above a place.

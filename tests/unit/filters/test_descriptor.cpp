@@ -44,7 +44,7 @@ void TestDescriptor::namesAreUniqueAndFound() {
     std::set<std::string_view> parameters;
     for (const ParameterDescriptor& parameter : filter.parameters) QVERIFY(parameters.insert(parameter.name).second);
   }
-  QCOMPARE(filterDescriptors().size(), std::size_t{16});
+  QCOMPARE(filterDescriptors().size(), std::size_t{17});
   QVERIFY(findFilter("slopefilter") == nullptr);
   QVERIFY(findFilter("") == nullptr);
 }
@@ -89,6 +89,7 @@ void TestDescriptor::scopesFollowTheDesign_data() {
   QTest::newRow("RoundingFilter") << true << true;
   QTest::newRow("DuplicationFilter") << false << true;
   QTest::newRow("StepFilter") << false << true;
+  QTest::newRow("RadiusFilter") << false << true;
   QTest::newRow("ReachableFilter") << false << true;
   QTest::newRow("AreaFilter") << false << true;
   QTest::newRow("SimplificationFilter") << false << true;

@@ -9,6 +9,7 @@
 #include "core/assembly/walkable_state.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run.hpp"
@@ -207,6 +208,16 @@ class TestRadiusFilter : public QObject {
       QVERIFY2(std::fabs(area(narrowed(room, 1, minimalPipeline(2) + "\n" + before)) - once) < 1e-9, before);
     // Again: the second one moves the border of the first.
     QVERIFY(std::fabs(area(narrowed(Soup().floor(0, 0, 10, 10, 0), 1, radius(1) + radius(1))) - 16) < 1e-10);
+  }
+
+  void saysWhy() {
+    RunContext context;
+    const auto environment = Soup().floor(0, 0, 10, 10, 0).environment();
+    const Pipeline pipeline = parsePipeline(minimalPipeline(2) + "\n" + radius(1) + "AreaFilter 1\n", "p");
+    const Inspector inspector(environment, pipeline, runPipeline(environment, pipeline, context).mesh);
+    const PlaceExplanation near = inspector.explain(*inspector.placeBelow({0.5, 5, 0.1}));
+    QVERIFY(near.verdict == PlaceVerdict::TooNear && near.limit == 1 && near.step == std::size_t{2});
+    QVERIFY(inspector.explain(*inspector.placeBelow({5, 5, 0.1})).verdict == PlaceVerdict::Walkable);
   }
 
   void wrongNumbers_data() {

@@ -185,6 +185,28 @@ class TestStepFilter : public QObject {
     QVERIFY(readNavigationMesh(path).mesh.links.empty());
   }
 
+  void aLinkThatEndsInOneVertexIsATriangle() {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.obj").toStdString();
+    // Beside a ramp: the border of the lower floor leaves the ramp's where they are equally high.
+    const Soup soup = Soup().floor(0, 0, 4, 2, 0).quad({0, 2, 0}, {4, 2, 0.25}, {4, 4, 0.25}, {0, 4, 0});
+    const NavigationMesh mesh = linked(soup, 2, 0.5);
+    QCOMPARE(mesh.links.size(), std::size_t{1});
+    const StepLink& link = mesh.links[0];
+    QVERIFY(link.from[0] == link.to[1] || link.from[1] == link.to[0]);
+    save(mesh, path);
+    QFile file(QString::fromStdString(path));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(file.readAll());
+    const QStringList face = text.section("g steps\n", 1).section('\n', 0, 0).split(' ');
+    QCOMPARE(face.size(), 4);  // "f" and three corners
+    const NavigationMesh read = readNavigationMesh(path).mesh;
+    QCOMPARE(read.links.size(), std::size_t{1});
+    QCOMPARE(read.links[0].from, link.from);
+    QCOMPARE(read.links[0].to, link.to);
+    QCOMPARE(read.links[0].height, 0.25);
+  }
+
   void pipelinesThatCannotBe_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("expected");
