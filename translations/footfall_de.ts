@@ -1047,6 +1047,90 @@
         <source>StepFilter asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
         <translation>StepFilter fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; stellen Sie einen VerticalClearanceFilter davor</translation>
     </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number (%1)</source>
+        <translation>eine Zahl (%1)</translation>
+    </message>
+    <message>
+        <source>a radius so small is lost beside the largest coordinates; give at least %1, or check the scale and the largest coordinates</source>
+        <translation>ein so kleiner Radius geht neben den größten Koordinaten unter; geben Sie mindestens %1 an, oder prüfen Sie Maßstab und größte Koordinaten</translation>
+    </message>
+    <message>
+        <source>nothing is left: no place is so far from all borders</source>
+        <translation>nichts ist übrig: keine Stelle ist so weit von allen Rändern weg</translation>
+    </message>
+    <message>
+        <source>seed %1 at %2 %3 %4</source>
+        <translation>Startpunkt %1 bei %2 %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 has no walkable place under it; move it over one, or remove it</source>
+        <translation>unter %1 ist keine begehbare Stelle; verschieben Sie ihn über eine oder entfernen Sie ihn</translation>
+    </message>
+    <message>
+        <source>%1 is %2 above the next walkable place, more than the clearance of %3; move it nearer to a walkable place, or remove it</source>
+        <translation>%1 liegt %2 über der nächsten begehbaren Stelle, mehr als die Durchgangshöhe von %3; verschieben Sie ihn näher zu einer begehbaren Stelle oder entfernen Sie ihn</translation>
+    </message>
+    <message>
+        <source>most risers here are %1 high, a little more than the step, and are not climbed; give %2</source>
+        <translation>die meisten Setzstufen sind hier %1 hoch, ein wenig mehr als die Stufe, und werden nicht gestiegen; geben Sie %2 an</translation>
+    </message>
+    <message>
+        <source>most risers here are %1 high, as the step is, and roundings make %2 of %3 a little higher, which are not climbed; give %4</source>
+        <translation>die meisten Setzstufen sind hier %1 hoch wie die Stufe, und Rundungen machen %2 von %3 ein wenig höher, die nicht gestiegen werden; geben Sie %4 an</translation>
+    </message>
+    <message>
+        <source>the scale is a guess that makes the level %1 m high; give the metres of a unit, perhaps %2</source>
+        <translation>der Maßstab ist eine Annahme, nach der das Level %1 m hoch ist; geben Sie die Meter je Einheit an, vielleicht %2</translation>
+    </message>
+    <message>
+        <source>the scale is a guess that makes the level %1 m long; give the metres of a unit, perhaps %2</source>
+        <translation>der Maßstab ist eine Annahme, nach der das Level %1 m lang ist; geben Sie die Meter je Einheit an, vielleicht %2</translation>
+    </message>
+    <message>
+        <source>agents are %1 high, and the whole level is no larger than %2; check the scale</source>
+        <translation>Agenten sind %1 hoch, und das ganze Level ist nicht größer als %2; prüfen Sie den Maßstab</translation>
+    </message>
+    <message>
+        <source>%1, %2 too low</source>
+        <translation>%1, %2 zu niedrig</translation>
+    </message>
+    <message>
+        <source>%1, %2 too high</source>
+        <translation>%1, %2 zu hoch</translation>
+    </message>
+    <message>
+        <source>%1; low enough, but StepFilter does not link it</source>
+        <translation>%1; niedrig genug, aber StepFilter verbindet sie nicht</translation>
+    </message>
+    <message>
+        <source>%1 has no seed; give the coordinates of a walkable place, or click one in the editor</source>
+        <translation>%1 hat keinen Startpunkt; geben Sie die Koordinaten einer begehbaren Stelle an oder klicken Sie im Editor auf eine</translation>
+    </message>
+    <message>
+        <source>%1 takes &quot;%2&quot;; values given: %3; give a multiple of %4</source>
+        <translation>%1 nimmt „%2“; gegebene Werte: %3; geben Sie ein Vielfaches von %4 an</translation>
+    </message>
+    <message>
+        <source>%1: values given: %2; give a multiple of %3</source>
+        <translation>%1: gegebene Werte: %2; geben Sie ein Vielfaches von %3 an</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>Spalte %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; has %3 values; give a multiple of %4</source>
+        <translation>%1: „%2“ hat %3 Werte; geben Sie ein Vielfaches von %4 an</translation>
+    </message>
+    <message>
+        <source>agents: the step of &apos;%1&apos; is below 0; give 0 or more</source>
+        <translation>Agenten: die Stufe von „%1“ ist kleiner als 0; geben Sie 0 oder mehr an</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>
@@ -1346,6 +1430,118 @@
         <source>How high an agent climbs at once. A step of exactly this height is climbed.</source>
         <translation>Wie hoch ein Agent auf einmal steigt. Eine Stufe von genau dieser Höhe wird gestiegen.</translation>
     </message>
+    <message>
+        <source>thesis 3.2, filter 2</source>
+        <translation>Dissertation 3.2, Filter 2</translation>
+    </message>
+    <message>
+        <source>thesis 3.2, filter 1; cases 2 to 4 and algorithm 3 of 4.4.2</source>
+        <translation>Dissertation 3.2, Filter 1; Fälle 2 bis 4 und Algorithmus 3 von 4.4.2</translation>
+    </message>
+    <message>
+        <source>thesis 3.2, filter 3</source>
+        <translation>Dissertation 3.2, Filter 3</translation>
+    </message>
+    <message>
+        <source>thesis 3.2, filter 4; obstacle edges: 4.4.2, algorithm 3</source>
+        <translation>Dissertation 3.2, Filter 4; Hinderniskanten: 4.4.2, Algorithmus 3</translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <translation>eigenes Verfahren</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the world. Distances are those of a straight walk, seen from above; steps are no border.</source>
+        <translation>Entfernt, was für einen Agenten mit einem Körper zu nah am Rand der begehbaren Fläche ist: an Wänden, an Kanten, von denen er fallen könnte, und an den Enden der Welt. Abstände sind die eines geraden Weges, von oben gesehen; Stufen sind kein Rand.</translation>
+    </message>
+    <message>
+        <source>No walkable place is nearer to a border than the radius, and none that is farther than 1.01 times the radius is removed. Straight borders move by the radius, rounded outwards; round corners are polygons.</source>
+        <translation>Keine begehbare Stelle ist näher an einem Rand als der Radius, und keine, die weiter weg ist als das 1,01-Fache des Radius, entfällt. Gerade Ränder rücken um den Radius, nach außen gerundet; runde Ecken sind Vielecke.</translation>
+    </message>
+    <message>
+        <source>How far an agent&apos;s middle stays away from borders; 0 removes nothing.</source>
+        <translation>Wie weit die Mitte eines Agenten von Rändern wegbleibt; 0 entfernt nichts.</translation>
+    </message>
+    <message>
+        <source>Reachable</source>
+        <translation>Erreichbar</translation>
+    </message>
+    <message>
+        <source>Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps; roofs, islands and the insides of solids go. Put it behind a StepFilter, where there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. On an edge or a corner it means all that meets there. What is removed stays an obstacle.</source>
+        <translation>Behält, was von gegebenen Stellen, den Startpunkten, aus erreicht werden kann. Wege führen über gemeinsame Kanten und Stufen; Dächer, Inseln und das Innere von Körpern entfallen. Gehört hinter einen StepFilter, wo es einen gibt. Ein Startpunkt meint die höchste begehbare Stelle an oder unter ihm, höchstens um die Durchgangshöhe tiefer; vor jedem VerticalClearanceFilter beliebig viel tiefer. Auf einer Kante oder Ecke meint er alles, was dort zusammentrifft. Was entfällt, bleibt ein Hindernis.</translation>
+    </message>
+    <message>
+        <source>Each seed has a walkable place under it.</source>
+        <translation>Unter jedem Startpunkt liegt eine begehbare Stelle.</translation>
+    </message>
+    <message>
+        <source>Every walkable region holds a seed.</source>
+        <translation>Jeder begehbare Bereich enthält einen Startpunkt.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>The first coordinate of a seed, as in the environment&apos;s file.</source>
+        <translation>Die erste Koordinate eines Startpunkts, wie in der Datei der Umgebung.</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>The second coordinate of a seed, as in the environment&apos;s file.</source>
+        <translation>Die zweite Koordinate eines Startpunkts, wie in der Datei der Umgebung.</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>The third coordinate of a seed, as in the environment&apos;s file.</source>
+        <translation>Die dritte Koordinate eines Startpunkts, wie in der Datei der Umgebung.</translation>
+    </message>
+    <message>
+        <source>thesis 3.2, filter 5</source>
+        <translation>Dissertation 3.2, Filter 5</translation>
+    </message>
+    <message>
+        <source>thesis 3.2, filter 6; approximate form: 5.1.2</source>
+        <translation>Dissertation 3.2, Filter 6; näherungsweise Form: 5.1.2</translation>
+    </message>
+    <message>
+        <source>thesis 3.2, filter 7; Hillebrand et al. 2016</source>
+        <translation>Dissertation 3.2, Filter 7; Hillebrand et al. 2016</translation>
+    </message>
+    <message>
+        <source>thesis 4.4.2, cases 1 to 5</source>
+        <translation>Dissertation 4.4.2, Fälle 1 bis 5</translation>
+    </message>
+    <message>
+        <source>thesis 4.3.1</source>
+        <translation>Dissertation 4.3.1</translation>
+    </message>
+    <message>
+        <source>thesis 4.3.2</source>
+        <translation>Dissertation 4.3.2</translation>
+    </message>
+    <message>
+        <source>thesis 4.3.3</source>
+        <translation>Dissertation 4.3.3</translation>
+    </message>
+    <message>
+        <source>ours; thesis 6.1, first item of future work</source>
+        <translation>eigenes Verfahren; Dissertation 6.1, erster Punkt des Ausblicks</translation>
+    </message>
+    <message>
+        <source>thesis 4.1, 5.1.1</source>
+        <translation>Dissertation 4.1, 5.1.1</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -1360,6 +1556,14 @@
     <message>
         <source>Too small an area</source>
         <translation>Zu kleine Fläche</translation>
+    </message>
+    <message>
+        <source>Too near a border</source>
+        <translation>Zu nah an einem Rand</translation>
+    </message>
+    <message>
+        <source>Cannot be reached</source>
+        <translation>Nicht erreichbar</translation>
     </message>
 </context>
 <context>
@@ -1543,6 +1747,22 @@
         <source>%1, below triangle %2</source>
         <translation>%1, unter Dreieck %2</translation>
     </message>
+    <message>
+        <source>Not walkable: unreachable</source>
+        <translation>Nicht begehbar: unerreichbar</translation>
+    </message>
+    <message>
+        <source>Not walkable: too near a border</source>
+        <translation>Nicht begehbar: zu nah an einem Rand</translation>
+    </message>
+    <message>
+        <source>It cannot be reached from the seeds.</source>
+        <translation>Es kann von den Startpunkten aus nicht erreicht werden.</translation>
+    </message>
+    <message>
+        <source>A wall, a drop or another border is nearer than the radius of %1.</source>
+        <translation>Eine Wand, ein Absturz oder ein anderer Rand ist näher als der Radius von %1.</translation>
+    </message>
 </context>
 <context>
     <name>WhyTool</name>
@@ -1594,48 +1814,24 @@
         <translation>Mensch</translation>
     </message>
     <message>
-        <source>2 m, stairs and slopes up to 45°</source>
-        <translation>2 m, Treppen und Neigungen bis 45°</translation>
-    </message>
-    <message>
         <source>Child</source>
         <translation>Kind</translation>
-    </message>
-    <message>
-        <source>1.2 m, stairs and slopes up to 45°</source>
-        <translation>1,2 m, Treppen und Neigungen bis 45°</translation>
     </message>
     <message>
         <source>Wheelchair</source>
         <translation>Rollstuhl</translation>
     </message>
     <message>
-        <source>1.5 m, slopes up to 5°: ramps of 1 in 12 are 4.76°</source>
-        <translation>1,5 m, Neigungen bis 5°: Rampen von 1 zu 12 haben 4,76°</translation>
-    </message>
-    <message>
         <source>Cart</source>
         <translation>Wagen</translation>
-    </message>
-    <message>
-        <source>1.2 m, slopes up to 10°</source>
-        <translation>1,2 m, Neigungen bis 10°</translation>
     </message>
     <message>
         <source>Giant</source>
         <translation>Riese</translation>
     </message>
     <message>
-        <source>4 m, slopes up to 45°</source>
-        <translation>4 m, Neigungen bis 45°</translation>
-    </message>
-    <message>
         <source>Crawler</source>
         <translation>Kriecher</translation>
-    </message>
-    <message>
-        <source>0.5 m, slopes up to 60°</source>
-        <translation>0,5 m, Neigungen bis 60°</translation>
     </message>
     <message>
         <source>Thread</source>
@@ -1909,6 +2105,70 @@
         <source>Open sample %1</source>
         <translation>Beispiel %1 öffnen</translation>
     </message>
+    <message>
+        <source>Change step of %1 %2 → %3</source>
+        <translation>Stufe von %1 ändern %2 → %3</translation>
+    </message>
+    <message>
+        <source>2 m, slopes up to 45°, stairs: risers up to 0.22 m</source>
+        <translation>2 m, Neigungen bis 45°, Treppen: Steigungen bis 0,22 m</translation>
+    </message>
+    <message>
+        <source>1.2 m, slopes up to 45°, stairs: risers up to 0.22 m</source>
+        <translation>1,2 m, Neigungen bis 45°, Treppen: Steigungen bis 0,22 m</translation>
+    </message>
+    <message>
+        <source>1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds up to 0.013 m</source>
+        <translation>1,5 m, Neigungen bis 5° (Rampen von 1 zu 12 haben 4,76°), Schwellen bis 0,013 m</translation>
+    </message>
+    <message>
+        <source>1.2 m, slopes up to 10°, thresholds up to 0.013 m</source>
+        <translation>1,2 m, Neigungen bis 10°, Schwellen bis 0,013 m</translation>
+    </message>
+    <message>
+        <source>4 m, slopes up to 45°, steps up to 0.8 m</source>
+        <translation>4 m, Neigungen bis 45°, Stufen bis 0,8 m</translation>
+    </message>
+    <message>
+        <source>0.5 m, slopes up to 60°, steps up to 0.1 m</source>
+        <translation>0,5 m, Neigungen bis 60°, Stufen bis 0,1 m</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m</source>
+        <translation>Ein Roboter auf vier Beinen: 0,84 m, Neigungen bis 30°, Stufen bis 0,3 m</translation>
+    </message>
+    <message>
+        <source>Unity&apos;s default: 2 m, slopes up to 45°, steps up to 0.75 m</source>
+        <translation>Vorgabe von Unity: 2 m, Neigungen bis 45°, Stufen bis 0,75 m</translation>
+    </message>
+    <message>
+        <source>Unreal&apos;s default: 1.44 m, slopes up to 44°, steps up to 0.35 m</source>
+        <translation>Vorgabe von Unreal: 1,44 m, Neigungen bis 44°, Stufen bis 0,35 m</translation>
+    </message>
+    <message>
+        <source>Godot&apos;s default: 1.5 m, slopes up to 45°, steps up to 0.25 m</source>
+        <translation>Vorgabe von Godot: 1,5 m, Neigungen bis 45°, Stufen bis 0,25 m</translation>
+    </message>
+    <message>
+        <source>The default of Recast&apos;s demo: 2 m, slopes up to 45°, steps up to 0.9 m</source>
+        <translation>Vorgabe der Demo von Recast: 2 m, Neigungen bis 45°, Stufen bis 0,9 m</translation>
+    </message>
+    <message>
+        <source>Place seed %1</source>
+        <translation>Startpunkt %1 setzen</translation>
+    </message>
+    <message>
+        <source>Move seed %1</source>
+        <translation>Startpunkt %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Remove seed %1</source>
+        <translation>Startpunkt %1 entfernen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::AgentModel</name>
@@ -1996,6 +2256,14 @@
         <source>&apos;%1&apos; is not a number; write for example %2</source>
         <translation>„%1“ ist keine Zahl; schreiben Sie zum Beispiel %2</translation>
     </message>
+    <message>
+        <source>Step (%1)</source>
+        <translation>Stufe (%1)</translation>
+    </message>
+    <message>
+        <source>How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no filter for steps</source>
+        <translation>Wie hoch der Agent auf einmal steigt, auf Treppen und Bordsteinen: die Stufe der Filter. Mit 0 gibt es keinen Filter für Stufen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::AgentsPanel</name>
@@ -2006,10 +2274,6 @@
     <message>
         <source>Add filters</source>
         <translation>Filter hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add the filters that the agents drive, before all others</source>
-        <translation>Die Filter hinzufügen, die die Agenten bestimmen, vor allen anderen</translation>
     </message>
     <message>
         <source>Add</source>
@@ -2076,10 +2340,6 @@
         <translation>Wie die &amp;Filter sind</translation>
     </message>
     <message>
-        <source>An agent is a height and a slope that the filters follow. Add one to compare what each can reach.</source>
-        <translation>Ein Agent ist eine Höhe und eine Neigung, denen die Filter folgen. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
-    </message>
-    <message>
         <source>No filter &apos;%1&apos; is on: that size of the agents has no effect.</source>
         <translation>Kein Filter „%1“ ist an: Dieses Maß der Agenten wirkt nicht.</translation>
     </message>
@@ -2095,6 +2355,14 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Add the filters that the agents drive, before all others; steps behind the clearance</source>
+        <translation>Die Filter hinzufügen, die die Agenten bestimmen, vor allen anderen; Stufen hinter der Durchgangshöhe</translation>
+    </message>
+    <message>
+        <source>An agent is a height, a slope and a step that the filters follow. Add one to compare what each can reach.</source>
+        <translation>Ein Agent ist eine Höhe, eine Neigung und eine Stufe, denen die Filter folgen. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
     </message>
 </context>
 <context>
@@ -3634,6 +3902,10 @@
         <source>Source</source>
         <translation>Quelle</translation>
     </message>
+    <message>
+        <source>Takes %1.</source>
+        <translation>Nimmt %1.</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::FilterList</name>
@@ -3719,6 +3991,30 @@
     <message>
         <source>1 triangle</source>
         <translation>1 Dreieck</translation>
+    </message>
+    <message>
+        <source>Takes %1.</source>
+        <translation>Nimmt %1.</translation>
+    </message>
+    <message>
+        <source>Remove seed %1</source>
+        <translation>Startpunkt %1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 of seed %2</source>
+        <translation>%1 von Startpunkt %2</translation>
+    </message>
+    <message>
+        <source>Place seeds</source>
+        <translation>Startpunkte setzen</translation>
+    </message>
+    <message>
+        <source>Click places in the view from where agents start; what they cannot reach goes</source>
+        <translation>Klicken Sie in der Ansicht auf Stellen, an denen Agenten beginnen; was sie nicht erreichen, entfällt</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und noch %1</translation>
     </message>
 </context>
 <context>
@@ -5626,6 +5922,28 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::SeedFeature</name>
+    <message>
+        <source>&amp;Place seeds</source>
+        <translation>Start&amp;punkte setzen</translation>
+    </message>
+    <message>
+        <source>Click places from where agents start; what they cannot reach goes</source>
+        <translation>Klicken Sie auf Stellen, an denen Agenten beginnen; was sie nicht erreichen, entfällt</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::SeedTool</name>
+    <message>
+        <source>Place seeds: click where agents start. Esc ends.</source>
+        <translation>Startpunkte setzen: Klicken Sie, wo Agenten beginnen. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Place seeds: click to add one, drag one to move it, Ctrl and a click remove it. Esc ends.</source>
+        <translation>Startpunkte setzen: Ein Klick fügt einen hinzu, Ziehen verschiebt ihn, Strg und Klick entfernt ihn. Esc beendet.</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::SelectObstacleTool</name>
     <message>
         <source>Move %1</source>
@@ -5655,6 +5973,13 @@ Material: %2</translation>
         <translation>
             <numerusform>Es ist das einzige Hindernis auf dem leichtesten Weg.</numerusform>
             <numerusform>Es ist das größte von %n Hindernissen auf dem leichtesten Weg.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other ways lack little more.</source>
+        <translation>
+            <numerusform>Einem weiteren Weg fehlt nur wenig mehr.</numerusform>
+            <numerusform>%n weiteren Wegen fehlt nur wenig mehr.</numerusform>
         </translation>
     </message>
 </context>
