@@ -135,7 +135,7 @@ const QSet<QString>& equalWords() {
                                    // words that German shares with English
                                    "Name", "Filter", "Agent", "Block", "Format", "Parallel", "Threads", "Material",
                                    "Import", "Export", "Pipeline", "Status", "Start", "Version", "Modus", "OK", "Alt",
-                                   "Plan", "Villa", "Arena", "Docks"};
+                                   "Plan", "Radius", "Villa", "Arena", "Docks"};
   return words;
 }
 
