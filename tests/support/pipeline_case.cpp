@@ -189,7 +189,15 @@ std::vector<std::string> chooseSameSetFilters(Dice& dice, double slope, double c
   return filters;
 }
 
-std::vector<std::string> chooseAnyFilters(Dice& dice, double scale) {
+double largestCoordinate(const Soup& soup) {
+  double largest = 0;
+  for (const auto& triangle : soup.triangles())
+    for (const Vec3& v : triangle) largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  return largest;
+}
+
+// `leastRadius`: smaller ones are refused.
+std::vector<std::string> chooseAnyFilters(Dice& dice, double scale, double leastRadius) {
   std::vector<std::string> filters;
   for (int count = 1 + dice.below(7); count > 0; --count) {
     switch (dice.below(9)) {
@@ -216,7 +224,7 @@ std::vector<std::string> chooseAnyFilters(Dice& dice, double scale) {
         filters.emplace_back("LayerSubdivisionFilter");
         break;
       case 7:
-        filters.push_back(filter("RadiusFilter", scale * dice.oneOf({0.0, 0.1, 0.35, 2.0})));
+        filters.push_back(filter("RadiusFilter", std::max(scale * dice.oneOf({0.0, 0.1, 0.35, 2.0}), leastRadius)));
         break;
       default:
         filters.push_back(dice.oneOf({"RoundingFilter", "RoundingFilter false"}));
@@ -248,7 +256,7 @@ PipelineCase makePipelineCase(std::uint64_t seed) {
   result.slope = dice.oneOf({45.0, 60.0, 30.0, 80.0, 54.7});
   result.clearance = scale * dice.oneOf({2.0, 1.0, 0.5, 1.5, 3.0, 1e30});
   result.sameSetFilters = chooseSameSetFilters(dice, result.slope, result.clearance);
-  result.anyFilters = chooseAnyFilters(dice, scale);
+  result.anyFilters = chooseAnyFilters(dice, scale, 1e-9 * largestCoordinate(result.soup));
   result.copyDistance = extentOf(result.soup) * dice.oneOf({0.5, 1.0, 1.5});
   result.order = dice.bits();
   return result;
