@@ -138,10 +138,16 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
     suspects.clear();
   }
   context.checkCancelled();
-  if (settleBorders(rounded, topology)) {
+  // The middle of an edge of a few units in the last place need not lie on it, and can turn a triangle over.
+  constexpr int kMostRounds = 8;
+  for (int round = 0; settleBorders(rounded, topology) && round < kMostRounds; ++round) {
     splitAgain(rounded, topology);
     topology = edgesOf();
     suspects.clear();
+    markBorders(rounded, topology);
+    const RoundingCases again = repairRounding(rounded, std::vector<char>(rounded.vertices.size(), 0), context);
+    for (const auto& [from, to] : again.collapsed) moved.push_back({rounded.vertices[from], rounded.vertices[to]});
+    if (again.anyBroken()) topology = edgesOf();
   }
   context.checkCancelled();
   if (markClosedSlivers(rounded, topology, suspects, context)) topology = edgesOf();

@@ -188,6 +188,22 @@ class TestRounding : public QObject {
     }
   }
 
+  // An obstacle edge of a few units in the last place, whose middle lies beside it.
+  void middlesOfShortEdgesTurnNothingOver() {
+    const Soup soup = Soup()
+                          .triangle({122000.45633333334, 487000.74171428574, 0}, {122000.123, 487000.8845714286, 0},
+                                    {122000.123, 487000.456, 0})
+                          .triangle({122000.78966666668, 487000.74171428574, 0}, {122000.123, 487000.59885714285, 0},
+                                    {122001.123, 487000.456, 0})
+                          .triangle({122000.45633333334, 487000.8845714286, 0}, {122000.123, 487000.8845714286, 0},
+                                    {122000.45633333334, 487000.59885714285, 0})
+                          .triangle({122000.123, 487000.59885714285, 0}, {122001.123, 487000.59885714285, 0},
+                                    {122001.123, 487000.8845714286, 0});
+    const NavigationMesh mesh = navigationMesh(runFilters(soup.environment(true), minimalPipeline(1.4, 80)));
+    QCOMPARE(findMeshError(mesh), std::string());
+    QVERIFY(mesh.triangles.size() > 10);
+  }
+
   void roundingStartsANewGeneration() {
     // a box over a floor: after rounding, clearance finds the same again
     const auto environment = environmentOf({{0, 0, 0}, {9, 0, 0}, {0, 9, 0.3}, {1, 1, 1}, {3, 1.1, 1.7}, {1.3, 3, 1.2}},
