@@ -6,6 +6,8 @@
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/soup.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -190,17 +192,19 @@ class TestRounding : public QObject {
 
   // An obstacle edge of a few units in the last place, whose middle lies beside it.
   void middlesOfShortEdgesTurnNothingOver() {
-    const Soup soup = Soup()
-                          .triangle({122000.45633333334, 487000.74171428574, 0}, {122000.123, 487000.8845714286, 0},
-                                    {122000.123, 487000.456, 0})
-                          .triangle({122000.78966666668, 487000.74171428574, 0}, {122000.123, 487000.59885714285, 0},
-                                    {122001.123, 487000.456, 0})
-                          .triangle({122000.45633333334, 487000.8845714286, 0}, {122000.123, 487000.8845714286, 0},
-                                    {122000.45633333334, 487000.59885714285, 0})
-                          .triangle({122000.123, 487000.59885714285, 0}, {122001.123, 487000.59885714285, 0},
-                                    {122001.123, 487000.8845714286, 0});
-    const NavigationMesh mesh = navigationMesh(runFilters(soup.environment(true), minimalPipeline(1.4, 80)));
-    QCOMPARE(findMeshError(mesh), std::string());
+    const test::Soup soup =
+        test::Soup()
+            .triangle({122000.45633333334, 487000.74171428574, 0}, {122000.123, 487000.8845714286, 0},
+                      {122000.123, 487000.456, 0})
+            .triangle({122000.78966666668, 487000.74171428574, 0}, {122000.123, 487000.59885714285, 0},
+                      {122001.123, 487000.456, 0})
+            .triangle({122000.45633333334, 487000.8845714286, 0}, {122000.123, 487000.8845714286, 0},
+                      {122000.45633333334, 487000.59885714285, 0})
+            .triangle({122000.123, 487000.59885714285, 0}, {122001.123, 487000.59885714285, 0},
+                      {122001.123, 487000.8845714286, 0});
+    const NavigationMesh mesh =
+        test::navigationMesh(test::runFilters(soup.environment(true), test::minimalPipeline(1.4, 80)));
+    QCOMPARE(test::findMeshError(mesh), std::string());
     QVERIFY(mesh.triangles.size() > 10);
   }
 
