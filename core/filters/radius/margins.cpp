@@ -186,6 +186,8 @@ class PlanBox {
     }
   }
 
+  [[nodiscard]] double diagonal() const { return length({upper_[0] - lower_[0], upper_[1] - lower_[1]}); }
+
   void clip(std::vector<PlanVector>& corners) const {
     for (int axis = 0; axis < 2; ++axis) {
       keep(corners, axis, 1, lower_[axis]);
@@ -242,11 +244,13 @@ std::vector<PlanVector> hullOf(std::vector<PlanVector> places) {
 class MarginFinder {
  public:
   MarginFinder(const WalkableState& state, double radius, double tolerance, RunContext& context)
-      : state_(state), context_(context), radius_(radius), surface_(state, context), box_(surface_) {
+      : state_(state), context_(context), surface_(state, context), box_(surface_) {
+    // A straight walk comes to a border within the diagonal: a larger radius leaves nothing, as this one does.
+    radius_ = std::min(radius, 2 * box_.diagonal());
     const double half = 1 / (1 + 0.9 * tolerance);  // cosine of half the angle of an arc
     cosine_ = 2 * half * half - 1;
     sine_ = 2 * half * std::sqrt(1 - half * half);
-    mostSlack_ = radius * tolerance / 32;
+    mostSlack_ = radius_ * tolerance / 32;
   }
 
   std::vector<Margin> find() {
@@ -515,7 +519,7 @@ class MarginFinder {
 
   const WalkableState& state_;
   RunContext& context_;
-  double radius_;
+  double radius_ = 0;
   MarginSurface surface_;
   PlanBox box_;
   double cosine_ = 0, sine_ = 0;

@@ -151,6 +151,16 @@ class TestRadiusFilter : public QObject {
     QVERIFY(area(narrowed(room, 4.999)) > 0);
   }
 
+  void hugeRadiiLeaveNothing() {
+    const Soup level =
+        Soup().floor(0, 0, 10, 10, 0).floor(20, 0, 21, 10, 0).box({4, 4, 0}, {6, 6, 3}).wall(5, 1, 5, 3, 0, 3);
+    for (const double r : {10.0, 30.0, 1e3, 1e9, 1e30, 1e300, 1.7e308}) QCOMPARE(area(narrowed(level, r)), 0.0);
+    for (const double scale : {1e-3, 1e6}) {
+      const Soup scaled = level.mapped([&](const Vec3& p) { return Vec3{scale * p.x, scale * p.y, p.z}; });
+      for (const double r : {30 * scale, 1e300}) QCOMPARE(area(narrowed(scaled, r)), 0.0);
+    }
+  }
+
   void roundCornersArePolygonsOutside() {
     const Soup edge = Soup().floor(0, 0, 10, 10, 0).box({4, 4, 0}, {6, 6, 3});
     const double exact = 64 - (4 + 4 * 2 * 1 + std::numbers::pi), lost = exact - area(narrowed(edge, 1));
