@@ -202,8 +202,7 @@ void LinkObstacles::findTriangles(BorderLink& link, const BorderEdge& a, const B
   const double margin = kMargin * height_;
   if (high - low > 2 * margin) visitAlong(sight->way, low + margin, high - margin, stack, take);
   std::ranges::sort(link.triangles);
-  const auto rest = std::ranges::unique(link.triangles);
-  link.triangles.erase(rest.begin(), rest.end());
+  link.triangles.erase(std::unique(link.triangles.begin(), link.triangles.end()), link.triangles.end());
 }
 
 }  // namespace footfall::detail
