@@ -175,9 +175,9 @@ double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from
   }
   double best = from.triangle == to.triangle ? planDistance(from.position, to.position) : kInfinity;
   while (!open.empty()) {
-    const auto [negative, node] = open.top();
+    const double length = -open.top().first;
+    const std::size_t node = open.top().second;
     open.pop();
-    const double length = -negative;
     if (length > lengths[node]) continue;
     if (length >= best) break;
     const auto t = static_cast<Index>(node / perTriangle);
