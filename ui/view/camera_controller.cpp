@@ -356,16 +356,24 @@ void CameraController::frameSelection() {
     const SceneBox box = selections_.back().second;
     return frame(box.lower, box.upper);
   }
-  const QPoint mouse = viewer_.mapFromGlobal(QCursor::pos());
-  const std::optional<Vec3> pointed =
-      viewer_.rect().contains(mouse) ? seen_(sightAt(camera(), mouse)) : std::optional<Vec3>();
+  const std::optional<Vec> pointed = pointedAt(viewer_.rect());
   if (!pointed) return fit();
   // Twice as near, at least.
-  const Vec place = toVec(*pointed);
+  const Vec place = *pointed;
   const double reach = (place - camera().position()).norm() * std::tan(camera().fieldOfView() / 2);
   const double half = reach / 2 / std::sqrt(3.0);
   const Vec around(half, half, half);
   frameInScene(place - around, place + around);
+}
+
+std::optional<Vec> CameraController::pointedAt(const QRect& view) const {
+  const QPoint mouse = viewer_.mapFromGlobal(QCursor::pos()) - view.topLeft();
+  if (!QRect({0, 0}, view.size()).contains(mouse)) return std::nullopt;
+  camera().setScreenWidthAndHeight(view.width(), view.height());
+  const Ray ray = sightAt(camera(), mouse);
+  camera().setScreenWidthAndHeight(viewer_.width(), viewer_.height());
+  const std::optional<Vec3> seen = seen_(ray);
+  return seen ? std::optional(toVec(*seen)) : std::nullopt;
 }
 
 // --- The size of the view
@@ -384,13 +392,14 @@ void CameraController::resized() {
   fitWhenSized_ = false;
 }
 
-// A dock has come or gone: what was at a place of the screen stays there, as large as it was (at the pivot's depth).
+// A dock has come or gone: what was at a place of the screen stays there, as large as it was, at the depth of what the
+// mouse points at (else the pivot's). Perspective moves what is nearer or farther.
 void CameraController::keepPicture(const Placed& before, const Placed& now) {
   endGlide();
   if (before.inWindow.height() <= 0 || now.inWindow.height() <= 0) return;
-  const Vec pivot = camera().pivotPoint();
   const Vec ahead = camera().viewDirection();
-  const double depth = (pivot - camera().position()) * ahead;
+  const Vec kept = pointedAt(before.inWindow.translated(-now.inWindow.topLeft())).value_or(camera().pivotPoint());
+  const double depth = (kept - camera().position()) * ahead;
   if (!(depth > 0)) return;
   // In a parallel projection, libQGLViewer takes the scale from the shorter side.
   const auto extent = [this](const QRect& rect) {

@@ -128,6 +128,8 @@ class CameraController : public QObject {
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
   void fitTo(const std::vector<Vec3>& points);
   void frameInScene(const qglviewer::Vec& lower, const qglviewer::Vec& upper);
+  /// What the mouse points at in the scene, where the view lies at `view` (viewer coordinates).
+  [[nodiscard]] std::optional<qglviewer::Vec> pointedAt(const QRect& view) const;
   void keepPicture(const Placed& before, const Placed& now);
   void glideFrom(const CameraPose& from);
   void glide();

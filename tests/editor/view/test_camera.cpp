@@ -88,6 +88,25 @@ class TestCamera : public QObject {
     QVERIFY(distance(camera().pose().position, {0.5, 0.5, 1}) < 0.6 * before);
   }
 
+  void aPanelLeavesWhatTheMousePointsAt() {
+    LevelView& view = window_->view();
+    camera().lookAt({-3, -3, 0});  // the pivot is elsewhere, and deeper or higher
+    const Vec3 table{0.5, 0.5, 1};
+    const auto onScreen = [&] {
+      return view.project(table).value() + QPointF(view.mapTo(window_.get(), QPoint(0, 0)));
+    };
+    QVERIFY(view.project(table));
+    const QPoint mouse = view.project(table)->toPoint();
+    QCursor::setPos(view.mapToGlobal(mouse));
+    QVERIFY(QTest::qWaitFor([&] { return view.mapFromGlobal(QCursor::pos()) == mouse; }));
+    const QPointF before = onScreen();
+    const QSize size = view.size();
+    QTest::keyClick(&view, Qt::Key_P);
+    QVERIFY(QTest::qWaitFor([&] { return view.width() < size.width(); }));
+    QVERIFY2((onScreen() - before).manhattanLength() < 1.5, qPrintable(QString::number((onScreen() - before).x())));
+    QTest::keyClick(&view, Qt::Key_P);
+  }
+
   void looksAlongTheAxes_data() {
     QTest::addColumn<int>("key");
     QTest::addColumn<int>("modifiers");
