@@ -151,9 +151,18 @@ void LoadPanel::setPipeline(bool hasEnvironment, bool hasBlock) {
   parallel_->setVisible(hasEnvironment && !hasBlock);
 }
 
+// A stack is as wide as its widest page; plots that nobody sees must not cut the words off.
+void LoadPanel::showPage(int page) {
+  for (int i = 0; i < stack_->count(); ++i) {
+    const QSizePolicy::Policy policy = i == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    stack_->widget(i)->setSizePolicy(policy, policy);
+  }
+  stack_->setCurrentIndex(page);
+}
+
 void LoadPanel::refresh() {
   const CellBlock* block = model_.shownBlock();
-  stack_->setCurrentIndex(block ? 1 : 0);
+  showPage(block ? 1 : 0);
   if (!block) return;
   QString text = QStringLiteral("<b>%1</b>&nbsp; · &nbsp;").arg(escaped(block->report.strategy));
   const std::size_t cells = block->report.cells.size();

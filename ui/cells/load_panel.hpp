@@ -44,6 +44,7 @@ class LoadPanel : public QWidget {
   QWidget* makeContentPage();
   QWidget* makeFigures();
   void refresh();
+  void showPage(int page);
   void showFigures(const CellBlock& block);
   void showPhases(const CellBlock& block);
   void showFilters();

@@ -20,7 +20,8 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   table_->setObjectName(QStringLiteral("measureTable"));
   table_->setAccessibleName(tr("Measured pieces"));
   table_->setToolTip(tr("Each piece between two places; height and slope from the first place to the second"));
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -65,8 +66,8 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
 void MeasurePanel::showPlaces() {
   const auto& places = tool_.places();
   const LevelUnits& units = tool_.units();
-  table_->setHorizontalHeaderLabels({tr("Length (%1)").arg(units.name()), tr("In plan (%1)").arg(units.name()),
-                                     tr("Height (%1)").arg(units.name()), tr("Slope °"), tr("Slope %")});
+  // The unit is said below: five columns have no room for it in a narrow panel.
+  table_->setHorizontalHeaderLabels({tr("Length"), tr("In plan"), tr("Height"), tr("Slope °"), tr("Slope %")});
   frame_->setText(units.frameText());
   const int rows = places.size() > 1 ? static_cast<int>(places.size()) - 1 : 0;
   table_->setRowCount(rows);

@@ -155,6 +155,10 @@ void LevelLook::addInside(CommandRegistry& commands) {
   hint_ = new ViewHint(QStringLiteral("hints/inside"), &view_);
   layout_.setHint(hint_);
   connect(inside_, &QAction::toggled, hint_, &QWidget::hide);
+  // Who has begun to work has seen it, and needs the room.
+  connect(&view_, &LevelView::toolChanged, hint_, [this] {
+    if (view_.tool()) hint_->hide();
+  });
   connect(&layout_.heights(), &HeightSlider::rangeChanged, hint_, [this](const HeightRange& range) {
     if (range != HeightRange()) hint_->hide();
   });

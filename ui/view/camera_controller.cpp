@@ -398,10 +398,12 @@ void CameraController::keepPicture(const Placed& before, const Placed& now) {
   endGlide();
   if (before.inWindow.height() <= 0 || now.inWindow.height() <= 0) return;
   const Vec ahead = camera().viewDirection();
-  const Vec kept = pointedAt(before.inWindow.translated(-now.inWindow.topLeft())).value_or(camera().pivotPoint());
+  // In a parallel projection, libQGLViewer takes the scale from the pivot's depth and from the shorter side.
+  const std::optional<Vec> pointed =
+      orthographic() ? std::nullopt : pointedAt(before.inWindow.translated(-now.inWindow.topLeft()));
+  const Vec kept = pointed.value_or(camera().pivotPoint());
   const double depth = (kept - camera().position()) * ahead;
   if (!(depth > 0)) return;
-  // In a parallel projection, libQGLViewer takes the scale from the shorter side.
   const auto extent = [this](const QRect& rect) {
     return orthographic() ? std::min(rect.width(), rect.height()) : rect.height();
   };

@@ -31,6 +31,7 @@ class TestLoadPanel : public QObject {
     QVERIFY(!panel_->parallelButton()->isVisible());
     panel_->setPipeline(true, false);
     QVERIFY(panel_->emptyText().contains("Add a strategy"));
+    QVERIFY2(panel_->minimumSizeHint().width() < 230, qPrintable(QString::number(panel_->minimumSizeHint().width())));
     QSignalSpy asked(panel_.get(), &LoadPanel::parallelBlockRequested);
     QTest::mouseClick(panel_->parallelButton(), Qt::LeftButton);
     QCOMPARE(asked.count(), 1);

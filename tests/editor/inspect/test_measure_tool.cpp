@@ -55,6 +55,11 @@ class TestMeasureTool : public QObject {
     QCOMPARE(tool_->places()[1], (Vec3{1, 1, 1}));
     auto* table = window_->findChild<QTableWidget*>("measureTable");
     QCOMPARE(table->rowCount(), 1);
+    for (int column = 0; column < table->columnCount(); ++column) {
+      const QHeaderView& header = *table->horizontalHeader();
+      const QString text = table->horizontalHeaderItem(column)->text();
+      QVERIFY2(header.fontMetrics().horizontalAdvance(text) <= header.sectionSize(column), qPrintable(text));
+    }
     QCOMPARE(table->item(0, 0)->text(), QString("7.141"));
     QCOMPARE(table->item(0, 1)->text(), QString("7.071"));
     QCOMPARE(table->item(0, 2)->text(), QString("1"));

@@ -98,6 +98,10 @@ class TestViewOverlays : public QObject {
       QVERIFY(hint.rect().contains(close->geometry()));
       QVERIFY(hint.height() >= hint.layout()->heightForWidth(hint.width()) || width > 500);
     }
+    // Who begins to work has seen it.
+    QTest::keyClick(&view(), Qt::Key_M);
+    QVERIFY(hint.isHidden());
+    QTest::keyClick(&view(), Qt::Key_M);
   }
 
   void nothingCoversWhatIsFitted() {
@@ -125,6 +129,9 @@ class TestViewOverlays : public QObject {
   void panelsDoNotMoveThePicture() {
     QFETCH(bool, parallel);
     if (parallel) view().cameraController().viewFromTop();
+    QCursor::setPos(
+        window_->mapToGlobal(QPoint(2, 2)));  // where the mouse points at something, that stays: test_camera
+    QVERIFY(QTest::qWaitFor([&] { return !view().rect().contains(view().mapFromGlobal(QCursor::pos())); }));
     const auto pivot = view().cameraController().pose().pivot;
     const auto onScreen = [&](const Vec3& place) {
       return view().mapTo(window_.get(), view().project(place)->toPoint());
