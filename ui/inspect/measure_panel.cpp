@@ -21,7 +21,6 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   table_->setAccessibleName(tr("Measured pieces"));
   table_->setToolTip(tr("Each piece between two places; height and slope from the first place to the second"));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
