@@ -215,7 +215,7 @@ std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, con
           (comparison.areaRatio() ? number(*comparison.areaRatio(), "%.15g") : "-") + '\n';
   if (comparison.distances && !(comparison.distances->at(0).boundReached && comparison.distances->at(1).boundReached))
     text += "The Hausdorff bounds hold, but are wider than " + number(comparison.error, "%.4g") +
-            ": it would have taken too many steps; give a larger --error.\n";
+            ": it would have taken too many steps; allow a larger error.\n";
   text += "load " + number(times.loadMs, "%.1f") + " ms, compare " + number(times.compareMs, "%.1f") + " ms\n";
   return text;
 }

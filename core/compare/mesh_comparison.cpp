@@ -203,9 +203,9 @@ MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, c
   result.height = options.height.value_or(powerOfTwo(extent.largest * 0x1p-30));
   result.error = options.error.value_or(extent.diagonal / 1000);
   if (!(std::isfinite(result.height) && result.height >= 0 && result.height <= 1e100))
-    throw InputError(FOOTFALL_TEXT("--height: must be a length in the file's units; give 0 or more"));
+    throw InputError(FOOTFALL_TEXT("the height must be a length in the files' units: 0 or more"));
   if (!(std::isfinite(result.error) && (result.error > 0 || !options.error)))
-    throw InputError(FOOTFALL_TEXT("--error: must be a length in the file's units; give a number above 0"));
+    throw InputError(FOOTFALL_TEXT("the error must be a length in the files' units: above 0"));
 
   context.beginStep(0, "reading positions");
   const ComparedSurfaces surfaces = comparison::makeSurfaces(a, b, result.height, context);

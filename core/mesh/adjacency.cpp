@@ -2,6 +2,7 @@
 #include "core/mesh/adjacency.hpp"
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -15,9 +16,10 @@ namespace {
 // Vertices whose edges one task sorts; a mesh with fewer is done by one thread.
 constexpr Index kVerticesPerTask = 4096;
 constexpr Index kPolledTriangles = 1 << 16;
-// Triangles that one thread sorts by their vertices; of more, so many parts of the vertices are a task each.
+// Triangles that one thread sorts by their vertices. Of more, each thread takes a part of the vertices and looks at all
+// triangles; with more threads than this, looking is all that they would do.
 constexpr Index kFewTriangles = 4096;
-constexpr Index kVertexParts = 2;
+constexpr Index kMostParts = 8;
 
 /// A side among those with the same smaller vertex: by the larger vertex, then by number.
 using Entry = std::uint64_t;
@@ -60,7 +62,7 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
   const Index count = triangles.size(), vertices = static_cast<Index>(vertexCount);
   std::vector<Index> bucket(vertexCount + 1, 0);
   // Each part looks at all triangles, and deals with the sides of its own vertices.
-  const Index parts = count < kFewTriangles ? 1 : kVertexParts;
+  const Index parts = count < kFewTriangles ? 1 : std::min<Index>(tbb::this_task_arena::max_concurrency(), kMostParts);
   const auto forSides = [&](const auto& visit) {
     tbb::parallel_for(Index{0}, parts, [&](Index part) {
       const auto first = static_cast<Index>(std::int64_t{vertices} * part / parts);

@@ -72,6 +72,10 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
   shares_ = std::vector<Shares>(static_cast<std::size_t>(count));
   for (std::size_t t = 0; t < walkable.size(); ++t)
     if (sharesOf_[t] >= 0) shares_[sharesOf_[t]].cells = floors.cellCount[t];
+  for (std::size_t cell = cells_.size(); cell-- > 0;)
+    for (std::size_t i = floors.first[cell]; i < floors.first[cell + 1]; ++i)
+      if (const Index shares = sharesOf_[floors.floors[i]]; shares >= 0)
+        shares_[shares].counted = static_cast<Index>(cell);
 }
 
 void CellRun::run() {
@@ -85,10 +89,12 @@ void CellRun::run() {
   const auto threads = static_cast<int>(std::clamp(useful / kWorkPerThread, 1.0, static_cast<double>(current_.size())));
   if (threads == 1) {
     work();
-    return;
+  } else {
+    tbb::parallel_for(
+        0, threads, [&](int) { work(); }, tbb::simple_partitioner());
   }
-  tbb::parallel_for(
-      0, threads, [&](int) { work(); }, tbb::simple_partitioner());
+  // Floors that cells share may have been triangulated after the cell that they count for was finished.
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) reports_[cell].trianglesOut = cells_[cell].trianglesOut;
 }
 
 void CellRun::work() {
@@ -331,7 +337,7 @@ void CellRun::join(const Join& join, int thread) {
   else
     pass.clip(join.face, own);
   all.shares = {};
-  cells_[join.cell].trianglesOut += pass.mesh(join.face, own);
+  cells_[all.counted].trianglesOut += pass.mesh(join.face, own);
   if (context_.wantsParts()) context_.part(pass.preview(std::array{join.face}));
   record(join.cell, filters_.tests.size(), thread, startMs);
   done(join.cell, 1);

@@ -65,6 +65,7 @@ class CellRun {
   /// cells.
   struct Shares {
     Index cells = 0;
+    Index counted = -1;  ///< the cell whose triangles they are in reports: the first one
     std::atomic<Index> begun{0};
     std::atomic<Index> arrived{0};
     std::mutex mutex;

@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <atomic>
 #include <mutex>
+#include <numeric>
 #include <set>
 
 #include "core/io/export.hpp"
@@ -287,6 +288,25 @@ class TestParallelBlocks : public QObject {
     double filters = 0;
     for (int i = 1; i <= 4; ++i) filters += result.steps[i].wallMs;
     QVERIFY(filters <= result.times.parallel * (1 + 1e-9));
+  }
+
+  // Which cell is the last one on a shared floor differs from run to run; what is reported does not.
+  void reportedTrianglesOfCellsAreTheSame() {
+    Soup soup;
+    soup.floor(0, 0, 30, 30, 0);
+    for (int i = 0; i < 30; ++i)
+      for (int j = 0; j < 30; ++j) soup.box({i + 0.2, j + 0.3, 0.5}, {i + 0.6, j + 0.7, 1});
+    std::vector<std::uint64_t> first;
+    for (int repetition = 0; repetition < 30; ++repetition) {
+      const RunResult result =
+          run(soup.environment(), "GridStrategy 5 5\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n",
+              1 + repetition % 4);
+      std::vector<std::uint64_t> out;
+      for (const CellReport& cell : result.blocks[0].cells) out.push_back(cell.trianglesOut);
+      if (first.empty()) first = out;
+      QCOMPARE(out, first);
+    }
+    QCOMPARE(std::accumulate(first.begin(), first.end(), std::uint64_t{0}) > 900, true);
   }
 
   // A thread that puts together what other cells left does so between two floors of its own cell.
