@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::size_t kKnown = 200;  // figures: a few words each
 
-std::string keyOf(Pipeline pipeline) {
-  std::erase_if(pipeline.steps, [](const PipelineStep& step) { return !step.enabled; });
-  return formatPipeline(pipeline);
-}
-
 }  // namespace
 
 AgentFigures figuresOf(const FinishedRun& run, const RunContext& context) {

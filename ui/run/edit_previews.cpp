@@ -1,24 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/run/edit_previews.hpp"
 
+#include <algorithm>
 #include <exception>
 
 namespace footfall::ui {
+namespace {
 
-const EditPreview* EditPreviews::find(const std::string& step) const {
-  const auto found = known_.find(step);
-  return found == known_.end() ? nullptr : found->second.get();
+std::string nameOf(const std::string& prefix, const PipelineStep& step) {
+  return prefix + std::string(step.filter->name);
 }
 
-void EditPreviews::follow(std::vector<std::pair<std::string, EditedStep>> steps) {
+}  // namespace
+
+bool EditPreviews::knows(const std::string& prefix, const PipelineStep& step) const {
+  return known_.contains(nameOf(prefix, step));
+}
+
+EditPreview::Surfaces EditPreviews::changes(const RunJob& job, const Pipeline& earlier) const {
+  const std::vector<const PipelineStep*> before = enabledSteps(earlier);
+  const std::size_t i = job.firstChanged;
+  const auto rest = static_cast<std::ptrdiff_t>(i + 1);
+  if (i >= before.size() || before.size() != job.steps.size() || before[i]->filter != job.steps[i]->filter ||
+      before[i]->values.size() != 1 ||
+      !std::equal(before.begin() + rest, before.end(), job.steps.begin() + rest,
+                  [](const PipelineStep* a, const PipelineStep* b) { return *a == *b; }))
+    return {};
+  const auto known = known_.find(nameOf(job.prefixes[i], *before[i]));
+  if (known == known_.end()) return {};
+  return known->second->changes(before[i]->values[0], job.steps[i]->values[0]);
+}
+
+void EditPreviews::follow(const RunJob& job, const std::shared_ptr<const NavigationMesh>& result) {
   missing_.clear();
   decltype(known_) kept;
-  for (auto& [name, step] : steps) {
+  for (std::size_t i = 0; i < job.steps.size(); ++i) {
+    const PipelineStep& step = *job.steps[i];
+    if (step.values.size() != 1) continue;
+    const std::string name = nameOf(job.prefixes[i], step);
+    EditedStep edited{step.filter->type, step.values[0], job.stepMeshes->find(job.prefixes[i]), result};
     const auto known = known_.find(name);
-    if (known != known_.end() && known->second->suits(step)) {
+    if (known != known_.end() && known->second->suits(edited)) {
       kept.insert(*known);
     } else {
-      missing_.emplace_back(name, std::move(step));
+      missing_.emplace_back(name, std::move(edited));
     }
   }
   known_ = std::move(kept);

@@ -11,12 +11,14 @@
 
 #include "footfall/run_context.hpp"
 #include "ui/base/background_queue.hpp"
+#include "ui/run/run_job.hpp"
 #include "ui/view/edit_preview.hpp"
 
 namespace footfall::ui {
 
 /// Previews of edits of the last finished run's steps, prepared in the background once its result is on the screen. A
-/// step is named by the steps before it and its filter.
+/// step is named by the steps before it and its filter. An edit of one value stands for most of what somebody does here
+/// while looking at the view.
 class EditPreviews : public QObject {
   Q_OBJECT
 
@@ -24,10 +26,13 @@ class EditPreviews : public QObject {
   EditPreviews() = default;
   ~EditPreviews() override { stop(); }
 
-  /// Null while there is none.
-  [[nodiscard]] const EditPreview* find(const std::string& step) const;
+  /// Whether the step has one, by the steps before it.
+  [[nodiscard]] bool knows(const std::string& prefix, const PipelineStep& step) const;
+  /// What a job changes over the result of an earlier run, where they differ in the one value of one step; else
+  /// nothing.
+  [[nodiscard]] EditPreview::Surfaces changes(const RunJob& job, const Pipeline& earlier) const;
   /// Another run has finished: what suits its steps is kept, what is missing is for prepare().
-  void follow(std::vector<std::pair<std::string, EditedStep>> steps);
+  void follow(const RunJob& job, const std::shared_ptr<const NavigationMesh>& result);
   /// As long as nobody calls stop().
   void prepare(const std::shared_ptr<const Environment>& environment, const Vec3& centre);
   /// A run wants the processors.

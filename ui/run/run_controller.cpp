@@ -2,30 +2,51 @@
 #include "ui/run/run_controller.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/pipeline/block_structure.hpp"
 #include "ui/base/core_text.hpp"
-#include "ui/base/namespaces.hpp"
-#include "ui/run/run_job.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/base/filter_text.hpp"
+#include "ui/run/run_progress.hpp"
 
 namespace footfall::ui {
+namespace {
+
+// Runs that take no longer follow every edit, and every step of a drag: people see no wait.
+constexpr double kLiveMs = 150;
+// So long after the last edit a slow run begins, where edits follow each other; about the pause between two keys.
+constexpr auto kSettle = std::chrono::milliseconds(300);
+constexpr auto kFrameWait = std::chrono::milliseconds(60);     // a hidden view shows no frames
+constexpr auto kDrainPeriod = std::chrono::milliseconds(100);  // between two updates of the window
+constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
+// What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
+constexpr auto kProgressAfter = std::chrono::milliseconds(150);
+
+}  // namespace
 
 RunController::RunController(QObject* parent)
-    : QObject(parent), previews_(std::make_shared<PreviewCache>()), cache_(std::make_shared<ResultCache>()) {
+    : QObject(parent),
+      stepMeshes_(std::make_shared<StepMeshes>()),
+      cache_(std::make_shared<ResultCache>()),
+      ahead_(runs_, queue_, [this](const Pipeline& ahead) {
+        return job_ || !environment_ ? std::shared_ptr<RunJob>() : makeJob(ahead);
+      }) {
   drainTimer_.setSingleShot(true);
   connect(&drainTimer_, &QTimer::timeout, this, &RunController::drain);
   frameTimer_.setSingleShot(true);
   connect(&frameTimer_, &QTimer::timeout, this, &RunController::frameShown);
   settleTimer_.setSingleShot(true);
   connect(&settleTimer_, &QTimer::timeout, this, &RunController::endSettling);
+  connect(&display_, &RunDisplay::contentReady, this, &RunController::contentReady);
+  connect(&display_, &RunDisplay::cellsChanged, this, &RunController::cellsChanged);
+  connect(&ahead_, &AheadRuns::changed, this, &RunController::aheadChanged);
 }
 
 RunController::~RunController() {
   if (job_) job_->context->cancel();
-  if (aheadJob_) aheadJob_->context->cancel();
+  ahead_.interrupt();
 }
+
+// --- What there is to run, and when
 
 void RunController::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
   stopJob(StepState::Fresh);
@@ -33,24 +54,23 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   centre_ = centre;
   finished_.reset();
   finishedKey_.clear();
-  shown_ = {};
-  provisional_ = false;
   statuses_.clear();
+  forecast_.clear();
   cache_ = std::make_shared<ResultCache>();  // a run that is still ending keeps the old ones
   forgetSteps();
-  showLastCells();
-  refreshStatuses();
+  display_.clear();
+  statuses_.follow(filters_, busy());
   emit statusChanged();
   start(Start::Asked);
 }
 
 // What is known of single steps by their filters belongs to one environment.
 void RunController::forgetSteps() {
-  previews_ = std::make_shared<PreviewCache>();
+  stepMeshes_ = std::make_shared<StepMeshes>();
   editPreviews_.clear();
-  knownBlocks_.clear();
+  display_.forgetBlocks();
   runs_.clear();
-  stepTimes_.clear();
+  forecast_.forgetSteps();
   runAhead({});
 }
 
@@ -60,9 +80,9 @@ void RunController::editEnvironment(std::shared_ptr<const Environment> environme
   if (!finishes) stopJob(StepState::Stale);
   environment_ = std::move(environment);
   finishedKey_.clear();
-  for (auto& [id, status] : statuses_) status.prefix.clear();
+  statuses_.forgetFigures();
   forgetSteps();
-  refreshStatuses();
+  statuses_.follow(filters_, busy());
   followUp_ = finishes;
   if (finishes) return;
   if (automatic_) {
@@ -72,39 +92,22 @@ void RunController::editEnvironment(std::shared_ptr<const Environment> environme
   }
 }
 
-void RunController::setThreads(int threads) {
-  if (std::exchange(threads_, threads) == threads || !environment_) return;
-  cache_ = std::make_shared<ResultCache>();
-  editEnvironment(environment_);
-}
-
-std::string RunController::runKey() const {
-  std::string key;
-  for (const FilterEntry& entry : filters_) {
-    if (entry.step.enabled) key = extendPrefix(key, entry.step);
-  }
-  return key;
-}
-
-bool RunController::upToDate() const {
-  return finished_ && !busy() && finished_->environment == environment_ && finishedKey_ == runKey();
-}
-
 void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   const bool sameRows =
       std::ranges::equal(filters, filters_, [](const auto& a, const auto& b) { return a.id == b.id; });
   filters_ = filters;
-  const std::string key = runKey();
+  const std::string key = keyOf(pipeline());
   const bool sameAsRunning = job_ && job_->key == key;
   followUp_ = !sameAsRunning && letsFinish();
   if (followUp_) {
-    refreshStatuses();
-    showEdit();
+    statuses_.follow(filters_, busy());
+    // What the list as it is would change, before any run of it.
+    if (display_.hasResult()) display_.showChanges(makeEditJob()->changes);
     return;
   }
   const bool overtakes = job_ != nullptr;
   if (!sameAsRunning) stopJob(StepState::Stale);
-  refreshStatuses();
+  statuses_.follow(filters_, busy());
   const bool shown = finished_ && finished_->environment == environment_ && finishedKey_ == key;
   const bool starting = environment_ && !sameAsRunning && !shown;
   // A run tells the statuses when it takes a while, and at its end: to repaint the rows twice costs it time.
@@ -115,13 +118,30 @@ void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   }
   if (starting) {
     emit statusChanged();
-    showLastResult();
+    display_.restore();
     return;
   }
   if (!environment_ || sameAsRunning) return;
-  showLastResult();
-  showLastCells();
+  display_.restore();
   emit finished();  // the list is back where the result is
+}
+
+void RunController::setThreads(int threads) {
+  if (std::exchange(threads_, threads) == threads || !environment_) return;
+  cache_ = std::make_shared<ResultCache>();
+  editEnvironment(environment_);
+}
+
+void RunController::setAutomatic(bool on) {
+  if (on == automatic_) return;
+  automatic_ = on;
+  emit automaticChanged(on);
+  if (on && environment_ && !busy() && !upToDate()) start(Start::Edited);
+}
+
+void RunController::setDragging(bool dragging) {
+  dragging_ = dragging;
+  if (!dragging) endSettling();  // nothing follows
 }
 
 void RunController::runNow() {
@@ -135,25 +155,9 @@ void RunController::cancel() {
   followUp_ = false;
   if (!job_) return;
   stopJob(StepState::Cancelled);
-  showLastResult();
-  showLastCells();
+  display_.restore();
   emit statusChanged();
   emit cancelled();
-}
-
-StepStatus RunController::status(int id) const {
-  const auto found = statuses_.find(id);
-  return found == statuses_.end() ? StepStatus{} : found->second;
-}
-
-bool RunController::previews(int id) const {
-  std::string prefix;
-  for (const FilterEntry& entry : filters_) {
-    if (!entry.step.enabled) continue;
-    if (entry.id == id) return editPreviews_.find(prefix + std::string(entry.step.filter->name)) != nullptr;
-    prefix = extendPrefix(prefix, entry.step);
-  }
-  return false;
 }
 
 void RunController::stopJob(StepState unfinished) {
@@ -161,144 +165,17 @@ void RunController::stopJob(StepState unfinished) {
   job_->context->cancel();  // it ends by itself, soon; nobody waits
   settleTimer_.stop();
   followUp_ = false;
-  for (const int id : job_->ids) {
-    StepStatus& status = statuses_[id];
-    if (status.state == StepState::Running || status.state == StepState::Fresh || status.state == StepState::Stale) {
-      status.state = unfinished;
-    }
-  }
+  statuses_.stop(*job_, unfinished);
   job_.reset();
 }
 
-// An edit makes out of date only what comes after it.
-void RunController::refreshStatuses() {
-  std::map<int, StepStatus> kept;
-  std::string prefix;
-  for (const FilterEntry& entry : filters_) {
-    StepStatus status = this->status(entry.id);
-    if (!entry.step.enabled) {
-      if (status.state != StepState::Off) status = {};
-      status.state = StepState::Off;
-    } else {
-      prefix = extendPrefix(prefix, entry.step);
-      const bool running = job_ && status.state == StepState::Running;
-      if (status.prefix != prefix && !running) {
-        const bool known = status.wallMs.has_value() || status.state == StepState::Stale;
-        status.state = known ? StepState::Stale : StepState::Fresh;
-        status.error.clear();
-        status.note.clear();
-      }
-    }
-    kept[entry.id] = status;
-  }
-  statuses_ = std::move(kept);
+bool RunController::letsFinish() const {
+  return dragging_ && automatic_ && job_ && !job_->settling && forecast_.expectedTime(*job_) <= kLiveMs;
 }
 
-// What the runner would refuse before it begins belongs on the row where it stands.
-bool RunController::reportInvalidStep() {
-  Pipeline pipeline;
-  for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
-  const auto error = findStructureError(pipeline);
-  if (!error) return false;
-  const QString message = coreText(error->message);
-  StepStatus& status = statuses_[filters_[error->step].id];
-  status.state = StepState::Failed;
-  status.error = message;
-  emit statusChanged();
-  emit failed(coreText(placeOfStep(pipeline, error->step)) + QStringLiteral(": ") + message);
-  return true;
-}
-
-std::shared_ptr<RunController::Job> RunController::makeJob(const Pipeline& pipeline) const {
-  auto job = std::make_shared<Job>();
-  job->environment = environment_;
-  job->centre = centre_;
-  job->threads = threads_;
-  job->previews = previews_;
-  job->pipeline = pipeline;
-  job->prefixes.emplace_back();
-  for (const PipelineStep& step : job->pipeline.steps) {
-    if (!step.enabled) continue;
-    job->steps.push_back(&step);
-    job->prefixes.push_back(extendPrefix(job->prefixes.back(), step));
-  }
-  job->key = job->prefixes.back();
-  return job;
-}
-
-void RunController::start(Start why) {
-  if (!environment_) return;
-  stopJob(StepState::Stale);
-  for (auto& [id, status] : statuses_) {
-    if (status.state == StepState::Failed) status.state = StepState::Stale;
-    status.error.clear();
-  }
-  if (reportInvalidStep()) return;
-
-  Pipeline pipeline;
-  for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
-  const std::shared_ptr<Job> job = makeJob(pipeline);
-  for (const FilterEntry& entry : filters_) {
-    if (!entry.step.enabled) continue;
-    job->ids.push_back(entry.id);
-    StepStatus& status = statuses_[entry.id];
-    if (status.state == StepState::Cancelled) status.state = StepState::Stale;
-  }
-  if (why != Start::Asked && takeKnown(job)) return;
-  job->follows = shown_.mesh != nullptr;
-  job->sameEnvironment = !finished_ || finished_->environment == environment_;
-  findFirstChange(*job);
-  preview(*job);
-  const auto settle = settleTime(*job, why);
-  listenTo(job);
-  job_ = job;
-  // The work begins now; who hears of it may edit or cancel, and not in the middle of the edit that led here.
-  QMetaObject::invokeMethod(
-      this,
-      [this, job] {
-        if (job == job_) emit started();
-      },
-      Qt::QueuedConnection);
-  editPreviews_.stop();
-  if (aheadJob_) aheadJob_->context->cancel();  // it comes again
-  job->settling = settle.count() > 0;
-  if (job->settling) settleTimer_.start(settle);
-  if (job->changes.empty()) {
-    if (!job->settling) work(job);
-    return;
-  }
-  if (!job->settling) {
-    job->waiting = true;
-    frameTimer_.start(kFrameWait);
-  }
-  job->lastPicture = RunEventBuffer::Clock::now();
-  provisional_ = true;
-  ViewContent content = shown_.content;
-  content.changes = job->changes;
-  emit contentReady(content);  // last: who hears it may cancel
-}
-
-void RunController::listenTo(const std::shared_ptr<Job>& job) {
-  job->events = std::make_unique<RunEventBuffer>(
-      [this] { QMetaObject::invokeMethod(this, &RunController::scheduleDrain, Qt::QueuedConnection); });
-  // The events are told to the job that they belong to; it outlives the context that it owns.
-  Job* const raw = job.get();
-  job->context = std::make_unique<RunContext>(
-      [raw](const RunEvent& event) {
-        if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < raw->prefixes.size()) {
-          raw->previews->store(raw->prefixes[event.step + 1], event.part);
-          const RemovalStyle* style = removalStyle(raw->steps[event.step]->filter->type);
-          if (event.step == raw->firstChanged && raw->changes.empty() && raw->changedBefore && style)
-            raw->changesOfStep = changedTriangles(*raw->changedBefore, *event.part, style->paint, raw->centre);
-        }
-        // Pictures are made here and not on the window's thread, which would wait for them.
-        std::shared_ptr<const NavigationMeshGeometry> geometry;
-        const bool piece = event.kind == RunEvent::Kind::PartReady || event.kind == RunEvent::Kind::CellFinished;
-        if (event.part && piece) geometry = makeMeshGeometry(*event.part, raw->centre);
-        if (event.part && !piece && !raw->follows) geometry = raw->stepPictures.make(*event.part, raw->centre);
-        raw->events->add(event, std::move(geometry));
-      },
-      true);
+void RunController::endSettling() {
+  settleTimer_.stop();
+  if (job_ && std::exchange(job_->settling, false)) work(job_);
 }
 
 void RunController::frameShown() {
@@ -310,58 +187,129 @@ void RunController::frameShown() {
   }
 }
 
-void RunController::work(const std::shared_ptr<Job>& job) {
+void RunController::nextAhead() {
+  if (!job_ && environment_) ahead_.next();
+}
+
+// --- What is known
+
+bool RunController::upToDate() const {
+  return finished_ && !busy() && finished_->environment == environment_ && finishedKey_ == keyOf(pipeline());
+}
+
+bool RunController::previews(int id) const {
+  std::string prefix;
+  for (const FilterEntry& entry : filters_) {
+    if (!entry.step.enabled) continue;
+    if (entry.id == id) return editPreviews_.knows(prefix, entry.step);
+    prefix = extendPrefix(prefix, entry.step);
+  }
+  return false;
+}
+
+std::optional<std::chrono::milliseconds> RunController::remaining() const {
+  return job_ ? RunForecast::remaining(*job_, drained_) : std::nullopt;
+}
+
+std::shared_ptr<const FinishedRun> RunController::finishedRunOf(const Pipeline& pipeline) const {
+  return runs_.peek(keyOf(pipeline));
+}
+
+// --- A run
+
+Pipeline RunController::pipeline() const {
+  Pipeline pipeline;
+  for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
+  return pipeline;
+}
+
+std::shared_ptr<RunJob> RunController::makeJob(const Pipeline& pipeline) const {
+  std::shared_ptr<RunJob> job = makeRunJob(pipeline);
+  job->environment = environment_;
+  job->centre = centre_;
+  job->threads = threads_;
+  job->stepMeshes = stepMeshes_;
+  job->cache = cache_;
+  return job;
+}
+
+// A run of the list, beside the last finished one.
+std::shared_ptr<RunJob> RunController::makeEditJob() const {
+  std::shared_ptr<RunJob> job = makeJob(pipeline());
+  for (const FilterEntry& entry : filters_) {
+    if (entry.step.enabled) job->ids.push_back(entry.id);
+  }
+  job->follows = display_.hasResult();
+  job->sameEnvironment = !finished_ || finished_->environment == environment_;
+  if (!finished_) return job;
+  compareWithEarlier(*job, finished_->pipeline);
+  if (!display_.hasResult()) job->changedBefore = nullptr;
+  if (display_.hasResult() && job->sameEnvironment) job->changes = editPreviews_.changes(*job, finished_->pipeline);
+  return job;
+}
+
+// What the runner would refuse before it begins belongs on the row where it stands.
+bool RunController::reportInvalidStep() {
+  const Pipeline pipeline = this->pipeline();
+  const auto error = findStructureError(pipeline);
+  if (!error) return false;
+  const QString message = coreText(error->message);
+  StepStatus& status = statuses_[filters_[error->step].id];
+  status.state = StepState::Failed;
+  status.error = message;
+  emit statusChanged();
+  emit failed(coreText(placeOfStep(pipeline, error->step)) + QStringLiteral(": ") + message);
+  return true;
+}
+
+void RunController::start(Start why) {
+  if (!environment_) return;
+  stopJob(StepState::Stale);
+  statuses_.begin();
+  if (reportInvalidStep()) return;
+
+  const std::shared_ptr<RunJob> job = makeEditJob();
+  for (const int id : job->ids) {
+    StepStatus& status = statuses_[id];
+    if (status.state == StepState::Cancelled) status.state = StepState::Stale;
+  }
+  if (why != Start::Asked && takeKnown(job)) return;
+  listenTo(*job, [this] { QMetaObject::invokeMethod(this, &RunController::scheduleDrain, Qt::QueuedConnection); });
+  job_ = job;
+  // The work begins now; who hears of it may edit or cancel, and not in the middle of the edit that led here.
+  QMetaObject::invokeMethod(
+      this,
+      [this, job] {
+        if (job == job_) emit started();
+      },
+      Qt::QueuedConnection);
+  editPreviews_.stop();
+  ahead_.interrupt();
+  display_.begin(!job->changes.empty());
+  const bool follows = why == Start::Overtaking || (why == Start::Edited && dragging_);
+  job->settling = follows && forecast_.expectedTime(*job) > kLiveMs;
+  if (job->settling) settleTimer_.start(kSettle);
+  if (job->changes.empty()) {
+    if (!job->settling) work(job);
+    return;
+  }
+  if (!job->settling) {
+    job->waiting = true;
+    frameTimer_.start(kFrameWait);
+  }
+  display_.showChanges(job->changes);  // last: who hears it may cancel
+}
+
+void RunController::work(const std::shared_ptr<RunJob>& job) {
   job->begun = RunEventBuffer::Clock::now();
-  queue_.post([this, job, cache = cache_] {
-    const auto outcome = std::make_shared<Outcome>(compute(*job, *cache));
+  queue_.post([this, job] {
+    const auto outcome = std::make_shared<RunOutcome>(compute(*job));
     QMetaObject::invokeMethod(
         this, [this, job, outcome] { complete(job, *outcome); }, Qt::QueuedConnection);
   });
 }
 
-void RunController::findFirstChange(Job& job) const {
-  if (!finished_) return;
-  std::vector<const PipelineStep*> before;
-  for (const PipelineStep& step : finished_->pipeline.steps) {
-    if (step.enabled) before.push_back(&step);
-  }
-  std::size_t& i = job.firstChanged;
-  while (i < before.size() && i < job.steps.size() && *before[i] == *job.steps[i]) ++i;
-  if (shown_.mesh && i < before.size()) job.changedBefore = previews_->find(extendPrefix(job.prefixes[i], *before[i]));
-}
-
-RunController::Outcome RunController::compute(Job& job, ResultCache& cache) {
-  Outcome outcome;
-  try {
-    job.context->checkCancelled();
-    auto finished = std::make_shared<FinishedRun>();
-    finished->environment = job.environment;
-    finished->pipeline = job.pipeline;
-    finished->result = runPipeline(job.environment, job.pipeline, *job.context, &cache, job.threads);
-    outcome.content = makeContent(job, finished->result);
-    outcome.finished = std::move(finished);
-  } catch (const Cancelled&) {
-    outcome = {};
-  } catch (const std::bad_alloc&) {
-    outcome.error = tr("memory ran out; close other programs or use a smaller environment");
-  } catch (const std::exception& error) {
-    outcome.error = coreText(error);
-  }
-  return outcome;
-}
-
-// Steps of a block run at the same time: the first of them stands for what went wrong.
-void RunController::markUnfinished(const Job& job, const QString& error) {
-  bool told = false;
-  for (const int id : job.ids) {
-    StepStatus& status = statuses_[id];
-    if (status.state != StepState::Running) continue;
-    status.state = error.isEmpty() || told ? StepState::Cancelled : StepState::Failed;
-    if (!std::exchange(told, true)) status.error = error;
-  }
-}
-
-void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& outcome) {
+void RunController::complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome) {
   if (job != job_) return;  // cancelled or overtaken
   drained_ = RunEventBuffer::Clock::now();
   takeStatuses(job->events->fetch(), job->events->blocks());  // the last events may have come after the timer
@@ -371,15 +319,14 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
     if (job->environment == environment_) runs_.store(job->key, outcome.finished, outcome.content);
     adopt(*job, outcome, false);
     if (std::exchange(followUp_, false) && !job_ && !upToDate()) {
-      refreshStatuses();
+      statuses_.follow(filters_, busy());
       start(Start::Edited);
     }
     nextAhead();
     return;
   }
-  markUnfinished(*job, outcome.error);
-  showLastResult();
-  showLastCells();
+  statuses_.fail(*job, outcome.error);
+  display_.restore();
   emit statusChanged();
   followUp_ = false;
   if (outcome.error.isEmpty()) {
@@ -391,40 +338,76 @@ void RunController::complete(const std::shared_ptr<Job>& job, const Outcome& out
 }
 
 // Makes a finished run the one that is shown.
-void RunController::adopt(const Job& job, const Outcome& outcome, bool known) {
+void RunController::adopt(const RunJob& job, const RunOutcome& outcome, bool known) {
   finished_ = outcome.finished;
   finishedKey_ = job.key;
-  shown_ = {finished_->result.mesh, outcome.content};
-  const std::vector<StepStatistics>& steps = finished_->result.steps;
-  for (std::size_t i = 0; i < steps.size() && i < job.ids.size(); ++i) {
-    StepStatus& status = statuses_[job.ids[i]];
-    status.state = known || steps[i].fromCache ? StepState::Cached : StepState::Done;
-    status.wallMs = steps[i].wallMs;
-    status.trianglesIn = steps[i].in.triangles;
-    status.trianglesOut = steps[i].out.triangles;
-    status.note = coreText(steps[i].note);
-    status.prefix = job.prefixes[i + 1];
-  }
-  stepTimes_.remember(steps, job.prefixes);
-  provisional_ = false;
-  knownBlocks_.follow(finished_->result, job.steps, job.prefixes);
+  const RunResult& result = finished_->result;
+  statuses_.adopt(job, result, known);
+  forecast_.remember(job, result);
+  display_.setResult(job, outcome);
   emit statusChanged();
-  if (job.environment == environment_) keepPreviews(job);  // of a level that is there no more, there are none
-  emit contentReady(outcome.content);
-  showLastCells();
+  if (job.environment == environment_) {  // of a level that is there no more, there are no previews
+    editPreviews_.follow(job, result.mesh);
+    frameTimer_.start(kFrameWait);
+  }
+  display_.show();
   emit finished();
 }
 
 // A result that is still there is shown at once.
-bool RunController::takeKnown(const std::shared_ptr<Job>& job) {
+bool RunController::takeKnown(const std::shared_ptr<RunJob>& job) {
   const FinishedRuns::Entry* entry = runs_.find(job->key);
   if (!entry) return false;
-  Outcome outcome;
-  outcome.finished = entry->run;
-  outcome.content = entry->content;
-  adopt(*job, outcome, true);
+  adopt(*job, {entry->run, entry->content, {}}, true);
   nextAhead();
   return true;
+}
+
+// --- What a run tells while it goes on
+
+void RunController::scheduleDrain() {
+  if (!job_ || drainTimer_.isActive()) return;
+  const auto period = display_.waitsForPicture() ? kWatchPeriod : kDrainPeriod;
+  const auto due = std::chrono::ceil<std::chrono::milliseconds>(drained_ + period - RunEventBuffer::Clock::now());
+  drainTimer_.start(std::max(due, std::chrono::milliseconds(0)));
+}
+
+void RunController::drain() {
+  if (!job_) return;
+  drained_ = RunEventBuffer::Clock::now();
+  const std::vector<RunEventBuffer::Step> steps = job_->events->fetch();
+  const std::vector<RunEventBuffer::Block> blocks = job_->events->blocks();
+  // Somebody who hears of them may cancel.
+  takeStatuses(steps, blocks);
+  if (job_) display_.showCells(blocks);
+  if (job_) display_.showParts(*job_, steps);
+}
+
+void RunController::takeStatuses(const std::vector<RunEventBuffer::Step>& steps,
+                                 const std::vector<RunEventBuffer::Block>& blocks) {
+  double done = 0;
+  QString text = tr("Finishing");
+  for (std::size_t i = 0; i < steps.size() && i < job_->ids.size(); ++i) {
+    const RunEventBuffer::Step& step = steps[i];
+    if (step.finished) {
+      forecast_.take(*job_, i, step, false, 1, drained_);
+      statuses_.finish(*job_, i, step);
+      done += 1;
+      continue;
+    }
+    const BlockPlace place = placeInBlock(i, steps, blocks);
+    if (place.waits) continue;  // as it was
+    StepStatus& status = statuses_[job_->ids[i]];
+    status.state = StepState::Running;
+    status.fraction = place.block ? place.fraction : step.fraction;
+    forecast_.take(*job_, i, step, place.block, status.fraction, drained_);
+    text = place.block ? place.text : filterText(job_->steps[i]->filter->label);
+    done += status.fraction;
+  }
+  if (drained_ - job_->begun > kProgressAfter) {
+    emit progressed(done / static_cast<double>(job_->ids.size() + 1), text);
+    emit statusChanged();
+  }
 }
 
 }  // namespace footfall::ui

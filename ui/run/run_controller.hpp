@@ -5,23 +5,24 @@
 #include <QObject>
 #include <QTimer>
 #include <chrono>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pipeline/runner.hpp"
 #include "ui/base/background_queue.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/document/document.hpp"
+#include "ui/run/ahead_runs.hpp"
 #include "ui/run/edit_previews.hpp"
 #include "ui/run/finished_runs.hpp"
-#include "ui/run/known_blocks.hpp"
-#include "ui/run/provisional_content.hpp"
-#include "ui/run/run_event_buffer.hpp"
-#include "ui/run/step_status.hpp"
-#include "ui/run/step_times.hpp"
+#include "ui/run/run_display.hpp"
+#include "ui/run/run_forecast.hpp"
+#include "ui/run/run_job.hpp"
+#include "ui/run/step_meshes.hpp"
+#include "ui/run/step_statuses.hpp"
 #include "ui/view/cell_block.hpp"
 #include "ui/view/render_geometry.hpp"
 
@@ -64,20 +65,20 @@ class RunController : public QObject {
   [[nodiscard]] std::optional<std::chrono::milliseconds> remaining() const;
   /// Computes these one after the other, while no run of the list is under way: finishedRunOf() has them then, and a
   /// change to one of them shows it at once. Replaces what was asked for before; none: stops.
-  void runAhead(std::vector<Pipeline> pipelines);
+  void runAhead(std::vector<Pipeline> pipelines) { ahead_.ask(std::move(pipelines)); }
   /// A result that is still known; null otherwise.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRunOf(const Pipeline& pipeline) const;
   [[nodiscard]] const FinishedRuns& finishedRuns() const { return runs_; }
   /// The view has brought a frame to the screen.
   void frameShown();
   /// What the view needs to draw everything: pictures of what a run has so far come the more seldom for it.
-  void setPictureTime(double ms) { pictureMs_ = ms; }
+  void setPictureTime(double ms) { display_.setPictureTime(ms); }
 
-  [[nodiscard]] StepStatus status(int id) const;
+  [[nodiscard]] StepStatus status(int id) const { return statuses_.find(id); }
   /// A run is under way.
   [[nodiscard]] bool busy() const { return job_ != nullptr; }
   /// A run waits until edits stop.
-  [[nodiscard]] bool settling() const;
+  [[nodiscard]] bool settling() const { return job_ && job_->settling; }
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
   /// The states of recent runs on this environment and its edits; for stepStates() of finishedRun(), on any thread.
@@ -105,79 +106,48 @@ class RunController : public QObject {
   void aheadChanged(int done, int all);
 
  private:
-  struct Job;
-  struct Outcome;
-  using MeshPtr = std::shared_ptr<const NavigationMesh>;
-
-  static Outcome compute(Job& job, ResultCache& cache);
-  static ViewContent makeContent(const Job& job, const RunResult& result);
-  void findFirstChange(Job& job) const;
-  void preview(Job& job) const;
-  void keepPreviews(const Job& job);
   enum class Start { Asked, Edited, Overtaking };  ///< the last: by an edit while a run was under way
+
   void start(Start why);
-  [[nodiscard]] std::shared_ptr<Job> makeJob(const Pipeline& pipeline) const;
-  void listenTo(const std::shared_ptr<Job>& job);
-  bool takeKnown(const std::shared_ptr<Job>& job);
-  void adopt(const Job& job, const Outcome& outcome, bool known);
-  [[nodiscard]] double expectedTime(const Job& job) const;
-  [[nodiscard]] std::chrono::milliseconds settleTime(const Job& job, Start why) const;
+  [[nodiscard]] Pipeline pipeline() const;
+  [[nodiscard]] std::shared_ptr<RunJob> makeJob(const Pipeline& pipeline) const;
+  [[nodiscard]] std::shared_ptr<RunJob> makeEditJob() const;
+  bool takeKnown(const std::shared_ptr<RunJob>& job);
+  void adopt(const RunJob& job, const RunOutcome& outcome, bool known);
+  void work(const std::shared_ptr<RunJob>& job);
+  void complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome);
+  void stopJob(StepState unfinished);
+  bool reportInvalidStep();
+  void forgetSteps();
   [[nodiscard]] bool letsFinish() const;
   void endSettling();
-  void showEdit();
-  void takeTime(std::size_t step, const RunEventBuffer::Step& events, bool inBlock, double fraction);
-  [[nodiscard]] std::optional<double> expectedOf(const Job& job, std::size_t step) const;
   void nextAhead();
-  void completeAhead(const std::shared_ptr<Job>& job, const Outcome& outcome);
-  void forgetSteps();
-  void work(const std::shared_ptr<Job>& job);
   void scheduleDrain();
   void drain();
   void takeStatuses(const std::vector<RunEventBuffer::Step>& steps, const std::vector<RunEventBuffer::Block>& blocks);
-  void takeCells(const std::vector<RunEventBuffer::Block>& blocks);
-  void showParts(const std::vector<RunEventBuffer::Step>& steps);
-  [[nodiscard]] ViewContent contentOfStep(const RunEventBuffer::Step& step) const;
-  [[nodiscard]] bool waitsForPicture() const;
-  void showLastResult();
-  void showLastCells();
-  void markUnfinished(const Job& job, const QString& error);
-  void complete(const std::shared_ptr<Job>& job, const Outcome& outcome);
-  void stopJob(StepState unfinished);
-  void refreshStatuses();
-  bool reportInvalidStep();
-  [[nodiscard]] std::string runKey() const;
 
   std::shared_ptr<const Environment> environment_;
   Vec3 centre_;
   std::vector<FilterEntry> filters_;
-  std::map<int, StepStatus> statuses_;
-  std::shared_ptr<Job> job_;
+  StepStatuses statuses_;
+  RunForecast forecast_{statuses_};
+  std::shared_ptr<RunJob> job_;
   std::shared_ptr<const FinishedRun> finished_;
+  std::string finishedKey_;
   FinishedRuns runs_;
+  RunDisplay display_;
   bool automatic_ = true;
   int threads_ = 0;
   bool dragging_ = false;
   bool followUp_ = false;  ///< the list has changed while the run under way was let to finish
   QTimer settleTimer_;
-  StepTimes stepTimes_;
-  std::vector<Pipeline> ahead_;  ///< still to be computed
-  int aheadAll_ = 0;
-  std::shared_ptr<Job> aheadJob_;
-  std::string finishedKey_;
-  ShownResult shown_;         ///< what the view shows of the last finished run; no mesh when there is none
-  bool provisional_ = false;  ///< the view shows something else, of a run that has not finished
   QTimer drainTimer_;
   RunEventBuffer::Clock::time_point drained_;
-  class PreviewCache;
-  class StepPictures;
-  std::shared_ptr<PreviewCache> previews_;
+  std::shared_ptr<StepMeshes> stepMeshes_;
   std::shared_ptr<ResultCache> cache_;
   EditPreviews editPreviews_;
-  KnownBlocks knownBlocks_;
-  bool cellsShown_ = false;                                          ///< there is something to take back
-  static constexpr auto kFrameWait = std::chrono::milliseconds(60);  ///< a hidden view shows no frames
-  double pictureMs_ = 0;
-  QTimer frameTimer_;      ///< ends waiting for a frame that does not come
+  QTimer frameTimer_;  ///< ends waiting for a frame that does not come
+  AheadRuns ahead_;
   BackgroundQueue queue_;  // last: its thread ends before the rest goes
 };
 

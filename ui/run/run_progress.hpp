@@ -1,0 +1,23 @@
+// How far a run is, from what its threads have told.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "ui/run/run_event_buffer.hpp"
+
+namespace footfall::ui {
+
+/// A step as part of a parallel block, whose filters run at the same time, one cell after the other; Collapse begins
+/// when all have ended.
+struct BlockPlace {
+  bool block = false;  ///< the step is one of a block that runs
+  bool waits = false;  ///< for the cells
+  double fraction = 0;
+  QString text;
+};
+BlockPlace placeInBlock(std::size_t step, const std::vector<RunEventBuffer::Step>& steps,
+                        const std::vector<RunEventBuffer::Block>& blocks);
+
+}  // namespace footfall::ui
