@@ -30,7 +30,8 @@ std::optional<Vec3> toPlace(const Json& json) {
 
 }  // namespace
 
-PathFeature::PathFeature(const FeatureHost& host, LevelView& view, LevelFile& file, RunController& controller)
+PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file,
+                         RunController& controller)
     : QObject(&host.window),
       view_(view),
       file_(file),
@@ -39,6 +40,11 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, LevelFile& fi
       panel_(new PathPanel(model_)),
       separation_(new SeparationView(model_, view, panel_)) {
   panel_->addBelowFailure(separation_);
+  separation_->setMends(
+      [&document](const Separation& separation) { return mendOf(separation, document.filters(), document.units()); });
+  connect(separation_, &SeparationView::mendRequested, this,
+          [&document](const SeparationMend& mend) { document.setValue(mend.filter, mend.parameter, mend.value, -1); });
+  connect(&document, &Document::filtersChanged, separation_, &SeparationView::refreshMend);
   dock_ = host.panels.add({QStringLiteral("panel.path"),
                            tr("Try it"),
                            tr("Enter two places and see the shortest path between them"),

@@ -21,7 +21,7 @@ class PathFeature : public QObject {
   Q_OBJECT
 
  public:
-  PathFeature(const FeatureHost& host, LevelView& view, LevelFile& file, RunController& controller);
+  PathFeature(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file, RunController& controller);
 
   [[nodiscard]] PathModel& model() { return model_; }
 

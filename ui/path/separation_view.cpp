@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/path/separation_view.hpp"
 
-#include <QHBoxLayout>
+#include <QVBoxLayout>
 #include <utility>
+
+#include "ui/base/flow_layout.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -21,7 +23,8 @@ SeparationView::SeparationView(PathModel& model, LevelView& view, QWidget* paren
       model_(model),
       view_(view),
       text_(new QLabel(this)),
-      show_(new QPushButton(tr("Show &it"), this)) {
+      show_(new QPushButton(tr("Show &it"), this)),
+      mend_(new QPushButton(this)) {
   text_->setObjectName(QStringLiteral("pathSeparation"));
   text_->setTextFormat(Qt::PlainText);
   text_->setWordWrap(true);
@@ -29,11 +32,20 @@ SeparationView::SeparationView(PathModel& model, LevelView& view, QWidget* paren
   text_->setAccessibleName(tr("What keeps start and target apart"));
   show_->setObjectName(QStringLiteral("pathShowSeparation"));
   show_->setToolTip(tr("Bring the place into sight where the two parts are nearest to each other"));
-  auto* layout = new QHBoxLayout(this);
+  mend_->setObjectName(QStringLiteral("pathMend"));
+  mend_->setToolTip(tr("Change the filter so that this place can be passed; undo takes it back"));
+  auto* buttons = new FlowLayout(6);
+  buttons->addWidget(show_);
+  buttons->addWidget(mend_);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(text_, 1);
-  layout->addWidget(show_, 0, Qt::AlignTop);
+  layout->addWidget(text_);
+  layout->addLayout(buttons);
   connect(show_, &QPushButton::clicked, this, &SeparationView::frame);
+  connect(mend_, &QPushButton::clicked, this, [this] {
+    const auto& separation = separationOf(model_);
+    if (const auto mend = separation && mends_ ? mends_(*separation) : std::nullopt) emit mendRequested(*mend);
+  });
   connect(&model_, &PathModel::resultChanged, this, &SeparationView::update);
   hide();
 }
@@ -41,6 +53,18 @@ SeparationView::SeparationView(PathModel& model, LevelView& view, QWidget* paren
 void SeparationView::setWriter(LevelWriter writer) {
   write_ = std::move(writer);
   update();
+}
+
+void SeparationView::setMends(std::function<std::optional<SeparationMend>(const Separation&)> mends) {
+  mends_ = std::move(mends);
+  refreshMend();
+}
+
+void SeparationView::refreshMend() {
+  const auto& separation = separationOf(model_);
+  const auto mend = separation && mends_ ? mends_(*separation) : std::nullopt;
+  mend_->setVisible(mend.has_value());
+  if (mend) mend_->setText(mend->text);
 }
 
 void SeparationView::setShown(bool shown) {
@@ -60,6 +84,7 @@ void SeparationView::update() {
   const bool isKnown = separation && write_.length && write_.place;
   text_->setText(isKnown ? separationText(*separation, write_) : QString());
   setVisible(isKnown);
+  refreshMend();
   if (!isKnown || !shown_) {
     view_.removeOverlay(kOverlay);
     return;

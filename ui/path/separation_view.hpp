@@ -5,8 +5,11 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
+#include <functional>
+#include <optional>
 
 #include "ui/path/path_model.hpp"
+#include "ui/path/separation_mend.hpp"
 #include "ui/path/separation_text.hpp"
 #include "ui/view/level_view.hpp"
 
@@ -23,6 +26,10 @@ class SeparationView : public QWidget {
   void setWriter(LevelWriter writer);
   /// `margin`: how much of the surroundings is shown with it.
   void setMargin(double margin) { margin_ = margin; }
+  /// What the button offers to change.
+  void setMends(std::function<std::optional<SeparationMend>(const Separation& separation)> mends);
+  /// Looks again at what can be changed.
+  void refreshMend();
   /// Draws the mark, also while the panel is hidden.
   void setShown(bool shown);
   /// Brings the largest link into sight.
@@ -30,6 +37,9 @@ class SeparationView : public QWidget {
 
   [[nodiscard]] QString text() const { return text_->text(); }
   [[nodiscard]] QPushButton* showButton() const { return show_; }
+
+ signals:
+  void mendRequested(const footfall::ui::SeparationMend& mend);
 
  private:
   void update();
@@ -40,7 +50,8 @@ class SeparationView : public QWidget {
   double margin_ = 1;
   bool shown_ = false;
   QLabel* text_;
-  QPushButton* show_;
+  QPushButton *show_, *mend_;
+  std::function<std::optional<SeparationMend>(const Separation&)> mends_;
 };
 
 }  // namespace footfall::ui

@@ -182,7 +182,7 @@ void EditorWindow::createFeatures() {
   bars_->main().addSeparator();
   bars_->main().addWidget(&look_->modes().box());
   camera_ = new CameraTools(host, *view_, *overlays_);
-  new PathFeature(host, *view_, file_, controller_);
+  new PathFeature(host, *view_, document_, file_, controller_);
   new SeedFeature(host, *view_, document_, controller_, *filters_);
   new MeasureFeature(host, *view_, file_, composer_);
   new InspectionFeature(host, *view_, document_, file_, composer_, controller_, *filters_);

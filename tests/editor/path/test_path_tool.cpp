@@ -88,6 +88,71 @@ class TestPathTool : public QObject {
     QVERIFY(text("pathSeparation").isEmpty());
   }
 
+  void oneClickRaisesTheStep() {
+    const QByteArray step =
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 4 0 0.5\nv 8 0 0.5\nv 8 4 0.5\nv 4 4 0.5\nf 1 2 3 4\nf 5 6 7 8\n"
+        "f 2 5 8 3\n";
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "step.obj", step),
+                    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\n"));
+    startTool();
+    model().setPlaces(Vec3{1, 2, 0}, Vec3{7, 2, 0.5});
+    QVERIFY(waitForResult(PathStatus::NotConnected));
+    QTRY_VERIFY(model().result()->separation);
+    auto* mend = window_->findChild<QPushButton*>("pathMend");
+    QTRY_VERIFY(mend->isVisible());
+    QCOMPARE(mend->text(), QString("Raise Step to 0.51 units"));
+    shoot(*window_, "path-mend");
+    QTest::mouseClick(mend, Qt::LeftButton);
+    QVERIFY(waitForResult(PathStatus::Found));
+    QVERIFY(!mend->isVisible());
+    QCOMPARE(window_->document().filters()[2].step.values[0], 0.51);
+    window_->document().undoStack()->undo();
+    QVERIFY(waitForResult(PathStatus::NotConnected));
+  }
+
+  void whatIsMendedIsTheBarrier() {
+    LevelUnits units;
+    units.metresPerUnit = 0.01;
+    units.scaleKnown = true;
+    Separation separation;
+    BorderLink link;
+    link.rise = -43.2;  // file units: centimetres
+    link.excess = 3.2;
+    const auto mend = [&](const std::string& pipeline, const BorderLink& barrier) {
+      separation.links = {barrier};
+      std::vector<FilterEntry> entries;
+      for (const PipelineStep& one : parsePipeline(pipeline, "test").steps)
+        entries.push_back({static_cast<int>(entries.size()) + 1, one});
+      separation.step = 40;
+      separation.height = 200;
+      return mendOf(separation, entries, units);
+    };
+    const std::string pipeline = "VerticalClearanceFilter 200\nStepFilter 40\n";
+    const auto raised = mend(pipeline, link);
+    QVERIFY(raised);
+    QCOMPARE(raised->filter, 2);
+    QCOMPARE(raised->value, 44.0);
+    QCOMPARE(raised->text, QString("Raise Step to 0.44 m"));
+    QVERIFY(!mend("VerticalClearanceFilter 200\nStepFilter 44\n", link));  // allowed already
+    QVERIFY(!mend("VerticalClearanceFilter 200\n#off StepFilter 40\n", link));
+    // Something to be stepped over, higher than the step from floor to floor.
+    link.kind = LinkKind::Obstacle;
+    link.obstacle = 57;
+    link.excess = 17;
+    QCOMPARE(mend(pipeline, link)->value, 58.0);
+    // Too low a ceiling.
+    link.kind = LinkKind::LowCeiling;
+    link.headroom = 181.5;
+    link.excess = 18.5;
+    QCOMPARE(mend(pipeline, link)->filter, 1);
+    QCOMPARE(mend(pipeline, link)->value, 181.0);
+    QCOMPARE(mend(pipeline, link)->text, QString("Lower Clearance to 1.81 m"));
+    for (const LinkKind kind : {LinkKind::Wall, LinkKind::Touch}) {
+      link.kind = kind;
+      QVERIFY(!mend(pipeline, link));
+    }
+  }
+
   void anEndIsDragged() {
     startTool();
     click({-2, -2, 0});

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/path/separation_mend.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/base/filter_text.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+namespace {
+
+/// For the translations.
+struct MendText {
+  Q_DECLARE_TR_FUNCTIONS(footfall::ui::SeparationMend)
+};
+
+// What is off by a rounding must not be missed by one.
+constexpr double kRoundings = 0x1p-40;
+constexpr double kPerUnit = 100;
+
+struct Need {
+  FilterType filter = FilterType::Step;
+  std::string_view parameter;
+  double value = 0;     ///< environment units
+  bool atMost = false;  ///< the value may not be more than that; else not less
+};
+
+std::optional<Need> needOf(const BorderLink& link, double step) {
+  if (link.isClosed()) return std::nullopt;
+  if (link.kind == LinkKind::LowCeiling) return Need{FilterType::VerticalClearance, "height", link.headroom, true};
+  const double climbed = std::max(std::abs(link.rise), link.kind == LinkKind::Obstacle ? link.obstacle : 0.0);
+  if (climbed > step && climbed - step >= link.excess) return Need{FilterType::Step, "step", climbed, false};
+  return Need{FilterType::Step, "gap", link.gap, false};
+}
+
+double roundedAway(const Need& need, const LevelUnits& units) {
+  const double shown = units.shown(need.value) * kPerUnit;
+  return units.stored((need.atMost ? std::floor(shown * (1 - kRoundings)) : std::ceil(shown * (1 + kRoundings))) /
+                      kPerUnit);
+}
+
+}  // namespace
+
+std::optional<SeparationMend> mendOf(const Separation& separation, const std::vector<FilterEntry>& filters,
+                                     const LevelUnits& units) {
+  const auto need = needOf(separation.barrier(), separation.step);
+  if (!need) return std::nullopt;
+  const double value = roundedAway(*need, units);
+  for (const FilterEntry& entry : filters) {
+    const FilterDescriptor& filter = *entry.step.filter;
+    if (!entry.step.enabled || filter.type != need->filter) continue;
+    const auto parameter = std::ranges::find(filter.parameters, need->parameter, &ParameterDescriptor::name);
+    if (parameter == filter.parameters.end()) continue;
+    const auto index = static_cast<std::size_t>(parameter - filter.parameters.begin());
+    if (index >= entry.step.values.size() || !checkValue(*parameter, value).empty()) continue;
+    const double now = entry.step.values[index];
+    if (need->atMost ? now <= value : now >= value) continue;
+    const QString text = need->atMost ? MendText::tr("Lower %1 to %2") : MendText::tr("Raise %1 to %2");
+    return SeparationMend{entry.id, index, value, text.arg(filterText(parameter->label), units.length(value))};
+  }
+  return std::nullopt;
+}
+
+}  // namespace footfall::ui
