@@ -149,6 +149,47 @@ void FaceCutter::cancelSegments() {
   segments_.resize(kept);
 }
 
+void FaceCutter::keepOutline(OpenGrid& grid) {
+  cancelSegments();
+  triangulation_.start();
+  std::vector<Index> points;
+  points.reserve(2 * segments_.size());
+  for (const CutSegment& s : segments_) points.insert(points.end(), {s.from, s.to});
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sortAlongCurve(geometry_, points);
+  for (const Index p : points) triangulation_.insertPoint(p);
+  for (const CutSegment& s : segments_)
+    triangulation_.insertSegment(triangulation_.insertPoint(s.from), triangulation_.insertPoint(s.to), s.line,
+                                 s.direction, s.winding, s.wall);
+
+  const auto& cells = triangulation_.cells();
+  const std::vector<int> winding = triangulation_.windingNumbers();
+  segments_.clear();
+  grid.close();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if ((++polls_ & 255) == 0) poll_();
+    const FaceTriangulation::Cell& c = cells[i];
+    const bool isOpen = winding[i] == 0;
+    if (isOpen)
+      grid.open({geometry_.approximate(c.corners[0]), geometry_.approximate(c.corners[1]),
+                 geometry_.approximate(c.corners[2])});
+    for (int k = 0; k < 3; ++k) {
+      const Index other = c.neighbors[k];
+      const bool isOpenBeyond = other >= 0 && winding[other] == 0;
+      bool isWall = c.walls[k] != 0;
+      if (isOpen) {  // Between open cells the one with the larger number has the wall, beside a covered one that.
+        if (!isWall || (other >= 0 && !isOpenBeyond) || other > static_cast<Index>(i)) continue;
+      } else {
+        if (other >= 0 && !isOpenBeyond) continue;
+        isWall = isWall && isOpenBeyond;
+      }
+      addSegment(c.corners[next(k)], c.corners[previous(k)], c.lines[k], geometry_.side(c.lines[k], c.corners[k]),
+                 isOpen ? 0 : 1, isWall);
+    }
+  }
+}
+
 // By their ends. Giants have tens of thousands of segments: those are counted into place, by one end and then the
 // other.
 void FaceCutter::sortSegments() {

@@ -11,13 +11,19 @@
 #include "core/base/poll.hpp"
 #include "core/exact/face_cuts.hpp"
 #include "core/exact/face_geometry.hpp"
+#include "core/exact/face_triangulation.hpp"
+#include "core/filters/open_grid.hpp"
 
 namespace footfall::detail {
 
 /// One for each thread; reused from face to face.
 class FaceCutter {
  public:
-  FaceCutter(const PlanKernel& kernel, Poll poll) : mesh_(kernel.mesh()), poll_(poll), geometry_(kernel) {}
+  FaceCutter(const PlanKernel& kernel, Poll poll)
+      : mesh_(kernel.mesh()), poll_(poll), geometry_(kernel), triangulation_(geometry_, poll) {}
+  FaceCutter(const FaceCutter&) = delete;
+  FaceCutter& operator=(const FaceCutter&) = delete;
+  ~FaceCutter() = default;
 
   /// The cuts that convex polygons of the plan make on a face, each given by the plan ids of its corners, at most
   /// twelve, counter-clockwise.
@@ -87,6 +93,10 @@ class FaceCutter {
   void addCuts(const FaceCuts& cuts, std::vector<Index>& points, std::vector<Index>& lines);
   void addCuts(const FaceShare& cuts, std::vector<Index>& points, std::vector<Index>& lines);
   void cancelSegments();
+  /// Replaces the segments by the outline of all that they enclose, with the walls outside of it; opens in `grid` what
+  /// is outside and closes all else. Not for shares of cells.
+  void keepOutline(OpenGrid& grid);
+  [[nodiscard]] std::size_t segmentCount() const { return segments_.size(); }
   void collect(FaceCuts& cuts);
   void collect(FaceShare& cuts);
 
@@ -112,6 +122,7 @@ class FaceCutter {
   void sortSegments();
   [[nodiscard]] bool precedes(Index line, Index other) const;
 
+  FaceTriangulation triangulation_;  ///< of what keepOutline() looks at
   bool started_ = false;
   std::vector<CutSegment> segments_, sorted_;
   std::vector<Index> counts_;

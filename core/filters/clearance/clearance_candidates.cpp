@@ -7,6 +7,7 @@
 
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
+#include "core/filters/open_grid.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -20,6 +21,12 @@ bool areOrientationsExact(int bits) { return 2 * (bits + 1) + 1 <= kDoubleBits; 
 bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
 
 }  // namespace
+
+bool ClearanceCandidate::takesAll() const {
+  const bool above = std::all_of(floor.begin(), floor.end(), [](int s) { return s >= 0; });
+  const bool below = std::all_of(ceiling.begin(), ceiling.end(), [](int s) { return s <= 0; });
+  return coplanar || (above && below);
+}
 
 Box clearanceBox(const SourceMesh& mesh, Index face, double height) {
   Box box = boxOf(mesh, face);
@@ -46,6 +53,8 @@ void ClearanceCandidates::begin(Index face) {
   face_ = face;
   dependsOnFloors_ = false;
   candidates_.clear();
+  crowding_.emplace(mesh_, face);
+  isCoverSought_ = areKnownToCover_ = false;
   box_ = clearanceBox(mesh_, face, height_);
   const auto& f = mesh_.triangles[face];
   const auto& n = mesh_.normals[face];
@@ -81,23 +90,29 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
     search(box_);
     return candidates_;
   }
+  isCoverSought_ = true;  // what is found twice must not count twice
   for (const Index obstacle : known) consider(obstacle);
-  if (knownHeight >= height_) {
+  if (knownHeight < height_) {
+    Box box = box_;
+    box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
+    search(box);
+    const auto isSame = [](const ClearanceCandidate& x, const ClearanceCandidate& y) {
+      return x.obstacle == y.obstacle;
+    };
+    candidates_.erase(std::unique(candidates_.begin(), candidates_.end(), isSame), candidates_.end());
+  } else {
     sort();
-    return candidates_;
   }
-  Box box = box_;
-  box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
-  search(box);
-  const auto isSame = [](const ClearanceCandidate& x, const ClearanceCandidate& y) { return x.obstacle == y.obstacle; };
-  candidates_.erase(std::unique(candidates_.begin(), candidates_.end(), isSame), candidates_.end());
+  crowding_.emplace(mesh_, face);
+  for (const ClearanceCandidate& candidate : candidates_) crowding_->add(candidate.obstacle);
+  areKnownToCover_ = crowding_->isCrowd() && proveCover();
   return candidates_;
 }
 
 void ClearanceCandidates::search(const Box& box) {
   mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
     consider(obstacle);
-    return true;
+    return !areKnownToCover_;
   });
   sort();
 }
@@ -122,6 +137,44 @@ void ClearanceCandidates::consider(Index obstacle) {
     return;
   }
   candidates_.push_back(candidate);
+  crowding_->add(obstacle);
+  if (isCoverSought_ || !crowding_->isCrowd()) return;
+  isCoverSought_ = true;
+  areKnownToCover_ = proveCover();
+}
+
+// In a deep crowd most floors are covered many times over, and a few obstacles tell. Cells are asked in an order that
+// spreads, so that floors with something open are soon known.
+bool ClearanceCandidates::proveCover() {
+  const Index origin = mesh_.triangles[face_][0];
+  const Vec3& base = mesh_.vertices[origin];
+  OpenGrid grid(kernel_, face_);
+  std::vector<std::int32_t> stack;
+  for (std::uint32_t i = 0; i < OpenGrid::kCells * OpenGrid::kCells; ++i) {
+    std::size_t column = 0, row = 0;
+    for (std::uint32_t bit = 0, half = OpenGrid::kCells / 2; half > 0; bit += 2, half /= 2) {
+      column += (i >> bit & 1) * half;
+      row += (i >> (bit + 1) & 1) * half;
+    }
+    if (!grid.isOpen(column, row)) continue;
+    const auto [x, y] = grid.middle(column, row);
+    Box box = box_;
+    box.lower[0] = box.upper[0] = base.x + std::ldexp(x, -mesh_.grid.scaleExponent());
+    box.lower[1] = box.upper[1] = base.y + std::ldexp(y, -mesh_.grid.scaleExponent());
+    mesh_.tree.visitOverlapping(box, stack, [&](Index obstacle) {
+      if ((++polls_ & 255) == 0) poll_();
+      if (obstacle == face_ || mesh_.facing[obstacle] == 0) return true;
+      ClearanceCandidate candidate;
+      candidate.obstacle = obstacle;
+      if (!findHeights(candidate) || !candidate.takesAll()) return true;
+      if (candidate.coplanar && (mesh_.facing[obstacle] < 0 || obstacle > face_)) return true;
+      dependsOnFloors_ = dependsOnFloors_ || candidate.coplanar;
+      if (!candidate.coplanar || isFloor_(obstacle)) grid.cover(outlineInPlan(kernel_, obstacle, origin));
+      return grid.isOpen(column, row);
+    });
+    if (grid.isOpen(column, row)) return false;
+  }
+  return true;
 }
 
 // Exact: a rounded difference on one side of the clearance is on that side before rounding, as the clearance is a

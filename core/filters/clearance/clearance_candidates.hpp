@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/poll.hpp"
 #include "core/exact/plan_kernel.hpp"
+#include "core/filters/clearance/crowding.hpp"
 #include "footfall/statistics.hpp"
 
 namespace footfall::detail {
@@ -24,6 +26,9 @@ struct ClearanceCandidate {
   Signs floor{}, ceiling{};      ///< for each corner of the obstacle: its height against the floor and the clearance
   std::array<Signs, 3> sides{};  ///< [edge of the face][corner of the obstacle]: +1 inside
   bool coplanar = false;
+
+  /// The whole triangle takes from the floor what lies under it.
+  [[nodiscard]] bool takesAll() const;
 };
 
 /// One for each thread; reused from face to face.
@@ -34,7 +39,7 @@ class ClearanceCandidates {
   ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
   /// All triangles that reach into the clearance and overlap the face in the plan, and of those in its plane the floors
-  /// that come before it; in the order of the triangles. Good until the next call.
+  /// that come before it; in the order of the triangles. Not all when areKnownToCover(). Good until the next call.
   std::span<const ClearanceCandidate> find(Index face);
 
   /// The same, when all that may stand above the face in the plan within `knownHeight` is known.
@@ -44,6 +49,10 @@ class ClearanceCandidates {
   std::span<const ClearanceCandidate> findWithin(Index face, const Box& box);
 
   [[nodiscard]] std::span<const ClearanceCandidate> found() const { return candidates_; }
+  /// Whether they lie so deep that looking what covers what pays: the same whatever found them.
+  [[nodiscard]] bool areCrowd() const { return crowding_->isCrowd(); }
+  /// Whether it was proven that they cover the whole face. The same whatever found them.
+  [[nodiscard]] bool areKnownToCover() const { return areKnownToCover_; }
   /// Whether some other triangle in the face's plane would be among them if it was a floor, or is because it is one.
   [[nodiscard]] bool dependsOnFloors() const { return dependsOnFloors_; }
 
@@ -63,6 +72,8 @@ class ClearanceCandidates {
   [[nodiscard]] int sideOf(Index a, Index b, Index p);
   [[nodiscard]] bool onlyTouchesBox(Index obstacle) const;
   bool isSeparated(Index obstacle);
+  /// Whether each cell of a grid over the face lies under one obstacle that takes all.
+  bool proveCover();
 
   const PlanKernel& kernel_;
   const SourceMesh& mesh_;
@@ -82,6 +93,8 @@ class ClearanceCandidates {
   double floorZ_ = 0;     ///< ... which is this one
   bool dependsOnFloors_ = false;
   std::vector<ClearanceCandidate> candidates_;
+  std::optional<Crowding> crowding_;
+  bool isCoverSought_ = false, areKnownToCover_ = false;
   std::vector<std::int32_t> stack_;
 };
 

@@ -2,8 +2,10 @@
 #include "core/filters/clearance/clearance_clipper.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
@@ -12,7 +14,7 @@
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 #include "core/exact/insertion_order.hpp"
-#include "core/filters/clearance/covered_obstacles.hpp"
+#include "core/filters/clearance/crowding.hpp"
 
 namespace footfall::detail {
 
@@ -45,7 +47,7 @@ FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> side
     (keep > 0 ? box.lower : box.upper)[border.a] = coordinate;
   }
   FaceShare share;
-  share.removed = !clipAll(candidates_.findWithin(face, box), {});
+  share.removed = !clipAll(candidates_.findWithin(face, box));
   if (!share.removed) {
     cancelSegments();
     collect(share);
@@ -114,29 +116,25 @@ ExactFallbacks ClearanceClipper::fallbacks() const {
   return sum;
 }
 
-bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates, const std::vector<char>& leftOut) {
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if ((++polls_ & 255) == 0) poll_();
-    const ClearanceCandidate& candidate = candidates[i];
-    const bool isWall = mesh_.facing[candidate.obstacle] == 0;
-    if ((isWall && isWallOfEdge(candidate)) || (!leftOut.empty() && leftOut[i] != 0)) continue;
-    startGeometry();
-    obstacle_ = candidate.obstacle;
-    if (isWall)
-      addWall(candidate);
-    else if (addArea(candidate))
-      return false;
-  }
+bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates) {
+  return std::all_of(candidates.begin(), candidates.end(), [this](const ClearanceCandidate& c) { return clipOne(c); });
+}
+
+bool ClearanceClipper::clipOne(const ClearanceCandidate& candidate) {
+  if ((++polls_ & 255) == 0) poll_();
+  const bool isWall = mesh_.facing[candidate.obstacle] == 0;
+  if (isWall && isWallOfEdge(candidate)) return true;
+  startGeometry();
+  obstacle_ = candidate.obstacle;
+  if (!isWall) return !addArea(candidate);
+  addWall(candidate);
   return true;
 }
 
 FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
   FaceCuts cuts;
-  Crowding crowding(mesh_, face_);
-  for (const ClearanceCandidate& candidate : candidates) crowding.add(candidate.obstacle);
-  std::vector<char> leftOut;
-  if (crowding.isCrowd()) leftOut = findCovered(geometry_.kernel(), face_, candidates, poll_);
-  cuts.removed = !clipAll(candidates, leftOut);
+  cuts.removed =
+      candidates_.areKnownToCover() || !(candidates_.areCrowd() ? clipCrowd(candidates) : clipAll(candidates));
   if (!cuts.removed) {
     cancelSegments();
     collect(cuts);
@@ -144,6 +142,64 @@ FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
   }
   cuts.dependsOnFloors = candidates_.dependsOnFloors();
   return cuts;
+}
+
+namespace {
+
+/// Numbers of candidates: those that cover much before those that cover less, by sixteenths of powers of two; walls
+/// come last.
+std::vector<std::size_t> largestFirst(const SourceMesh& mesh, Index face,
+                                      std::span<const ClearanceCandidate> candidates, const Poll& poll) {
+  const Crowding crowding(mesh, face);
+  std::map<std::uint64_t, std::vector<std::size_t>, std::greater<>> byArea;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if ((i & 1023) == 0) poll();
+    const Index obstacle = candidates[i].obstacle;
+    const double area = mesh.facing[obstacle] == 0 ? 0 : crowding.commonArea(obstacle);
+    byArea[std::bit_cast<std::uint64_t>(area) >> 48U].push_back(i);
+  }
+  std::vector<std::size_t> order;
+  for (const auto& [area, some] : byArea) order.insert(order.end(), some.begin(), some.end());
+  return order;
+}
+
+}  // namespace
+
+// Outlines of a crowd cross each other inside what is taken away anyway, as the square of its depth. So obstacles are
+// left out that a grid proves to lie where others stay, and of the rest never more are cut at once than a share of what
+// has been kept: of those only the outline goes on.
+bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates) {
+  constexpr std::size_t kAtOnce = 8;
+  startGeometry();
+  OpenGrid grid(geometry_.kernel(), face_);
+  std::vector<std::size_t> order = largestFirst(mesh_, face_, candidates, poll_), kept;
+  for (const bool whole : {true, false})
+    for (const std::size_t i : order) {
+      if ((++polls_ & 255) == 0) poll_();
+      const ClearanceCandidate& candidate = candidates[i];
+      const bool isWall = mesh_.facing[candidate.obstacle] == 0;
+      if ((!isWall && candidate.takesAll()) != whole) continue;
+      const OpenGrid::Outline outline = outlineInPlan(geometry_.kernel(), candidate.obstacle, geometry_.origin());
+      if (!(isWall && isWallOfEdge(candidate)) && !grid.mayReach(outline)) continue;
+      kept.push_back(i);
+      if (whole) grid.cover(outline);
+    }
+  if (grid.isClosed()) return false;
+
+  bool isReduced = false;
+  std::size_t added = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const ClearanceCandidate& candidate = candidates[kept[i]];
+    if (isReduced && !grid.mayReach(outlineInPlan(geometry_.kernel(), candidate.obstacle, geometry_.origin())))
+      continue;
+    if (!clipOne(candidate)) return false;
+    if (++added < std::max(kAtOnce, segmentCount() / 16) || kept.size() - i <= kAtOnce) continue;
+    keepOutline(grid);
+    if (grid.isClosed()) return false;
+    isReduced = true;
+    added = 0;
+  }
+  return true;
 }
 
 bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {

@@ -37,8 +37,11 @@ class ClearanceClipper : private FaceCutter {
   [[nodiscard]] ExactFallbacks fallbacks() const;
 
  private:
-  /// False when one obstacle covers the whole face. `leftOut` marks those that change nothing; empty: none.
-  bool clipAll(std::span<const ClearanceCandidate> candidates, const std::vector<char>& leftOut);
+  /// False when one obstacle covers the whole face.
+  bool clipAll(std::span<const ClearanceCandidate> candidates);
+  bool clipOne(const ClearanceCandidate& candidate);
+  /// False when obstacles cover the whole face. What is left open is the same as after clipAll().
+  bool clipCrowd(std::span<const ClearanceCandidate> candidates);
   FaceCuts cut(std::span<const ClearanceCandidate> candidates);
   bool addArea(const ClearanceCandidate& candidate);
   bool isWallOfEdge(const ClearanceCandidate& candidate);

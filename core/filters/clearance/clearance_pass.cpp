@@ -7,7 +7,7 @@
 
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
-#include "core/filters/clearance/covered_obstacles.hpp"
+#include "core/filters/clearance/crowding.hpp"
 #include "core/filters/height_levels.hpp"
 
 namespace footfall::detail {

@@ -35,12 +35,13 @@ class KnownCuts {
     if (then < 0 || earlier_->state().walkable[then] == 0) return -1;
     return floorsDiffer_ && (*earlier_->state().cuts)[then].dependsOnFloors ? -1 : then;
   }
-  /// Whether standing() is complete: it leaves out what was in the face's plane and no floor. And whether it is short:
-  /// where much came, the index of the environment finds what stands above a face sooner.
+  /// Whether standing() is complete: it leaves out what was in the face's plane and no floor, and what nobody looked
+  /// for because others covered the face. And whether it is short: where much came, the index of the environment finds
+  /// what stands above a face sooner.
   [[nodiscard]] bool knowsAll(Index faceBefore) const {
     constexpr std::size_t kMostAdded = 256;
     return earlier_ && earlier_->added().size() <= kMostAdded && faceBefore >= 0 &&
-           !(*earlier_->state().cuts)[faceBefore].dependsOnFloors;
+           !earlier_->state().cuts->isRemoved(faceBefore) && !(*earlier_->state().cuts)[faceBefore].dependsOnFloors;
   }
   /// Whether something came or went in the clearance above the face.
   [[nodiscard]] bool isTouched(Index face) const {

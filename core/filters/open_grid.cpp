@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/open_grid.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/exact/face_geometry.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeastRise = 0x1p-1000;  ///< of an edge whose quotients are numbers
+
+struct Interval {
+  double low = kInfinity, high = -kInfinity;
+  void include(double from, double to) {
+    low = std::min(low, from);
+    high = std::max(high, to);
+  }
+};
+
+}  // namespace
+
+/// A triangle cut at heights.
+class Slices {
+ public:
+  explicit Slices(const OpenGrid::Outline& outline) : corners_(outline) {
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ApproximatePoint &a = corners_[k], &b = corners_[(k + 1) % 3];
+      error_ = std::max(error_, a.error);
+      largest = std::max({largest, std::fabs(a.x), std::fabs(a.y)});
+      widths_.include(a.x, a.x);
+      heights_.include(a.y, a.y);
+      const bool isLevel = std::fabs(b.y - a.y) < kLeastRise;
+      perHeight_[k] = isLevel ? 0 : 1 / (b.y - a.y);
+      margins_[k] = a.x == b.x ? 0 : isLevel ? kInfinity : (std::fabs(a.x) + std::fabs(b.x)) * 0x1p-49;
+    }
+    if (error_ > 0) error_ += largest * 0x1p-50;  // adding and subtracting it is rounded, too
+  }
+
+  [[nodiscard]] double lowest() const { return heights_.low - error_; }
+  [[nodiscard]] double highest() const { return heights_.high + error_; }
+  [[nodiscard]] double leftmost() const { return widths_.low - error_; }
+  [[nodiscard]] double rightmost() const { return widths_.high + error_; }
+
+  /// Nothing of the true triangle between two heights lies outside.
+  [[nodiscard]] Interval around(double low, double high) const {
+    Interval result;
+    low -= error_, high += error_;
+    for (const ApproximatePoint& p : corners_)
+      if (p.y >= low && p.y <= high) result.include(p.x, p.x);
+    for (const double y : {low, high})
+      for (std::size_t k = 0; k < 3; ++k)
+        if (passes(k, y)) result.include(at(k, y) - margins_[k], at(k, y) + margins_[k]);
+    return {result.low - error_, result.high + error_};
+  }
+
+  /// All between these two and between two heights lies in the true triangle; empty where low > high.
+  [[nodiscard]] Interval inside(double low, double high) const {
+    low -= error_, high += error_;
+    if (low < heights_.low || high > heights_.high) return {};
+    // The left side is convex and the right one concave, so that the ends of the slice are the narrowest.
+    double left = -kInfinity, right = kInfinity;
+    for (const double y : {low, high}) {
+      double first = kInfinity, last = -kInfinity;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!passes(k, y)) continue;
+        const double x = at(k, y);
+        first = std::min(first, x + margins_[k]);
+        last = std::max(last, x - margins_[k]);
+      }
+      left = std::max(left, first);
+      right = std::min(right, last);
+    }
+    return {left + error_, right - error_};
+  }
+
+ private:
+  [[nodiscard]] bool passes(std::size_t k, double y) const {
+    const double a = corners_[k].y, b = corners_[(k + 1) % 3].y;
+    return a != b && (a <= y || b <= y) && (a >= y || b >= y);
+  }
+  [[nodiscard]] double at(std::size_t k, double y) const {
+    const ApproximatePoint &a = corners_[k], &b = corners_[(k + 1) % 3];
+    return a.x + (y - a.y) * perHeight_[k] * (b.x - a.x);
+  }
+
+  OpenGrid::Outline corners_;
+  std::array<double, 3> perHeight_{}, margins_{};  ///< of the edge from each corner
+  double error_ = 0;
+  Interval widths_, heights_;
+};
+
+namespace {
+
+/// Whether an edge of the first triangle certainly has the second one on its outer side.
+bool isBeside(const OpenGrid::Outline& triangle, const OpenGrid::Outline& other, double slack) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ApproximatePoint &a = triangle[k], &b = triangle[(k + 1) % 3];
+    const MaybeSign inner = filteredOrientation(a, b, triangle[(k + 2) % 3], slack);
+    if (inner && std::all_of(other.begin(), other.end(),
+                             [&](const ApproximatePoint& p) { return filteredOrientation(a, b, p, slack) == -*inner; }))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+OpenGrid::OpenGrid(const PlanKernel& kernel, Index triangle) : slack_(kernel.sign().slack) {
+  const Outline face = outlineInPlan(kernel, triangle, kernel.mesh().triangles[triangle][0]);
+  // The true face lies within, too.
+  const Slices whole(face);
+  const Interval columns{whole.leftmost(), whole.rightmost()}, rows{whole.lowest(), whole.highest()};
+  const auto divide = [](const Interval& range, std::array<double, kCells + 1>& borders) {
+    for (std::size_t i = 0; i <= kCells; ++i) {
+      const double share = static_cast<double>(i) / kCells;
+      borders[i] = range.low * (1 - share) + range.high * share;
+    }
+    std::sort(borders.begin(), borders.end());  // rounding may swap those of a face without width
+    borders.front() = range.low;
+    borders.back() = range.high;
+    return range.high - range.low > kLeastRise ? kCells / (range.high - range.low) : 0;
+  };
+  columnsPerUnit_ = divide(columns, x_);
+  rowsPerUnit_ = divide(rows, y_);
+  open(face);
+}
+
+OpenGrid::Row OpenGrid::columnsMeeting(double low, double high) const {
+  if (!(low <= high) || high < x_.front() || low > x_.back()) return 0;
+  // The cell by arithmetic, then by the borders as they are.
+  const auto cellAt = [&](double x) {
+    const double c = std::clamp((x - x_.front()) * columnsPerUnit_, 0.0, static_cast<double>(kCells - 1));
+    return static_cast<std::size_t>(c);
+  };
+  std::size_t first = cellAt(low), last = cellAt(high);
+  while (first > 0 && x_[first] >= low) --first;
+  while (first + 1 < kCells && x_[first + 1] < low) ++first;
+  while (last + 1 < kCells && x_[last + 1] <= high) ++last;
+  while (last > 0 && x_[last] > high) --last;
+  return (~Row{0} << first) & (~Row{0} >> (kCells - 1 - last));
+}
+
+OpenGrid::Row OpenGrid::columnsWithin(double low, double high) const {
+  Row cells = columnsMeeting(low, high);
+  while (cells != 0) {
+    const auto first = static_cast<std::size_t>(std::countr_zero(cells));
+    if (x_[first] >= low) break;
+    cells &= cells - 1;
+  }
+  while (cells != 0) {
+    const auto last = kCells - 1 - static_cast<std::size_t>(std::countl_zero(cells));
+    if (x_[last + 1] <= high) break;
+    cells &= ~(Row{1} << last);
+  }
+  return cells;
+}
+
+template <class Visit>
+bool OpenGrid::visitRows(double low, double high, const Visit& visit) const {
+  if (high < y_.front() || low > y_.back()) return false;
+  const double share = std::clamp((low - y_.front()) * rowsPerUnit_, 0.0, static_cast<double>(kCells - 1));
+  auto row = static_cast<std::size_t>(share);
+  while (row > 0 && y_[row] >= low) --row;
+  for (; row < kCells && y_[row] <= high; ++row)
+    if (visit(row)) return true;
+  return false;
+}
+
+OpenGrid::Row OpenGrid::cellsMet(const Slices& triangle, std::size_t row) const {
+  const Interval around = triangle.around(y_[row], y_[row + 1]);
+  return columnsMeeting(around.low, around.high);
+}
+
+void OpenGrid::close() {
+  open_.fill(0);
+  opened_.clear();
+  areAllListed_ = true;
+}
+
+void OpenGrid::open(const Outline& outline) {
+  constexpr std::size_t kMostListed = 64;
+  areAllListed_ = areAllListed_ && opened_.size() < kMostListed;
+  if (areAllListed_) opened_.push_back(outline);
+  const Slices triangle(outline);
+  visitRows(triangle.lowest(), triangle.highest(), [&](std::size_t row) {
+    open_[row] |= cellsMet(triangle, row);
+    return false;
+  });
+}
+
+void OpenGrid::cover(const Outline& outline) {
+  const Slices triangle(outline);
+  const Row columns = columnsMeeting(triangle.leftmost(), triangle.rightmost());
+  visitRows(triangle.lowest(), triangle.highest(), [&](std::size_t row) {
+    if ((open_[row] & columns) == 0) return false;
+    const Interval inside = triangle.inside(y_[row], y_[row + 1]);
+    open_[row] &= ~columnsWithin(inside.low, inside.high);
+    return false;
+  });
+}
+
+bool OpenGrid::mayReach(const Outline& outline) const {
+  const Slices triangle(outline);
+  const Row columns = columnsMeeting(triangle.leftmost(), triangle.rightmost());
+  const auto meetsCell = [&](std::size_t row) {
+    return (open_[row] & columns) != 0 && (open_[row] & cellsMet(triangle, row)) != 0;
+  };
+  if (!visitRows(triangle.lowest(), triangle.highest(), meetsCell)) return false;
+  return !areAllListed_ || std::any_of(opened_.begin(), opened_.end(), [&](const Outline& opened) {
+    return !isBeside(opened, outline, slack_) && !isBeside(outline, opened, slack_);
+  });
+}
+
+bool OpenGrid::isClosed() const {
+  return std::all_of(open_.begin(), open_.end(), [](Row row) { return row == 0; });
+}
+
+OpenGrid::Outline outlineInPlan(const PlanKernel& kernel, Index triangle, Index origin) {
+  const SourceMesh& mesh = kernel.mesh();
+  const auto at = [&](Index v) { return kernel.approximateSource(mesh.planIds[v], origin); };
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return {at(a), at(b), at(c)};
+}
+
+}  // namespace footfall::detail

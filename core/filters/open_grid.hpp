@@ -1,0 +1,70 @@
+// Which parts of a face are still open, on a grid: what certainly lies beside them needs no exact look.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/exact/plan_kernel.hpp"
+
+namespace footfall::detail {
+
+class Slices;
+
+/// A grid of 64 x 64 cells over the box of a face in the plan. Points are rounded, with their errors; a cell counts as
+/// closed only where that proves it, and open ones may be closed in truth.
+///
+/// Proof. The true triangle lies within the rounded one, moved by at most the largest error e of its corners along each
+/// axis; so what holds for the rounded one between the heights low - e and high + e, and e further in or out, holds for
+/// the true one between low and high. Where an edge passes a height is computed with at most eight roundings, each of
+/// at most 2^-53 of the edge's coordinates; a margin of 2^-49 of those covers them. Upright edges have none.
+class OpenGrid {
+ public:
+  using Outline = std::array<ApproximatePoint, 3>;  ///< of a triangle; either way round
+
+  /// All that the face reaches is open.
+  OpenGrid(const PlanKernel& kernel, Index face);
+
+  /// Closes everything.
+  void close();
+  /// Opens what a triangle may reach.
+  void open(const Outline& triangle);
+  /// Closes the cells that lie in a triangle.
+  void cover(const Outline& triangle);
+  /// Whether a triangle may reach something open.
+  [[nodiscard]] bool mayReach(const Outline& triangle) const;
+  [[nodiscard]] bool isClosed() const;
+
+  static constexpr std::size_t kCells = 64;  ///< in a row, and rows
+  [[nodiscard]] bool isOpen(std::size_t column, std::size_t row) const { return (open_[row] >> column & 1) != 0; }
+  /// The middle of a cell, rounded.
+  [[nodiscard]] std::array<double, 2> middle(std::size_t column, std::size_t row) const {
+    return {(x_[column] + x_[column + 1]) / 2, (y_[row] + y_[row + 1]) / 2};
+  }
+
+ private:
+  using Row = std::uint64_t;
+
+  /// The bits of the columns that [low, high] meets, or of those that lie in it.
+  [[nodiscard]] Row columnsMeeting(double low, double high) const;
+  [[nodiscard]] Row columnsWithin(double low, double high) const;
+  /// Calls visit(row) for each row that may have something in common with heights from low to high; until it is true.
+  template <class Visit>
+  bool visitRows(double low, double high, const Visit& visit) const;
+  [[nodiscard]] Row cellsMet(const Slices& triangle, std::size_t row) const;
+
+  std::array<double, kCells + 1> x_{}, y_{};  ///< the borders of columns and rows
+  double columnsPerUnit_ = 0, rowsPerUnit_ = 0;
+  std::array<Row, kCells> open_{};
+  /// What was opened since all was closed, while it is little: cells are coarse beside thin triangles.
+  std::vector<Outline> opened_;
+  bool areAllListed_ = true;
+  double slack_;
+};
+
+/// Of a triangle of the source mesh, relative to a vertex.
+OpenGrid::Outline outlineInPlan(const PlanKernel& kernel, Index triangle, Index origin);
+
+}  // namespace footfall::detail
