@@ -1,0 +1,258 @@
+// The part of StepLinker that links across gaps.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/filters/steps/step_linker.hpp"
+#include "core/mesh/lifted_vertex.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kUnit = GapConditions::kUnit;
+constexpr double kSnap = GapConditions::kSnap;
+/// Places of two borders that are nearer along a gap are across from each other.
+constexpr double kAcross = 4 * kSnap;
+/// Each line that cuts a border goes on so far behind it, so that rounding its ends hardly turns it.
+constexpr double kArm = 0x1p20;
+/// Coordinates of places are below that.
+constexpr double kMostCoordinate = 0x1p36;
+/// Splits bring forth others on the borders across; each of them is a step nearer to an end, but there could be many.
+constexpr int kRounds = 8;
+
+Vec3 roundToUnit(const Vec3& p) {
+  return {std::nearbyint(p.x / kUnit) * kUnit, std::nearbyint(p.y / kUnit) * kUnit, p.z};
+}
+bool isNear(double x, double y, const Vec3& place) {
+  return std::fabs(x - place.x) <= kSnap && std::fabs(y - place.y) <= kSnap;
+}
+
+}  // namespace
+
+GapBorder StepLinker::gapBorderOf(const Border& border) const {
+  const SourceMesh& source = kernel_->mesh();
+  const int scale = source.grid.scaleExponent();
+  const auto placeOf = [&](const MeshVertex& v) {
+    if (v.error < 2 * kUnit) return Vec3{v.x, v.y, v.z};
+    const Vec3 place = kernel_->roundedPosition(v.point, v.face);
+    return Vec3{std::ldexp(place.x, scale), std::ldexp(place.y, scale), std::ldexp(place.z, scale)};
+  };
+  GapBorder result{placeOf(mesh_.vertices[border.from]), placeOf(mesh_.vertices[border.to]), {}};
+  const auto& normal = source.normals[border.face];
+  const auto isZero = [](const ErrorDouble& x) { return x.value == 0 && x.error == 0; };
+  if (isZero(normal[0]) && isZero(normal[1])) result.level = source.scaled[source.triangles[border.face][0]].z;
+  return result;
+}
+
+void StepLinker::tryGap(Index first, Index second, Worker& worker) const {
+  const Border &e = borders_[first], &f = borders_[second];
+  if (e.edge == f.edge) return;
+  const GapBorder near = gapBorderOf(e), far = gapBorderOf(f);
+  std::optional<GapPiece> piece = worker.gaps.findNear(near, far);
+  if (!piece) return;
+  // Where they coincide, there is no gap.
+  MeshGeometry& geometry = worker.geometry;
+  const int from = geometry.orientation(e.from, e.to, f.from), to = geometry.orientation(e.from, e.to, f.to);
+  if (from == 0 && to == 0) return;
+  for (GapPiece& free : worker.gaps.findFree(near, far, *piece))
+    worker.gapStretches.push_back({first, second, std::move(free), {}, false});
+}
+
+const MeshVertex* StepLinker::vertexAt(const Border& border, const GapFrame& frame, double along) const {
+  const MeshVertex* best = nullptr;
+  double least = kAcross;
+  const auto look = [&](const MeshVertex& v) {
+    const double distance = std::fabs(frame.along(v.x, v.y) - along);
+    if (distance > least || (best != nullptr && distance == least)) return;
+    best = &v;
+    least = distance;
+  };
+  look(mesh_.vertices[border.from]);
+  look(mesh_.vertices[border.to]);
+  if (const auto found = splits_.find(border.edge); found != splits_.end())
+    for (const MeshVertex& split : found->second) look(split);
+  return best;
+}
+
+void StepLinker::planCut(GapStretch& stretch, Index number, double along, std::vector<Cut>& cuts) {
+  const Border& border = borders_[number];
+  const GapFrame& frame = stretch.piece.frame;
+  if (vertexAt(border, frame, along) != nullptr) return;
+  const GapBorder line = gapBorderOf(border);
+  const double begin = frame.along(line.from.x, line.from.y), end = frame.along(line.to.x, line.to.y);
+  const double t = (along - begin) / (end - begin);
+  const double across = frame.across(line.from.x, line.from.y) * (1 - t) + frame.across(line.to.x, line.to.y) * t;
+  const Vec3 place = frame.place(along, across);
+  if (std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
+        return borders_[cut.border].edge == border.edge && isNear(place.x, place.y, cut.place);
+      }))
+    return;
+  const Cut cut{
+      number, {roundToUnit(frame.place(along, across - kArm)), roundToUnit(frame.place(along, across + kArm))}, place};
+  for (const Vec3& p : cut.line)
+    if (!(std::max(std::fabs(p.x), std::fabs(p.y)) < kMostCoordinate)) stretch.isDropped = true;
+  if (stretch.isDropped)
+    ++undecided_;
+  else
+    cuts.push_back(cut);
+}
+
+// The ends of all gaps, and what lies across from each vertex within one.
+void StepLinker::planCuts(std::vector<Cut>& cuts) {
+  for (GapStretch& stretch : gaps_) {
+    const auto [low, high] = stretch.piece.ends;
+    for (const double end : {low, high})
+      for (const Index border : {stretch.first, stretch.second})
+        if (!stretch.isDropped) planCut(stretch, border, end, cuts);
+    for (const auto& [own, other] :
+         {std::array{stretch.first, stretch.second}, std::array{stretch.second, stretch.first}}) {
+      const auto found = splits_.find(borders_[own].edge);
+      if (found == splits_.end()) continue;
+      for (const MeshVertex& split : found->second) {
+        const double along = stretch.piece.frame.along(split.x, split.y);
+        if (!stretch.isDropped && along > low + kAcross && along < high - kAcross) planCut(stretch, other, along, cuts);
+      }
+    }
+  }
+}
+
+void StepLinker::makeCuts(const std::vector<Cut>& cuts) {
+  std::vector<Vec3> places;
+  const double anywhere = kernel_->mesh().scaled.front().z;
+  for (const Cut& cut : cuts)
+    for (const Vec3& p : cut.line) places.push_back({p.x, p.y, anywhere});
+  auto mesh = std::make_shared<SourceMesh>(kernel_->mesh());
+  if (!mesh->withoutPlaces) mesh->withoutPlaces = kernel_->sharedMesh();
+  const std::vector<Index> ids = addPlanPlaces(*mesh, places);
+  fallbacks_ += geometry_->fallbacks;
+  geometry_.reset();
+  kernel_ = std::make_shared<PlanKernel>(std::move(mesh), kernel_->heights(), kernel_->borders());
+  geometry_.emplace(*kernel_, mesh_.vertices);
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const Border& border = borders_[cuts[i].border];
+    const Index a = ids[2 * i], b = ids[2 * i + 1];
+    const std::vector<KnownLine> lines = linesOf(border, *geometry_);
+    if (a == b || lines.empty()) continue;
+    const auto& [line, face] = lines.front();
+    const PlanLine across{PlanLine::Edge, std::min(a, b), std::max(a, b)};
+    insertSplit(border.edge, liftedVertex(*kernel_, border.face,
+                                          PlanPoint::crossing(line, across, line.kind == PlanLine::Trace ? face : -1)));
+  }
+}
+
+// Whether an obstacle has no point on a side of the line through two places.
+bool StepLinker::isOutside(Index obstacle, const MeshVertex& from, const MeshVertex& to, int side) {
+  const SourceMesh& source = kernel_->mesh();
+  const auto& corners = source.triangles[obstacle];
+  return std::all_of(corners.begin(), corners.end(), [&](Index v) {
+    return side * kernel_->orientation(from.point, to.point, PlanPoint::source(source.planIds[v]),
+                                       source.triangles[from.face][0], geometry_->fallbacks) <=
+           0;
+  });
+}
+
+// Its corners are those of a convex quadrangle, or of a triangle where both borders meet at an end; all obstacles are
+// beyond it. `end` is set to an end that an obstacle reaches, else to -1; `isOverlap` says that there is no gap.
+bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) {
+  end = -1;
+  isOverlap = false;
+  const GapPiece& piece = stretch.piece;
+  std::array<const MeshVertex*, 2> p{}, q{};  // low and high, on the first border and on the second one
+  for (const int i : {0, 1}) {
+    p[i] = vertexAt(borders_[stretch.first], piece.frame, piece.ends[i]);
+    q[i] = vertexAt(borders_[stretch.second], piece.frame, piece.ends[i]);
+    if (p[i] == nullptr || q[i] == nullptr) return false;
+  }
+  const Index origin = kernel_->mesh().triangles[p[0]->face][0];
+  const auto turn = [&](const MeshVertex* a, const MeshVertex* b, const MeshVertex* c) {
+    return kernel_->orientation(a->point, b->point, c->point, origin, geometry_->fallbacks);
+  };
+  const std::array turns{turn(p[1], p[0], q[0]), turn(p[0], q[0], q[1]), turn(q[0], q[1], p[1]),
+                         turn(q[1], p[1], p[0])};
+  isOverlap = std::ranges::any_of(turns, [](int sign) { return sign < 0; }) || std::ranges::count(turns, 0) > 2;
+  if (isOverlap) return false;
+  for (const int i : {0, 1})
+    for (const Index obstacle : piece.touching[i])
+      if (!isOutside(obstacle, *p[i], *q[i], i == 0 ? 1 : -1)) {
+        end = i;
+        return false;
+      }
+  return true;
+}
+
+bool StepLinker::proveGaps() {
+  bool isChanged = false;
+  for (GapStretch& stretch : gaps_) {
+    if (stretch.isDropped) continue;
+    int end = -1;
+    bool isOverlap = false;
+    if (isProven(stretch, end, isOverlap)) continue;
+    if (end >= 0 && !stretch.isDrawnIn[end]) {
+      stretch.isDrawnIn[end] = true;
+      stretch.piece.ends[end] += (end == 0 ? 1 : -1) * 4 * GapConditions::kSlack;
+      if (stretch.piece.ends[1] - stretch.piece.ends[0] > GapConditions::kShort) {
+        isChanged = true;
+        continue;
+      }
+    }
+    stretch.isDropped = true;
+    undecided_ += isOverlap ? 0 : 1;
+  }
+  return isChanged;
+}
+
+void StepLinker::splitAtGaps() {
+  for (int round = 0; round < kRounds; ++round) {
+    context_.checkCancelled();
+    std::vector<Cut> cuts;
+    planCuts(cuts);
+    if (cuts.empty() && !proveGaps()) return;
+    if (cuts.empty()) continue;
+    makeCuts(cuts);
+    splitAtSteps();
+  }
+  proveGaps();
+}
+
+// Both in their own directions. Of the vertices within the gap, those that lie across from each other are paired;
+// between two such pairs without another vertex there is a link.
+void StepLinker::addGapLinks(WalkableMesh& result, const GapStretch& stretch, const std::vector<Index>& from,
+                             const std::vector<Index>& to) {
+  struct Place {
+    Index vertex = -1;
+    double along = 0;
+  };
+  const auto placesOf = [&](const std::vector<Index>& chain) {
+    std::vector<Place> places;
+    for (const Index v : chain) {
+      const double along = stretch.piece.frame.along(result.vertices[v].x, result.vertices[v].y);
+      if (along > stretch.piece.ends[0] - kAcross && along < stretch.piece.ends[1] + kAcross)
+        places.push_back({v, along});
+    }
+    return places;
+  };
+  const std::vector<Place> first = placesOf(from);
+  std::vector<Place> second = placesOf(to);
+  std::reverse(second.begin(), second.end());
+  std::size_t i = 0, j = 0;
+  std::optional<std::array<std::size_t, 2>> last;
+  while (i < first.size() && j < second.size()) {
+    const double distance = first[i].along - second[j].along;
+    if (std::fabs(distance) > kAcross) {
+      ++(distance < 0 ? i : j);
+      continue;
+    }
+    if (last && (*last)[0] + 1 == i && (*last)[1] + 1 == j) {
+      MeshLink link{{first[i - 1].vertex, first[i].vertex}, {second[j].vertex, second[j - 1].vertex}, true};
+      if (link.to < link.from) std::swap(link.from, link.to);
+      result.links.push_back(link);
+    } else if (last) {
+      ++undecided_;
+    }
+    last = {i++, j++};
+  }
+}
+
+}  // namespace footfall::detail
