@@ -76,7 +76,7 @@ const MeshVertex* StepLinker::vertexAt(const Border& border, const GapFrame& fra
   return best;
 }
 
-void StepLinker::planCut(GapStretch& stretch, Index number, double along, std::vector<Cut>& cuts) {
+void StepLinker::planCut(GapStretch& stretch, Index number, double along, Cuts& cuts) {
   const Border& border = borders_[number];
   const GapFrame& frame = stretch.piece.frame;
   if (vertexAt(border, frame, along) != nullptr) return;
@@ -85,22 +85,22 @@ void StepLinker::planCut(GapStretch& stretch, Index number, double along, std::v
   const double t = (along - begin) / (end - begin);
   const double across = frame.across(line.from.x, line.from.y) * (1 - t) + frame.across(line.to.x, line.to.y) * t;
   const Vec3 place = frame.place(along, across);
-  if (std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
-        return borders_[cut.border].edge == border.edge && isNear(place.x, place.y, cut.place);
-      }))
-    return;
-  const Cut cut{
-      number, {roundToUnit(frame.place(along, across - kArm)), roundToUnit(frame.place(along, across + kArm))}, place};
+  std::vector<Vec3>& planned = cuts.places[border.edge];
+  if (std::ranges::any_of(planned, [&](const Vec3& other) { return isNear(place.x, place.y, other); })) return;
+  const Cut cut{number,
+                {roundToUnit(frame.place(along, across - kArm)), roundToUnit(frame.place(along, across + kArm))}};
   for (const Vec3& p : cut.line)
     if (!(std::max(std::fabs(p.x), std::fabs(p.y)) < kMostCoordinate)) stretch.isDropped = true;
-  if (stretch.isDropped)
+  if (stretch.isDropped) {
     ++undecided_;
-  else
-    cuts.push_back(cut);
+    return;
+  }
+  planned.push_back(place);
+  cuts.list.push_back(cut);
 }
 
 // The ends of all gaps, and what lies across from each vertex within one.
-void StepLinker::planCuts(std::vector<Cut>& cuts) {
+void StepLinker::planCuts(Cuts& cuts) {
   for (GapStretch& stretch : gaps_) {
     const auto [low, high] = stretch.piece.ends;
     for (const double end : {low, high})
@@ -123,6 +123,7 @@ void StepLinker::makeCuts(const std::vector<Cut>& cuts) {
   const double anywhere = kernel_->mesh().scaled.front().z;
   for (const Cut& cut : cuts)
     for (const Vec3& p : cut.line) places.push_back({p.x, p.y, anywhere});
+  if (cuts.empty()) return;
   auto mesh = std::make_shared<SourceMesh>(kernel_->mesh());
   if (!mesh->withoutPlaces) mesh->withoutPlaces = kernel_->sharedMesh();
   const std::vector<Index> ids = addPlanPlaces(*mesh, places);
@@ -137,8 +138,31 @@ void StepLinker::makeCuts(const std::vector<Cut>& cuts) {
     if (a == b || lines.empty()) continue;
     const auto& [line, face] = lines.front();
     const PlanLine across{PlanLine::Edge, std::min(a, b), std::max(a, b)};
-    insertSplit(border.edge, liftedVertex(*kernel_, border.face,
-                                          PlanPoint::crossing(line, across, line.kind == PlanLine::Trace ? face : -1)));
+    const PlanPoint point = PlanPoint::crossing(line, across, line.kind == PlanLine::Trace ? face : -1);
+    if (insertSplit(border.edge, liftedVertex(*kernel_, border.face, point))) spreadSplits(border.edge);
+  }
+}
+
+// Along steps, from an edge that got a vertex to all that must have it, too.
+void StepLinker::spreadSplits(Index edge) {
+  if (stretchesAt_.empty())
+    for (std::size_t i = 0; i < stretches_.size(); ++i)
+      for (const Index border : {stretches_[i].first, stretches_[i].second})
+        stretchesAt_[borders_[border].edge].push_back(i);
+  std::vector<Index> changed{edge};
+  while (!changed.empty()) {
+    const Index own = changed.back();
+    changed.pop_back();
+    const auto found = stretchesAt_.find(own);
+    if (found == stretchesAt_.end()) continue;
+    for (const std::size_t i : found->second) {
+      const Stretch& s = stretches_[i];
+      const Index first = borders_[s.first].edge, other = own == first ? borders_[s.second].edge : first;
+      bool isChanged = false;
+      for (const MeshVertex& split : splitsBetween(own, s.begin, s.end))
+        isChanged = insertSplit(other, split) || isChanged;
+      if (isChanged) changed.push_back(other);
+    }
   }
 }
 
@@ -206,12 +230,10 @@ bool StepLinker::proveGaps() {
 void StepLinker::splitAtGaps() {
   for (int round = 0; round < kRounds; ++round) {
     context_.checkCancelled();
-    std::vector<Cut> cuts;
+    Cuts cuts;
     planCuts(cuts);
-    if (cuts.empty() && !proveGaps()) return;
-    if (cuts.empty()) continue;
-    makeCuts(cuts);
-    splitAtSteps();
+    if (cuts.list.empty() && !proveGaps()) return;
+    makeCuts(cuts.list);
   }
   proveGaps();
 }

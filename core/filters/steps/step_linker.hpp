@@ -59,7 +59,10 @@ class StepLinker {
   struct Cut {
     Index border = -1;
     std::array<Vec3, 2> line;
-    Vec3 place;
+  };
+  struct Cuts {
+    std::vector<Cut> list;
+    std::unordered_map<Index, std::vector<Vec3>> places;  ///< where they cut each edge
   };
 
   /// What pairs of borders are tried with; one for each thread.
@@ -82,8 +85,9 @@ class StepLinker {
   void splitEdges();
   void splitAtSteps();
   void splitAtGaps();
-  void planCuts(std::vector<Cut>& cuts);
-  void planCut(GapStretch& stretch, Index border, double along, std::vector<Cut>& cuts);
+  void spreadSplits(Index edge);
+  void planCuts(Cuts& cuts);
+  void planCut(GapStretch& stretch, Index border, double along, Cuts& cuts);
   void makeCuts(const std::vector<Cut>& cuts);
   /// Proves of all gaps what the cuts made of them; draws in ends that an obstacle reaches. False when one was.
   bool proveGaps();
@@ -108,7 +112,8 @@ class StepLinker {
   BoxTree<3> tree_;  ///< of the borders
   std::vector<Stretch> stretches_;
   std::vector<GapStretch> gaps_;
-  std::unordered_map<Index, std::vector<MeshVertex>> splits_;  ///< of edges, in the order of their line
+  std::unordered_map<Index, std::vector<MeshVertex>> splits_;        ///< of edges, in the order of their line
+  std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges, once they are asked for
   std::optional<MeshGeometry> geometry_;
   ExactFallbacks fallbacks_;
   std::size_t undecided_ = 0;
