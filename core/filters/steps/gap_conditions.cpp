@@ -108,7 +108,7 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
     return signOfDifference(high, low, step_) <= 0 ? std::optional(std::move(piece)) : std::nullopt;
   }
   for (const double sign : {1.0, -1.0}) {
-    const double highest = step_ - p.heightSlack();
+    const double highest = step_ - 4 * p.heightSlack();  // so that the higher floor itself is no obstacle
     if (!keepPositive(ends, highest - sign * p.riseAt(ends[0]), highest - sign * p.riseAt(ends[1])))
       return std::nullopt;
   }
