@@ -19,8 +19,11 @@ constexpr double kAcross = 4 * kSnap;
 constexpr double kArm = 0x1p20;
 /// Coordinates of places are below that.
 constexpr double kMostCoordinate = 0x1p36;
-/// Splits bring forth others on the borders across; each of them is a step nearer to an end, but there could be many.
-constexpr int kRounds = 8;
+/// Splits bring forth others on the borders across. Where gaps are wide beside edges, and many borders face each other at
+/// all angles, there is no end to that; what is not matched then is not linked, and counted.
+constexpr int kRounds = 4;
+/// So far an end is drawn in from where an obstacle touches it: by more than GapConditions left to be compared exactly.
+constexpr double kDrawnIn = 4 * GapConditions::kSlack;
 
 Vec3 roundToUnit(const Vec3& p) {
   return {std::nearbyint(p.x / kUnit) * kUnit, std::nearbyint(p.y / kUnit) * kUnit, p.z};
@@ -166,15 +169,32 @@ void StepLinker::spreadSplits(Index edge) {
   }
 }
 
-// Whether an obstacle has no point on a side of the line through two places.
-bool StepLinker::isOutside(Index obstacle, const MeshVertex& from, const MeshVertex& to, int side) {
+// Whether an obstacle meets the quadrangle p[0] q[0] q[1] p[1] at nothing but points of the side from p[end] to q[end]:
+// the line of that side parts them, or the line of one of the obstacle's edges, on which neither both p nor both q lie.
+bool StepLinker::isOutside(Index obstacle, const Corners& p, const Corners& q, int end) {
   const SourceMesh& source = kernel_->mesh();
   const auto& corners = source.triangles[obstacle];
-  return std::all_of(corners.begin(), corners.end(), [&](Index v) {
-    return side * kernel_->orientation(from.point, to.point, PlanPoint::source(source.planIds[v]),
-                                       source.triangles[from.face][0], geometry_->fallbacks) <=
-           0;
-  });
+  const Index origin = source.triangles[p[0]->face][0];
+  const auto turn = [&](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+    return kernel_->orientation(a, b, c, origin, geometry_->fallbacks);
+  };
+  const auto placeOf = [&](Index v) { return PlanPoint::source(source.planIds[v]); };
+  const int outer = end == 0 ? -1 : 1;
+  if (std::ranges::all_of(corners,
+                          [&](Index v) { return outer * turn(p[end]->point, q[end]->point, placeOf(v)) >= 0; }))
+    return true;
+  for (int k = 0; k < 3; ++k) {
+    const PlanPoint a = placeOf(corners[k]), b = placeOf(corners[next(k)]);
+    if (a == b) continue;
+    const std::array<int, 2> onP{turn(a, b, p[0]->point), turn(a, b, p[1]->point)};
+    const std::array<int, 2> onQ{turn(a, b, q[0]->point), turn(a, b, q[1]->point)};
+    if ((onP[0] == 0 && onP[1] == 0) || (onQ[0] == 0 && onQ[1] == 0)) continue;
+    for (const int side : {1, -1}) {  // that of the quadrangle
+      if (side * source.facing[obstacle] > 0) continue;
+      if (side * onP[0] >= 0 && side * onP[1] >= 0 && side * onQ[0] >= 0 && side * onQ[1] >= 0) return true;
+    }
+  }
+  return false;
 }
 
 // Its corners are those of a convex quadrangle, or of a triangle where both borders meet at an end; all obstacles are
@@ -183,7 +203,7 @@ bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) 
   end = -1;
   isOverlap = false;
   const GapPiece& piece = stretch.piece;
-  std::array<const MeshVertex*, 2> p{}, q{};  // low and high, on the first border and on the second one
+  Corners p{}, q{};  // low and high, on the first border and on the second one
   for (const int i : {0, 1}) {
     p[i] = vertexAt(borders_[stretch.first], piece.frame, piece.ends[i]);
     q[i] = vertexAt(borders_[stretch.second], piece.frame, piece.ends[i]);
@@ -199,7 +219,7 @@ bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) 
   if (isOverlap) return false;
   for (const int i : {0, 1})
     for (const Index obstacle : piece.touching[i])
-      if (!isOutside(obstacle, *p[i], *q[i], i == 0 ? 1 : -1)) {
+      if (!stretch.isDrawnIn[i] && !isOutside(obstacle, p, q, i)) {
         end = i;
         return false;
       }
@@ -215,7 +235,7 @@ bool StepLinker::proveGaps() {
     if (isProven(stretch, end, isOverlap)) continue;
     if (end >= 0 && !stretch.isDrawnIn[end]) {
       stretch.isDrawnIn[end] = true;
-      stretch.piece.ends[end] += (end == 0 ? 1 : -1) * 4 * GapConditions::kSlack;
+      stretch.piece.ends[end] += (end == 0 ? 1 : -1) * kDrawnIn;
       if (stretch.piece.ends[1] - stretch.piece.ends[0] > GapConditions::kShort) {
         isChanged = true;
         continue;

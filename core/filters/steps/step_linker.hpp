@@ -60,6 +60,8 @@ class StepLinker {
     Index border = -1;
     std::array<Vec3, 2> line;
   };
+  /// Of a gap on one of its borders, low and high.
+  using Corners = std::array<const MeshVertex*, 2>;
   struct Cuts {
     std::vector<Cut> list;
     std::unordered_map<Index, std::vector<Vec3>> places;  ///< where they cut each edge
@@ -92,7 +94,7 @@ class StepLinker {
   /// Proves of all gaps what the cuts made of them; draws in ends that an obstacle reaches. False when one was.
   bool proveGaps();
   [[nodiscard]] bool isProven(const GapStretch& stretch, int& end, bool& isOverlap);
-  [[nodiscard]] bool isOutside(Index obstacle, const MeshVertex& from, const MeshVertex& to, int side);
+  [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
   /// The vertex of a border, or of its splits, at a place along a frame; null when there is none.
   [[nodiscard]] const MeshVertex* vertexAt(const Border& border, const GapFrame& frame, double along) const;
   void addGapLinks(WalkableMesh& result, const GapStretch& stretch, const std::vector<Index>& from,
