@@ -163,9 +163,10 @@ typedef struct footfall_agent {
   double height;       /* metres, above 0 */
   double minimum_area; /* square metres: connected parts that are no larger are left out */
   double step;         /* metres, at least 0: how high it climbs at once; 0: it does not lift its feet */
+  double gap;          /* metres, at least 0: how wide a gap it steps over, seen from above */
 } footfall_agent;
 
-/* 45 degrees, 2 m, 1 square metre, steps of 0.4 m. */
+/* 45 degrees, 2 m, 1 square metre, steps of 0.4 m, gaps of 0.05 m. */
 FOOTFALL_API footfall_agent footfall_default_agent(void);
 /* The pipeline for an agent (NULL: the default one) as text, one filter a line, in the environment's units. */
 FOOTFALL_API footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,
@@ -206,10 +207,14 @@ FOOTFALL_API footfall_numbers footfall_result_sources(const footfall_result* res
 FOOTFALL_API footfall_edges footfall_result_obstacle_edges(const footfall_result* result);
 /* Edges on which two layers meet. */
 FOOTFALL_API footfall_edges footfall_result_connections(const footfall_result* result);
+typedef enum footfall_step_kind { FOOTFALL_STEP = 0, FOOTFALL_GAP = 1 } footfall_step_kind;
+
 typedef struct footfall_link {
   uint32_t from[2], to[2];
   uint32_t from_triangle, to_triangle;
   double height;
+  double width;
+  uint32_t kind; /* footfall_step_kind */
 } footfall_link;
 
 typedef struct footfall_links {
@@ -217,8 +222,9 @@ typedef struct footfall_links {
   size_t count;
 } footfall_links;
 
-/* Steps, where the pipeline has a StepFilter: two edges that lie over each other in the plan, as vertex numbers, each
- * with the walkable area of its triangle on its left; from[0] lies at to[1]. `height` is the largest difference. */
+/* Steps and gaps, where the pipeline has a StepFilter: two edges, as vertex numbers, each with the walkable area of its
+ * triangle on its left. Those of a step lie over each other in the plan, from[0] at to[1]; those of a gap lie beside each
+ * other, and no way over it is longer than `width`, seen from above. `height` is the largest difference. */
 FOOTFALL_API footfall_links footfall_result_links(const footfall_result* result);
 /* The surface area, in the square of the environment's unit. */
 FOOTFALL_API double footfall_result_area(const footfall_result* result);

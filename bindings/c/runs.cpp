@@ -10,7 +10,8 @@ namespace {
 constexpr const char* kTextName = "pipeline";  // in messages: "pipeline:LINE:COLUMN: ..."
 
 Agent agentOf(const footfall_agent* agent) {
-  return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area, agent->step};
+  return agent == nullptr ? Agent{}
+                          : Agent{agent->max_slope, agent->height, agent->minimum_area, agent->step, agent->gap};
 }
 
 footfall_result* run(const footfall_environment& environment, Pipeline pipeline, footfall_cache* cache,
@@ -28,7 +29,7 @@ footfall_result* run(const footfall_environment& environment, Pipeline pipeline,
 
 footfall_agent footfall_default_agent(void) {
   const Agent agent;
-  return {agent.maxSlope, agent.height, agent.minimumArea, agent.step};
+  return {agent.maxSlope, agent.height, agent.minimumArea, agent.step, agent.gap};
 }
 
 footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,
@@ -107,7 +108,9 @@ footfall_edges footfall_result_connections(const footfall_result* result) {
 footfall_links footfall_result_links(const footfall_result* result) {
   static_assert(sizeof(StepLink) == sizeof(footfall_link) && offsetof(StepLink, to) == offsetof(footfall_link, to) &&
                 offsetof(StepLink, fromTriangle) == offsetof(footfall_link, from_triangle) &&
-                offsetof(StepLink, height) == offsetof(footfall_link, height));
+                offsetof(StepLink, height) == offsetof(footfall_link, height) &&
+                offsetof(StepLink, width) == offsetof(footfall_link, width) &&
+                offsetof(StepLink, kind) == offsetof(footfall_link, kind));
   if (result == nullptr) return {};
   const std::vector<StepLink>& links = result->mesh().links;
   return {reinterpret_cast<const footfall_link*>(links.data()), links.size()};

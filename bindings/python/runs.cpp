@@ -69,11 +69,16 @@ py::array_t<std::uint32_t> linksOf(const Mesh& mesh) {
   return rows;
 }
 
-py::array_t<double> linkHeightsOf(const Mesh& mesh) {
-  py::array_t<double> heights(static_cast<py::ssize_t>(mesh.data->links.size()));
-  auto values = heights.mutable_unchecked<1>();
-  for (py::ssize_t i = 0; i < values.shape(0); ++i) values(i) = mesh.data->links[static_cast<std::size_t>(i)].height;
-  return heights;
+/// An array with a number of each link.
+template <class Value, class Number>
+auto linkArray(Number number) {
+  return [number](const Mesh& mesh) {
+    const std::vector<StepLink>& links = mesh.data->links;
+    py::array_t<Value> rows(static_cast<py::ssize_t>(links.size()));
+    auto values = rows.template mutable_unchecked<1>();
+    for (py::ssize_t i = 0; i < values.shape(0); ++i) values(i) = number(links[static_cast<std::size_t>(i)]);
+    return rows;
+  };
 }
 
 template <class Member>
@@ -122,11 +127,16 @@ mesh came from a file or from arrays. A view.)")
                              "Shape (k, 2), uint32: rows of `vertices`; edges where two layers meet. A view.")
       .def_property_readonly(
           "links", &linksOf,
-          R"(Shape (k, 4), uint32: rows of `vertices`; the steps of a StepFilter. Columns 0 and 1 are an edge with the
-walkable area on its left, columns 2 and 3 the edge that one steps to, likewise: it lies over the first in the plan,
-and runs backwards.)")
-      .def_property_readonly("link_heights", &linkHeightsOf,
+          R"(Shape (k, 4), uint32: rows of `vertices`; the steps and gaps of a StepFilter. Columns 0 and 1 are an edge
+with the walkable area on its left, columns 2 and 3 the edge that one steps to, likewise: it lies over the first in the
+plan, or over a gap beside it, and runs backwards.)")
+      .def_property_readonly("link_heights", linkArray<double>([](const StepLink& link) { return link.height; }),
                              "Shape (k,), float64: how high each of `links` is, at most.")
+      .def_property_readonly("link_widths", linkArray<double>([](const StepLink& link) { return link.width; }),
+                             "Shape (k,), float64: how wide each of `links` is in the plan, at most; 0 for steps.")
+      .def_property_readonly("link_is_gap",
+                             linkArray<bool>([](const StepLink& link) { return link.kind == StepKind::Gap; }),
+                             "Shape (k,), bool: whether each of `links` leads over a gap; the others are steps.")
       .def_property_readonly(
           "source", [](const Mesh& m) { return m.data->frame.source; },
           "The file of the environment; empty where there was none.")
@@ -241,10 +251,10 @@ was finished. Raises InputError for a pipeline that is wrong, and RunError.)",
   define(
       module, "walkable_area",
       [](const py::object& vertices, const py::object& triangles, double slope, double height, double minimumArea,
-         double step, const std::string& up, double metresPerUnit, bool bothSides, const py::object& obstacleOnly,
-         int threads, const py::object& progress) {
+         double step, double gap, const std::string& up, double metresPerUnit, bool bothSides,
+         const py::object& obstacleOnly, int threads, const py::object& progress) {
         const auto environment = environmentFrom(vertices, triangles, {up, metresPerUnit, bothSides, obstacleOnly});
-        return run(environment, pipelineFor(*environment, {slope, height, minimumArea, step}), threads, nullptr,
+        return run(environment, pipelineFor(*environment, {slope, height, minimumArea, step, gap}), threads, nullptr,
                    progress);
       },
       R"(Return where an agent can walk on a triangle soup, exactly: a `WalkableArea`.
@@ -259,14 +269,15 @@ slope: degrees, above 0 and below 90: the steepest ground that the agent walks o
 height: metres, above 0: the free height that it needs.
 minimum_area: square metres: connected parts that are no larger are left out.
 step: metres, at least 0: how high it climbs at once, on stairs and kerbs; 0: it does not lift its feet.
+gap: metres, at least 0: how wide a gap it steps over, seen from above.
 up, metres_per_unit, both_sides, obstacle_only: as for `Environment`.
 threads, progress: as for `run`. Ctrl-C raises KeyboardInterrupt within some 50 ms.
 
 Raises InputError for arrays or numbers that are wrong, and RunError.)",
       py::arg("vertices"), py::arg("triangles"), py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(),
-      py::arg("minimum_area") = 1.0, py::arg("step") = 0.4, py::arg("up") = "z", py::arg("metres_per_unit") = 1.0,
-      py::arg("both_sides") = false, py::arg("obstacle_only") = py::none(), py::arg("threads") = 0,
-      py::arg("progress") = py::none());
+      py::arg("minimum_area") = 1.0, py::arg("step") = 0.4, py::arg("gap") = 0.05, py::arg("up") = "z",
+      py::arg("metres_per_unit") = 1.0, py::arg("both_sides") = false, py::arg("obstacle_only") = py::none(),
+      py::arg("threads") = 0, py::arg("progress") = py::none());
 }
 
 }  // namespace

@@ -26,6 +26,21 @@ bool usesLevel(const PlanPoint& point) {
   return point.kind() == PlanPoint::Crossing && (isRaised(point.firstLine()) || isRaised(point.secondLine()));
 }
 
+const std::shared_ptr<const SourceMesh>& withoutPlaces(const PlanKernel& kernel) {
+  const auto& mesh = kernel.sharedMesh();
+  return mesh->withoutPlaces ? mesh->withoutPlaces : mesh;
+}
+
+// Whether a point depends on places of the plan that were added: their numbers mean nothing elsewhere.
+bool usesPlaces(const PlanPoint& point, const SourceMesh& mesh) {
+  const auto count = static_cast<Index>(mesh.vertices.size() - mesh.planPlaces);
+  const auto isAdded = [count](const PlanLine& line) {
+    return line.kind == PlanLine::Edge && (line.a >= count || line.b >= count);
+  };
+  if (point.kind() == PlanPoint::Source) return point.planId() >= count;
+  return point.kind() == PlanPoint::Crossing && (isAdded(point.firstLine()) || isAdded(point.secondLine()));
+}
+
 // A copy that is never destroyed: all that it has lies in the memory as well.
 template <class T>
 T* copyInto(const CopyMemory& memory, const T& value) {
@@ -53,11 +68,11 @@ CopyMemory makeCopyMemory() {
 
 std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const PlanKernel& now) {
   if (!before) return std::nullopt;
-  const auto& mesh = now.sharedMesh();
+  const auto& mesh = withoutPlaces(now);
+  const auto& meshBefore = withoutPlaces(*before->kernel);
   const bool sameHeights = before->kernel->heights() == now.heights();
-  if (before->kernel->sharedMesh() == mesh) return EarlierResult(before, nullptr, sameHeights);
-  if (mesh->edit && mesh->edit->base.lock() == before->kernel->sharedMesh())
-    return EarlierResult(before, mesh->edit, sameHeights);
+  if (meshBefore == mesh) return EarlierResult(before, nullptr, sameHeights);
+  if (mesh->edit && mesh->edit->base.lock() == meshBefore) return EarlierResult(before, mesh->edit, sameHeights);
   return std::nullopt;
 }
 
@@ -79,6 +94,7 @@ EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> 
 bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) const {
   if (before.x != now.x || before.y != now.y || before.z != now.z || before.error != now.error) return false;
   if (!sameHeights_ && usesLevel(now.point)) return false;
+  if (usesPlaces(before.point, before_->kernel->mesh())) return false;
   if (!edit_) return before.point == now.point && before.face == now.face && before.source == now.source;
   return edit_->triangleOf[before.face] == now.face &&
          (before.source < 0 ? now.source < 0 : edit_->vertexOf[before.source] == now.source) &&

@@ -51,6 +51,8 @@ Json meshJson(const NavigationMeshFile& file, const MeshDescription& mesh) {
   json["links"] = mesh.links;
   json["link_length"] = mesh.linkLength;
   json["highest_link"] = mesh.links > 0 ? Json(mesh.highestLink) : Json();
+  json["gaps"] = mesh.gaps;
+  json["widest_gap"] = mesh.gaps > 0 ? Json(mesh.widestGap) : Json();
   json["by_layer"] = Json::array();
   for (const MeshPart& part : mesh.layers) json["by_layer"].push_back(partJson(part));
   return json;
@@ -122,6 +124,10 @@ void addMeshes(const MeshComparison& comparison, Table& table) {
     counts("steps", a.links, b.links);
     table.row({"  their length in the plan", number(a.linkLength), number(b.linkLength)});
     table.row({"  the highest", number(a.highestLink), number(b.highestLink)});
+    if (a.gaps + b.gaps > 0) {
+      counts("  of them gaps", a.gaps, b.gaps);
+      table.row({"  the widest", number(a.widestGap), number(b.widestGap)});
+    }
   }
   table.row({"area", number(a.whole.areas.surface), number(b.whole.areas.surface)});
   table.row({"  in the plan", number(a.whole.areas.plan), number(b.whole.areas.plan)});

@@ -13,14 +13,16 @@ namespace {
 
 constexpr std::size_t kPolled = 1024;
 
-/// x, y, lower height, upper height, on the grid of the positions.
-using Point4 = std::array<mpz_class, 4>;
+/// On the grid of the positions. Of a step: x, y, lower height, upper height. Of a gap: both places, six numbers.
+template <std::size_t D>
+using Point = std::array<mpz_class, D>;
 
-/// A line in four dimensions: its direction without a common divisor, the first number that is not 0 positive, and its
+/// A line in D dimensions: its direction without a common divisor, the first number that is not 0 positive, and its
 /// moment, the products p[i] d[j] - p[j] d[i], which are the same for all of its points p.
+template <std::size_t D>
 struct Line {
-  std::array<mpz_class, 4> direction;
-  std::array<mpz_class, 6> moment;
+  Point<D> direction;
+  std::array<mpz_class, D*(D - 1) / 2> moment;
   bool operator<(const Line& other) const {
     if (direction != other.direction) return direction < other.direction;
     return moment < other.moment;
@@ -34,20 +36,24 @@ struct Event {
   int change;  ///< 1 or -1
 };
 
+/// All links of a kind, as segments in D dimensions.
+template <std::size_t D>
 class LinkLines {
  public:
-  explicit LinkLines(int unit) : unit_(unit) {}
+  LinkLines(int unit, StepKind kind) : unit_(unit), kind_(kind) {}
 
   void add(const NavigationMesh& mesh, std::size_t number, RunContext& context) {
     for (std::size_t i = 0; i < mesh.links.size(); ++i) {
       if (i % kPolled == 0) context.checkCancelled();
       const StepLink& link = mesh.links[i];
-      addSegment(pointOf(mesh, link.from[0], link.to[1]), pointOf(mesh, link.from[1], link.to[0]), number);
+      if (link.kind != kind_) continue;
+      const bool isFirst = D == 4 || isForwards(mesh, link.from);
+      const auto &from = isFirst ? link.from : link.to, &to = isFirst ? link.to : link.from;
+      addSegment(pointOf(mesh, from[0], to[1]), pointOf(mesh, from[1], to[0]), number);
     }
   }
 
-  [[nodiscard]] LinkDifference subtract() {
-    LinkDifference result;
+  void subtractInto(LinkDifference& result) {
     std::array<long double, 3> sums{};
     for (auto& [line, events] : lines_) {
       const std::array<mpz_class, 3> lengths = subtractOn(events);
@@ -57,22 +63,36 @@ class LinkLines {
         sums[part] += planLength(line, lengths[part]);
       }
     }
-    for (std::size_t part = 0; part < 3; ++part) result.lengths[part] = static_cast<double>(sums[part]);
-    return result;
+    for (std::size_t part = 0; part < 3; ++part) result.lengths[part] += static_cast<double>(sums[part]);
   }
 
  private:
+  /// Which of the two edges of a gap comes first must be the same for all pieces of it: the one towards larger x, or y.
+  static bool isForwards(const NavigationMesh& mesh, const std::array<std::uint32_t, 2>& edge) {
+    const Vec3 &a = mesh.vertices[edge[0]], &b = mesh.vertices[edge[1]];
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
+  }
+
+  [[nodiscard]] Point<D> pointOf(const NavigationMesh& mesh, std::uint32_t first, std::uint32_t second) const {
+    if constexpr (D == 6) {
+      const Vec3 &p = mesh.vertices[first], &q = mesh.vertices[second];
+      return {onGrid(p.x, unit_), onGrid(p.y, unit_), onGrid(q.x, unit_),
+              onGrid(q.y, unit_), onGrid(p.z, unit_), onGrid(q.z, unit_)};
+    } else {
+      return stepAt(mesh, first, second);
+    }
+  }
   /// Over the place in the plan of the lower vertex: both have the same, unless rounding moved them apart.
-  [[nodiscard]] Point4 pointOf(const NavigationMesh& mesh, std::uint32_t first, std::uint32_t second) const {
+  [[nodiscard]] Point<4> stepAt(const NavigationMesh& mesh, std::uint32_t first, std::uint32_t second) const {
     const bool isRising = mesh.vertices[first].z <= mesh.vertices[second].z;
     const Vec3 &low = mesh.vertices[isRising ? first : second], &high = mesh.vertices[isRising ? second : first];
     return {onGrid(low.x, unit_), onGrid(low.y, unit_), onGrid(low.z, unit_), onGrid(high.z, unit_)};
   }
 
-  void addSegment(const Point4& p, const Point4& q, std::size_t mesh) {
-    Line line;
+  void addSegment(const Point<D>& p, const Point<D>& q, std::size_t mesh) {
+    Line<D> line;
     mpz_class divisor = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < D; ++k) {
       line.direction[k] = q[k] - p[k];
       divisor = gcd(divisor, line.direction[k]);
     }
@@ -81,15 +101,15 @@ class LinkLines {
     if (line.direction[first] < 0) divisor = -divisor;
     for (mpz_class& number : line.direction) number /= divisor;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i + 1; j < 4; ++j) line.moment[next++] = p[i] * line.direction[j] - p[j] * line.direction[i];
-    const bool isForwards = p[first] < q[first];
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = i + 1; j < D; ++j) line.moment[next++] = p[i] * line.direction[j] - p[j] * line.direction[i];
+    const bool isRising = p[first] < q[first];
     std::vector<Event>& events = lines_[line];
-    events.push_back({p[first], mesh, isForwards ? 1 : -1});
-    events.push_back({q[first], mesh, isForwards ? -1 : 1});
+    events.push_back({p[first], mesh, isRising ? 1 : -1});
+    events.push_back({q[first], mesh, isRising ? -1 : 1});
   }
 
-  static std::size_t leading(const Line& line) { return line.direction[0] != 0 ? 0 : 1; }
+  static std::size_t leading(const Line<D>& line) { return line.direction[0] != 0 ? 0 : 1; }
 
   /// What only the first mesh, only the second and both have, along the leading coordinate.
   static std::array<mpz_class, 3> subtractOn(std::vector<Event>& events) {
@@ -106,7 +126,7 @@ class LinkLines {
     return lengths;
   }
 
-  [[nodiscard]] long double planLength(const Line& line, const mpz_class& alongLeading) const {
+  [[nodiscard]] long double planLength(const Line<D>& line, const mpz_class& alongLeading) const {
     const double x = line.direction[0].get_d(), y = line.direction[1].get_d();
     const long double steepness =
         std::hypot(static_cast<long double>(x), static_cast<long double>(y)) / std::fabs(leading(line) == 0 ? x : y);
@@ -114,17 +134,23 @@ class LinkLines {
   }
 
   int unit_;
-  std::map<Line, std::vector<Event>> lines_;
+  StepKind kind_;
+  std::map<Line<D>, std::vector<Event>> lines_;
 };
 
 }  // namespace
 
 LinkDifference subtractLinks(const ComparedSurfaces& surfaces, const NavigationMesh& a, const NavigationMesh& b,
                              RunContext& context) {
-  LinkLines lines(surfaces.positions.unit);
-  lines.add(a, 0, context);
-  lines.add(b, 1, context);
-  return lines.subtract();
+  LinkDifference result;
+  const auto subtract = [&](auto lines) {
+    lines.add(a, 0, context);
+    lines.add(b, 1, context);
+    lines.subtractInto(result);
+  };
+  subtract(LinkLines<4>(surfaces.positions.unit, StepKind::Step));
+  subtract(LinkLines<6>(surfaces.positions.unit, StepKind::Gap));
+  return result;
 }
 
 }  // namespace footfall::detail::comparison

@@ -1,4 +1,4 @@
-// The difference of the steps of two meshes as sets of points, exactly.
+// The difference of the steps and gaps of two meshes as sets of points, exactly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,8 @@ namespace footfall::detail::comparison {
 /// A step is the points (x, y, lower height, upper height) over a stretch of the plan: a segment in four dimensions,
 /// its ends at the rounded vertices. So two steps have more than a point in common only on one line of that space, and
 /// on each line intervals are subtracted. Steps cut into other pairs of edges are the same where the cuts lie on the
-/// line, as they do where nothing was rounded; so on level floors.
+/// line, as they do where nothing was rounded; so on level floors. A gap is the pairs of places between which ways lead
+/// over it, six numbers each, and compared with gaps in the same way.
 ///
 /// `surfaces` must be of `a` and `b`. Throws Cancelled.
 LinkDifference subtractLinks(const ComparedSurfaces& surfaces, const NavigationMesh& a, const NavigationMesh& b,

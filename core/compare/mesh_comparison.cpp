@@ -78,6 +78,8 @@ void describeLinks(const NavigationMesh& mesh, MeshDescription& description) {
     const Vec3 &a = mesh.vertices[link.from[0]], &b = mesh.vertices[link.from[1]];
     sum += std::hypot(b.x - a.x, b.y - a.y);
     description.highestLink = std::max(description.highestLink, link.height);
+    description.gaps += link.kind == StepKind::Gap ? 1 : 0;
+    description.widestGap = std::max(description.widestGap, link.width);
   }
   description.linkLength = static_cast<double>(sum);
 }

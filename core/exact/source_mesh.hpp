@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,6 +47,8 @@ struct SourceMesh {
 
   /// So many vertices at the end are no corners of triangles, only places of the plan (addPlanPlaces()).
   std::size_t planPlaces = 0;
+  /// The mesh without them, where another one of the same vertices and triangles may be compared with it; or null.
+  std::shared_ptr<const SourceMesh> withoutPlaces;
 
   [[nodiscard]] bool hasObstacleEdge(Index a, Index b) const;
 };

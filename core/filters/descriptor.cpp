@@ -171,26 +171,39 @@ FilterDescriptor step() {
       .aliases = {},
       .label = "Steps",
       .help =
-          "Links borders of the walkable area that lie over each other in the plan, where an agent can lift its feet "
-          "from one to the other: stairs, kerbs, thresholds, low walls without thickness. The area stays as it is; for "
-          "the filters that follow, what is linked is one region.",
+          "Links borders of the walkable area that lie over each other in the plan, or beside each other with a gap "
+          "between them, where an agent can lift its feet from one to the other: stairs, kerbs, thresholds, low walls "
+          "without thickness, slits. The area stays as it is; for the filters that follow, what is linked is one "
+          "region.",
       .precondition = "A VerticalClearanceFilter comes before it; no filter that makes the area anew follows.",
       .effect =
           "Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at "
           "most the step and nothing lies higher than the step above the lower one and within the clearance above the "
-          "higher one.",
+          "higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, "
+          "straight along the plan.",
       .source = "ours",
       .parameters = {{
-          .name = "step",
-          .label = "Step",
-          .help = "How high an agent climbs at once. A step of exactly this height is climbed.",
-          .type = ParameterType::Real,
-          .unit = Unit::Length,
-          .defaultValue = 0.4,
-          .minimum = 0,
-          .maximum = kNoLimit,
-          .minimumOpen = true,
-      }},
+                         .name = "step",
+                         .label = "Step",
+                         .help = "How high an agent climbs at once. A step of exactly this height is climbed.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 0.4,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                         .minimumOpen = true,
+                     },
+                     {
+                         .name = "gap",
+                         .label = "Gap",
+                         .help = "How wide a gap an agent steps over, seen from above. 0: borders must coincide.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 0.05,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                         .optional = true,
+                     }},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
   };

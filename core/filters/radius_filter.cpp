@@ -13,12 +13,20 @@
 #include "core/filters/radius/margins.hpp"
 #include "core/filters/rounding/generation.hpp"
 #include "core/filters/steps/step_linker.hpp"
+#include "core/mesh/gap_bridges.hpp"
 
 namespace footfall::detail {
 namespace {
 
 constexpr double kTolerance = 0.01;
 constexpr std::size_t kFacesPerTask = 8;
+
+MeshLink linkOf(const StepLink& link) {
+  const auto edge = [](const std::array<std::uint32_t, 2>& e) {
+    return std::array{static_cast<Index>(e[0]), static_cast<Index>(e[1])};
+  };
+  return {edge(link.from), edge(link.to), link.kind == StepKind::Gap};
+}
 
 /// What is walkable when a generation starts: the product, in the generation's own numbers, each triangle a face.
 std::shared_ptr<WalkableMesh> makeFloors(const NavigationMesh& product, const SourceMesh& source,
@@ -38,10 +46,22 @@ std::shared_ptr<WalkableMesh> makeFloors(const NavigationMesh& product, const So
       mesh->vertices[product.triangles[t][k]].face = faces[t];
     }
   }
-  const auto edge = [](const std::array<std::uint32_t, 2>& e) {
-    return std::array{static_cast<Index>(e[0]), static_cast<Index>(e[1])};
-  };
-  for (const StepLink& link : product.links) mesh->links.push_back({edge(link.from), edge(link.to)});
+  for (const StepLink& link : product.links) mesh->links.push_back(linkOf(link));
+  return mesh;
+}
+
+/// The floors as RadiusFilter measures on them: with a bridge over each gap, which has no face.
+std::shared_ptr<const WalkableMesh> addBridges(const WalkableMesh& floors, const NavigationMesh& product) {
+  const NavigationMesh bridged = withBridges(product);
+  auto mesh = std::make_shared<WalkableMesh>(floors);
+  for (std::size_t t = product.triangles.size(); t < bridged.triangles.size(); ++t) {
+    MeshTriangle bridge;
+    for (int k = 0; k < 3; ++k) bridge.corners[k] = static_cast<Index>(bridged.triangles[t][k]);
+    mesh->triangles.push_back(bridge);
+  }
+  for (std::size_t i = product.links.size(); i < bridged.links.size(); ++i)
+    mesh->links.push_back(linkOf(bridged.links[i]));
+  std::erase_if(mesh->links, [](const MeshLink& link) { return link.isGap; });
   return mesh;
 }
 
@@ -75,7 +95,8 @@ struct MarginsOfFaces {
 MarginsOfFaces groupByFaces(const std::vector<Margin>& margins) {
   std::vector<std::array<Index, 2>> pairs;
   for (std::size_t i = 0; i < margins.size(); ++i)
-    for (const Index face : margins[i].faces) pairs.push_back({face, static_cast<Index>(i)});
+    for (const Index face : margins[i].faces)
+      if (face >= 0) pairs.push_back({face, static_cast<Index>(i)});
   std::sort(pairs.begin(), pairs.end());
   MarginsOfFaces result;
   for (const auto& [face, margin] : pairs) {
@@ -102,6 +123,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& cont
       *startGeneration(*before, makeGenerationSoup(*before, *product, context, outcome.fallbacks), context, &faces));
   const auto floors = makeFloors(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
   state->mesh = floors;
+  state->mesh = addBridges(*floors, *product);
   const std::vector<Margin> margins =
       findMargins(*state, std::ldexp(radius, state->kernel->mesh().grid.scaleExponent()), kTolerance, context);
 
@@ -131,6 +153,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& cont
   if (!floors->links.empty()) {
     StepLinker linker(*state, context);
     state->mesh = linker.relink(*floors);
+    state->kernel = linker.kernel();
     outcome.fallbacks += linker.fallbacks();
   }
   if (state->mesh->triangles.empty())

@@ -10,7 +10,7 @@
 
 namespace footfall::detail {
 
-FilterOutcome applyStep(const StatePtr& given, double step, RunContext& context) {
+FilterOutcome applyStep(const StatePtr& given, double step, double gap, RunContext& context) {
   FilterOutcome outcome;
   auto state = std::make_shared<WalkableState>(*withMesh(given, context, outcome.fallbacks));
   if (state->clearance == 0) throw std::logic_error("StepFilter without a clearance before it");
@@ -21,7 +21,8 @@ FilterOutcome applyStep(const StatePtr& given, double step, RunContext& context)
                             "scale and the largest coordinates"));
   state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, state->clearance), height);
   StepLinker linker(*state, context);
-  state->mesh = linker.link(height, state->clearance);
+  state->mesh = linker.link(height, state->clearance, gap);
+  state->kernel = linker.kernel();
   state->topology = nullptr;
   outcome.fallbacks += linker.fallbacks();
   outcome.note = countedText(state->mesh->links.size(), FOOTFALL_TEXT("1 link"), FOOTFALL_TEXT("%1 links"));

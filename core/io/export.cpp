@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/export.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -23,9 +24,18 @@ std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
   appendNumber(counts, options.obstacleEdges ? mesh.obstacleEdges.size() : 0);
   counts += " obstacle edges";
   if (mesh.links.empty() || !options.steps) return counts;
-  counts += ", ";
-  appendNumber(counts, mesh.links.size());
-  return counts + " steps";
+  const auto gaps = static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
+  if (gaps < mesh.links.size()) {
+    counts += ", ";
+    appendNumber(counts, mesh.links.size() - gaps);
+    counts += " steps";
+  }
+  if (gaps > 0) {
+    counts += ", ";
+    appendNumber(counts, gaps);
+    counts += " gaps";
+  }
+  return counts;
 }
 
 /// The frame that is written: coordinates times s are in units of 1/s of those before.
@@ -60,10 +70,12 @@ void appendLines(std::string& text, const char* group, const std::vector<std::ar
   for (const auto& line : lines) appendElement(text, 'l', line);
 }
 
-void appendSteps(std::string& text, const std::vector<StepLink>& links) {
-  if (links.empty()) return;
-  text += "g steps\n";
-  for (const auto& [from, to, fromTriangle, toTriangle, height] : links) {
+void appendSteps(std::string& text, const std::vector<StepLink>& links, StepKind kind, const char* group) {
+  if (std::ranges::find(links, kind, &StepLink::kind) == links.end()) return;
+  text.append("g ").append(group).append("\n");
+  for (const StepLink& link : links) {
+    if (link.kind != kind) continue;
+    const auto &from = link.from, &to = link.to;
     if (from[1] == to[0])
       appendElement(text, 'f', std::array{from[0], from[1], to[1]});
     else if (to[1] == from[0])
@@ -122,7 +134,10 @@ std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, co
   appendTriangles(text, mesh, options.layers);
   if (options.connections) appendLines(text, "connections", mesh.connections);
   if (options.obstacleEdges) appendLines(text, "obstacle_edges", mesh.obstacleEdges);
-  if (options.steps) appendSteps(text, mesh.links);
+  if (options.steps) {
+    appendSteps(text, mesh.links, StepKind::Step, "steps");
+    appendSteps(text, mesh.links, StepKind::Gap, "gaps");
+  }
   appendExtras(text, extras, static_cast<std::uint32_t>(mesh.vertices.size()), frame.up, options.scale);
   return text;
 }

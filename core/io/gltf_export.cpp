@@ -32,6 +32,7 @@ Rgb layerColour(std::size_t layer) {
 constexpr Rgb kObstacleEdges = kVermilion;
 constexpr Rgb kConnections{255, 255, 255};
 constexpr Rgb kSteps = kSkyBlue;
+constexpr Rgb kGaps{204, 121, 167};  // reddish purple of the same palette
 constexpr Rgb kPlaced{150, 150, 150};
 
 /// What glTF means by a colour is linear, what everybody else writes is sRGB.
@@ -187,9 +188,10 @@ void addLayers(GltfMaker& maker, const NavigationMesh& mesh, bool byLayers) {
 }
 
 /// Two for each, or one where both borders end in one vertex; without area where the borders are equally high.
-std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links) {
+std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links, StepKind kind) {
   std::vector<Triangle> triangles;
   for (const StepLink& link : links) {
+    if (link.kind != kind) continue;
     if (link.from[1] != link.to[0]) triangles.push_back({link.from[0], link.from[1], link.to[0]});
     if (link.from[0] != link.to[1]) triangles.push_back({link.from[0], link.to[0], link.to[1]});
   }
@@ -240,7 +242,10 @@ GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeade
   addLayers(maker, mesh, options.layers);
   if (options.connections) maker.add("connections", kConnections, mesh.vertices, mesh.connections);
   if (options.obstacleEdges) maker.add("obstacle_edges", kObstacleEdges, mesh.vertices, mesh.obstacleEdges);
-  if (options.steps) maker.add("steps", kSteps, mesh.vertices, stepTriangles(mesh.links));
+  if (options.steps) {
+    maker.add("steps", kSteps, mesh.vertices, stepTriangles(mesh.links, StepKind::Step));
+    maker.add("gaps", kGaps, mesh.vertices, stepTriangles(mesh.links, StepKind::Gap));
+  }
   for (const ExportExtra& extra : extras)
     maker.add("placed_" + extra.name, kPlaced, extra.soup.vertices, extra.soup.triangles);
 

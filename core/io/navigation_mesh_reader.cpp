@@ -8,6 +8,7 @@
 
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
+#include "core/mesh/gap_bridges.hpp"
 #include "footfall/io.hpp"
 #include "footfall/up_axis.hpp"
 
@@ -23,7 +24,7 @@ struct StatedContent {
   bool isExport = false;
   std::optional<UpAxis> up;
   std::optional<double> metresPerUnit;
-  std::optional<std::uint64_t> vertices, triangles, layers, connections, obstacleEdges, steps;
+  std::optional<std::uint64_t> vertices, triangles, layers, connections, obstacleEdges, steps, gaps;
 };
 
 template <class Number>
@@ -58,6 +59,7 @@ void readCounts(std::string_view line, StatedContent& content) {
     if (part.ends_with(" connections")) content.connections = count;
     if (part.ends_with(" obstacle edges")) content.obstacleEdges = count;
     if (part.ends_with(" steps")) content.steps = count;
+    if (part.ends_with(" gaps")) content.gaps = count;
     line = comma == std::string_view::npos ? std::string_view() : line.substr(comma + 2);
   }
 }
@@ -143,18 +145,19 @@ void dropExtras(ObjGroups& groups, Environment& soup, const StatedContent& state
   groups.groups.erase(first, groups.groups.end());
 }
 
-/// The corners of a face of the group of steps; the last one is kNone for a triangle.
+/// The corners of a face of a group of steps or gaps; the last one is kNone for a triangle.
 using StepFace = std::array<std::uint32_t, 4>;
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// Takes the group of steps out of the text of an export, as its faces are no area. Corners that are no numbers, or too
-/// large, make no link; the counts tell.
-std::vector<StepFace> takeSteps(std::string& text) {
-  constexpr std::string_view kGroup = "\ng steps\n";
+/// Takes the group of steps, or that of gaps, out of the text of an export, as its faces are no area. Corners that are
+/// no numbers, or too large, make no link; the counts tell.
+std::vector<StepFace> takeSteps(std::string& text, std::string_view name) {
+  std::string line = "\ng ";
+  line.append(name).append("\n");
   std::vector<StepFace> faces;
-  const std::size_t group = text.find(kGroup);
+  const std::size_t group = text.find(line);
   if (group == std::string::npos) return faces;
-  const std::size_t first = group + kGroup.size();
+  const std::size_t first = group + line.size();
   std::size_t at = first;
   while (text.compare(at, 2, "f ") == 0) {
     const std::size_t stop = std::min(text.find('\n', at), text.size());
@@ -176,8 +179,8 @@ std::vector<StepFace> takeSteps(std::string& text) {
   return faces;
 }
 
-/// The triangles whose edges they are, and how high they are. Those without are left out.
-void completeSteps(const std::vector<StepFace>& faces, NavigationMesh& mesh) {
+/// The triangles whose edges they are, how high and how wide they are. Those without are left out.
+void completeSteps(const std::vector<StepFace>& faces, StepKind kind, NavigationMesh& mesh) {
   if (faces.empty()) return;
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> triangleAt;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -186,6 +189,7 @@ void completeSteps(const std::vector<StepFace>& faces, NavigationMesh& mesh) {
   for (const auto& [a, b, c, d] : faces) {
     if (std::max({a, b, c}) >= mesh.vertices.size() || (d != kNone && d >= mesh.vertices.size())) continue;
     StepLink link{{a, b}, {c, d}};
+    link.kind = kind;
     if (d ==
         kNone) {  // both borders end in one vertex, at the end where the third corner does not lie over the first two
       const Vec3 &first = mesh.vertices[a], &third = mesh.vertices[c];
@@ -199,6 +203,7 @@ void completeSteps(const std::vector<StepFace>& faces, NavigationMesh& mesh) {
       const double rise = mesh.vertices[link.to[1 - end]].z - mesh.vertices[link.from[end]].z;
       link.height = std::max(link.height, std::fabs(rise));
     }
+    link.width = widthOf(link, mesh.vertices);
     mesh.links.push_back(link);
   }
 }
@@ -219,7 +224,10 @@ void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
              FOOTFALL_TEXT("connections: its comments count %1, but it has %2"));
   checkCount(file.path, stated.obstacleEdges, mesh.obstacleEdges.size(),
              FOOTFALL_TEXT("obstacle edges: its comments count %1, but it has %2"));
-  checkCount(file.path, stated.steps, mesh.links.size(), FOOTFALL_TEXT("steps: its comments count %1, but it has %2"));
+  const auto gaps = static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
+  checkCount(file.path, stated.steps, mesh.links.size() - gaps,
+             FOOTFALL_TEXT("steps: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.gaps, gaps, FOOTFALL_TEXT("gaps: its comments count %1, but it has %2"));
   if (mesh.triangles.empty() && !(stated.isExport && stated.triangles)) {
     failInput(file.path, 0, FOOTFALL_TEXT("no triangles in it"), FOOTFALL_TEXT("choose a file that has faces"));
   }
@@ -236,8 +244,11 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
                                       RunContext* context) {
   std::string text = readInputFile(path, context);
   const StatedContent stated = readComments(text);
-  std::vector<StepFace> steps;
-  if (stated.isExport) steps = takeSteps(text);
+  std::vector<StepFace> steps, gaps;
+  if (stated.isExport) {
+    steps = takeSteps(text, "steps");
+    gaps = takeSteps(text, "gaps");
+  }
   Environment soup;
   ObjGroups groups;
   readObj(path, std::move(text), soup, context, &groups);
@@ -254,7 +265,8 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   file.mesh.triangles = std::move(soup.triangles);
   takeGroups(groups, file);
   for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
-  completeSteps(steps, file.mesh);
+  completeSteps(steps, StepKind::Step, file.mesh);
+  completeSteps(gaps, StepKind::Gap, file.mesh);
   checkContent(file, stated);
   file.mesh.frame = {path, file.up, file.metresPerUnit.value_or(1)};
   return file;

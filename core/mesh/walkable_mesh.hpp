@@ -36,9 +36,11 @@ struct TriangleMesh {
 };
 
 /// Two edges of the border over which an agent steps from one to the other. Each goes from its first vertex to its
-/// second with walkable area on its left; in the plan the second runs along the first, backwards.
+/// second with walkable area on its left; in the plan the second runs along the first, backwards, and where there is a
+/// gap between them, lies to its right.
 struct MeshLink {
   std::array<Index, 2> from{}, to{};
+  bool isGap = false;
   auto operator<=>(const MeshLink&) const = default;
 };
 

@@ -97,9 +97,9 @@ SurfaceParts findSurfaceParts(const NavigationMesh& mesh, const SurfaceTopology&
 
 std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
                                     const SurfaceParts& parts) {
-  // Over a joined side lies a triangle with the same two vertices, over a step one with others.
+  // Over a joined side lies a triangle of the mesh with the same two vertices, over a step one with others.
   const auto isJoined = [&](const Triangle& f, std::size_t k, std::uint32_t neighbour) {
-    if (neighbour == SurfaceTopology::kNone) return false;
+    if (neighbour >= mesh.triangles.size()) return false;  // none, or a bridge over a gap
     const Triangle& other = mesh.triangles[neighbour];
     return std::ranges::count(other, f[k]) + std::ranges::count(other, f[(k + 1) % 3]) == 2;
   };

@@ -121,7 +121,9 @@ void addFigures(const NavigationMesh& mesh, PathResult& result) {
     (rise > 0 ? result.climb : result.descent) += std::fabs(rise);
     if (!mesh.layers.empty() && (result.layers.empty() || result.layers.back() != mesh.layers[t]))
       result.layers.push_back(mesh.layers[t]);
-    if (std::binary_search(result.steps.begin(), result.steps.end(), i)) continue;
+    if (std::binary_search(result.steps.begin(), result.steps.end(), i) ||
+        std::binary_search(result.gaps.begin(), result.gaps.end(), i))
+      continue;
     const double slope = slopeDegrees(mesh, t);
     result.maxSlopeDegrees = std::max(result.maxSlopeDegrees, slope);
     // On pieces of a few units in the last place the rounded direction means nothing: no piece is steeper than its
@@ -140,12 +142,37 @@ std::string shortNumber(double x) {
   return text;
 }
 
-void addPath(const NavigationMesh& mesh, const SurfaceTopology& topology, PathResult& result, Poll poll) {
-  const SidePath sides = searchPath(mesh, topology, result.start->position, result.start->triangle,
+/// Makes one piece of each way over a gap, from its last bend on, that belongs to the triangle where it arrives.
+void joinGaps(std::uint32_t triangleCount, PathResult& result) {
+  const PathResult traced = result;
+  const auto isBridge = [&](std::size_t piece) { return traced.triangles[piece] >= triangleCount; };
+  const std::size_t pieces = traced.triangles.size();
+  result.points = {traced.points.front()};
+  result.triangles.clear();
+  result.bends.clear();
+  result.steps.clear();
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const bool bends = std::binary_search(traced.bends.begin(), traced.bends.end(), i + 1);
+    if (isBridge(i) && i + 1 < pieces && isBridge(i + 1) && !bends) continue;
+    if (isBridge(i)) result.gaps.push_back(result.triangles.size());
+    if (std::binary_search(traced.steps.begin(), traced.steps.end(), i))
+      result.steps.push_back(result.triangles.size());
+    std::size_t arrival = i;
+    while (arrival + 1 < pieces && isBridge(arrival)) ++arrival;
+    result.triangles.push_back(isBridge(arrival) ? result.end->triangle : traced.triangles[arrival]);
+    result.points.push_back(traced.points[i + 1]);
+    if (bends) result.bends.push_back(result.points.size() - 1);
+  }
+}
+
+void addPath(const PathGround& ground, PathResult& result, Poll poll) {
+  const NavigationMesh &mesh = *ground.mesh, &surface = *ground.surface;
+  const SidePath sides = searchPath(surface, ground.topology, result.start->position, result.start->triangle,
                                     result.end->position, result.end->triangle, poll);
   result.expanded = sides.expanded;
   if (!sides.found) return;
-  Tracer(mesh, topology, sides, result).run();
+  Tracer(surface, ground.topology, sides, result).run();
+  if (&mesh != &surface) joinGaps(static_cast<std::uint32_t>(mesh.triangles.size()), result);
   addFigures(mesh, result);
 }
 
@@ -214,7 +241,7 @@ PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, cons
     result.status = PathStatus::Found;
   }
   if (!result.reached()) result.end = places.nearest(to, component);
-  addPath(*inside_->mesh, topology, result, poll);
+  addPath(*inside_, result, poll);
   return result;
 }
 

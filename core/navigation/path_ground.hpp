@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "core/base/poll.hpp"
+#include "core/mesh/gap_bridges.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "core/navigation/surface_place.hpp"
 
@@ -14,13 +16,17 @@ namespace footfall::detail {
 struct PathGround {
   PathGround(std::shared_ptr<const NavigationMesh> givenMesh, const RunContext* context)
       : mesh(std::move(givenMesh)),
-        topology(makeSurfaceTopology(*mesh, Poll(context))),
+        surface(std::ranges::find(mesh->links, StepKind::Gap, &StepLink::kind) == mesh->links.end()
+                    ? mesh
+                    : std::make_shared<const NavigationMesh>(withBridges(*mesh))),
+        topology(makeSurfaceTopology(*surface, Poll(context))),
         places(*mesh, topology, Poll(context)) {}
   PathGround(const PathGround&) = delete;
   PathGround& operator=(const PathGround&) = delete;
 
   std::shared_ptr<const NavigationMesh> mesh;
-  SurfaceTopology topology;
+  std::shared_ptr<const NavigationMesh> surface;  ///< the mesh with bridges over its gaps
+  SurfaceTopology topology;                       ///< of the surface
   PlaceIndex places;
 };
 

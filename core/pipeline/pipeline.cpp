@@ -97,22 +97,27 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
   const auto place = [&](FilterType type) {
     return std::ranges::find(pipeline.steps, &filterDescriptor(type), &PipelineStep::filter);
   };
-  std::vector<std::pair<FilterType, double>> numbers{{FilterType::Slope, agent.maxSlope},
-                                                     {FilterType::VerticalClearance, agent.height},
-                                                     {FilterType::Area, agent.minimumArea}};
+  struct Number {
+    FilterType type{};
+    std::size_t parameter = 0;
+    double value = 0;
+  };
+  std::vector<Number> numbers{{FilterType::Slope, 0, agent.maxSlope},
+                              {FilterType::VerticalClearance, 0, agent.height},
+                              {FilterType::Area, 0, agent.minimumArea}};
   if (agent.step == 0) {
     pipeline.steps.erase(place(FilterType::Step));
   } else {
-    numbers.emplace_back(FilterType::Step, agent.step);
+    numbers.push_back({FilterType::Step, 0, agent.step});
+    numbers.push_back({FilterType::Step, 1, agent.gap});
   }
-  for (const auto& [type, value] : numbers) {
-    const FilterDescriptor& filter = filterDescriptor(type);
-    const auto step = place(type);
-    const ParameterDescriptor& parameter = filter.parameters.front();
+  for (const auto& [type, index, value] : numbers) {
+    const ParameterDescriptor& parameter = filterDescriptor(type).parameters[index];
     if (const Text wrong = checkValue(parameter, value); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);
-    step->values.front() = inUnits(parameter, value, environment.metresPerUnit);
-    if (const Text wrong = checkValue(parameter, step->values.front()); !wrong.empty())
+    double& written = place(type)->values[index];
+    written = inUnits(parameter, value, environment.metresPerUnit);
+    if (const Text wrong = checkValue(parameter, written); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent, in the environment's units: %1"), wrong);
   }
   return pipeline;

@@ -21,6 +21,7 @@
 #include "core/environment/skipped_polygons.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/io/base64.hpp"
+#include "core/mesh/gap_bridges.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
@@ -235,7 +236,7 @@ std::string groupsTable(const char* title, const std::string& prefix, const std:
 std::string resultSection(const RunResult& result, const AreaText& areaText) {
   if (!result.mesh) return {};
   const NavigationMesh& mesh = *result.mesh;
-  const SurfaceTopology topology = makeSurfaceTopology(mesh);
+  const SurfaceTopology topology = makeSurfaceTopology(withBridges(mesh));
   std::string html = "<section>\n<h2>Result</h2>\n<p>" +
                      escapeHtml(counted(mesh.triangles.size(), "walkable triangle", "walkable triangles") + ", " +
                                 counted(mesh.vertices.size(), "vertex", "vertices") + ", area " +

@@ -152,17 +152,27 @@ Json skippedJson(const SkippedElements& skipped) {
   return {{"points", skipped.points}, {"lines", skipped.lines}, {"polygons", skipped.polygons}, {"listed", listed}};
 }
 
-/// What the steps of a mesh amount to.
+/// What the steps of a mesh amount to, or its gaps.
 struct LinkFigures {
-  double planLength = 0, highest = 0;
+  std::size_t count = 0;
+  double planLength = 0, highest = 0, widest = 0;
+  [[nodiscard]] Json json() const {
+    return {{"count", count},
+            {"length", planLength},
+            {"highest", count > 0 ? Json(highest) : Json()},
+            {"widest", count > 0 ? Json(widest) : Json()}};
+  }
 };
 
-LinkFigures measureLinks(const NavigationMesh& mesh) {
+LinkFigures measureLinks(const NavigationMesh& mesh, StepKind kind) {
   LinkFigures figures;
   for (const StepLink& link : mesh.links) {
+    if (link.kind != kind) continue;
     const Vec3 &a = mesh.vertices[link.from[0]], &b = mesh.vertices[link.from[1]];
+    ++figures.count;
     figures.planLength += std::hypot(b.x - a.x, b.y - a.y);
     figures.highest = std::max(figures.highest, link.height);
+    figures.widest = std::max(figures.widest, link.width);
   }
   return figures;
 }
@@ -213,10 +223,16 @@ std::string componentLines(const Components& components) {
 }
 
 std::string linkLine(const NavigationMesh& mesh) {
-  if (mesh.links.empty()) return {};
-  const LinkFigures figures = measureLinks(mesh);
-  return counted(mesh.links.size(), "step", "steps") + " between borders, " + number(figures.planLength, "%.6g") +
-         " long in the plan, the highest " + number(figures.highest, "%.6g") + '\n';
+  const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
+  std::string text;
+  if (steps.count > 0)
+    text += counted(steps.count, "step", "steps") + " between borders, " + number(steps.planLength, "%.6g") +
+            " long in the plan, the highest " + number(steps.highest, "%.6g") + '\n';
+  if (gaps.count > 0)
+    text += counted(gaps.count, "gap", "gaps") + " between borders, " + number(gaps.planLength, "%.6g") +
+            " long in the plan, the widest " + number(gaps.widest, "%.6g") + ", the highest " +
+            number(gaps.highest, "%.6g") + '\n';
+  return text;
 }
 
 }  // namespace
@@ -259,10 +275,11 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["area"] = result.summary.area;
   json["layers"] = mesh.layerCount;
   json["connections"] = mesh.connections.size();
-  const LinkFigures links = measureLinks(mesh);
+  const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
   json["links"] = mesh.links.size();
-  json["link_length"] = links.planLength;
-  json["highest_link"] = mesh.links.empty() ? Json() : Json(links.highest);
+  json["link_length"] = steps.planLength + gaps.planLength;
+  json["highest_link"] = mesh.links.empty() ? Json() : Json(std::max(steps.highest, gaps.highest));
+  json["links_by_kind"] = {{"step", steps.json()}, {"gap", gaps.json()}};
   json["obstacle_edges"] = mesh.obstacleEdges.size();
   const Components components = findComponents(mesh);
   json["components"] = componentsJson(components);

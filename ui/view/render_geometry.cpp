@@ -184,7 +184,7 @@ constexpr std::size_t kLinesOfStep = 4;
 std::vector<VertexPair> stepLines(const std::vector<StepLink>& links) {
   std::vector<VertexPair> lines;
   lines.reserve(kLinesOfStep * links.size());
-  for (const auto& [from, to, fromTriangle, toTriangle, height] : links)
+  for (const auto& [from, to, fromTriangle, toTriangle, height, width, kind] : links)
     lines.insert(lines.end(), {from, to, {from[0], to[1]}, {from[1], to[0]}});
   return lines;
 }

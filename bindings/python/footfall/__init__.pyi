@@ -103,7 +103,7 @@ class Environment:
         self, *, obstacle_only: Optional[ArrayLike] = None, ignored: Optional[ArrayLike] = None
     ) -> Environment: ...
     def pipeline_for(
-        self, slope: float = 45.0, height: float = 2.0, *, minimum_area: float = 1.0, step: float = 0.4
+        self, slope: float = 45.0, height: float = 2.0, *, minimum_area: float = 1.0, step: float = 0.4, gap: float = 0.05
     ) -> Pipeline: ...
 
 class EditableEnvironment:
@@ -247,6 +247,10 @@ class NavigationMesh:
     @property
     def link_heights(self) -> NDArray[np.float64]: ...
     @property
+    def link_widths(self) -> NDArray[np.float64]: ...
+    @property
+    def link_is_gap(self) -> NDArray[np.bool_]: ...
+    @property
     def source(self) -> str: ...
     @property
     def up(self) -> str: ...
@@ -381,6 +385,7 @@ def walkable_area(
     *,
     minimum_area: float = 1.0,
     step: float = 0.4,
+    gap: float = 0.05,
     up: str = "z",
     metres_per_unit: float = 1.0,
     both_sides: bool = False,

@@ -8,6 +8,7 @@
 
 #include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
+#include "core/mesh/gap_bridges.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -105,6 +106,11 @@ std::vector<StepLink> roundLinks(const std::vector<MeshLink>& links, const std::
       for (int end = 0; end < 2; ++end)
         rounded.height = std::max(
             rounded.height, std::fabs(product.vertices[rounded.from[end]].z - product.vertices[rounded.to[1 - end]].z));
+      rounded.width = widthOf(rounded, product.vertices);
+      if (rounded.width > 0) {
+        rounded.kind = StepKind::Gap;
+        if (!link.isGap || bridgeOver(rounded, product.vertices).empty()) continue;
+      }
       if (rounded.to < rounded.from) {
         std::swap(rounded.from, rounded.to);
         std::swap(rounded.fromTriangle, rounded.toTriangle);

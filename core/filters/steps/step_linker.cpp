@@ -45,17 +45,17 @@ int axisBetween(const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry
 
 StepLinker::StepLinker(const WalkableState& state, RunContext& context)
     : state_(state),
-      kernel_(*state.kernel),
+      kernel_(state.kernel),
       mesh_(*state.mesh),
       context_(context),
       topology_(topologyOf(state, context)),
-      geometry_(kernel_, mesh_.vertices) {
+      geometry_(std::in_place, *kernel_, mesh_.vertices) {
   findBorders();
   buildTree();
 }
 
-std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height) {
-  findStretches(step, height);
+std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap) {
+  findStretches(step, height, gap);
   return makeMesh();
 }
 
@@ -68,7 +68,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::relink(const WalkableMesh& earli
   };
   for (const MeshLink& link : earlier.links) {
     context_.checkCancelled();
-    addStretches(earlier, borderOf(link.from), borderOf(link.to));
+    addStretches(earlier, borderOf(link.from), borderOf(link.to), link.isGap);
   }
   return makeMesh();
 }
@@ -91,23 +91,33 @@ void StepLinker::buildTree() {
       context_);
 }
 
-void StepLinker::findStretches(double step, double height) {
+void StepLinker::findStretches(double step, double height, double gap) {
   const auto count = static_cast<Index>(borders_.size());
   const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
-  const Index stepLevel = kernel_.levelOf(step).value(), heightLevel = kernel_.levelOf(height).value();
-  const double scaledStep = std::ldexp(step, kernel_.mesh().grid.scaleExponent());
+  const Index stepLevel = kernel_->levelOf(step).value(), heightLevel = kernel_->levelOf(height).value();
+  const int scale = kernel_->mesh().grid.scaleExponent();
+  const double scaledStep = std::ldexp(step, scale), scaledHeight = std::ldexp(height, scale);
+  const double scaledGap = std::ldexp(gap, scale);
   tbb::enumerable_thread_specific<Worker> workers([&] {
-    return Worker{{kernel_, mesh_.vertices}, {kernel_, state_.removed, stepLevel, heightLevel}, {}};
+    return Worker{{*kernel_, mesh_.vertices},
+                  {*kernel_, state_.removed, stepLevel, heightLevel},
+                  {kernel_->mesh(), state_.removed, scaledStep, scaledHeight, scaledGap},
+                  {},
+                  {}};
   });
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
     Worker& worker = workers.local();
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();
       Tree::Bounds query = boundsOf(vertex(borders_[i].from), vertex(borders_[i].to));
-      query.lower[2] -= scaledStep;
-      query.upper[2] += scaledStep;
+      for (const int k : {0, 1, 2}) {
+        query.lower[k] -= k < 2 ? scaledGap : scaledStep;
+        query.upper[k] += k < 2 ? scaledGap : scaledStep;
+      }
       tree_.visitOverlapping(query, [&](Index other) {
-        if (other > i) tryPair(i, other, worker);
+        if (other <= i) return;
+        tryPair(i, other, worker);
+        if (gap > 0) tryGap(i, other, worker);
       });
     }
   });
@@ -115,20 +125,23 @@ void StepLinker::findStretches(double step, double height) {
     fallbacks_ += worker.geometry.fallbacks;
     undecided_ += worker.conditions.undecided();
     stretches_.insert(stretches_.end(), worker.stretches.begin(), worker.stretches.end());
+    gaps_.insert(gaps_.end(), worker.gapStretches.begin(), worker.gapStretches.end());
   }
-  std::stable_sort(stretches_.begin(), stretches_.end(), [](const Stretch& a, const Stretch& b) {
+  const auto isBefore = [](const auto& a, const auto& b) {
     return std::array{a.first, a.second} < std::array{b.first, b.second};
-  });
+  };
+  std::stable_sort(stretches_.begin(), stretches_.end(), isBefore);
+  std::stable_sort(gaps_.begin(), gaps_.end(), isBefore);
 }
 
 // What is left of the two borders of a link, which run against each other.
-void StepLinker::addStretches(const WalkableMesh& earlier, const Border& from, const Border& to) {
+void StepLinker::addStretches(const WalkableMesh& earlier, const Border& from, const Border& to, bool isGap) {
   const auto remainsOf = [&](const Border& old) {
     const MeshVertex &a = earlier.vertices[old.from], &b = earlier.vertices[old.to];
     std::vector<Index> numbers;
-    const Index origin = kernel_.mesh().triangles[old.face][0];
+    const Index origin = kernel_->mesh().triangles[old.face][0];
     const auto isOn = [&](Index v) {
-      return kernel_.orientation(a.point, b.point, mesh_.vertices[v].point, origin, geometry_.fallbacks) == 0;
+      return kernel_->orientation(a.point, b.point, mesh_.vertices[v].point, origin, geometry_->fallbacks) == 0;
     };
     tree_.visitOverlapping(boundsOf(a, b), [&](Index i) {
       if (borders_[i].face == old.face && isOn(borders_[i].from) && isOn(borders_[i].to)) numbers.push_back(i);
@@ -136,12 +149,25 @@ void StepLinker::addStretches(const WalkableMesh& earlier, const Border& from, c
     std::sort(numbers.begin(), numbers.end());
     return numbers;
   };
+  if (isGap) {
+    const std::vector<Index> others = remainsOf(to);
+    for (const Index first : remainsOf(from))
+      for (const Index second : others) {
+        const GapBorder e = gapBorderOf(borders_[first]), f = gapBorderOf(borders_[second]);
+        if (const auto frame = GapConditions::frameOf(e, f)) {
+          const double begin = std::max(frame->along(e.from.x, e.from.y), frame->along(f.to.x, f.to.y));
+          const double finish = std::min(frame->along(e.to.x, e.to.y), frame->along(f.from.x, f.from.y));
+          if (finish - begin > GapConditions::kShort) gaps_.push_back({first, second, {*frame, {begin, finish}, {}}});
+        }
+      }
+    return;
+  }
   const MeshVertex &begin = earlier.vertices[from.from], &end = earlier.vertices[from.to];
-  const int axis = axisBetween(begin, end, geometry_);
+  const int axis = axisBetween(begin, end, *geometry_);
   if (axis < 0) return;
-  const int direction = geometry_.compare(end, begin, axis);
+  const int direction = geometry_->compare(end, begin, axis);
   const auto order = [&](const MeshVertex& a, const MeshVertex& b) {
-    return direction * geometry_.compare(a, b, axis);
+    return direction * geometry_->compare(a, b, axis);
   };
   const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
   const std::vector<Index> others = remainsOf(to);
@@ -195,7 +221,7 @@ void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
 
 // What its vertices were made of, the edges of its triangle's face, and the lines that cut that face.
 std::vector<KnownLine> StepLinker::linesOf(const Border& border, MeshGeometry& geometry) const {
-  const SourceMesh& source = kernel_.mesh();
+  const SourceMesh& source = kernel_->mesh();
   const PlanPoint &a = mesh_.vertices[border.from].point, &b = mesh_.vertices[border.to].point;
   std::vector<KnownLine> lines;
   const auto edgeLine = [&](Index u, Index v) {
@@ -204,7 +230,7 @@ std::vector<KnownLine> StepLinker::linesOf(const Border& border, MeshGeometry& g
   };
   const auto tryLine = [&](const PlanLine& line, Index face) {
     const Index origin = source.triangles[border.face][0];
-    const auto isOn = [&](const PlanPoint& p) { return kernel_.side(line, face, p, origin, geometry.fallbacks) == 0; };
+    const auto isOn = [&](const PlanPoint& p) { return kernel_->side(line, face, p, origin, geometry.fallbacks) == 0; };
     if (isOn(a) && isOn(b)) lines.push_back({line, face});
   };
   if (a.kind() == PlanPoint::Source && b.kind() == PlanPoint::Source) {
@@ -229,9 +255,9 @@ bool StepLinker::insertSplit(Index edge, const MeshVertex& place) {
   const Index side = topology_->sidesOf(edge)[0];
   const TriangleCorners corners(mesh_.triangles);
   const MeshVertex &from = mesh_.vertices[corners.beginOf(side)], &to = mesh_.vertices[corners.endOf(side)];
-  const int axis = axisBetween(from, to, geometry_), direction = geometry_.compare(to, from, axis);
+  const int axis = axisBetween(from, to, *geometry_), direction = geometry_->compare(to, from, axis);
   const auto order = [&](const MeshVertex& a, const MeshVertex& b) {
-    return direction * geometry_.compare(a, b, axis);
+    return direction * geometry_->compare(a, b, axis);
   };
   if (order(place, from) <= 0 || order(place, to) >= 0) return false;
   std::vector<MeshVertex>& splits = splits_[edge];
@@ -245,16 +271,16 @@ std::vector<MeshVertex> StepLinker::splitsBetween(Index edge, const MeshVertex& 
   std::vector<MeshVertex> between;
   const auto found = splits_.find(edge);
   if (found == splits_.end()) return between;
-  const int axis = axisBetween(a, b, geometry_), direction = geometry_.compare(b, a, axis);
+  const int axis = axisBetween(a, b, *geometry_), direction = geometry_->compare(b, a, axis);
   for (const MeshVertex& s : found->second)
-    if (direction * geometry_.compare(s, a, axis) > 0 && direction * geometry_.compare(s, b, axis) < 0)
+    if (direction * geometry_->compare(s, a, axis) > 0 && direction * geometry_->compare(s, b, axis) < 0)
       between.push_back(s);
   return between;
 }
 
 // Both borders of a stretch end with it, and get all vertices that either has inside it, until nothing changes. No
 // place comes in that was not there: so it ends.
-void StepLinker::splitEdges() {
+void StepLinker::splitAtSteps() {
   for (const Stretch& s : stretches_)
     for (const Index border : {s.first, s.second})
       for (const MeshVertex* end : {&s.begin, &s.end}) insertSplit(borders_[border].edge, *end);
@@ -269,6 +295,11 @@ void StepLinker::splitEdges() {
           isChanged = insertSplit(other, split) || isChanged;
     }
   }
+}
+
+void StepLinker::splitEdges() {
+  splitAtSteps();
+  if (!gaps_.empty()) splitAtGaps();
 }
 
 std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
@@ -290,7 +321,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
     auto& [forward, backward] = inside[edge];
     for (const MeshVertex& place : splits_[edge]) {
       forward.push_back(static_cast<Index>(result->vertices.size()));
-      result->vertices.push_back(liftedVertex(kernel_, mesh_.triangles[sides[0] / 3].face, place.point));
+      result->vertices.push_back(liftedVertex(*kernel_, mesh_.triangles[sides[0] / 3].face, place.point));
     }
     backward.assign(forward.rbegin(), forward.rend());
     for (const Index side : sides) {
@@ -311,8 +342,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
     if (!mesh_.layers.empty()) result->layers.resize(result->triangles.size(), mesh_.layers[t]);
   }
 
-  // Vertices of a border from one place to another, in its own direction.
-  const auto chainOf = [&](const Border& border, const MeshVertex& a, const MeshVertex& b) {
+  const auto verticesOf = [&](const Border& border) {
     std::vector<Index> chain{border.from};
     if (const auto found = inside.find(border.edge); found != inside.end()) {
       const bool isForward = border.from == corners.beginOf(topology_->sidesOf(border.edge)[0]);
@@ -320,10 +350,15 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
       chain.insert(chain.end(), between.begin(), between.end());
     }
     chain.push_back(border.to);
-    const int axis = axisBetween(a, b, geometry_), direction = geometry_.compare(b, a, axis);
+    return chain;
+  };
+  // Those from one place to another, in the border's own direction.
+  const auto chainOf = [&](const Border& border, const MeshVertex& a, const MeshVertex& b) {
+    std::vector<Index> chain = verticesOf(border);
+    const int axis = axisBetween(a, b, *geometry_), direction = geometry_->compare(b, a, axis);
     std::erase_if(chain, [&](Index v) {
       const MeshVertex& p = result->vertices[v];
-      return direction * geometry_.compare(p, a, axis) < 0 || direction * geometry_.compare(p, b, axis) > 0;
+      return direction * geometry_->compare(p, a, axis) < 0 || direction * geometry_->compare(p, b, axis) > 0;
     });
     return chain;
   };
@@ -337,9 +372,11 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
       result->links.push_back(link);
     }
   }
+  for (const GapStretch& gap : gaps_)
+    if (!gap.isDropped) addGapLinks(*result, gap, verticesOf(borders_[gap.first]), verticesOf(borders_[gap.second]));
   std::sort(result->links.begin(), result->links.end());
   result->links.erase(std::unique(result->links.begin(), result->links.end()), result->links.end());
-  fallbacks_ += geometry_.fallbacks;
+  fallbacks_ += geometry_->fallbacks;
   return result;
 }
 

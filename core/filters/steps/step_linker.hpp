@@ -1,33 +1,38 @@
-// Finding where an agent steps from one border of a walkable mesh to another one that coincides with it in the plan.
+// Finding where an agent steps from one border of a walkable mesh to another one: over it in the plan, or across a gap.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
 #include "core/base/box_tree.hpp"
+#include "core/filters/steps/gap_conditions.hpp"
 #include "core/filters/steps/step_conditions.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {
 
 /// The mesh of a state with steps linked: both borders of a link get vertices where it ends, and wherever the other one
-/// has one, so that links are pairs of whole edges.
+/// has one, so that links are pairs of whole edges. Across a gap the other one's place is where a line at a right angle
+/// to the bisector of both borders meets it; such lines lead through places of the plan, which the kernel gets.
 class StepLinker {
  public:
   /// The state must have a mesh.
   StepLinker(const WalkableState& state, RunContext& context);
 
-  /// The state's kernel must have the levels of `step` and `height` (environment units).
-  std::shared_ptr<const WalkableMesh> link(double step, double height);
+  /// The state's kernel must have the levels of `step` and `height`; `gap` is at least 0 (environment units).
+  std::shared_ptr<const WalkableMesh> link(double step, double height, double gap);
   /// Links what `earlier` links, where there is still a border. Its vertices are those of the state's kernel.
   std::shared_ptr<const WalkableMesh> relink(const WalkableMesh& earlier);
 
+  /// The state's, or one that knows further places of the plan: that of the mesh that was made.
+  [[nodiscard]] const std::shared_ptr<const PlanKernel>& kernel() const { return kernel_; }
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
-  /// Pairs of borders of which it is not known where the link ends: they are not linked.
+  /// Pairs of borders, and pieces of gaps, of which it is not known where the link ends: they are not linked.
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
 
  private:
@@ -43,20 +48,57 @@ class StepLinker {
     MeshVertex begin, end;
   };
 
+  /// Two borders, the second one to the right of the first, and the piece of the gap between them that is free.
+  struct GapStretch {
+    Index first = -1, second = -1;
+    GapPiece piece;
+    std::array<bool, 2> isDrawnIn{};  ///< its ends, from where an obstacle touched them
+    bool isDropped = false;
+  };
+  /// A place at which an edge is to be split, and the line across it that says where.
+  struct Cut {
+    Index border = -1;
+    std::array<Vec3, 2> line;
+  };
+  /// Of a gap on one of its borders, low and high.
+  using Corners = std::array<const MeshVertex*, 2>;
+  struct Cuts {
+    std::vector<Cut> list;
+    std::unordered_map<Index, std::vector<Vec3>> places;  ///< where they cut each edge
+  };
+
   /// What pairs of borders are tried with; one for each thread.
   struct Worker {
     MeshGeometry geometry;
     StepConditions conditions;
+    GapConditions gaps;
     std::vector<Stretch> stretches;
+    std::vector<GapStretch> gapStretches;
   };
 
   void findBorders();
   void buildTree();
-  void findStretches(double step, double height);
-  void addStretches(const WalkableMesh& earlier, const Border& from, const Border& to);
+  void findStretches(double step, double height, double gap);
+  void addStretches(const WalkableMesh& earlier, const Border& from, const Border& to, bool isGap);
   void tryPair(Index first, Index second, Worker& worker) const;
+  void tryGap(Index first, Index second, Worker& worker) const;
+  [[nodiscard]] GapBorder gapBorderOf(const Border& border) const;
   [[nodiscard]] std::vector<KnownLine> linesOf(const Border& border, MeshGeometry& geometry) const;
   void splitEdges();
+  void splitAtSteps();
+  void splitAtGaps();
+  void spreadSplits(Index edge);
+  void planCuts(Cuts& cuts);
+  void planCut(GapStretch& stretch, Index border, double along, Cuts& cuts);
+  void makeCuts(const std::vector<Cut>& cuts);
+  /// Proves of all gaps what the cuts made of them; draws in ends that an obstacle reaches. False when one was.
+  bool proveGaps();
+  [[nodiscard]] bool isProven(const GapStretch& stretch, int& end, bool& isOverlap);
+  [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
+  /// The vertex of a border, or of its splits, at a place along a frame; null when there is none.
+  [[nodiscard]] const MeshVertex* vertexAt(const Border& border, const GapFrame& frame, double along) const;
+  void addGapLinks(WalkableMesh& result, const GapStretch& stretch, const std::vector<Index>& from,
+                   const std::vector<Index>& to);
   /// False when there was a vertex already.
   bool insertSplit(Index edge, const MeshVertex& place);
   /// The splits of an edge strictly between two places of its line.
@@ -64,15 +106,17 @@ class StepLinker {
   [[nodiscard]] std::shared_ptr<const WalkableMesh> makeMesh();
 
   const WalkableState& state_;
-  const PlanKernel& kernel_;
+  std::shared_ptr<const PlanKernel> kernel_;
   const WalkableMesh& mesh_;
   RunContext& context_;
   std::shared_ptr<const Adjacency> topology_;
   std::vector<Border> borders_;
   BoxTree<3> tree_;  ///< of the borders
   std::vector<Stretch> stretches_;
-  std::unordered_map<Index, std::vector<MeshVertex>> splits_;  ///< of edges, in the order of their line
-  MeshGeometry geometry_;
+  std::vector<GapStretch> gaps_;
+  std::unordered_map<Index, std::vector<MeshVertex>> splits_;        ///< of edges, in the order of their line
+  std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges, once they are asked for
+  std::optional<MeshGeometry> geometry_;
   ExactFallbacks fallbacks_;
   std::size_t undecided_ = 0;
 };

@@ -15,6 +15,8 @@ struct Agent {
   double minimumArea = 1;
   /// Metres, at least 0: how high it climbs at once, on stairs, kerbs, low walls. 0: it does not lift its feet.
   double step = 0.4;
+  /// Metres, at least 0: how wide a gap it steps over, seen from above. 0: it steps where borders coincide.
+  double gap = 0.05;
   bool operator==(const Agent&) const = default;
 };
 

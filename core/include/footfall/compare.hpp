@@ -78,9 +78,11 @@ struct MeshDescription {
   std::size_t positions = 0;     ///< different ones that triangles use
   std::size_t connections = 0, obstacleEdges = 0;
   double connectionLength = 0, obstacleEdgeLength = 0;
-  std::size_t links = 0;   ///< steps, as pairs of edges
+  std::size_t links = 0;   ///< steps and gaps, as pairs of edges
+  std::size_t gaps = 0;    ///< of them
   double linkLength = 0;   ///< of all of them, in the plan
   double highestLink = 0;  ///< the largest difference in height on one; 0 without any
+  double widestGap = 0;    ///< in the plan; 0 without any
 };
 
 /// Two meshes compared. A is the ground truth where one is needed (thesis 5.5).

@@ -10,13 +10,21 @@
 
 namespace footfall {
 
-/// Two edges of the border that lie over each other in the plan and between which an agent steps, in both directions.
+enum class StepKind : std::uint32_t {
+  Step,  ///< the two edges lie over each other in the plan
+  Gap    ///< they lie beside each other, with a gap between them
+};
+
+/// Two edges of the border between which an agent steps, in both directions. Lengths are in the environment's units.
 struct StepLink {
   /// Vertices of each edge, with the walkable area on its left; seen from above the second runs along the first,
-  /// backwards: from[0] lies at to[1], and from[1] at to[0].
+  /// backwards. A step has from[0] at to[1] and from[1] at to[0]. Over a gap, ways lead from each place of the first
+  /// edge to the place of the second one that divides it in the same ratio.
   std::array<std::uint32_t, 2> from{}, to{};
   std::uint32_t fromTriangle = 0, toTriangle = 0;  ///< whose edges they are
-  double height = 0;                               ///< the largest difference in height, in the environment's units
+  double height = 0;                               ///< the largest difference in height
+  double width = 0;                                ///< in the plan no way over it is longer; 0 for a step
+  StepKind kind = StepKind::Step;
 };
 
 /// Triangles that an agent can stand on. Two of them share an edge by its two vertex numbers exactly where the agent
@@ -34,7 +42,7 @@ struct NavigationMesh {
   std::vector<std::array<std::uint32_t, 2>> obstacleEdges;
   /// Edges on which two layers meet, as vertex pairs.
   std::vector<std::array<std::uint32_t, 2>> connections;
-  /// Steps (StepFilter), in the order of their first edges.
+  /// Steps and gaps (StepFilter), in the order of their first edges.
   std::vector<StepLink> links = {};
   /// The file of the environment: where save() puts the mesh back to.
   SourceFrame frame = {};

@@ -105,12 +105,14 @@ struct PathResult {
   /// What keeps both parts apart, by addSeparation(); empty where they are not apart, and until it was called.
   std::optional<Separation> separation;
 
-  /// The path on the surface, from start to end: each piece lies in one triangle, `triangles[i]` holds the piece from
-  /// points[i] to points[i + 1]. One point where start and end are the same place; none without a path.
+  /// The path on the surface, from start to end: each piece lies in one triangle or leads over a gap; `triangles[i]`
+  /// holds the piece from points[i] to points[i + 1]. One point where start and end are the same place; none without a
+  /// path.
   std::vector<Vec3> points;
   std::vector<std::uint32_t> triangles;
   std::vector<std::size_t> bends;  ///< points at which it turns around a corner of the border
   std::vector<std::size_t> steps;  ///< pieces that are steps: straight up or down; `triangles` says where to
+  std::vector<std::size_t> gaps;   ///< pieces that lead over a gap; `triangles` says where to
 
   double planLength = 0;  ///< the shortest there is, up to rounding
   double length = 0;      ///< of this path in space, heights of steps included

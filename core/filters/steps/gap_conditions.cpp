@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/steps/gap_conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kSlack = GapConditions::kSlack;
+constexpr double kLeastCosine = 0.5;  // of the angle between two borders
+constexpr double kTouch = 8 * GapConditions::kUnit;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A border as a function of the place along a frame.
+struct Profile {
+  double begin = 0, end = 0;  ///< along, ascending
+  std::array<double, 2> across{}, height{};
+
+  Profile(const GapFrame& frame, const Vec3& low, const Vec3& high)
+      : begin(frame.along(low.x, low.y)),
+        end(frame.along(high.x, high.y)),
+        across{frame.across(low.x, low.y), frame.across(high.x, high.y)},
+        height{low.z, high.z} {}
+
+  [[nodiscard]] double at(const std::array<double, 2>& values, double along) const {
+    const double t = std::clamp((along - begin) / (end - begin), 0.0, 1.0);
+    return values[0] + t * (values[1] - values[0]);
+  }
+  [[nodiscard]] double acrossAt(double along) const { return at(across, along); }
+  [[nodiscard]] double heightAt(double along) const { return at(height, along); }
+  [[nodiscard]] double slope() const { return std::fabs(height[1] - height[0]) / (end - begin); }
+};
+
+/// Leaves of an interval, along which a number changes from `atLow` to `atHigh`, the part where it is not negative.
+bool keepPositive(std::array<double, 2>& ends, double atLow, double atHigh) {
+  if (atLow < 0 && atHigh < 0) return false;
+  const double zero = ends[0] + (ends[1] - ends[0]) * (atLow / (atLow - atHigh));
+  if (atLow < 0) ends[0] = zero;
+  if (atHigh < 0) ends[1] = zero;
+  return ends[1] - ends[0] > GapConditions::kShort;
+}
+
+/// Sign of a - b - c, exactly.
+int signOfDifference(double a, double b, double c) {
+  const double difference = a - b;
+  if (difference != c) return difference > c ? 1 : -1;  // rounding is monotonic
+  const double part = a - difference;
+  const double error = (a - (difference + part)) + (part - b);
+  return (error > 0) - (error < 0);
+}
+
+/// What is left of a convex polygon where `distance` is not negative.
+template <class Corner, class Distance>
+void clip(std::vector<Corner>& polygon, std::vector<Corner>& room, Distance distance) {
+  room.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double atP = distance(p), atQ = distance(q);
+    if (atP >= 0) room.push_back(p);
+    if ((atP < 0) == (atQ < 0)) continue;
+    const double t = atP / (atP - atQ);
+    Corner between{};
+    for (std::size_t k = 0; k < between.size(); ++k) between[k] = p[k] + t * (q[k] - p[k]);
+    room.push_back(between);
+  }
+  polygon.swap(room);
+}
+
+struct Profiles {
+  Profile first, second;
+  Profiles(const GapFrame& frame, const GapBorder& e, const GapBorder& f)
+      : first(frame, e.from, e.to), second(frame, f.to, f.from) {}
+  [[nodiscard]] double widthAt(double along) const { return second.acrossAt(along) - first.acrossAt(along); }
+  [[nodiscard]] double riseAt(double along) const { return second.heightAt(along) - first.heightAt(along); }
+  /// What heights may be off by: places along a slope are.
+  [[nodiscard]] double heightSlack() const { return kSlack * (1 + std::max(first.slope(), second.slope())); }
+};
+
+}  // namespace
+
+std::optional<GapFrame> GapConditions::frameOf(const GapBorder& first, const GapBorder& second) {
+  const double ex = first.to.x - first.from.x, ey = first.to.y - first.from.y;
+  const double fx = second.from.x - second.to.x, fy = second.from.y - second.to.y;
+  const double e = std::sqrt(ex * ex + ey * ey), f = std::sqrt(fx * fx + fy * fy);
+  if (!(e > kShort) || !(f > kShort) || !(ex * fx + ey * fy >= kLeastCosine * e * f)) return std::nullopt;
+  const double x = ex / e + fx / f, y = ey / e + fy / f, size = std::sqrt(x * x + y * y);
+  return GapFrame{first.from.x, first.from.y, x / size, y / size};
+}
+
+std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const GapBorder& second) const {
+  const std::optional<GapFrame> frame = frameOf(first, second);
+  if (!frame) return std::nullopt;
+  const Profiles p(*frame, first, second);
+  GapPiece piece{*frame, {std::max(p.first.begin, p.second.begin), std::min(p.first.end, p.second.end)}, {}};
+  std::array<double, 2>& ends = piece.ends;
+  if (!(ends[1] - ends[0] > kShort)) return std::nullopt;
+  // Where they touch, the caller decides on which side they are.
+  if (std::min(p.widthAt(ends[0]), p.widthAt(ends[1])) < -kTouch &&
+      !keepPositive(ends, p.widthAt(ends[0]) - 2 * kTouch, p.widthAt(ends[1]) - 2 * kTouch))
+    return std::nullopt;
+  const double most = gap_ - kSlack;
+  if (!keepPositive(ends, most - p.widthAt(ends[0]), most - p.widthAt(ends[1]))) return std::nullopt;
+  if (first.level && second.level) {
+    const auto [low, high] = std::minmax(*first.level, *second.level);
+    return signOfDifference(high, low, step_) <= 0 ? std::optional(std::move(piece)) : std::nullopt;
+  }
+  for (const double sign : {1.0, -1.0}) {
+    const double highest = step_ - 4 * p.heightSlack();  // so that the higher floor itself is no obstacle
+    if (!keepPositive(ends, highest - sign * p.riseAt(ends[0]), highest - sign * p.riseAt(ends[1])))
+      return std::nullopt;
+  }
+  return piece;
+}
+
+std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapBorder& second, const GapPiece& near) {
+  const GapFrame& frame = near.frame;
+  const Profiles p(frame, first, second);
+  const auto [begin, end] = near.ends;
+  const double slack = p.heightSlack();
+  // The lower of both, and the higher one; both may be either where they cross.
+  std::vector<const Profile*> lower, higher;
+  const double riseBegin = p.riseAt(begin), riseEnd = p.riseAt(end);
+  if (std::min(riseBegin, riseEnd) < 0) lower.push_back(&p.second), higher.push_back(&p.first);
+  if (std::max(riseBegin, riseEnd) >= 0) lower.push_back(&p.first), higher.push_back(&p.second);
+
+  Box box;
+  for (int k = 0; k < 3; ++k) {
+    box.lower[k] = kInfinity;
+    box.upper[k] = -kInfinity;
+  }
+  for (const Profile* border : {&p.first, &p.second})
+    for (const double along : near.ends) {
+      Vec3 place = frame.place(along, border->acrossAt(along));
+      place.z = border->heightAt(along);
+      const std::array<double, 3> values{place.x, place.y, place.z};
+      for (int k = 0; k < 3; ++k) {
+        box.lower[k] = std::min(box.lower[k], values[k] - 4 * kSlack);
+        box.upper[k] = std::max(box.upper[k], values[k] + 4 * kSlack);
+      }
+    }
+  box.lower[2] += step_ - slack;
+  box.upper[2] += clearance_ + slack;
+  const int scale = mesh_.grid.scaleExponent();
+  for (int k = 0; k < 3; ++k) {
+    box.lower[k] = std::nextafter(std::ldexp(box.lower[k], -scale), -kInfinity);
+    box.upper[k] = std::nextafter(std::ldexp(box.upper[k], -scale), kInfinity);
+  }
+
+  GapPiece whole = near;
+  std::vector<std::array<double, 2>> blocked;
+  std::vector<Corner> polygon, room;
+  const auto block = [&](Index t) {
+    const auto& corners = mesh_.triangles[t];
+    double lowest = kInfinity, highest = -kInfinity;
+    for (const Index v : corners) {
+      lowest = std::min(lowest, mesh_.scaled[v].z);
+      highest = std::max(highest, mesh_.scaled[v].z);
+    }
+    if (first.level && second.level) {
+      const auto [low, high] = std::minmax(*first.level, *second.level);
+      if (signOfDifference(highest, low, step_) <= 0 || signOfDifference(lowest, high, clearance_) >= 0) return;
+    }
+    for (const Profile* low : lower)
+      for (const Profile* high : higher) {
+        polygon.clear();
+        for (const Index v : corners) {
+          const Vec3& c = mesh_.scaled[v];
+          polygon.push_back({frame.along(c.x, c.y), frame.across(c.x, c.y), c.z});
+        }
+        // Linear functions, also beyond the ends.
+        const auto lineAt = [&](const Profile& border, const std::array<double, 2>& values, double along) {
+          return values[0] + (along - border.begin) * ((values[1] - values[0]) / (border.end - border.begin));
+        };
+        clip(polygon, room, [&](const Corner& c) { return c[0] - begin + 2 * kSlack; });
+        clip(polygon, room, [&](const Corner& c) { return end - c[0] + 2 * kSlack; });
+        clip(polygon, room, [&](const Corner& c) { return c[1] - lineAt(p.first, p.first.across, c[0]) + kSlack; });
+        clip(polygon, room, [&](const Corner& c) { return lineAt(p.second, p.second.across, c[0]) - c[1] + kSlack; });
+        clip(polygon, room, [&](const Corner& c) { return c[2] - lineAt(*low, low->height, c[0]) - step_ + slack; });
+        clip(polygon, room,
+             [&](const Corner& c) { return lineAt(*high, high->height, c[0]) + clearance_ - c[2] + slack; });
+        if (polygon.empty()) continue;
+        double from = kInfinity, to = -kInfinity;
+        for (const Corner& c : polygon) {
+          from = std::min(from, c[0]);
+          to = std::max(to, c[0]);
+        }
+        if (to <= begin + kSlack)
+          whole.touching[0].push_back(t);
+        else if (from >= end - kSlack)
+          whole.touching[1].push_back(t);
+        else
+          blocked.push_back({from - kSlack, to + kSlack});
+      }
+  };
+  mesh_.tree.visitOverlapping(box, stack_, [&](Index t) {
+    if (removed_[t] == 0) block(t);
+    return true;
+  });
+  for (std::vector<Index>& some : whole.touching) {
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+  }
+  std::sort(blocked.begin(), blocked.end());
+
+  std::vector<GapPiece> pieces;
+  const auto add = [&](double from, double to) {
+    if (!(to - from > kShort)) return;
+    pieces.push_back({frame, {from, to}, {}});
+    if (from == begin) pieces.back().touching[0] = whole.touching[0];
+    if (to == end) pieces.back().touching[1] = whole.touching[1];
+  };
+  double from = begin;
+  for (const auto& [low, high] : blocked) {
+    add(from, low);
+    from = std::max(from, high);
+  }
+  add(from, end);
+  return pieces;
+}
+
+}  // namespace footfall::detail
