@@ -51,6 +51,9 @@ Json meshJson(const NavigationMeshFile& file, const MeshDescription& mesh) {
   json["links"] = mesh.links;
   json["link_length"] = mesh.linkLength;
   json["highest_link"] = mesh.links > 0 ? Json(mesh.highestLink) : Json();
+  json["drops"] = mesh.drops;
+  json["drop_length"] = mesh.dropLength;
+  json["deepest_drop"] = mesh.drops > 0 ? Json(mesh.deepestDrop) : Json();
   json["by_layer"] = Json::array();
   for (const MeshPart& part : mesh.layers) json["by_layer"].push_back(partJson(part));
   return json;
@@ -123,6 +126,11 @@ void addMeshes(const MeshComparison& comparison, Table& table) {
     table.row({"  their length in the plan", number(a.linkLength), number(b.linkLength)});
     table.row({"  the highest", number(a.highestLink), number(b.highestLink)});
   }
+  if (a.drops + b.drops > 0) {
+    counts("drops", a.drops, b.drops);
+    table.row({"  their length in the plan", number(a.dropLength), number(b.dropLength)});
+    table.row({"  the deepest", number(a.deepestDrop), number(b.deepestDrop)});
+  }
   table.row({"area", number(a.whole.areas.surface), number(b.whole.areas.surface)});
   table.row({"  in the plan", number(a.whole.areas.plan), number(b.whole.areas.plan)});
 }
@@ -180,6 +188,15 @@ std::string linkVerdict(const MeshComparison& comparison) {
   return "Their steps differ.\n";
 }
 
+/// As of steps.
+std::string dropVerdict(const MeshComparison& comparison) {
+  if (comparison.meshes[0].drops + comparison.meshes[1].drops == 0) return {};
+  if (comparison.equalDrops) return "Both have the same drops.\n";
+  if (comparison.meshes[1].drops == 0) return "Only A has drops.\n";
+  if (comparison.meshes[0].drops == 0) return "Only B has drops.\n";
+  return "Their drops differ.\n";
+}
+
 }  // namespace
 
 std::string howDifferent(const MeshComparison& comparison) {
@@ -204,7 +221,7 @@ std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, con
   }
   if (files[0].metresPerUnit && files[1].metresPerUnit && *files[0].metresPerUnit != *files[1].metresPerUnit)
     text += "Note: the files state different metres per unit; their numbers are compared as they are.\n";
-  text += '\n' + verdict(comparison) + linkVerdict(comparison) + '\n';
+  text += '\n' + verdict(comparison) + linkVerdict(comparison) + dropVerdict(comparison) + '\n';
   Table table;
   addMeshes(comparison, table);
   addDifferences(comparison, table);
@@ -235,6 +252,7 @@ std::string formatComparisonJson(const std::array<NavigationMeshFile, 2>& files,
     return Json{{"empty", !links.hasLength[part]}, {"length", links.lengths[part]}};
   };
   json["links"] = {{"a_without_b", lengthJson(0)}, {"b_without_a", lengthJson(1)}, {"common", lengthJson(2)}};
+  json["equal_drops"] = comparison.equalDrops;
   json["within_height"] = {{"height", comparison.height},
                            {"a_without_b", areasJson(comparison.meshes[0].whole.uncovered)},
                            {"b_without_a", areasJson(comparison.meshes[1].whole.uncovered)}};

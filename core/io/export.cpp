@@ -22,10 +22,15 @@ std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
   counts += " connections, ";
   appendNumber(counts, options.obstacleEdges ? mesh.obstacleEdges.size() : 0);
   counts += " obstacle edges";
-  if (mesh.links.empty() || !options.steps) return counts;
-  counts += ", ";
-  appendNumber(counts, mesh.links.size());
-  return counts + " steps";
+  const auto add = [&](std::size_t count, bool isWritten, const char* name) {
+    if (count == 0 || !isWritten) return;
+    counts += ", ";
+    appendNumber(counts, count);
+    counts += name;
+  };
+  add(mesh.links.size(), options.steps, " steps");
+  add(mesh.drops.size(), options.drops, " drops");
+  return counts;
 }
 
 /// The frame that is written: coordinates times s are in units of 1/s of those before.
@@ -71,6 +76,18 @@ void appendSteps(std::string& text, const std::vector<StepLink>& links) {
     else
       appendElement(text, 'f', std::array{from[0], from[1], to[0], to[1]});
   }
+}
+
+/// Two lines for each, from where an agent drops to where it lands, over vertices of their own.
+std::uint32_t appendDrops(std::string& text, const std::vector<DropLink>& drops, std::uint32_t vertex, UpAxis up,
+                          double scale) {
+  if (drops.empty()) return vertex;
+  text += "g drops\n";
+  for (const DropLink& drop : drops)
+    appendVertices(text, {drop.start[0], drop.landing[0], drop.start[1], drop.landing[1]}, up, scale);
+  for (std::size_t line = 0; line < 2 * drops.size(); ++line, vertex += 2)
+    appendElement(text, 'l', std::array{vertex, vertex + 1});
+  return vertex;
 }
 
 /// A name that every reader takes for one word.
@@ -123,7 +140,9 @@ std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, co
   if (options.connections) appendLines(text, "connections", mesh.connections);
   if (options.obstacleEdges) appendLines(text, "obstacle_edges", mesh.obstacleEdges);
   if (options.steps) appendSteps(text, mesh.links);
-  appendExtras(text, extras, static_cast<std::uint32_t>(mesh.vertices.size()), frame.up, options.scale);
+  auto vertex = static_cast<std::uint32_t>(mesh.vertices.size());
+  if (options.drops) vertex = appendDrops(text, mesh.drops, vertex, frame.up, options.scale);
+  appendExtras(text, extras, vertex, frame.up, options.scale);
   return text;
 }
 
