@@ -325,6 +325,8 @@ FOOTFALL_API footfall_points footfall_path_points(const footfall_path* path);
 FOOTFALL_API footfall_numbers footfall_path_triangles(const footfall_path* path);
 FOOTFALL_API double footfall_path_length(const footfall_path* path);
 FOOTFALL_API double footfall_path_plan_length(const footfall_path* path);
+/* How often the path drops, one way down. */
+FOOTFALL_API size_t footfall_path_drop_count(const footfall_path* path);
 /* Why there is no path, in one line, in the frame of the environment's file; "" when there is one. */
 FOOTFALL_API const char* footfall_path_failure(const footfall_path* path);
 /* The largest of what keeps start and target apart. Returns 0, and writes nothing, where nothing does. */

@@ -175,8 +175,7 @@ edge and the one in which one lands.)")
           "drop_places", &dropPlacesOf,
           R"(Shape (k, 4, 3), float64: of each of `drops` both ends of the stretch of edge that one drops from, and the
 places where one lands from them; in between both move evenly.)")
-      .def_property_readonly("drop_depths", &dropDepthsOf,
-                             "Shape (k,), float64: how deep each of `drops` is, at most.")
+      .def_property_readonly("drop_depths", &dropDepthsOf, "Shape (k,), float64: how deep each of `drops` is, at most.")
       .def_property_readonly(
           "source", [](const Mesh& m) { return m.data->frame.source; },
           "The file of the environment; empty where there was none.")
@@ -203,8 +202,8 @@ up: another up axis ("z", "y", "x", "-z", "-y", "-x"). scale: a factor for coord
 Returns how far rounding moved a coordinate at most, in metres: 0.0 for OBJ; glTF has floats of 32 bits. Raises
 InputError for another ending or scale, RunError where the file cannot be written.)",
       py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true,
-      py::arg("up") = py::none(), py::arg("scale") = 1.0);
+      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true, py::arg("up") = py::none(),
+      py::arg("scale") = 1.0);
   define(
       module, "read_mesh",
       [](const std::filesystem::path& path, const std::optional<std::string>& up) {
@@ -247,14 +246,14 @@ list of dict), "total_ms", "times", "threads" and, of parallel blocks, "blocks".
       area, "save",
       [](const Area& a, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
          bool steps, bool drops, const std::optional<std::string>& up, double scale) {
-        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, steps, drops, up,
-                        scale);
+        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, steps, drops,
+                        up, scale);
       },
       "Write the area as `NavigationMesh.save` does, with the pipeline in the comments: the same bytes as `footfall "
       "run`.",
       py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true,
-      py::arg("up") = py::none(), py::arg("scale") = 1.0);
+      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true, py::arg("up") = py::none(),
+      py::arg("scale") = 1.0);
 }
 
 void bindRunning(py::module_& module) {

@@ -257,8 +257,9 @@ FilterDescriptor drop() {
                      {
                          .name = "reach",
                          .label = "Reach",
-                         .help = "How far outwards, seen from above, an agent lands at most. Behind a RadiusFilter give "
-                                 "at least twice its radius.",
+                         .help =
+                             "How far outwards, seen from above, an agent lands at most. Behind a RadiusFilter give "
+                             "at least twice its radius.",
                          .type = ParameterType::Real,
                          .unit = Unit::Length,
                          .defaultValue = 0.3,
@@ -291,9 +292,11 @@ FilterDescriptor reachable() {
       .aliases = {},
       .label = "Reachable",
       .help =
-          "Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps, and down over "
+          "Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps, and down "
+          "over "
           "drops; roofs, islands and the insides of solids go. Put it behind a StepFilter and a DropFilter, where "
-          "there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. "
+          "there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before "
+          "any VerticalClearanceFilter, however much lower. "
           "On an edge or a corner it means all that meets there. What is removed stays an obstacle.",
       .precondition = "Each seed has a walkable place under it.",
       .effect = "Every walkable region holds a seed, or is reached over drops from one that does.",

@@ -147,8 +147,9 @@ std::vector<DropLine> takeDrops(const ObjGroups& all, const Environment& soup, c
 
 /// Drops, and obstacles that an export shows beside the walkable area, stand behind it, with vertices of their own.
 void removeExtras(ObjGroups& groups, Environment& soup, const StatedContent& stated) {
-  const auto first = std::find_if(groups.groups.begin(), groups.groups.end(),
-                                  [](const auto& group) { return group.name == "drops" || group.name.starts_with("placed_"); });
+  const auto first = std::find_if(groups.groups.begin(), groups.groups.end(), [](const auto& group) {
+    return group.name == "drops" || group.name.starts_with("placed_");
+  });
   if (!stated.isExport || !stated.vertices || first == groups.groups.end()) return;
   if (*stated.vertices > soup.vertices.size()) return;  // cut off: the counts tell
   soup.triangles.resize(first->firstTriangle);

@@ -96,7 +96,8 @@ DropFinder::Tree::Bounds DropFinder::boundsOf(Index a, Index b) const {
 void DropFinder::buildTrees() {
   std::vector<Index> all(borders_.size());
   std::iota(all.begin(), all.end(), 0);
-  borderTree_.build(all, [&](Index i) { return boundsOf(borders_[i].from, borders_[i].to); }, context_);
+  borderTree_.build(
+      all, [&](Index i) { return boundsOf(borders_[i].from, borders_[i].to); }, context_);
   all.resize(mesh_.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   triangleTree_.build(
@@ -178,8 +179,7 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
     if (t == border.triangle || m.face == edge.face) return false;
     for (int k = 0; k < 3; ++k) {
       const Index u = m.corners[k], v = m.corners[next(k)];
-      const SignAlong& inside = landing.inside[k] =
-          signs.leftOf(edge, mesh_.vertices[u], mesh_.vertices[v], {u, v});
+      const SignAlong& inside = landing.inside[k] = signs.leftOf(edge, mesh_.vertices[u], mesh_.vertices[v], {u, v});
       if (inside.begin > 0 || inside.end > 0) continue;
       if (!inside.isZero() || signs.orientation(edge, mesh_.vertices[m.corners[previous(k)]]) >= 0) return false;
     }
@@ -263,11 +263,11 @@ void DropFinder::dropAcross(const Border& border, const Border& other, const std
   const LinearFunction beforeEnd = LinearFunction{} - behindBegin + (piece.end - piece.begin) * frame.length();
   const LinearFunction before = along(across) - frame.outwards();
   const LinearFunction belowHead = LinearFunction{} - frame.above() + height;
-  const std::vector<LinearFunction> way{behindBegin,        beforeEnd, frame.outwards(), before,
-                                        frame.above() + -kinds.heightOf(levels_.step), belowHead};
+  const std::vector<LinearFunction> way{
+      behindBegin, beforeEnd, frame.outwards(), before, frame.above() + -kinds.heightOf(levels_.step), belowHead};
   // Nothing is lower than the height over the landing, but what belongs to the landing itself.
-  const std::vector<LinearFunction> fall{behindBegin, beforeEnd, before, LinearFunction{} - before,
-                                         frame.above() - along(rise) + -height / 2, belowHead};
+  const std::vector<LinearFunction> fall{
+      behindBegin, beforeEnd, before, LinearFunction{} - before, frame.above() - along(rise) + -height / 2, belowHead};
   const BorderEdge end = edgeOf(other);
   Box box;
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,11 +1,11 @@
 // Finding where an agent drops from a border of a walkable mesh to a lower place (design section 7, DropFilter).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two kinds of landings are looked for, in the plan straight outwards from a ledge: straight below it, and on borders at
-// which a floor begins within the reach. Straight below everything is decided by exact signs (edge_signs.hpp). Across a
-// gap distances are square roots: there everything is computed in doubles, and a drop must have a margin of 2^-40 of the
-// largest coordinate to spare. That is far above what rounding does: numbers are relative to the edge, and no more than
-// a few dozen operations lead to each.
+// Two kinds of landings are looked for, in the plan straight outwards from a ledge: straight below it, and on borders
+// at which a floor begins within the reach. Straight below everything is decided by exact signs (edge_signs.hpp).
+// Across a gap distances are square roots: there everything is computed in doubles, and a drop must have a margin of
+// 2^-40 of the largest coordinate to spare. That is far above what rounding does: numbers are relative to the edge, and
+// no more than a few dozen operations lead to each.
 #pragma once
 
 #include <array>

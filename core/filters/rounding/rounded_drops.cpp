@@ -27,9 +27,9 @@ class ProductPlaces {
     for (Index e = 0; e < topology.edgeCount(); ++e) {
       const auto sides = topology.sidesOf(e);
       if (sides.size() != 1) continue;
-      sides_.try_emplace({placeOf(mesh.vertices[corners.beginOf(sides[0])]),
-                          placeOf(mesh.vertices[corners.endOf(sides[0])])},
-                         sides[0]);
+      sides_.try_emplace(
+          {placeOf(mesh.vertices[corners.beginOf(sides[0])]), placeOf(mesh.vertices[corners.endOf(sides[0])])},
+          sides[0]);
     }
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ofSource_[mesh.sourceTriangles[t]].push_back(t);
   }

@@ -78,8 +78,8 @@ void BorderKinds::addWall(Index triangle) {
   }
   if (!reachesUp || !reachesDown) return;
   const LinearFunction& above = frame_.above();
-  if (const auto piece = frame_.shadow(
-          cornersOf(triangle), {above + -heightOf(step_), LinearFunction{} - above + heightOf(height_)}))
+  if (const auto piece =
+          frame_.shadow(cornersOf(triangle), {above + -heightOf(step_), LinearFunction{} - above + heightOf(height_)}))
     walls_.push_back(*piece);
 }
 
@@ -106,9 +106,8 @@ bool BorderKinds::isKnownBeside(Index triangle, Index level, int sign) {
   const double z = mesh.vertices[floor[0]].z;
   if (mesh.vertices[floor[1]].z != z || mesh.vertices[floor[2]].z != z) return false;
   const auto& f = mesh.triangles[triangle];
-  return std::none_of(f.begin(), f.end(), [&](Index v) {
-    return sign * kernel_.heightSign(edge_.face, v, level, signs_.fallbacks) > 0;
-  });
+  return std::none_of(f.begin(), f.end(),
+                      [&](Index v) { return sign * kernel_.heightSign(edge_.face, v, level, signs_.fallbacks) > 0; });
 }
 
 }  // namespace footfall::detail

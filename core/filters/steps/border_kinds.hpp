@@ -14,7 +14,7 @@ namespace footfall::detail {
 struct CoverAlong {
   Index triangle = -1;
   std::array<SignAlong, 3> inside{};  ///< of its sides; zero where the edge lies along one of them
-  bool isOutside = true;            ///< it has an inside in the limit on the far side, where all of `inside` are positive
+  bool isOutside = true;  ///< it has an inside in the limit on the far side, where all of `inside` are positive
   SignAlong overStep{}, underHeight{};  ///< over the border, raised by the step and by the height
 
   /// The border is under or over the triangle, its outline included.

@@ -93,8 +93,8 @@ int EdgeSigns::orientation(const BorderEdge& edge, Index vertex) {
   const double slack = kernel_.sign().slack;
   if (const MaybeSign sign = filteredOrientation({a.x, a.y, a.error}, {b.x, b.y, b.error}, {p.x, p.y, slack}, slack))
     return *sign;
-  return kernel_.orientation(a.point, b.point, PlanPoint::source(mesh.planIds[vertex]),
-                             mesh.triangles[edge.face][0], fallbacks);
+  return kernel_.orientation(a.point, b.point, PlanPoint::source(mesh.planIds[vertex]), mesh.triangles[edge.face][0],
+                             fallbacks);
 }
 
 int EdgeSigns::orientation(const BorderEdge& edge, const MeshVertex& vertex) {
@@ -106,9 +106,8 @@ int EdgeSigns::orientation(const BorderEdge& edge, const MeshVertex& vertex) {
 }
 
 void EdgePieces::sort() {
-  std::sort(zones_.begin(), zones_.end(), [](const Zone& a, const Zone& b) {
-    return std::pair(a.low, a.line) < std::pair(b.low, b.line);
-  });
+  std::sort(zones_.begin(), zones_.end(),
+            [](const Zone& a, const Zone& b) { return std::pair(a.low, a.line) < std::pair(b.low, b.line); });
 }
 
 std::vector<EdgePiece> common(const std::vector<EdgePiece>& a, const std::vector<EdgePiece>& b) {

@@ -1,8 +1,9 @@
 // Signs of what is linear along an edge of the border, and the pieces of the edge between their changes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All decisions are exact signs at the two ends of an edge, which are exact points. Where a sign changes in between, the
-// place is computed exactly, rounded, and left out with a margin: so pieces end a little inside of what they stand for.
+// All decisions are exact signs at the two ends of an edge, which are exact points. Where a sign changes in between,
+// the place is computed exactly, rounded, and left out with a margin: so pieces end a little inside of what they stand
+// for.
 #pragma once
 
 #include <algorithm>

@@ -155,10 +155,11 @@ class PathFinder {
   /// never means the floor beneath it; placeReach() gives that reach.
   ///
   /// Drops are taken only where nothing else leads to the target. Then each piece between two drops is the shortest one
-  /// there is, and the drops are those with the shortest sum of straight lines when each is entered where it is nearest.
+  /// there is, and the drops are those with the shortest sum of straight lines when each is entered where it is
+  /// nearest.
   ///
-  /// Without drops the path has the same length the other way round, up to rounding. Throws InputError for coordinates that are not
-  /// finite, and Cancelled.
+  /// Without drops the path has the same length the other way round, up to rounding. Throws InputError for coordinates
+  /// that are not finite, and Cancelled.
   [[nodiscard]] PathResult find(const Vec3& from, const Vec3& to,
                                 double reach = std::numeric_limits<double>::infinity(),
                                 const RunContext* context = nullptr) const;
