@@ -102,13 +102,14 @@ bool canDropAcross(const Environment& environment, const BorderEdge3& border, co
   if (entering <= 0) return false;
   const Rational t = -walkable.at(place) / entering;  // in lengths of the border
   const Rational squared = outwards.x * outwards.x + outwards.y * outwards.y;
-  if (t <= 0 || t * t * squared > agent.reach * agent.reach) return false;
+  if (t <= 0 || t * t * squared <= agent.least * agent.least || t * t * squared > agent.reach * agent.reach)
+    return false;
   const Point2 end{place.x + t * outwards.x, place.y + t * outwards.y};
   const Rational dx = landing.to.x - landing.from.x, dy = landing.to.y - landing.from.y;
   const Rational along = (dx * (end.x - landing.from.x) + dy * (end.y - landing.from.y)) / (dx * dx + dy * dy);
   if (along < 0 || along > 1) return false;
   const Rational z = pointOn(landing, along).z, head = start.z + agent.clearance;
-  return z < start.z && z >= start.z - agent.depth &&
+  return z < start.z - agent.least && z >= start.z - agent.depth &&
          !isBlockedOver(environment, place, end, start.z + agent.step, head) &&
          !isBlockedBeside(environment, end, outwards, z, head);
 }

@@ -10,6 +10,7 @@ namespace footfall::reference {
 /// What an agent can do.
 struct DropAgent {
   Rational step, clearance, depth, reach;
+  Rational least = {};  ///< across a gap it drops by more than this, farther than this
 };
 
 /// The point of a border at a share of its length, 0 at `from`.

@@ -145,9 +145,10 @@ void DropFinder::tryBorder(const Border& border, double reach, Worker& worker) c
   const Vec3 &begin = places_[border.from], &end = places_[border.to];
   if (begin.x == end.x && begin.y == end.y) return;
   BorderKinds& kinds = worker.kinds;
-  kinds.turnTo(edgeOf(border), begin, end, kinds.heightOf(levels_.depth));
+  kinds.turnTo(edgeOf(border), begin, end, 0);
   const std::vector<EdgePiece> ledges = kinds.ledges();
   if (ledges.empty()) return;
+  kinds.turnTo(edgeOf(border), begin, end, kinds.heightOf(levels_.depth));
   dropStraight(border, ledges, worker);
   if (!(reach > 0)) return;
   Tree::Bounds query = boundsOf(border.from, border.to);
@@ -159,6 +160,12 @@ void DropFinder::tryBorder(const Border& border, double reach, Worker& worker) c
   borderTree_.visitOverlapping(query, [&](Index other) {
     if (&borders_[other] != &border) dropAcross(border, borders_[other], ledges, reach, worker);
   });
+}
+
+bool DropFinder::isLevel(Index face) const {
+  const SourceMesh& source = kernel_.mesh();
+  const auto& f = source.triangles[face];
+  return source.vertices[f[0]].z == source.vertices[f[1]].z && source.vertices[f[0]].z == source.vertices[f[2]].z;
 }
 
 double DropFinder::heightAt(Index face, const Vec3& place) const {
@@ -217,14 +224,13 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
              });
     });
     for (const EdgePiece& piece : common(free, ledges)) {
-      if (!((piece.end - piece.begin) * kinds.frame().length() > kinds.frame().margin())) continue;
       MeshDrop drop = makeDrop({border.from, border.to}, t, piece);
       for (int end = 0; end < 2; ++end) {
         const Vec3 start = kinds.frame().at(drop.stretch[end]);
         drop.start[end] = asArray(start);
         drop.landing[end] = {start.x, start.y, heightAt(face, start)};
       }
-      worker.drops.push_back(drop);
+      if (drop.start[0] != drop.start[1]) worker.drops.push_back(drop);
     }
   });
 }
@@ -248,9 +254,16 @@ void DropFinder::dropAcross(const Border& border, const Border& other, const std
   if (piece.isEmpty()) return;
   restrict(piece, {across.begin - margin, across.end - margin});
   restrict(piece, {reach - margin - across.begin, reach - margin - across.end});
-  restrict(piece, {-margin - rise.begin, -margin - rise.end});
-  const double depth = kinds.heightOf(levels_.depth);
-  restrict(piece, {depth - margin + rise.begin, depth - margin + rise.end});
+  const Index face = mesh_.triangles[other.triangle].face;
+  if (isLevel(kinds.edge().face) && isLevel(face)) {
+    if (kinds.signs().height(kinds.edge(), face, kinds.edge().face, 0).begin >= 0 ||
+        kinds.signs().height(kinds.edge(), face, kinds.edge().face, -levels_.depth).begin < 0)
+      return;
+  } else {
+    const double depth = kinds.heightOf(levels_.depth);
+    restrict(piece, {-margin - rise.begin, -margin - rise.end});
+    restrict(piece, {depth - margin + rise.begin, depth - margin + rise.end});
+  }
   if (piece.isEmpty()) return;
 
   const auto along = [&](const Linear& f) {

@@ -3,9 +3,9 @@
 //
 // Two kinds of landings are looked for, in the plan straight outwards from a ledge: straight below it, and on borders
 // at which a floor begins within the reach. Straight below everything is decided by exact signs (edge_signs.hpp).
-// Across a gap distances are square roots: there everything is computed in doubles, and a drop must have a margin of
-// 2^-40 of the largest coordinate to spare. That is far above what rounding does: numbers are relative to the edge, and
-// no more than a few dozen operations lead to each.
+// Across a gap distances are square roots: there everything but the heights of level floors is computed in doubles, and
+// a drop must have a margin of 2^-40 of the largest coordinate to spare. That is far above what rounding does: numbers
+// are relative to the edge, and no more than a few dozen operations lead to each.
 #pragma once
 
 #include <array>
@@ -56,6 +56,7 @@ class DropFinder {
   void dropStraight(const Border& border, const std::vector<EdgePiece>& ledges, Worker& worker) const;
   void dropAcross(const Border& border, const Border& other, const std::vector<EdgePiece>& ledges, double reach,
                   Worker& worker) const;
+  [[nodiscard]] bool isLevel(Index face) const;
   /// The height of a face's plane at a scaled place, rounded.
   [[nodiscard]] double heightAt(Index face, const Vec3& place) const;
 

@@ -53,6 +53,10 @@ Soup platform(double height) { return Soup().floor(0, 0, 8, 8, 0).box({3, 3, 0},
 /// A ledge of 2 by 4 beside a lower floor that begins `gap` away.
 Soup ledge(double height, double gap) { return Soup().floor(-2, 0, 0, 4, height).floor(gap, 0, 4, 4, 0); }
 
+double lengthOf(const BorderEdge3& border) {
+  return std::hypot(Rational(border.to.x - border.from.x).get_d(), Rational(border.to.y - border.from.y).get_d());
+}
+
 /// Every border and triangle of a state's mesh drops exactly where the definition says so, at several places of it,
 /// and what lands across a gap as far as the definition holds with something to spare. Returns how many drops were
 /// looked at, and one more; 0 when something is wrong.
@@ -94,8 +98,13 @@ std::size_t checkAgainstDefinition(const Environment& environment, const std::st
   };
   std::size_t seen = 1;
   constexpr double kNear = 0x1p-24;
+  double largest = 0;
+  for (const Vec3& v : environment.vertices)
+    largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   for (const Border& border : borders) {
     const bool isLinked = linked.contains(border.edge);
+    // Its ends may be one place once they are rounded, or the rounded end of a wall may be longer than the edge.
+    const bool isTiny = lengthOf(border.places) < largest * 0x1p-36;
     for (const int percent : {1, 37, 61, 96}) {  // odd places, as single points do not count
       const Rational share(percent * 1000 + 13, 101000);
       const double s = share.get_d();
@@ -115,24 +124,27 @@ std::size_t checkAgainstDefinition(const Environment& environment, const std::st
         const auto& c = mesh.triangles[t].corners;
         const std::array<Point3, 3> landing{places[c[0]], places[c[1]], places[c[2]]};
         const bool expected = reference::canDropStraight(environment, border.places, share, landing, agent);
+        if (expected && isTiny) continue;
         if (expected != straight.contains(t))
           return wrong(expected ? "no drop straight down" : "a drop straight down", border, s);
       }
       const auto canDropTo = [&](const Border& other, const Rational& at, const DropAgent& who) {
-        return reference::isLedgeAt(environment, border.places, at, who) &&
-               reference::canDropAcross(environment, border.places, at, other.places, who);
+        return reference::canDropAcross(environment, border.places, at, other.places, who) &&
+               reference::isLedgeAt(environment, border.places, at, who);
       };
       std::set<Index> possible;
       DropAgent careful = agent;  // has something to spare
-      const Rational spare(kNear);
-      careful.step -= spare * agent.clearance;
-      careful.clearance += spare * agent.clearance;
-      careful.depth -= spare * agent.depth;
-      careful.reach -= spare * agent.reach;
+      const Rational spare(kNear), absolute = Rational(largest * 0x1p-34) + spare * agent.clearance;
+      careful.step -= absolute;
+      careful.clearance += absolute;
+      careful.depth -= absolute;
+      careful.reach -= absolute;
+      careful.least = absolute;
+      const bool isLong = lengthOf(border.places) * kNear > largest * 0x1p-36;
       for (const Border& other : borders) {
         if (isLinked || &other == &border) continue;
         if (canDropTo(other, share, agent)) possible.insert(other.triangle);
-        if (across.contains(other.triangle)) continue;
+        if (across.contains(other.triangle) || !isLong || careful.reach <= 0) continue;
         if (std::ranges::all_of(std::array{Rational(share - spare), share, Rational(share + spare)},
                                 [&](const Rational& at) { return canDropTo(other, at, careful); }))
           return wrong("no drop across a gap", border, s);
@@ -202,11 +214,11 @@ class TestDropFilter : public QObject {
     QCOMPARE(lengthOf(dropped(fence(0.41), step + drops(1))), 6.0);
     QCOMPARE(lengthOf(dropped(fence(0.4), drops(1))), 6.0);  // without a StepFilter it is 0
     // A fence over one half, and one that grows from nothing to the clearance: passable up to the step.
-    QCOMPARE(lengthOf(dropped(platform(1).wall(5, 4, 5, 6, 1, 2), step + drops(1))), 7.0);
-    const NavigationMesh mesh =
-        dropped(platform(1).triangle({5, 3, 1}, {5, 5, 1}, {5, 5, 2}), "StepFilter 0.5\n" + drops(1));
-    QVERIFY(std::fabs(lengthOf(mesh) - 7) < 1e-9);
-    QVERIFY(lengthOf(mesh) <= 7);
+    for (const Soup& half :
+         {platform(1).wall(5, 4, 5, 6, 1, 2), platform(1).triangle({5, 3, 1}, {5, 5, 1}, {5, 5, 1.8})}) {
+      const double length = lengthOf(dropped(half, step + drops(1)));
+      QVERIFY2(length <= 7 && length > 7 - 1e-9, qPrintable(QString::number(length, 'g', 17)));
+    }
   }
 
   void ceilingsOverTheFall() {
@@ -240,11 +252,18 @@ class TestDropFilter : public QObject {
     QCOMPARE(dropped(walled(1.4), "StepFilter 0.4\n" + drops(2)).drops.size(), std::size_t{1});
     QVERIFY(dropped(walled(1.41), "StepFilter 0.4\n" + drops(2)).drops.empty());
     // A beam over the landing, lower than the head of who starts.
-    QVERIFY(dropped(ledge(1, 0.25).box({0.2, -1, 2.5}, {1, 5, 2.6}), drops(2)).drops.empty());
-    QCOMPARE(dropped(ledge(1, 0.25).box({0.2, -1, 3}, {1, 5, 3.1}), drops(2)).drops.size(), std::size_t{1});
-    // A parapet, over which one steps, deeper than one is high.
-    const Soup parapet = Soup().floor(-2, 0, 0, 4, 3).box({0, -1, 0}, {0.1, 5, 3.25}).floor(0, 0, 4, 4, 0);
-    QVERIFY(!dropped(parapet, "StepFilter 0.4\n" + drops(3)).drops.empty());
+    QVERIFY(dropped(ledge(1, 0.25).ceiling(0.2, -1, 1, 5, 2.5), drops(2)).drops.empty());
+    QCOMPARE(dropped(ledge(1, 0.25).ceiling(0.2, -1, 1, 5, 3), drops(2)).drops.size(), std::size_t{1});
+    // A parapet, over which one steps and on which nobody stands, higher above the landing than one is.
+    const auto parapet = [](double top) {
+      return Soup()
+          .floor(-2, 0, 0, 4, 3)
+          .quad({0, -1, 3}, {0.125, -1, top}, {0.125, 5, top}, {0, 5, 3})
+          .wall(0.125, -1, 0.125, 5, 0, top)
+          .floor(0.125, 0, 4, 4, 0);
+    };
+    QVERIFY(lengthOf(dropped(parapet(3.4), "StepFilter 0.4\n" + drops(3))) > 4 - 1e-9);
+    QVERIFY(dropped(parapet(3.45), "StepFilter 0.4\n" + drops(3)).drops.empty());
   }
 
   void largerDepthAddsDropsAndTakesNoneAway() {
@@ -297,7 +316,7 @@ class TestDropFilter : public QObject {
 
   void pathsDrop() {
     const Soup soup = Soup().floor(0, 0, 10, 4, 0).box({0, 0, 0}, {2, 4, 2}).box({2, 0, 0}, {4, 4, 1});
-    const auto mesh = std::make_shared<const NavigationMesh>(dropped(soup, "SimplificationFilter\n" + drops(1)));
+    const auto mesh = std::make_shared<const NavigationMesh>(dropped(soup, "SimplificationFilter\n" + drops(1), 3));
     const PathFinder finder(mesh);
     const PathResult path = finder.find({1, 1, 2}, {9, 1, 0});
     QVERIFY(path.reached());
@@ -390,7 +409,7 @@ class TestDropFilter : public QObject {
 
   void agreesWithTheDefinition() {
     std::size_t seen = 0;
-    for (int i = 0; i < rounds(300); ++i) {
+    for (int i = 0; i < rounds(80); ++i) {
       const fuzz::PipelineCase one = fuzz::makePipelineCase(seed() + 9000 + static_cast<std::uint64_t>(i));
       if (one.soup.size() > 30) continue;
       const double step = one.clearance * (i % 3 == 0 ? 0 : i % 3 == 1 ? 0.25 : 0.5);
