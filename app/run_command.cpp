@@ -45,6 +45,7 @@ void addExportOptions(CLI::App& command, RunOptions& options) {
   leaveOut("--no-connections", exported.connections, "Leave out the lines where two layers meet");
   leaveOut("--no-obstacle-edges", exported.obstacleEdges, "Leave out the lines of obstacle edges");
   leaveOut("--no-steps", exported.steps, "Leave out the faces of steps");
+  leaveOut("--no-drops", exported.drops, "Leave out the lines of drops");
   addUpAxis(command, "--export-up", options.exportUp,
             "Up axis of an OBJ export; the environment's when left out. glTF is always Y up");
   command

@@ -226,6 +226,23 @@ typedef struct footfall_links {
  * triangle on its left. Those of a step lie over each other in the plan, from[0] at to[1]; those of a gap lie beside each
  * other, and no way over it is longer than `width`, seen from above. `height` is the largest difference. */
 FOOTFALL_API footfall_links footfall_result_links(const footfall_result* result);
+typedef struct footfall_drop {
+  uint32_t from[2];
+  uint32_t from_triangle, to_triangle;
+  double start[2][3], landing[2][3];
+  double depth, width;
+} footfall_drop;
+
+typedef struct footfall_drops {
+  const footfall_drop* data;
+  size_t count;
+} footfall_drops;
+
+/* Drops, where the pipeline has a DropFilter: stretches of an edge, as vertex numbers with the walkable area of its
+ * triangle on the left, from which an agent drops, one way. `start` are the ends of the stretch, `landing` the places
+ * in `to_triangle` to which they lead; in between both move evenly. `depth` is the largest difference in height,
+ * `width` the length of the stretch in the plan. */
+FOOTFALL_API footfall_drops footfall_result_drops(const footfall_result* result);
 /* The surface area, in the square of the environment's unit. */
 FOOTFALL_API double footfall_result_area(const footfall_result* result);
 /* Counts, times and steps as JSON, as `footfall run --stats` writes them. */
@@ -238,6 +255,7 @@ typedef struct footfall_export_options {
   footfall_up_axis up;
   double scale;      /* coordinates are multiplied with it; 0: 1 */
   int without_steps; /* not 0: no faces for them */
+  int without_drops; /* not 0: no lines for them */
 } footfall_export_options;
 
 /* Writes OBJ, .gltf or .glb by the ending of the name, beside it and renamed, in the frame of the environment's file.
@@ -313,6 +331,8 @@ FOOTFALL_API footfall_points footfall_path_points(const footfall_path* path);
 FOOTFALL_API footfall_numbers footfall_path_triangles(const footfall_path* path);
 FOOTFALL_API double footfall_path_length(const footfall_path* path);
 FOOTFALL_API double footfall_path_plan_length(const footfall_path* path);
+/* How often the path drops, one way down. */
+FOOTFALL_API size_t footfall_path_drop_count(const footfall_path* path);
 /* Why there is no path, in one line, in the frame of the environment's file; "" when there is one. */
 FOOTFALL_API const char* footfall_path_failure(const footfall_path* path);
 /* The largest of what keeps start and target apart. Returns 0, and writes nothing, where nothing does. */

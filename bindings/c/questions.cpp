@@ -129,6 +129,8 @@ double footfall_path_length(const footfall_path* path) { return path == nullptr 
 
 double footfall_path_plan_length(const footfall_path* path) { return path == nullptr ? 0 : path->path.planLength; }
 
+size_t footfall_path_drop_count(const footfall_path* path) { return path == nullptr ? 0 : path->path.drops.size(); }
+
 const char* footfall_path_failure(const footfall_path* path) { return path == nullptr ? "" : path->failure.c_str(); }
 
 int footfall_path_barrier(const footfall_path* path, footfall_barrier* barrier) {

@@ -116,6 +116,19 @@ footfall_links footfall_result_links(const footfall_result* result) {
   return {reinterpret_cast<const footfall_link*>(links.data()), links.size()};
 }
 
+footfall_drops footfall_result_drops(const footfall_result* result) {
+  static_assert(sizeof(DropLink) == sizeof(footfall_drop) &&
+                offsetof(DropLink, fromTriangle) == offsetof(footfall_drop, from_triangle) &&
+                offsetof(DropLink, toTriangle) == offsetof(footfall_drop, to_triangle) &&
+                offsetof(DropLink, start) == offsetof(footfall_drop, start) &&
+                offsetof(DropLink, landing) == offsetof(footfall_drop, landing) &&
+                offsetof(DropLink, depth) == offsetof(footfall_drop, depth) &&
+                offsetof(DropLink, width) == offsetof(footfall_drop, width));
+  if (result == nullptr) return {};
+  const std::vector<DropLink>& drops = result->mesh().drops;
+  return {reinterpret_cast<const footfall_drop*>(drops.data()), drops.size()};
+}
+
 double footfall_result_area(const footfall_result* result) { return result == nullptr ? 0 : result->run.summary.area; }
 
 footfall_status footfall_result_statistics(const footfall_result* result, char** json) {
@@ -136,6 +149,7 @@ footfall_status footfall_save(const footfall_result* result, const char* path, c
       exported.connections = options->without_connections == 0;
       exported.obstacleEdges = options->without_obstacle_edges == 0;
       exported.steps = options->without_steps == 0;
+      exported.drops = options->without_drops == 0;
       exported.up = upAxisOf(options->up);
       if (options->scale != 0) exported.scale = options->scale;
     }

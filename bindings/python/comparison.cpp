@@ -89,6 +89,9 @@ void bindComparison(py::module_& module) {
       .def_property_readonly("equal_links", &MeshComparison::hasEqualLinks,
                              "Whether both have the same steps, exactly.")
       .def_property_readonly(
+          "equal_drops", [](const MeshComparison& c) { return c.equalDrops; },
+          "Whether both have the same drops: the same starts and landings, exactly.")
+      .def_property_readonly(
           "link_lengths", [](const MeshComparison& c) { return c.links.lengths; },
           "The lengths of steps in the plan, a list of three: of those only in A, only in B, and in both.")
       .def_property_readonly("covered", &MeshComparison::covered,

@@ -141,6 +141,12 @@ place within reach) or "not_connected".)")
           "bends", [](const PathResult& p) { return p.bends; },
           "Rows of `points` at which it turns around a corner: a list of int.")
       .def_property_readonly(
+          "drops", [](const PathResult& p) { return p.drops; },
+          "Pieces that are drops, one way down: a list of int; piece i goes from row i of `points` to the next one.")
+      .def_property_readonly(
+          "leads_back", [](const PathResult& p) { return p.leadsBack; },
+          "Whether, where the status is \"not_connected\", drops lead from the target to the start.")
+      .def_property_readonly(
           "length", [](const PathResult& p) { return p.length; }, "Of this path in space.")
       .def_property_readonly(
           "plan_length", [](const PathResult& p) { return p.planLength; },

@@ -32,8 +32,9 @@ py::object statisticsOf(const Area& area) {
 }
 
 double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header, bool layers,
-                bool connections, bool obstacleEdges, bool steps, const std::optional<std::string>& up, double scale) {
-  const ExportOptions options{layers, connections, obstacleEdges, steps, upAxisFrom(up), scale};
+                bool connections, bool obstacleEdges, bool steps, bool drops, const std::optional<std::string>& up,
+                double scale) {
+  const ExportOptions options{layers, connections, obstacleEdges, steps, upAxisFrom(up), scale, drops};
   const std::string name = path.string();
   const py::gil_scoped_release unlocked;
   return save(mesh, name, options, header);
@@ -79,6 +80,44 @@ auto linkArray(Number number) {
     for (py::ssize_t i = 0; i < values.shape(0); ++i) values(i) = number(links[static_cast<std::size_t>(i)]);
     return rows;
   };
+}
+
+/// Numbers of vertices and triangles of all drops.
+py::array_t<std::uint32_t> dropsOf(const Mesh& mesh) {
+  const std::vector<DropLink>& drops = mesh.data->drops;
+  py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(drops.size()), py::ssize_t{4}});
+  auto values = rows.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < values.shape(0); ++i) {
+    const DropLink& drop = drops[static_cast<std::size_t>(i)];
+    values(i, 0) = drop.from[0];
+    values(i, 1) = drop.from[1];
+    values(i, 2) = drop.fromTriangle;
+    values(i, 3) = drop.toTriangle;
+  }
+  return rows;
+}
+
+py::array_t<double> dropPlacesOf(const Mesh& mesh) {
+  const std::vector<DropLink>& drops = mesh.data->drops;
+  py::array_t<double> places({static_cast<py::ssize_t>(drops.size()), py::ssize_t{4}, py::ssize_t{3}});
+  auto values = places.mutable_unchecked<3>();
+  for (py::ssize_t i = 0; i < values.shape(0); ++i) {
+    const DropLink& drop = drops[static_cast<std::size_t>(i)];
+    py::ssize_t k = 0;
+    for (const Vec3& p : {drop.start[0], drop.start[1], drop.landing[0], drop.landing[1]}) {
+      values(i, k, 0) = p.x;
+      values(i, k, 1) = p.y;
+      values(i, k++, 2) = p.z;
+    }
+  }
+  return places;
+}
+
+py::array_t<double> dropDepthsOf(const Mesh& mesh) {
+  py::array_t<double> depths(static_cast<py::ssize_t>(mesh.data->drops.size()));
+  auto values = depths.mutable_unchecked<1>();
+  for (py::ssize_t i = 0; i < values.shape(0); ++i) values(i) = mesh.data->drops[static_cast<std::size_t>(i)].depth;
+  return depths;
 }
 
 template <class Member>
@@ -138,6 +177,16 @@ plan, or over a gap beside it, and runs backwards.)")
                              linkArray<bool>([](const StepLink& link) { return link.kind == StepKind::Gap; }),
                              "Shape (k,), bool: whether each of `links` leads over a gap; the others are steps.")
       .def_property_readonly(
+          "drops", &dropsOf,
+          R"(Shape (k, 4), uint32: the drops of a DropFilter, one way. Columns 0 and 1, rows of `vertices`, are the edge
+that one drops from, with the walkable area on its left; columns 2 and 3, rows of `triangles`, are the one with that
+edge and the one in which one lands.)")
+      .def_property_readonly(
+          "drop_places", &dropPlacesOf,
+          R"(Shape (k, 4, 3), float64: of each of `drops` both ends of the stretch of edge that one drops from, and the
+places where one lands from them; in between both move evenly.)")
+      .def_property_readonly("drop_depths", &dropDepthsOf, "Shape (k,), float64: how deep each of `drops` is, at most.")
+      .def_property_readonly(
           "source", [](const Mesh& m) { return m.data->frame.source; },
           "The file of the environment; empty where there was none.")
       .def_property_readonly(
@@ -150,18 +199,21 @@ plan, or over a gap beside it, and runs backwards.)")
   define(
       mesh, "save",
       [](const Mesh& m, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
-         bool steps, const std::optional<std::string>& up,
-         double scale) { return saveMesh(*m.data, path, {}, layers, connections, obstacleEdges, steps, up, scale); },
+         bool steps, bool drops, const std::optional<std::string>& up, double scale) {
+        return saveMesh(*m.data, path, {}, layers, connections, obstacleEdges, steps, drops, up, scale);
+      },
       R"(Write the mesh as OBJ (.obj), glTF (.gltf) or binary glTF (.glb), by the ending of `path`, in the frame and units
 of the environment's file. A file that is there is replaced as a whole, or stays as it was.
 
 layers: a group for each layer. connections, obstacle_edges: their lines, too. steps: the faces of `links`, too.
+drops: the lines of `drops`, too.
 up: another up axis ("z", "y", "x", "-z", "-y", "-x"). scale: a factor for coordinates, above 0.
 
 Returns how far rounding moved a coordinate at most, in metres: 0.0 for OBJ; glTF has floats of 32 bits. Raises
 InputError for another ending or scale, RunError where the file cannot be written.)",
       py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
+      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true, py::arg("up") = py::none(),
+      py::arg("scale") = 1.0);
   define(
       module, "read_mesh",
       [](const std::filesystem::path& path, const std::optional<std::string>& up) {
@@ -203,14 +255,15 @@ list of dict), "total_ms", "times", "threads" and, of parallel blocks, "blocks".
   define(
       area, "save",
       [](const Area& a, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
-         bool steps, const std::optional<std::string>& up, double scale) {
-        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, steps, up,
-                        scale);
+         bool steps, bool drops, const std::optional<std::string>& up, double scale) {
+        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, steps, drops,
+                        up, scale);
       },
       "Write the area as `NavigationMesh.save` does, with the pipeline in the comments: the same bytes as `footfall "
       "run`.",
       py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("up") = py::none(), py::arg("scale") = 1.0);
+      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true, py::arg("up") = py::none(),
+      py::arg("scale") = 1.0);
 }
 
 void bindRunning(py::module_& module) {

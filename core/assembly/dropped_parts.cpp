@@ -88,13 +88,14 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
   auto kept = std::make_shared<WalkableMesh>();
   auto dropped = std::make_shared<WalkableMesh>();
   if (state.dropped) *dropped = *state.dropped;
-  std::vector<Index> droppedVertex(mesh.vertices.size(), -1);
+  std::vector<Index> droppedVertex(mesh.vertices.size(), -1), renumbered(mesh.triangles.size(), -1);
   const auto divide = [&] {
     kept->triangles.reserve(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (t % kPolled == 0) context.checkCancelled();
       MeshTriangle triangle = mesh.triangles[t];
       if (keep[region[t]] != 0) {
+        renumbered[t] = static_cast<Index>(kept->triangles.size());
         kept->triangles.push_back(triangle);
         if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
         continue;
@@ -112,6 +113,7 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
   tbb::parallel_invoke(divide, [&] { kept->vertices = mesh.vertices; });
   kept->layerCount = mesh.layerCount;
   kept->links = linksBetween(mesh, kept->triangles);
+  kept->drops = dropsBetween(mesh, kept->triangles, renumbered);
   auto result = std::make_shared<WalkableState>(state);
   if (!state.cuts) {
     // Floors without cuts are in one region each: those that went are no floors for a later clearance filter.

@@ -53,6 +53,9 @@ Json meshJson(const NavigationMeshFile& file, const MeshDescription& mesh) {
   json["highest_link"] = mesh.links > 0 ? Json(mesh.highestLink) : Json();
   json["gaps"] = mesh.gaps;
   json["widest_gap"] = mesh.gaps > 0 ? Json(mesh.widestGap) : Json();
+  json["drops"] = mesh.drops;
+  json["drop_length"] = mesh.dropLength;
+  json["deepest_drop"] = mesh.drops > 0 ? Json(mesh.deepestDrop) : Json();
   json["by_layer"] = Json::array();
   for (const MeshPart& part : mesh.layers) json["by_layer"].push_back(partJson(part));
   return json;
@@ -129,6 +132,11 @@ void addMeshes(const MeshComparison& comparison, Table& table) {
       table.row({"  the widest", number(a.widestGap), number(b.widestGap)});
     }
   }
+  if (a.drops + b.drops > 0) {
+    counts("drops", a.drops, b.drops);
+    table.row({"  their length in the plan", number(a.dropLength), number(b.dropLength)});
+    table.row({"  the deepest", number(a.deepestDrop), number(b.deepestDrop)});
+  }
   table.row({"area", number(a.whole.areas.surface), number(b.whole.areas.surface)});
   table.row({"  in the plan", number(a.whole.areas.plan), number(b.whole.areas.plan)});
 }
@@ -186,6 +194,15 @@ std::string linkVerdict(const MeshComparison& comparison) {
   return "Their steps differ.\n";
 }
 
+/// As of steps.
+std::string dropVerdict(const MeshComparison& comparison) {
+  if (comparison.meshes[0].drops + comparison.meshes[1].drops == 0) return {};
+  if (comparison.equalDrops) return "Both have the same drops.\n";
+  if (comparison.meshes[1].drops == 0) return "Only A has drops.\n";
+  if (comparison.meshes[0].drops == 0) return "Only B has drops.\n";
+  return "Their drops differ.\n";
+}
+
 }  // namespace
 
 std::string howDifferent(const MeshComparison& comparison) {
@@ -210,7 +227,7 @@ std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, con
   }
   if (files[0].metresPerUnit && files[1].metresPerUnit && *files[0].metresPerUnit != *files[1].metresPerUnit)
     text += "Note: the files state different metres per unit; their numbers are compared as they are.\n";
-  text += '\n' + verdict(comparison) + linkVerdict(comparison) + '\n';
+  text += '\n' + verdict(comparison) + linkVerdict(comparison) + dropVerdict(comparison) + '\n';
   Table table;
   addMeshes(comparison, table);
   addDifferences(comparison, table);
@@ -241,6 +258,7 @@ std::string formatComparisonJson(const std::array<NavigationMeshFile, 2>& files,
     return Json{{"empty", !links.hasLength[part]}, {"length", links.lengths[part]}};
   };
   json["links"] = {{"a_without_b", lengthJson(0)}, {"b_without_a", lengthJson(1)}, {"common", lengthJson(2)}};
+  json["equal_drops"] = comparison.equalDrops;
   json["within_height"] = {{"height", comparison.height},
                            {"a_without_b", areasJson(comparison.meshes[0].whole.uncovered)},
                            {"b_without_a", areasJson(comparison.meshes[1].whole.uncovered)}};

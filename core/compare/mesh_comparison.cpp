@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/compare/comparison_distances.hpp"
@@ -84,6 +85,28 @@ void describeLinks(const NavigationMesh& mesh, MeshDescription& description) {
   description.linkLength = static_cast<double>(sum);
 }
 
+void describeDrops(const NavigationMesh& mesh, MeshDescription& description) {
+  description.drops = mesh.drops.size();
+  long double sum = 0;
+  for (const DropLink& drop : mesh.drops) {
+    sum += drop.width;
+    description.deepestDrop = std::max(description.deepestDrop, drop.depth);
+  }
+  description.dropLength = static_cast<double>(sum);
+}
+
+/// Starts and landings, in an order of their own.
+std::vector<std::array<Vec3, 4>> dropPlaces(const NavigationMesh& mesh) {
+  std::vector<std::array<Vec3, 4>> places;
+  for (const DropLink& drop : mesh.drops)
+    places.push_back({drop.start[0], drop.start[1], drop.landing[0], drop.landing[1]});
+  const auto before = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+  std::sort(places.begin(), places.end(), [&](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
+  });
+  return places;
+}
+
 MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& surface,
                          const std::vector<SurfaceArea>& areas, const std::vector<SurfaceArea>& uncovered,
                          RunContext& context) {
@@ -95,6 +118,7 @@ MeshDescription describe(const NavigationMesh& mesh, const comparison::Surface& 
   description.obstacleEdges = mesh.obstacleEdges.size();
   description.obstacleEdgeLength = length(mesh, mesh.obstacleEdges);
   describeLinks(mesh, description);
+  describeDrops(mesh, description);
 
   PartSums whole;
   std::vector<PartSums> layers(mesh.layers.empty() ? 0 : mesh.layerCount);
@@ -215,6 +239,7 @@ MeshComparison compareMeshes(const NavigationMesh& a, const NavigationMesh& b, c
   context.beginStep(1, "exact sets");
   result.sets = comparison::subtractSets(surfaces, context);
   result.links = comparison::subtractLinks(surfaces, a, b, context);
+  result.equalDrops = dropPlaces(a) == dropPlaces(b);
   context.endStep();
   context.beginStep(2, "plan");
   const auto uncovered = comparison::findUncovered(surfaces, result.sets, result.height, context);

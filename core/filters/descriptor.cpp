@@ -239,6 +239,52 @@ FilterDescriptor radius() {
   };
 }
 
+FilterDescriptor drop() {
+  return {
+      .type = FilterType::Drop,
+      .name = "DropFilter",
+      .aliases = {},
+      .label = "Drops",
+      .help =
+          "Finds where an agent can drop from a ledge of the walkable area to a lower place, one way: straight below "
+          "the ledge, or where the first floor begins within the reach outwards. Nothing may stand in the way, higher "
+          "than the step of the StepFilter before it and within the clearance, or above the landing along the fall. "
+          "The area stays as it is.",
+      .precondition =
+          "A VerticalClearanceFilter comes before it; only AreaFilter, ReachableFilter and DropFilter follow.",
+      .effect =
+          "Every drop that is found is free. Those that land straight below are all found, but for rounding of their "
+          "ends; of those across a gap, all that have a little to spare.",
+      .source = "ours",
+      .parameters = {{
+                         .name = "depth",
+                         .label = "Depth",
+                         .help = "How deep an agent drops. A drop of exactly this depth is taken.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 1.5,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                         .minimumOpen = true,
+                     },
+                     {
+                         .name = "reach",
+                         .label = "Reach",
+                         .help =
+                             "How far outwards, seen from above, an agent lands at most. Behind a RadiusFilter give "
+                             "at least twice its radius.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 0.3,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                         .optional = true,
+                     }},
+      .kind = FilterKind::Filter,
+      .scope = Scope::Global,
+  };
+}
+
 ParameterDescriptor coordinate(std::string_view name, std::string_view label, std::string_view help) {
   return {
       .name = name,
@@ -259,14 +305,14 @@ FilterDescriptor reachable() {
       .aliases = {},
       .label = "Reachable",
       .help =
-          "Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps; roofs, "
-          "islands "
-          "and the insides of solids go. Put it behind a StepFilter, where there is one. A seed means the highest "
-          "walkable "
-          "place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. "
+          "Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps, and down "
+          "over "
+          "drops; roofs, islands and the insides of solids go. Put it behind a StepFilter and a DropFilter, where "
+          "there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before "
+          "any VerticalClearanceFilter, however much lower. "
           "On an edge or a corner it means all that meets there. What is removed stays an obstacle.",
       .precondition = "Each seed has a walkable place under it.",
-      .effect = "Every walkable region holds a seed.",
+      .effect = "Every walkable region holds a seed, or is reached over drops from one that does.",
       .source = "ours",
       .parameters = {coordinate("x", "X", "The first coordinate of a seed, as in the environment's file."),
                      coordinate("y", "Y", "The second coordinate of a seed, as in the environment's file."),
@@ -532,6 +578,7 @@ std::span<const FilterDescriptor> filterDescriptors() {
       verticalClearance(),
       step(),
       radius(),
+      drop(),
       reachable(),
       area(),
       simplification(),

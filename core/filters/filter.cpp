@@ -70,6 +70,8 @@ constexpr std::array kFilterFunctions = {
                    [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.values[1], f.context); }},
     FilterFunction{FilterType::Radius,
                    [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.context); }},
+    FilterFunction{FilterType::Drop,
+                   [](const FilterCall& f) { return applyDrop(f.state, f.values[0], f.values[1], f.context); }},
     FilterFunction{FilterType::Reachable,
                    [](const FilterCall& f) { return applyReachable(f.state, f.values, f.context); }},
     FilterFunction{FilterType::Area, [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.context); }},
@@ -161,6 +163,7 @@ StateSummary summarize(const WalkableState& state) {
   summary.connections = mesh.layers.empty() ? 0 : countConnections(mesh, *topologyOf(state));
   summary.obstacleEdges = marks / 2;
   summary.links = mesh.links.size();
+  summary.drops = mesh.drops.size();
   return summary;
 }
 

@@ -16,6 +16,7 @@ FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& cont
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyStep(const StatePtr& state, double step, double gap, RunContext& context);
 FilterOutcome applyRadius(const StatePtr& state, double radius, RunContext& context);
+FilterOutcome applyDrop(const StatePtr& state, double depth, double reach, RunContext& context);
 /// `seeds`: the coordinates of places in the file's frame, three each.
 FilterOutcome applyReachable(const StatePtr& state, std::span<const double> seeds, RunContext& context);
 FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);

@@ -1,4 +1,4 @@
-// ReachableFilter: keeps the regions that hold a seed (design section 7).
+// ReachableFilter: keeps the regions that hold a seed, and those that drops lead to from there (design section 7).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A seed is a point of doubles and so exact. It means the highest walkable place at or under it; triangles are taken
@@ -203,6 +203,28 @@ std::vector<Vec3> placesOf(std::span<const double> numbers, UpAxis up) {
   return places;
 }
 
+/// Keeps the regions to which drops lead from those that are kept.
+void followDrops(const WalkableMesh& mesh, const Adjacency& topology, const std::vector<Index>& region,
+                 std::vector<char>& keep) {
+  std::vector<std::vector<Index>> below(keep.size());
+  for (const MeshDrop& drop : mesh.drops) {
+    const Index side = findSide(mesh.triangles, topology, drop.edge[0], drop.edge[1]);
+    if (side >= 0) below[region[side / 3]].push_back(region[drop.triangle]);
+  }
+  std::vector<Index> open;
+  for (std::size_t r = 0; r < keep.size(); ++r)
+    if (keep[r] != 0) open.push_back(static_cast<Index>(r));
+  while (!open.empty()) {
+    const Index from = open.back();
+    open.pop_back();
+    for (const Index to : below[from]) {
+      if (keep[to] != 0) continue;
+      keep[to] = 1;
+      open.push_back(to);
+    }
+  }
+}
+
 }  // namespace
 
 FilterOutcome applyReachable(const StatePtr& given, std::span<const double> seeds, RunContext& context) {
@@ -216,6 +238,7 @@ FilterOutcome applyReachable(const StatePtr& given, std::span<const double> seed
   std::vector<char> keep(regionCount, 0);
   for (const std::vector<Index>& meant : triangles)
     for (const Index t : meant) keep[region[t]] = 1;
+  followDrops(*state->mesh, *topology, region, keep);
   const auto removed = std::ranges::count(keep, 0);
   if (removed > 0) {
     outcome.state = withRegions(

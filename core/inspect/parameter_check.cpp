@@ -127,6 +127,11 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
       }
     } else if (step.filter->type == FilterType::Step) {
       if (Text text = stepText(level, value, clearance); !text.empty()) notes.push_back({i, std::move(text)});
+    } else if (step.filter->type == FilterType::Drop) {
+      if (value > level.size.z && level.size.z > 0)
+        notes.push_back({i, Text(FOOTFALL_TEXT("drops are %1 deep at most, and the whole level is no higher than %2; "
+                                               "check the scale"),
+                                 shortNumber(value), shortNumber(level.size.z))});
     }
   }
   return notes;

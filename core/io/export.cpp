@@ -23,18 +23,16 @@ std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
   counts += " connections, ";
   appendNumber(counts, options.obstacleEdges ? mesh.obstacleEdges.size() : 0);
   counts += " obstacle edges";
-  if (mesh.links.empty() || !options.steps) return counts;
   const auto gaps = static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
-  if (gaps < mesh.links.size()) {
+  const auto add = [&](std::size_t count, bool isWritten, const char* name) {
+    if (count == 0 || !isWritten) return;
     counts += ", ";
-    appendNumber(counts, mesh.links.size() - gaps);
-    counts += " steps";
-  }
-  if (gaps > 0) {
-    counts += ", ";
-    appendNumber(counts, gaps);
-    counts += " gaps";
-  }
+    appendNumber(counts, count);
+    counts += name;
+  };
+  add(mesh.links.size() - gaps, options.steps, " steps");
+  add(gaps, options.steps, " gaps");
+  add(mesh.drops.size(), options.drops, " drops");
   return counts;
 }
 
@@ -83,6 +81,18 @@ void appendSteps(std::string& text, const std::vector<StepLink>& links, StepKind
     else
       appendElement(text, 'f', std::array{from[0], from[1], to[0], to[1]});
   }
+}
+
+/// Two lines for each, from where an agent drops to where it lands, over vertices of their own.
+std::uint32_t appendDrops(std::string& text, const std::vector<DropLink>& drops, std::uint32_t vertex, UpAxis up,
+                          double scale) {
+  if (drops.empty()) return vertex;
+  text += "g drops\n";
+  for (const DropLink& drop : drops)
+    appendVertices(text, {drop.start[0], drop.landing[0], drop.start[1], drop.landing[1]}, up, scale);
+  for (std::size_t line = 0; line < 2 * drops.size(); ++line, vertex += 2)
+    appendElement(text, 'l', std::array{vertex, vertex + 1});
+  return vertex;
 }
 
 /// A name that every reader takes for one word.
@@ -138,7 +148,9 @@ std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, co
     appendSteps(text, mesh.links, StepKind::Step, "steps");
     appendSteps(text, mesh.links, StepKind::Gap, "gaps");
   }
-  appendExtras(text, extras, static_cast<std::uint32_t>(mesh.vertices.size()), frame.up, options.scale);
+  auto vertex = static_cast<std::uint32_t>(mesh.vertices.size());
+  if (options.drops) vertex = appendDrops(text, mesh.drops, vertex, frame.up, options.scale);
+  appendExtras(text, extras, vertex, frame.up, options.scale);
   return text;
 }
 

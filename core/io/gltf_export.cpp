@@ -32,7 +32,8 @@ Rgb layerColour(std::size_t layer) {
 constexpr Rgb kObstacleEdges = kVermilion;
 constexpr Rgb kConnections{255, 255, 255};
 constexpr Rgb kSteps = kSkyBlue;
-constexpr Rgb kGaps{204, 121, 167};  // reddish purple of the same palette
+constexpr Rgb kGaps = kOrange;
+constexpr Rgb kDrops = kReddishPurple;
 constexpr Rgb kPlaced{150, 150, 150};
 
 /// What glTF means by a colour is linear, what everybody else writes is sRGB.
@@ -198,6 +199,19 @@ std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links, StepKind
   return triangles;
 }
 
+/// Lines from where an agent drops to where it lands, two for each.
+void addDrops(GltfMaker& maker, const std::vector<DropLink>& drops) {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 2>> lines;
+  for (const DropLink& drop : drops)
+    for (const std::size_t end : {0, 1}) {
+      const auto number = static_cast<std::uint32_t>(vertices.size());
+      vertices.insert(vertices.end(), {drop.start[end], drop.landing[end]});
+      lines.push_back({number, number + 1});
+    }
+  maker.add("drops", kDrops, vertices, lines);
+}
+
 /// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes, in
 /// words of 4 bytes each.
 std::string putTogether(Json json, const std::string& numbers, GltfKind kind) {
@@ -246,6 +260,7 @@ GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeade
     maker.add("steps", kSteps, mesh.vertices, stepTriangles(mesh.links, StepKind::Step));
     maker.add("gaps", kGaps, mesh.vertices, stepTriangles(mesh.links, StepKind::Gap));
   }
+  if (options.drops) addDrops(maker, mesh.drops);
   for (const ExportExtra& extra : extras)
     maker.add("placed_" + extra.name, kPlaced, extra.soup.vertices, extra.soup.triangles);
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "core/io/drop_reading.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -24,7 +25,7 @@ struct StatedContent {
   bool isExport = false;
   std::optional<UpAxis> up;
   std::optional<double> metresPerUnit;
-  std::optional<std::uint64_t> vertices, triangles, layers, connections, obstacleEdges, steps, gaps;
+  std::optional<std::uint64_t> vertices, triangles, layers, connections, obstacleEdges, steps, gaps, drops;
 };
 
 template <class Number>
@@ -60,6 +61,7 @@ void readCounts(std::string_view line, StatedContent& content) {
     if (part.ends_with(" obstacle edges")) content.obstacleEdges = count;
     if (part.ends_with(" steps")) content.steps = count;
     if (part.ends_with(" gaps")) content.gaps = count;
+    if (part.ends_with(" drops")) content.drops = count;
     line = comma == std::string_view::npos ? std::string_view() : line.substr(comma + 2);
   }
 }
@@ -133,10 +135,23 @@ void takeGroups(const ObjGroups& all, NavigationMeshFile& file) {
   }
 }
 
-/// Obstacles that an export shows beside the walkable area stand behind it, with vertices of their own.
-void dropExtras(ObjGroups& groups, Environment& soup, const StatedContent& stated) {
-  const auto first = std::find_if(groups.groups.begin(), groups.groups.end(),
-                                  [](const auto& group) { return group.name.starts_with("placed_"); });
+/// The lines of the group of drops of an export.
+std::vector<DropLine> takeDrops(const ObjGroups& all, const Environment& soup, const StatedContent& stated) {
+  std::vector<DropLine> lines;
+  if (!stated.isExport || !stated.drops) return lines;
+  forGroups(all, soup.triangles.size(), [&](const std::string& name, const auto&, const auto& segments) {
+    if (name != "drops") return;
+    for (std::size_t i = segments[0]; i < segments[1]; ++i)
+      lines.push_back({soup.vertices[all.segments[i][0]], soup.vertices[all.segments[i][1]]});
+  });
+  return lines;
+}
+
+/// Drops, and obstacles that an export shows beside the walkable area, stand behind it, with vertices of their own.
+void removeExtras(ObjGroups& groups, Environment& soup, const StatedContent& stated) {
+  const auto first = std::find_if(groups.groups.begin(), groups.groups.end(), [](const auto& group) {
+    return group.name == "drops" || group.name.starts_with("placed_");
+  });
   if (!stated.isExport || !stated.vertices || first == groups.groups.end()) return;
   if (*stated.vertices > soup.vertices.size()) return;  // cut off: the counts tell
   soup.triangles.resize(first->firstTriangle);
@@ -228,6 +243,7 @@ void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
   checkCount(file.path, stated.steps, mesh.links.size() - gaps,
              FOOTFALL_TEXT("steps: its comments count %1, but it has %2"));
   checkCount(file.path, stated.gaps, gaps, FOOTFALL_TEXT("gaps: its comments count %1, but it has %2"));
+  checkCount(file.path, stated.drops, mesh.drops.size(), FOOTFALL_TEXT("drops: its comments count %1, but it has %2"));
   if (mesh.triangles.empty() && !(stated.isExport && stated.triangles)) {
     failInput(file.path, 0, FOOTFALL_TEXT("no triangles in it"), FOOTFALL_TEXT("choose a file that has faces"));
   }
@@ -252,7 +268,8 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   Environment soup;
   ObjGroups groups;
   readObj(path, std::move(text), soup, context, &groups);
-  dropExtras(groups, soup, stated);
+  std::vector<DropLine> drops = takeDrops(groups, soup, stated);
+  removeExtras(groups, soup, stated);
 
   NavigationMeshFile file;
   file.path = path;
@@ -267,6 +284,9 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
   for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
   completeSteps(steps, StepKind::Step, file.mesh);
   completeSteps(gaps, StepKind::Gap, file.mesh);
+  for (DropLine& line : drops)
+    for (Vec3& p : line) p = fromFileFrame(p, file.up);
+  completeDrops(drops, file.mesh);
   checkContent(file, stated);
   file.mesh.frame = {path, file.up, file.metresPerUnit.value_or(1)};
   return file;

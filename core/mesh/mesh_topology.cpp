@@ -56,6 +56,18 @@ std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<M
   return links;
 }
 
+std::vector<MeshDrop> dropsBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
+                                   const std::vector<Index>& renumbered) {
+  if (mesh.drops.empty()) return {};
+  const Adjacency topology = findEdges(triangles, mesh.vertices.size());
+  std::vector<MeshDrop> drops;
+  for (MeshDrop drop : mesh.drops) {
+    drop.triangle = renumbered[drop.triangle];
+    if (drop.triangle >= 0 && findSide(triangles, topology, drop.edge[0], drop.edge[1]) >= 0) drops.push_back(drop);
+  }
+  return drops;
+}
+
 std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topology, Index& regionCount) {
   std::vector<char> joins(static_cast<std::size_t>(topology.edgeCount()));
   tbb::parallel_for(tbb::blocked_range<Index>(0, topology.edgeCount(), kEdgesPerTask), [&](const auto& range) {

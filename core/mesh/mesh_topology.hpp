@@ -24,6 +24,11 @@ Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topo
 /// The links of `mesh` whose two edges are sides of some of `triangles`, which are over the same vertices.
 std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles);
 
+/// The drops of `mesh` whose edge is a side of some of `triangles`, which are over the same vertices, and whose landing
+/// is among them: `renumbered` has for each triangle of `mesh` its number there, or -1.
+std::vector<MeshDrop> dropsBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
+                                   const std::vector<Index>& renumbered);
+
 /// For each triangle its region: triangles that share an edge which is not an obstacle edge, or are linked by a step,
 /// belong to one (design, AreaFilter and section 7). Regions are numbered from 0 in the order of their first triangles.
 std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topology, Index& regionCount);

@@ -44,10 +44,20 @@ struct MeshLink {
   auto operator<=>(const MeshLink&) const = default;
 };
 
+/// A stretch of an edge of the border from which one drops into a triangle. Places are scaled coordinates, rounded.
+struct MeshDrop {
+  std::array<Index, 2> edge{};                              ///< its vertices, with walkable area on its left
+  Index triangle = -1;                                      ///< in which one lands
+  std::array<double, 2> stretch{};                          ///< of the edge: 0 at its first vertex, 1 at its second
+  std::array<std::array<double, 3>, 2> start{}, landing{};  ///< at the ends of the stretch
+  auto operator<=>(const MeshDrop&) const = default;
+};
+
 /// The walkable area, conforming: triangles that meet share whole edges, by vertex index. Both sides of an obstacle
 /// edge still have the same vertices here; the flag distinguishes them, and they are split when the product is made.
 struct WalkableMesh : TriangleMesh<MeshVertex> {
   std::vector<MeshLink> links;  ///< ascending
+  std::vector<MeshDrop> drops;  ///< ascending
   std::uint32_t layerCount = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "core/base/number_text.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
+#include "core/navigation/drop_route.hpp"
 #include "core/navigation/path_ground.hpp"
 #include "core/navigation/path_search.hpp"
 #include "core/navigation/plan_crossing.hpp"
@@ -176,6 +177,59 @@ void addPath(const PathGround& ground, PathResult& result, Poll poll) {
   addFigures(mesh, result);
 }
 
+/// Puts the pieces of a path over drops together, one after the other.
+class RouteTracer {
+ public:
+  RouteTracer(const PathGround& ground, PathResult& result, Poll poll)
+      : ground_(ground), result_(result), poll_(poll), at_(*result.start) {
+    result_.points = {at_.position};
+  }
+
+  void dropAt(const DropStop& stop) {
+    const DropLink& drop = ground_.mesh->drops[stop.drop];
+    walkTo(ground_.places.nearestInside(stop.start, drop.fromTriangle));
+    const SurfacePlace landing = ground_.places.nearestInside(stop.landing, drop.toTriangle);
+    const double plan = planDistance(at_.position, landing.position), depth = at_.position.z - landing.position.z;
+    result_.drops.push_back(result_.triangles.size());
+    result_.points.push_back(landing.position);
+    result_.triangles.push_back(landing.triangle);
+    result_.planLength += plan;
+    result_.length += std::hypot(plan, depth);
+    result_.descent += std::max(depth, 0.0);
+    result_.deepestDrop = std::max(result_.deepestDrop, depth);
+    at_ = landing;
+  }
+
+  void walkTo(const SurfacePlace& place) {
+    PathResult leg;
+    leg.start = at_;
+    leg.end = place;
+    addPath(*ground_.mesh, ground_.topology, leg, poll_);
+    const std::size_t before = result_.triangles.size();
+    if (leg.hasPath()) result_.points.insert(result_.points.end(), leg.points.begin() + 1, leg.points.end());
+    result_.triangles.insert(result_.triangles.end(), leg.triangles.begin(), leg.triangles.end());
+    for (const std::size_t bend : leg.bends) result_.bends.push_back(before + bend);
+    for (const std::size_t step : leg.steps) result_.steps.push_back(before + step);
+    for (const std::uint32_t layer : leg.layers)
+      if (result_.layers.empty() || result_.layers.back() != layer) result_.layers.push_back(layer);
+    result_.connections = result_.layers.empty() ? 0 : result_.layers.size() - 1;
+    result_.planLength += leg.planLength;
+    result_.length += leg.length;
+    result_.climb += leg.climb;
+    result_.descent += leg.descent;
+    result_.maxSlopeDegrees = std::max(result_.maxSlopeDegrees, leg.maxSlopeDegrees);
+    result_.maxInclineDegrees = std::max(result_.maxInclineDegrees, leg.maxInclineDegrees);
+    result_.expanded += leg.expanded;
+    at_ = place;
+  }
+
+ private:
+  const PathGround& ground_;
+  PathResult& result_;
+  Poll poll_;
+  SurfacePlace at_;
+};
+
 void checkPlace(const Vec3& p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
     throw InputError(FOOTFALL_TEXT("the place has a coordinate that is not finite; give three numbers"));
@@ -196,6 +250,10 @@ std::string describeFailure(const PathResult& result) {
       return "the target is not walkable; the nearest place that can be reached lies " +
              shortNumber(result.end->distance) + " from it";
     case PathStatus::NotConnected:
+      if (result.leadsBack)
+        return "drops lead from the target to the start, but no way leads back up; the nearest place that can be "
+               "reached lies " +
+               shortNumber(result.end->distance) + " from it";
       return "no way leads from the start to the target; the nearest place that can be reached lies " +
              shortNumber(result.end->distance) + " from it";
   }
@@ -239,6 +297,19 @@ PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, cons
     result.status = PathStatus::NotConnected;
   } else {
     result.status = PathStatus::Found;
+  }
+  if (result.status == PathStatus::NotConnected && !inside_->mesh->drops.empty()) {
+    const auto routeBetween = [&](const SurfacePlace& a, const SurfacePlace& b) {
+      return findDropRoute(*inside_->mesh, topology, a.position, a.triangle, b.position, b.triangle);
+    };
+    if (const auto route = routeBetween(*result.start, *result.end)) {
+      result.status = PathStatus::Found;
+      RouteTracer tracer(*inside_, result, poll);
+      for (const DropStop& stop : *route) tracer.dropAt(stop);
+      tracer.walkTo(*result.end);
+      return result;
+    }
+    result.leadsBack = routeBetween(*result.end, *result.start).has_value();
   }
   if (!result.reached()) result.end = places.nearest(to, component);
   addPath(*inside_, result, poll);

@@ -125,13 +125,16 @@ std::optional<SurfacePlace> PlaceIndex::nearest(const Vec3& p, std::uint32_t com
       best = SurfacePlace{q, t, apart};
     }
   }
-  if (best) {
-    const auto f = cornersOf(mesh_, best->triangle);
-    best->position = moveInside(f, best->position);
-    best->position.z = heightAt(f, best->position);
-    best->distance = distance(p, best->position);
-  }
+  if (best) best = nearestInside(p, best->triangle);
   return best;
+}
+
+SurfacePlace PlaceIndex::nearestInside(const Vec3& p, std::uint32_t triangle) const {
+  const auto f = cornersOf(mesh_, triangle);
+  SurfacePlace place{moveInside(f, nearestIn(f, p)), triangle, 0};
+  place.position.z = heightAt(f, place.position);
+  place.distance = distance(p, place.position);
+  return place;
 }
 
 }  // namespace footfall::detail

@@ -27,6 +27,9 @@ class PlaceIndex {
   [[nodiscard]] std::optional<SurfacePlace> nearest(const Vec3& p,
                                                     std::uint32_t component = SurfaceTopology::kNone) const;
 
+  /// The place in a triangle that is nearest to `p`, or as good as nearest where rounding left it outside.
+  [[nodiscard]] SurfacePlace nearestInside(const Vec3& p, std::uint32_t triangle) const;
+
  private:
   const NavigationMesh& mesh_;
   const SurfaceTopology& topology_;

@@ -17,6 +17,7 @@ bool losesLinks(const PipelineStep& step) {
   switch (step.filter->type) {
     case FilterType::Slope:
     case FilterType::Radius:
+    case FilterType::Drop:
     case FilterType::Reachable:
     case FilterType::Area:
     case FilterType::LayerSubdivision:
@@ -26,6 +27,33 @@ bool losesLinks(const PipelineStep& step) {
     default:
       return true;
   }
+}
+
+// Those that keep a drop's edge and its landing, or take both away.
+bool keepsDrops(FilterType type) {
+  return type == FilterType::Drop || type == FilterType::Reachable || type == FilterType::Area;
+}
+
+std::optional<StructureError> findDropError(const Pipeline& pipeline) {
+  bool hasClearance = false;
+  std::optional<std::size_t> dropped;  // the DropFilter that came last
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
+    const PipelineStep& step = pipeline.steps[i];
+    if (!step.enabled) continue;
+    hasClearance = hasClearance || step.filter->type == FilterType::VerticalClearance;
+    if (dropped && !keepsDrops(step.filter->type)) {
+      return StructureError{i,
+                            Text(FOOTFALL_TEXT("%1 would lose the drops of the DropFilter in %2; put it before that"),
+                                 step.filter->name, placeOfStep(pipeline, *dropped))};
+    }
+    if (step.filter->type != FilterType::Drop) continue;
+    if (!hasClearance) {
+      return StructureError{i, FOOTFALL_TEXT("DropFilter asks how high an agent is, and no filter before it says so; "
+                                             "put a VerticalClearanceFilter before it")};
+    }
+    dropped = i;
+  }
+  return std::nullopt;
 }
 
 std::optional<StructureError> findStepError(const Pipeline& pipeline) {
@@ -99,7 +127,8 @@ std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
                                              "it"),
                                pipeline.steps[*opened].filter->name)};
   }
-  return findStepError(pipeline);
+  if (const auto error = findStepError(pipeline)) return error;
+  return findDropError(pipeline);
 }
 
 }  // namespace footfall::detail

@@ -152,6 +152,9 @@ std::string formatPath(const PathResult& path, UpAxis up) {
       text += "steps    " + std::to_string(path.steps.size()) + "; all in all " + shown(path.climb) + " up and " +
               shown(path.descent) + " down\n";
     }
+    if (!path.drops.empty())
+      text += "drops    " + std::to_string(path.drops.size()) + ", one way down; the deepest " +
+              shown(path.deepestDrop) + '\n';
     text += "slope    " + shown(path.maxSlopeDegrees) + " degrees at most; climbs or falls at " +
             shown(path.maxInclineDegrees) + " degrees at most\n";
   }
@@ -170,6 +173,9 @@ std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path) {
   json["length"] = path.length;
   json["plan_length"] = path.planLength;
   json["steps"] = path.steps.size();
+  json["drops"] = path.drops.size();
+  json["deepest_drop"] = path.drops.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(path.deepestDrop);
+  json["leads_back"] = path.leadsBack;
   json["climb"] = path.climb;
   json["descent"] = path.descent;
   json["layers"] = path.layers;

@@ -177,6 +177,52 @@ LinkFigures measureLinks(const NavigationMesh& mesh, StepKind kind) {
   return figures;
 }
 
+/// What the drops of a mesh amount to.
+struct DropFigures {
+  double planLength = 0, deepest = 0;
+  /// Components to which drops lead from the largest one and from which nothing leads back, and those from which drops
+  /// lead to it likewise.
+  std::size_t below = 0, above = 0;
+};
+
+/// Which components drops lead to from the first one, over others too; or from which to it.
+std::vector<char> reachedByDrops(const NavigationMesh& mesh, const Components& components, bool isBackwards) {
+  std::vector<std::vector<std::uint32_t>> next(components.list.size());
+  for (const DropLink& drop : mesh.drops) {
+    std::uint32_t from = components.ofTriangle[drop.fromTriangle], to = components.ofTriangle[drop.toTriangle];
+    if (isBackwards) std::swap(from, to);
+    next[from].push_back(to);
+  }
+  std::vector<char> isReached(components.list.size(), 0);
+  std::vector<std::uint32_t> open{0};
+  isReached[0] = 1;
+  while (!open.empty()) {
+    const std::uint32_t c = open.back();
+    open.pop_back();
+    for (const std::uint32_t other : next[c]) {
+      if (isReached[other] != 0) continue;
+      isReached[other] = 1;
+      open.push_back(other);
+    }
+  }
+  return isReached;
+}
+
+DropFigures measureDrops(const NavigationMesh& mesh, const Components& components) {
+  DropFigures figures;
+  if (mesh.drops.empty()) return figures;
+  for (const DropLink& drop : mesh.drops) {
+    figures.planLength += drop.width;
+    figures.deepest = std::max(figures.deepest, drop.depth);
+  }
+  const std::vector<char> down = reachedByDrops(mesh, components, false), up = reachedByDrops(mesh, components, true);
+  for (std::size_t c = 1; c < down.size(); ++c) {
+    figures.below += static_cast<std::size_t>(down[c] != 0 && up[c] == 0);
+    figures.above += static_cast<std::size_t>(up[c] != 0 && down[c] == 0);
+  }
+  return figures;
+}
+
 Json componentsJson(const Components& components) {
   Json list = Json::array();
   const double total = components.totalArea();
@@ -235,6 +281,14 @@ std::string linkLine(const NavigationMesh& mesh) {
   return text;
 }
 
+std::string dropLine(const NavigationMesh& mesh, const Components& components) {
+  if (mesh.drops.empty()) return {};
+  const DropFigures figures = measureDrops(mesh, components);
+  return counted(mesh.drops.size(), "drop", "drops") + " one way down, " + number(figures.planLength, "%.6g") +
+         " long in the plan, the deepest " + number(figures.deepest, "%.6g") + "; one way only: from the largest " +
+         "component to " + std::to_string(figures.below) + ", and to it from " + std::to_string(figures.above) + '\n';
+}
+
 }  // namespace
 
 std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
@@ -282,6 +336,12 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["links_by_kind"] = {{"step", steps.json()}, {"gap", gaps.json()}};
   json["obstacle_edges"] = mesh.obstacleEdges.size();
   const Components components = findComponents(mesh);
+  const DropFigures drops = measureDrops(mesh, components);
+  json["drops"] = mesh.drops.size();
+  json["drop_length"] = drops.planLength;
+  json["deepest_drop"] = mesh.drops.empty() ? Json() : Json(drops.deepest);
+  json["components_below_largest"] = drops.below;
+  json["components_above_largest"] = drops.above;
   json["components"] = componentsJson(components);
   json["connected_share"] = components.connectedShare();
   const ExactFallbacks fallbacks = sumFallbacks(result);
@@ -316,10 +376,11 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
                      number(environment.metresPerUnit, "%.6g") + " m per unit" +
                      (environment.scaleGuessed ? " (guessed)" : "") + '\n' + skippedLines(environment) + '\n' +
                      formatTable(rows) + '\n';
+  const Components components = findComponents(mesh);
   text += counted(mesh.layerCount, "layer", "layers") + ", " +
           counted(mesh.connections.size(), "connection", "connections") + ", " +
           counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + '\n' + linkLine(mesh) +
-          componentLines(findComponents(mesh));
+          dropLine(mesh, components) + componentLines(components);
   for (const BlockReport& block : result.blocks) {
     text += "block of " + counted(block.cells.size(), "cell", "cells") + ": partitioning " +
             number(block.partitioningMs) + " ms, parallel " + number(block.parallelMs) + " ms, merging " +

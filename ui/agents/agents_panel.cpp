@@ -82,7 +82,8 @@ AgentsPanel::AgentsPanel(Document& document, RunController& controller, QWidget*
   hint_->setWordWrap(true);
   hintButton_ = new QPushButton(tr("Add filters"), this);
   hintButton_->setObjectName(QStringLiteral("addAgentFilters"));
-  hintButton_->setToolTip(tr("Add the filters that the agents drive, before all others; steps behind the clearance"));
+  hintButton_->setToolTip(
+      tr("Add the filters that the agents drive, before all others; steps and drops behind the clearance"));
   auto* hints = new QHBoxLayout;
   hints->addWidget(hint_, 1);
   hints->addWidget(hintButton_);
@@ -196,7 +197,8 @@ void AgentsPanel::follow() {
   QString hint;
   if (state.agents.empty()) {
     hint =
-        tr("An agent is a height, a slope and a step that the filters follow. Add one to compare what each can reach.");
+        tr("An agent is a height, a slope, a step and a drop that the filters follow. Add one to compare what each can "
+           "reach.");
   } else if (tell) {
     hint = tr("No filter '%1' is on: that size of the agents has no effect.")
                .arg(names.join(tr("' and no filter '", "between two names of filters")));
@@ -215,12 +217,12 @@ void AgentsPanel::addMissingFilters() {
         next.filters, [size](const FilterEntry& entry) { return agentSizeOf(*entry.step.filter) == size; });
     if (off != next.filters.end()) {
       off->step.enabled = true;
-    } else if (size != AgentSize::Step) {  // those have a place of their own
+    } else if (!mayBeNone(size)) {  // those have a place of their own
       added.push_back({document_.newFilterId(), defaultStep(filterOf(size), metresPerUnit_)});
     }
   }
   next.filters.insert(next.filters.begin(), added.begin(), added.end());
-  applyAgent(next, document_.newFilterId());
+  applyAgent(next, [this] { return document_.newFilterId(); });
   document_.edit(std::move(next), tr("Add the filters of agents"));
 }
 

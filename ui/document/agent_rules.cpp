@@ -31,11 +31,11 @@ Pipeline pipelineOf(const std::vector<FilterEntry>& filters) {
   return pipeline;
 }
 
-/// Behind all that would lose its links, and in front of the filters that count what is linked as one.
-void insertSteps(std::vector<FilterEntry>& filters, const FilterEntry& steps) {
+/// Behind all that would lose its links or drops, and in front of the filters that go by them.
+void insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
   for (auto at = filters.begin();; ++at) {
     std::vector<FilterEntry> with(filters.begin(), at);
-    with.push_back(steps);
+    with.push_back(added);
     with.insert(with.end(), at, filters.end());
     if (!findStructureError(pipelineOf(with))) {
       filters = std::move(with);
@@ -51,6 +51,7 @@ std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Slope) return AgentSize::MaxSlope;
   if (filter.type == FilterType::VerticalClearance) return AgentSize::Height;
   if (filter.type == FilterType::Step) return AgentSize::Step;
+  if (filter.type == FilterType::Drop) return AgentSize::Drop;
   return std::nullopt;
 }
 
@@ -60,6 +61,8 @@ const FilterDescriptor& filterOf(AgentSize size) {
       return filterDescriptor(FilterType::VerticalClearance);
     case AgentSize::MaxSlope:
       return filterDescriptor(FilterType::Slope);
+    case AgentSize::Drop:
+      return filterDescriptor(FilterType::Drop);
     case AgentSize::Step:
       break;
   }
@@ -67,12 +70,13 @@ const FilterDescriptor& filterOf(AgentSize size) {
 }
 
 const ParameterDescriptor& parameterOf(AgentSize size) {
-  static const ParameterDescriptor step = [] {
-    ParameterDescriptor orNone = filterDescriptor(FilterType::Step).parameters[0];
-    orNone.minimumOpen = false;
-    return orNone;
-  }();
-  return size == AgentSize::Step ? step : filterOf(size).parameters[0];
+  const auto orNone = [](FilterType type) {
+    ParameterDescriptor parameter = filterDescriptor(type).parameters[0];
+    parameter.minimumOpen = false;
+    return parameter;
+  };
+  static const ParameterDescriptor step = orNone(FilterType::Step), drop = orNone(FilterType::Drop);
+  return size == AgentSize::Step ? step : size == AgentSize::Drop ? drop : filterOf(size).parameters[0];
 }
 
 double sizeOf(const NamedAgent& agent, AgentSize size) {
@@ -81,6 +85,8 @@ double sizeOf(const NamedAgent& agent, AgentSize size) {
       return agent.height;
     case AgentSize::MaxSlope:
       return agent.maxSlope;
+    case AgentSize::Drop:
+      return agent.drop;
     case AgentSize::Step:
       break;
   }
@@ -98,6 +104,9 @@ void setSizeOf(NamedAgent& agent, AgentSize size, double value) {
     case AgentSize::Step:
       agent.step = value;
       break;
+    case AgentSize::Drop:
+      agent.drop = value;
+      break;
   }
 }
 
@@ -111,18 +120,20 @@ void writeSizes(DocumentState& state) {
   if (!agent) return;
   for (FilterEntry& entry : state.filters) {
     const auto size = agentSizeOf(*entry.step.filter);
-    if (size && (size != AgentSize::Step || agent->step > 0)) entry.step.values[0] = sizeOf(*agent, *size);
+    if (size && (!mayBeNone(*size) || sizeOf(*agent, *size) > 0)) entry.step.values[0] = sizeOf(*agent, *size);
   }
 }
 
-void applyAgent(DocumentState& state, int newId) {
+void applyAgent(DocumentState& state, const std::function<int()>& newId) {
   const NamedAgent* agent = activeAgent(state);
   if (!agent) return;
-  const FilterDescriptor& steps = filterOf(AgentSize::Step);
-  if (agent->step == 0) {
-    std::erase_if(state.filters, [](const FilterEntry& entry) { return isOn(entry, AgentSize::Step); });
-  } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &steps; })) {
-    insertSteps(state.filters, {newId, defaultStep(steps, 1)});
+  for (const AgentSize size : {AgentSize::Step, AgentSize::Drop}) {
+    const FilterDescriptor& filter = filterOf(size);
+    if (sizeOf(*agent, size) == 0) {
+      std::erase_if(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); });
+    } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &filter; })) {
+      insertEarly(state.filters, {newId(), defaultStep(filter, 1)});
+    }
   }
   writeSizes(state);
 }
@@ -131,7 +142,7 @@ bool followsAgent(const DocumentState& state) {
   const NamedAgent* agent = activeAgent(state);
   return !agent || std::ranges::all_of(state.filters, [agent](const FilterEntry& entry) {
     const auto size = agentSizeOf(*entry.step.filter);
-    if (size == AgentSize::Step && agent->step == 0) return !entry.step.enabled;
+    if (size && mayBeNone(*size) && sizeOf(*agent, *size) == 0) return !entry.step.enabled;
     return !size || entry.step.values[0] == sizeOf(*agent, *size);
   });
 }
@@ -141,15 +152,15 @@ Pipeline pipelineFor(const DocumentState& state, int agent) {
   other.filters = state.filters;
   other.agents = state.agents;
   other.agent = agent;
-  if (agent != state.agent) applyAgent(other, 0);
+  if (agent != state.agent) applyAgent(other, [] { return 0; });
   return pipelineOf(other.filters);
 }
 
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
   std::vector<AgentSize> missing;
   const NamedAgent* active = activeAgent(state);
-  for (const AgentSize size : {AgentSize::MaxSlope, AgentSize::Height, AgentSize::Step}) {
-    if (size == AgentSize::Step && (!active || active->step == 0)) continue;
+  for (const AgentSize size : {AgentSize::MaxSlope, AgentSize::Height, AgentSize::Step, AgentSize::Drop}) {
+    if (mayBeNone(size) && (!active || sizeOf(*active, size) == 0)) continue;
     if (std::ranges::none_of(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); }))
       missing.push_back(size);
   }
@@ -159,7 +170,7 @@ std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit) {
   for (NamedAgent& agent : agents) {
-    for (double* length : {&agent.height, &agent.step})
+    for (double* length : {&agent.height, &agent.step, &agent.drop})
       *length = rounded(*length * fromMetresPerUnit / toMetresPerUnit);
   }
   return agents;
@@ -178,12 +189,13 @@ std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fr
 // - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, in centimetres.
 // - Godot 4: agent_height, agent_max_slope and agent_max_climb of NavigationMesh.
 // - Recast: RecastDemo, Sample::resetCommonSettings().
+// Nobody drops by default: Unity and Unreal, which know drops, have them switched off until asked for.
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
   constexpr double kRiser = 0.22, kThreshold = 0.013;
   const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step,
                                       const QString& help) {
-    return AgentPreset{{0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit)},
-                       help};
+    return AgentPreset{
+        {0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit), 0}, help};
   };
   return {
       preset(tr("Human"), 2, 45, kRiser, tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m")),

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QString>
+#include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,13 +13,16 @@
 
 namespace footfall::ui {
 
-enum class AgentSize { Height, MaxSlope, Step };
+enum class AgentSize { Height, MaxSlope, Step, Drop };
+inline constexpr std::array kAgentSizes{AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step, AgentSize::Drop};
+/// Whether 0 means that the agent has none of it, and no filter for it.
+constexpr bool mayBeNone(AgentSize size) { return size == AgentSize::Step || size == AgentSize::Drop; }
 
 /// The size that the first parameter of a filter is; nothing for filters that no agent drives.
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter);
 /// The filter that a size drives.
 const FilterDescriptor& filterOf(AgentSize size);
-/// What a size may be: the parameter of its filter, and 0 for agents that climb no steps.
+/// What a size may be: the parameter of its filter, and 0 where the agent may have none.
 const ParameterDescriptor& parameterOf(AgentSize size);
 /// In the environment's units, or in degrees.
 double sizeOf(const NamedAgent& agent, AgentSize size);
@@ -25,21 +30,22 @@ void setSizeOf(NamedAgent& agent, AgentSize size, double value);
 
 /// The one whose filters these are; null when there is none.
 const NamedAgent* activeAgent(const DocumentState& state);
-/// Writes the active agent's sizes into all filters that take them, those that are switched off too. A step of 0 is no
-/// value for a filter: those stay.
+/// Writes the active agent's sizes into all filters that take them, those that are switched off too. A step or a drop
+/// of 0 is no value for a filter: those stay.
 void writeSizes(DocumentState& state);
-/// The same, and where the agent climbs no steps, filters for them that are on go; where it does and there is none, one
-/// with the id `newId` comes as far in front as a StepFilter may stand (nowhere without a clearance before it).
-void applyAgent(DocumentState& state, int newId);
+/// The same, and where the agent climbs no steps, or does not drop, filters for that which are on go; where it does and
+/// there is none, one with an id of `newId` comes as far in front as it may stand (nowhere without a clearance before
+/// it).
+void applyAgent(DocumentState& state, const std::function<int()>& newId);
 /// Whether the filters have the active agent's sizes; true without an active agent.
 bool followsAgent(const DocumentState& state);
 /// What switching to that agent would make of the filters. The active one or an unknown id: as they are.
 Pipeline pipelineFor(const DocumentState& state, int agent);
-/// Sizes that no filter that is switched on takes: there the agents have no effect. Steps, which switching between
-/// agents adds and removes, only where the active agent climbs some.
+/// Sizes that no filter that is switched on takes: there the agents have no effect. Steps and drops, which switching
+/// between agents adds and removes, only where the active agent has some.
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state);
 
-/// Heights and steps in the environment's units stay the same in metres.
+/// Heights, steps and drops in the environment's units stay the same in metres.
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit);
 

@@ -80,6 +80,7 @@ ExportSettings rememberedExport() {
   export_.options.connections = read("connections", true).toBool();
   export_.options.obstacleEdges = read("obstacleEdges", true).toBool();
   export_.options.steps = read("steps", true).toBool();
+  export_.options.drops = read("drops", true).toBool();
   export_.placed = read("placed", false).toBool();
   export_.pictureSize = std::clamp(read("pictureSize", 0).toInt(), 0, 3);
   export_.pictures = read("pictures", true).toBool();
@@ -93,6 +94,7 @@ void rememberExport(const ExportSettings& export_) {
   settings.setValue(QStringLiteral("export/connections"), export_.options.connections);
   settings.setValue(QStringLiteral("export/obstacleEdges"), export_.options.obstacleEdges);
   settings.setValue(QStringLiteral("export/steps"), export_.options.steps);
+  settings.setValue(QStringLiteral("export/drops"), export_.options.drops);
   settings.setValue(QStringLiteral("export/placed"), export_.placed);
   settings.setValue(QStringLiteral("export/pictureSize"), export_.pictureSize);
   settings.setValue(QStringLiteral("export/pictures"), export_.pictures);

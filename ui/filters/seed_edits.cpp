@@ -84,7 +84,7 @@ int addFilterWithSeed(Document& document, const Vec3& place) {
     if (!step.enabled) continue;
     inBlock = step.filter->kind == FilterKind::Strategy || (inBlock && step.filter->kind != FilterKind::Collapse);
     const bool isPlace = step.filter->type == FilterType::Step || step.filter->type == FilterType::VerticalClearance ||
-                         step.filter->kind == FilterKind::Collapse;
+                         step.filter->type == FilterType::Drop || step.filter->kind == FilterKind::Collapse;
     if (isPlace && !inBlock) at = entry + 1;
   }
   FilterEntry added{document.newFilterId(), defaultStep(filterDescriptor(FilterType::Reachable), 1)};

@@ -39,6 +39,12 @@ QString failureText(const PathResult& result, const LevelUnits& units) {
       return PathText::tr("The target is not walkable. One can come as near as %1 to it, at %2.")
           .arg(units.length(result.end->distance), units.place(result.end->position));
     case PathStatus::NotConnected:
+      if (result.leadsBack) {
+        return PathText::tr(
+                   "Drops lead from the target to the start, but no way leads back up. One can come as near as %1, at "
+                   "%2.")
+            .arg(units.length(result.end->distance), units.place(result.end->position));
+      }
       return PathText::tr(
                  "No way leads there: start and target are on separate parts. One can come as near as %1, at %2.")
           .arg(units.length(result.end->distance), units.place(result.end->position));
@@ -70,6 +76,12 @@ QString pathText(const PathResult& result, const LevelUnits& units, double speed
         PathText::tr("%1 up and %2 down in all").arg(units.length(result.climb), units.length(result.descent));
     lines << (result.steps.size() == 1 ? PathText::tr("1 step, %1").arg(all)
                                        : PathText::tr("%1 steps, %2").arg(countText(result.steps.size()), all));
+  }
+  if (!result.drops.empty()) {
+    const QString deepest = units.length(result.deepestDrop);
+    lines << (result.drops.size() == 1
+                  ? PathText::tr("1 drop of %1, one way").arg(deepest)
+                  : PathText::tr("%1 drops, one way, the deepest %2").arg(countText(result.drops.size()), deepest));
   }
   lines << PathText::tr("Slope up to %1, climbs or falls up to %2")
                .arg(degrees(result.maxSlopeDegrees), degrees(result.maxInclineDegrees));

@@ -31,6 +31,7 @@ void ResultSummary::show() {
           << counted(mesh.connections.size(), tr("connection"), tr("connections"));
   }
   if (!mesh.links.empty()) parts << counted(mesh.links.size(), tr("step"), tr("steps"));
+  if (!mesh.drops.empty()) parts << counted(mesh.drops.size(), tr("drop"), tr("drops"));
   parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"))
         << tr("%1 ms").arg(fixedText(run->result.totalMs, 0));
   text_ = parts.join(QStringLiteral("   ·   "));

@@ -45,6 +45,7 @@ Paint layerPaint(std::uint32_t layer) { return {numberedColour(kLayerColours, la
 QColor obstacleEdgeColour() { return {213, 60, 0}; }
 QColor connectionColour() { return {255, 255, 255}; }
 QColor stepColour() { return {255, 220, 60}; }
+QColor dropColour() { return {240, 110, 190}; }  // arrows: told apart by their shape as well
 QColor outlineColour() { return {28, 40, 48}; }
 QColor creaseColour() { return {118, 123, 130}; }
 QColor cellBorderColour() { return {255, 255, 255}; }

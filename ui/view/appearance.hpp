@@ -41,6 +41,7 @@ Paint layerPaint(std::uint32_t layer);
 QColor obstacleEdgeColour();
 QColor connectionColour();
 QColor stepColour();
+QColor dropColour();
 QColor outlineColour();
 QColor creaseColour();
 QColor cellBorderColour();

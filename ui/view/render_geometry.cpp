@@ -197,6 +197,36 @@ std::vector<LineLayers> stepLayers(const NavigationMesh& mesh) {
   return layers;
 }
 
+Vec3 between(const Vec3& a, const Vec3& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
+
+// The stretch that one drops from, and arrows as far from each other as the drop is deep, a few at most.
+void addDropLines(const DropLink& drop, const Vec3& centre, std::vector<LineSegment>& lines) {
+  constexpr double kMostArrows = 8, kHead = 0.25, kHeadWidth = 0.35;
+  const auto add = [&](const Vec3& a, const Vec3& b) { lines.push_back({toFloats(a, centre), toFloats(b, centre)}); };
+  add(drop.start[0], drop.start[1]);
+  const double arrows = std::clamp(std::round(drop.width / std::max(drop.depth, 1e-300)), 1.0, kMostArrows);
+  // Half the width of a head, as a share of the stretch: it stays inside, and is no wider than the fall is deep.
+  const double half = std::min(0.4 / arrows, kHead * kHeadWidth * drop.depth / std::max(drop.width, 1e-300));
+  for (double i = 0; i < arrows; ++i) {
+    const double t = (i + 0.5) / arrows;
+    const Vec3 tip = between(drop.landing[0], drop.landing[1], t);
+    add(between(drop.start[0], drop.start[1], t), tip);
+    for (const double side : {t - half, t + half})
+      add(between(between(drop.landing[0], drop.landing[1], side), between(drop.start[0], drop.start[1], side), kHead),
+          tip);
+  }
+}
+
+void addDrops(const NavigationMesh& mesh, const Vec3& centre, NavigationMeshGeometry& geometry) {
+  for (const DropLink& drop : mesh.drops) {
+    addDropLines(drop, centre, geometry.drops);
+    if (!mesh.layers.empty())
+      geometry.dropLayers.resize(geometry.drops.size(), {mesh.layers[drop.fromTriangle], mesh.layers[drop.toTriangle]});
+  }
+}
+
 std::vector<std::uint32_t> surfaceLayersOf(const NavigationMesh& mesh, const EnvironmentLayers* environment) {
   if (!environment) return {};
   std::vector<std::uint32_t> layers(mesh.triangles.size(), kNoLayer);
@@ -425,6 +455,7 @@ std::shared_ptr<const NavigationMeshGeometry> makeMeshGeometry(const NavigationM
   const std::vector<VertexPair> steps = stepLines(mesh.links);
   geometry->steps = toSegments(steps, mesh.vertices, centre);
   if (!mesh.layers.empty()) geometry->stepLayers = stepLayers(mesh);
+  addDrops(mesh, centre, *geometry);
   return geometry;
 }
 

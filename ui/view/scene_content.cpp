@@ -44,6 +44,7 @@ MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withL
   made.obstacleEdges = lines(geometry->obstacleEdges, geometry->obstacleEdgeLayers);
   made.connections = lines(geometry->connections, geometry->connectionLayers);
   made.steps = lines(geometry->steps, geometry->stepLayers);
+  made.drops = lines(geometry->drops, geometry->dropLayers);
   return made;
 }
 
@@ -73,6 +74,7 @@ MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geomet
   made.obstacleEdges = batches.makeLines(joined(&NavigationMeshGeometry::obstacleEdges));
   made.connections = batches.makeLines(joined(&NavigationMeshGeometry::connections));
   made.steps = batches.makeLines(joined(&NavigationMeshGeometry::steps));
+  made.drops = batches.makeLines(joined(&NavigationMeshGeometry::drops));
   return made;
 }
 

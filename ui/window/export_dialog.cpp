@@ -94,6 +94,8 @@ void ExportDialog::createWidgets() {
                           tr("Edges that agents cannot cross though both sides are walkable"));
   steps_ = addBox(mesh, QStringLiteral("exportSteps"), tr("Steps as faces"),
                   tr("Faces between the two borders of each step, over their vertices"));
+  drops_ = addBox(mesh, QStringLiteral("exportDrops"), tr("Drops as lines"),
+                  tr("Lines from where an agent drops to where it lands"));
   placed_ = addBox(mesh, QStringLiteral("exportPlaced"), tr("Placed obstacles"),
                    tr("Each obstacle that was placed in the editor, as a group of its own"));
   placed_->setEnabled(!source_.placed.empty());
@@ -164,7 +166,7 @@ void ExportDialog::createWidgets() {
   connect(kind_, &QComboBox::activated, this, &ExportDialog::changeKind);
   connect(path_, &QLineEdit::textEdited, this, &ExportDialog::readPath);
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::browse);
-  for (QCheckBox* box : {layers_, connections_, obstacleEdges_, steps_, placed_, pictures_})
+  for (QCheckBox* box : {layers_, connections_, obstacleEdges_, steps_, drops_, placed_, pictures_})
     connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
   for (QComboBox* box : {up_, pictureSize_})
     connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
@@ -186,6 +188,7 @@ void ExportDialog::takeSettings(const ExportSettings& settings) {
   connections_->setChecked(settings.options.connections);
   obstacleEdges_->setChecked(settings.options.obstacleEdges);
   steps_->setChecked(settings.options.steps);
+  drops_->setChecked(settings.options.drops);
   placed_->setChecked(settings.placed && !source_.placed.empty());
   const auto& up = settings.options.up;
   up_->setCurrentIndex(up ? static_cast<int>(std::ranges::find(kUpAxes, *up) - kUpAxes.begin()) + 1 : 0);
@@ -203,6 +206,7 @@ ExportSettings ExportDialog::settings() const {
   settings.options.connections = connections_->isChecked();
   settings.options.obstacleEdges = obstacleEdges_->isChecked();
   settings.options.steps = steps_->isChecked();
+  settings.options.drops = drops_->isChecked();
   if (kind() == ExportKind::Obj && up_->currentIndex() > 0)
     settings.options.up = kUpAxes[static_cast<std::size_t>(up_->currentIndex()) - 1];
   settings.options.scale = scale_->value();
@@ -282,6 +286,7 @@ QString ExportDialog::content() const {
   if (obstacleEdges_->isChecked())
     parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"));
   if (steps_->isChecked() && !mesh.links.empty()) parts << counted(mesh.links.size(), tr("step"), tr("steps"));
+  if (drops_->isChecked() && !mesh.drops.empty()) parts << counted(mesh.drops.size(), tr("drop"), tr("drops"));
   if (placed_->isChecked()) parts << counted(source_.placed.size(), tr("placed obstacle"), tr("placed obstacles"));
   return parts.join(QStringLiteral(", ")) + QLatin1Char('.') +
          (source_.isUpToDate ? QString() : QLatin1Char('\n') + tr("The export waits for the run under way."));

@@ -59,7 +59,7 @@ class ExportDialog : public QDialog {
 
   ExportSource source_;
   QComboBox *kind_, *up_, *pictureSize_;
-  QCheckBox *layers_, *connections_, *obstacleEdges_, *steps_, *placed_, *pictures_;
+  QCheckBox *layers_, *connections_, *obstacleEdges_, *steps_, *drops_, *placed_, *pictures_;
   NumberField* scale_;
   QLineEdit* path_;
   QPushButton *browse_, *export_;

@@ -12,6 +12,7 @@
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
+#include "core/filters/rounding/rounded_drops.hpp"
 #include "core/filters/rounding/rounded_links.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 
@@ -181,6 +182,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   addObstacleEdges(rounded, order, renumbered, *result);
   addConnections(rounded, topology, renumbered, *result);
   result->links = roundLinks(state->mesh->links, places, moved, *result);
+  result->drops = roundDrops(*state, places, moved, *result);
   return result;
 }
 

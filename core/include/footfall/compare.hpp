@@ -83,6 +83,9 @@ struct MeshDescription {
   double linkLength = 0;   ///< of all of them, in the plan
   double highestLink = 0;  ///< the largest difference in height on one; 0 without any
   double widestGap = 0;    ///< in the plan; 0 without any
+  std::size_t drops = 0;
+  double dropLength = 0;   ///< of all of them, along the borders that they start from, in the plan
+  double deepestDrop = 0;  ///< 0 without any
 };
 
 /// Two meshes compared. A is the ground truth where one is needed (thesis 5.5).
@@ -90,6 +93,8 @@ struct MeshComparison {
   std::array<MeshDescription, 2> meshes;
   SetDifference sets;
   LinkDifference links;
+  /// Whether both have the same drops: the same starts and landings, exactly, in any order.
+  bool equalDrops = true;
   double height = 0;
   double error = 0;
   /// A to B and B to A; none when a mesh is empty.

@@ -41,6 +41,7 @@ enum class FilterType : std::uint8_t {
   VerticalClearance,
   Step,
   Radius,
+  Drop,
   Reachable,
   Area,
   Simplification,

@@ -33,6 +33,7 @@ struct ExportOptions {
   /// Coordinates are multiplied with it; finite and above 0. They are rounded once more then, unless it is a power of
   /// two: triangles much smaller than their coordinates can collapse.
   double scale = 1;
+  bool drops = true;  ///< the lines from upper to lower
 };
 
 /// Comment lines at the top of an export; makeExportHeader() (footfall/report.hpp) makes those of a pipeline.
@@ -54,7 +55,8 @@ struct ExportExtra {
 /// a failure or a kill leaves an earlier file as it was; the same mesh gives the same bytes. Each layer is a group
 /// (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one "walkable"; connections and obstacle edges are lines in
 /// "connections" and "obstacle_edges". Steps are faces in "steps", over the vertices of both borders: who reads them
-/// has the full connectivity; who does not has the surface alone.
+/// has the full connectivity; who does not has the surface alone. Drops are pairs of lines in "drops", from where an
+/// agent drops to where it lands, with vertices of their own.
 ///
 /// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ; glTF has floats. Throws
 /// InputError for another ending, a scale that is out of range or makes coordinates infinite, coordinates that no float
@@ -75,9 +77,9 @@ struct NavigationMeshFile {
 };
 
 /// Reads a navigation mesh from OBJ, at double precision: an export with all that it holds, or any other surface. Faces
-/// in groups "layer_N" get layer N, `l` elements in the groups "connections" and "obstacle_edges" become those;
-/// anything else is one surface without layers. The up axis is `up` where given, else the one that an export states,
-/// else `usualUp`. A file that is not Z up is turned as load() does, which is exact.
+/// in groups "layer_N" get layer N, `l` elements in the groups "connections", "obstacle_edges" and "drops" become
+/// those; anything else is one surface without layers. The up axis is `up` where given, else the one that an export
+/// states, else `usualUp`. A file that is not Z up is turned as load() does, which is exact.
 ///
 /// Throws InputError with one line: what load() refuses; no triangles, unless the file is an export that says so; an
 /// export that does not hold what its own comments count, because it was cut off; coordinates above 1e100, whose areas

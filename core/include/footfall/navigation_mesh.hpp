@@ -27,6 +27,18 @@ struct StepLink {
   StepKind kind = StepKind::Step;
 };
 
+/// A stretch of an edge of the border from which an agent drops to what lies lower, one way. Between the two ends both
+/// the start and the landing move evenly.
+struct DropLink {
+  std::array<std::uint32_t, 2> from{};  ///< vertices of the edge, with the walkable area on its left
+  std::uint32_t fromTriangle = 0;       ///< whose edge it is
+  std::uint32_t toTriangle = 0;         ///< in which the agent lands
+  std::array<Vec3, 2> start{};          ///< on the edge, in its direction, rounded
+  std::array<Vec3, 2> landing{};        ///< where one lands from each of them, in or on the border of `toTriangle`
+  double depth = 0;                     ///< the largest difference in height, in the environment's units
+  double width = 0;                     ///< from the first start to the other one, in the plan
+};
+
 /// Triangles that an agent can stand on. Two of them share an edge by its two vertex numbers exactly where the agent
 /// can cross it, also from layer to layer; the two sides of an obstacle edge have vertices of their own. Vertices,
 /// edges and layers are in an order that depends on the input alone.
@@ -46,6 +58,8 @@ struct NavigationMesh {
   std::vector<StepLink> links = {};
   /// The file of the environment: where save() puts the mesh back to.
   SourceFrame frame = {};
+  /// Drops (DropFilter), in the order of the edges that they start from.
+  std::vector<DropLink> drops = {};
 };
 
 }  // namespace footfall

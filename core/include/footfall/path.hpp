@@ -113,6 +113,10 @@ struct PathResult {
   std::vector<std::size_t> bends;  ///< points at which it turns around a corner of the border
   std::vector<std::size_t> steps;  ///< pieces that are steps: straight up or down; `triangles` says where to
   std::vector<std::size_t> gaps;   ///< pieces that lead over a gap; `triangles` says where to
+  std::vector<std::size_t> drops;  ///< pieces that are drops, one way down; `triangles` says where to
+  double deepestDrop = 0;          ///< of those
+  /// PathStatus::NotConnected: drops lead from the target to the start, and nothing leads back.
+  bool leadsBack = false;
 
   double planLength = 0;  ///< the shortest there is, up to rounding
   double length = 0;      ///< of this path in space, heights of steps included
@@ -152,8 +156,12 @@ class PathFinder {
   /// h was asked for, no walkable place lies less than h below an obstacle: with reach < h, a point on an obstacle
   /// never means the floor beneath it; placeReach() gives that reach.
   ///
-  /// The path has the same length the other way round, up to rounding. Throws InputError for coordinates that are not
-  /// finite, and Cancelled.
+  /// Drops are taken only where nothing else leads to the target. Then each piece between two drops is the shortest one
+  /// there is, and the drops are those with the shortest sum of straight lines when each is entered where it is
+  /// nearest.
+  ///
+  /// Without drops the path has the same length the other way round, up to rounding. Throws InputError for coordinates
+  /// that are not finite, and Cancelled.
   [[nodiscard]] PathResult find(const Vec3& from, const Vec3& to,
                                 double reach = std::numeric_limits<double>::infinity(),
                                 const RunContext* context = nullptr) const;

@@ -38,6 +38,7 @@ struct StateSummary {
   std::uint64_t connections = 0;
   std::uint64_t obstacleEdges = 0;
   std::uint64_t links = 0;  ///< steps, as pairs of edges
+  std::uint64_t drops = 0;  ///< stretches of border from which one drops
 };
 
 /// One step of a run: what it had, what it left, and what that took.

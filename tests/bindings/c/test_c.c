@@ -92,6 +92,7 @@ static void testArrays(void) {
   CHECK(footfall_result_layers(result).count == triangles.count && footfall_result_layer_count(result) == 1);
   CHECK(footfall_result_obstacle_edges(result).count == 0 && footfall_result_connections(result).count == 0);
   CHECK(footfall_result_links(result).count == 0 && footfall_result_links(NULL).count == 0);
+  CHECK(footfall_result_drops(result).count == 0 && footfall_result_drops(NULL).count == 0);
   char* json = NULL;
   CHECK_OK(footfall_result_statistics(result, &json));
   CHECK(json != NULL && strstr(json, "\"area\": 28.0") != NULL);
@@ -190,6 +191,26 @@ static void testPipelines(void) {
   CHECK_FAILS(footfall_check_pipeline("ReachableFilter 1 2 3 4 5"), FOOTFALL_INPUT_ERROR, "pipeline:1:23:");
   CHECK_FAILS(footfall_run(level, "ReachableFilter 2000 0 0", NULL, NULL, 0, &result), FOOTFALL_INPUT_ERROR,
               "column 17: seed 1 at 2000 0 0 has no walkable place");
+  CHECK_FAILS(footfall_check_pipeline("DropFilter 1"), FOOTFALL_INPUT_ERROR, "pipeline:1:1: DropFilter asks how high");
+  CHECK_OK(footfall_run(level, "VerticalClearanceFilter 1.8\nDropFilter 0.5", NULL, NULL, 0, &result));
+  const footfall_drops drops = footfall_result_drops(result);
+  CHECK(drops.count == 1);
+  if (drops.count == 1) {
+    const footfall_drop* drop = drops.data;
+    CHECK(drop->depth == 0.5 && drop->width == 4 && drop->start[0][2] == 0.5 && drop->landing[1][2] == 0);
+    CHECK(drop->start[0][0] == 4 && drop->landing[0][0] == 4 && drop->from_triangle != drop->to_triangle);
+  }
+  const double above[3] = {6, 2, 0.5}, below[3] = {3, 3, 0};
+  footfall_path_finder* jumps = NULL;
+  footfall_path* jump = NULL;
+  CHECK_OK(footfall_make_path_finder(result, NULL, &jumps));
+  CHECK_OK(footfall_find_path(jumps, above, below, NULL, &jump));
+  CHECK(footfall_path_found(jump) == FOOTFALL_PATH_FOUND && footfall_path_drop_count(jump) == 1);
+  CHECK(footfall_path_drop_count(NULL) == 0);
+  footfall_free_path(jump);
+  footfall_free_path_finder(jumps);
+  footfall_free_result(result);
+  result = NULL;
   footfall_agent climbs = kAgent;
   climbs.step = 0.25;
   CHECK_OK(footfall_pipeline_for(level, &climbs, &text));

@@ -140,6 +140,9 @@ class ArraysOut(unittest.TestCase):
             ("connections", (len(area.connections), 2), np.uint32),
             ("links", (0, 4), np.uint32),
             ("link_heights", (0,), np.float64),
+            ("drops", (0, 4), np.uint32),
+            ("drop_places", (0, 4, 3), np.float64),
+            ("drop_depths", (0,), np.float64),
         ]:
             with self.subTest(name):
                 array = getattr(area, name)
@@ -147,6 +150,32 @@ class ArraysOut(unittest.TestCase):
                 self.assertEqual(array.dtype, kind)
         self.assertLess(area.triangles.max(), n)
         self.assertEqual(area.layer_count, area.layers.max() + 1)
+
+    def test_drops_lead_down(self):
+        vertices, triangles = scenes.together(scenes.floor(), scenes.box(4, 4, 0, 6, 6, 1))
+        pipeline = [("SlopeFilter", 45), ("VerticalClearanceFilter", 2), ("DropFilter", 1, 0)]
+        area = footfall.run(footfall.Environment(vertices, triangles), pipeline)
+        self.assertEqual(len(area.drops), 4)
+        np.testing.assert_array_equal(area.drop_depths, 1)
+        np.testing.assert_array_equal(area.drop_places[:, :2], area.vertices[area.drops[:, :2]])
+        np.testing.assert_array_equal(area.drop_places[:, 2:, :2], area.drop_places[:, :2, :2])
+        np.testing.assert_array_equal(area.drop_places[:, 2:, 2], 0)
+        np.testing.assert_array_equal(area.vertices[area.triangles[area.drops[:, 2]], 2], 1)
+        np.testing.assert_array_equal(area.vertices[area.triangles[area.drops[:, 3]], 2], 0)
+        statistics = area.statistics()
+        self.assertEqual((statistics["drops"], statistics["drop_length"], statistics["deepest_drop"]), (4, 8, 1))
+        self.assertEqual((statistics["components_below_largest"], statistics["components_above_largest"]), (0, 1))
+        path = area.find_path((5, 5, 1), (1, 1, 0))
+        self.assertTrue(path.reached)
+        self.assertEqual(len(path.drops), 1)
+        i = path.drops[0]
+        self.assertEqual((path.points[i, 2], path.points[i + 1, 2]), (1, 0))
+        back = area.find_path((1, 1, 0), (5, 5, 1))
+        self.assertTrue(back.leads_back and not back.reached)
+        other = footfall.run(footfall.Environment(vertices, triangles), pipeline[:2])
+        self.assertEqual(other.statistics()["deepest_drop"], None)
+        self.assertTrue(footfall.compare(area, area).equal_drops)
+        self.assertFalse(footfall.compare(area, other).equal_drops)
 
     def test_steps_are_links(self):
         vertices, triangles = scenes.together(scenes.floor(), scenes.box(4, 4, 0, 6, 6, 0.25))

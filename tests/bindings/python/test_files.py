@@ -45,10 +45,10 @@ class Files(unittest.TestCase):
         sample = SAMPLES[0]
         target = self.folder / "python.obj"
         area = footfall.run(footfall.load(sample, up="-z", metres_per_unit=0.5, both_sides=True))
-        area.save(target, layers=False, connections=False, obstacle_edges=False, steps=False, up="y", scale=2)
+        area.save(target, layers=False, connections=False, obstacle_edges=False, steps=False, drops=False, up="y", scale=2)
         expected = self.written_by_program(
             sample, "--up", "-z", "--scale", "0.5", "--both-sides", "--no-layers", "--no-connections",
-            "--no-obstacle-edges", "--no-steps", "--export-up", "y", "--export-scale", "2", ending=".obj")
+            "--no-obstacle-edges", "--no-steps", "--no-drops", "--export-up", "y", "--export-scale", "2", ending=".obj")
         self.assertEqual(target.read_bytes(), expected)
 
     def test_roles_give_the_bytes_of_the_program(self):

@@ -117,6 +117,11 @@ class TestAgents : public QObject {
     typeInto(AgentModel::Step, "0");
     QVERIFY(!filterNames(*window_).contains("StepFilter"));
     QVERIFY(document().state().agent != 0);
+    typeInto(AgentModel::Drop, "1.5");
+    QCOMPARE(document().state().agents[0].drop, 1.5);
+    QCOMPARE(filterNames(*window_).count("DropFilter"), 1);
+    typeInto(AgentModel::Drop, "0");
+    QVERIFY(!filterNames(*window_).contains("DropFilter"));
     typeInto(AgentModel::Step, "-1");
     QVERIFY2(window_->messageBar().text().contains("-1 is out of range"), qPrintable(window_->messageBar().text()));
     QCOMPARE(document().state().agents[0].step, 0.0);

@@ -148,6 +148,41 @@ class TestDocument : public QObject {
     QCOMPARE(ids.size(), document.filters().size());
   }
 
+  void agentsThatDrop() {
+    Document document;
+    document.reset(parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nSimplificationFilter\nAreaFilter 1\n"
+                                 "ReachableFilter 1 2 3\n",
+                                 "test"),
+                   {});
+    const auto text = [&] { return formatPipeline(document.pipeline()); };
+    const std::string before = text();
+    const int jumper = addAgent(document, {0, "Jumper", 2, 45, 0.4, 1.5});
+    const std::string with =
+        "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nSimplificationFilter\nDropFilter 1.5\n"
+        "AreaFilter 1\nReachableFilter 1 2 3\n";
+    QCOMPARE(text(), with);
+    std::set<int> ids;
+    for (const FilterEntry& entry : document.filters()) ids.insert(entry.id);
+    QCOMPARE(ids.size(), document.filters().size());
+    addAgent(document, {0, "Roller", 2, 45, 0});
+    QCOMPARE(text(), before);
+    activateAgent(document, jumper);
+    QCOMPARE(text(), with);
+    resizeAgent(document, jumper, AgentSize::Drop, 3);
+    QCOMPARE(document.undoStack()->undoText(), QString::fromUtf8("Change drop of Jumper 1.5 → 3"));
+    QCOMPARE(document.filters()[4].step.values[0], 3.0);
+    document.setValue(document.filters()[4].id, 0, 2, 1);  // the row is the agent's
+    QCOMPARE(document.state().agents[0].drop, 2.0);
+    document.setValue(document.filters()[4].id, 1, 0.5, 1);  // the reach is not
+    QCOMPARE(document.state().agent, jumper);
+    resizeAgent(document, jumper, AgentSize::Drop, 0);
+    QVERIFY(text().find("DropFilter") == std::string::npos);
+    QVERIFY(text().find("StepFilter 0.4") != std::string::npos);
+    QVERIFY(!checkValue(parameterOf(AgentSize::Drop), -0.1).empty());
+    QVERIFY(checkValue(parameterOf(AgentSize::Drop), 0).empty());
+    QCOMPARE(rescaledAgents({{1, "Jumper", 2, 45, 0.4, 1.5}}, 1, 0.01)[0].drop, 150.0);
+  }
+
   void stepsNeedAPlace() {
     const auto with = [](const std::string& filters) {
       Document document;

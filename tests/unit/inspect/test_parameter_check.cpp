@@ -87,6 +87,13 @@ class TestParameterCheck : public QObject {
     QCOMPARE(notesOf(*room.environment(), "#off VerticalClearanceFilter 40\n"), QString());
   }
 
+  void dropsDeeperThanTheLevel() {
+    const Soup room = Soup().floor(0, 0, 30, 20, 0).wall(0, 0, 30, 0, 0, 10);
+    QCOMPARE(notesOf(*room.environment(), "VerticalClearanceFilter 2\nDropFilter 12\n"),
+             QString("1: drops are 12 deep at most, and the whole level is no higher than 10; check the scale"));
+    QCOMPARE(notesOf(*room.environment(), "VerticalClearanceFilter 2\nDropFilter 10\n"), QString());
+  }
+
   void scalesThatCannotBe() {
     const auto level = Soup().floor(0, 0, 1280, 544, 0).wall(0, 0, 1280, 0, 0, 30).environment();
     level->scaleGuessed = false;

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/rounding/rounded_drops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "core/mesh/adjacency.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using Place = std::tuple<double, double, double>;
+Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 asVector(const Place& p) { return {std::get<0>(p), std::get<1>(p), std::get<2>(p)}; }
+
+/// Sides and triangles of a product by the places of their corners.
+class ProductPlaces {
+ public:
+  explicit ProductPlaces(const NavigationMesh& mesh) : mesh_(mesh) {
+    const TriangleCorners corners(mesh.triangles);
+    const Adjacency topology = findEdges(corners, mesh.vertices.size());
+    for (Index e = 0; e < topology.edgeCount(); ++e) {
+      const auto sides = topology.sidesOf(e);
+      if (sides.size() != 1) continue;
+      sides_.try_emplace(
+          {placeOf(mesh.vertices[corners.beginOf(sides[0])]), placeOf(mesh.vertices[corners.endOf(sides[0])])},
+          sides[0]);
+    }
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ofSource_[mesh.sourceTriangles[t]].push_back(t);
+  }
+
+  [[nodiscard]] std::optional<Index> side(const Place& from, const Place& to) const {
+    const auto found = sides_.find({from, to});
+    return found == sides_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  /// The triangle of a source triangle that holds a place best: farthest inside, or least outside.
+  [[nodiscard]] std::optional<std::uint32_t> triangle(std::uint32_t source, const Vec3& place) const {
+    const auto found = ofSource_.find(source);
+    if (found == ofSource_.end()) return std::nullopt;
+    std::optional<std::uint32_t> best;
+    double most = -std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : found->second) {
+      double inside = std::numeric_limits<double>::infinity();
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 &a = mesh_.vertices[mesh_.triangles[t][k]], &b = mesh_.vertices[mesh_.triangles[t][next(k)]];
+        const double dx = b.x - a.x, dy = b.y - a.y;
+        inside = std::min(inside, (dx * (place.y - a.y) - dy * (place.x - a.x)) / std::hypot(dx, dy));
+      }
+      if (!(inside > most)) continue;
+      most = inside;
+      best = t;
+    }
+    return best;
+  }
+
+ private:
+  const NavigationMesh& mesh_;
+  std::map<std::pair<Place, Place>, Index> sides_;  ///< of the border
+  std::map<std::uint32_t, std::vector<std::uint32_t>> ofSource_;
+};
+
+Vec3 unscaled(const std::array<double, 3>& p, int scale) {
+  return {std::ldexp(p[0], -scale), std::ldexp(p[1], -scale), std::ldexp(p[2], -scale)};
+}
+
+}  // namespace
+
+std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<Vec3>& places,
+                                 const std::vector<std::array<Vec3, 2>>& moved, const NavigationMesh& product) {
+  std::vector<DropLink> result;
+  const WalkableMesh& mesh = *state.mesh;
+  if (mesh.drops.empty()) return result;
+  const SourceMesh& source = state.kernel->mesh();
+  const ProductPlaces known(product);
+  std::map<Place, Place> movedTo;
+  for (auto it = moved.rbegin(); it != moved.rend(); ++it) {
+    const auto later = movedTo.find(placeOf((*it)[1]));
+    movedTo[placeOf((*it)[0])] = later == movedTo.end() ? placeOf((*it)[1]) : later->second;
+  }
+  const auto placeNow = [&](Index vertex) {
+    const Place place = placeOf(places[vertex]);
+    const auto now = movedTo.find(place);
+    return now == movedTo.end() ? place : now->second;
+  };
+  for (const MeshDrop& drop : mesh.drops) {
+    auto side = known.side(placeOf(places[drop.edge[0]]), placeOf(places[drop.edge[1]]));
+    if (!side) side = known.side(placeNow(drop.edge[0]), placeNow(drop.edge[1]));
+    if (!side) continue;
+    DropLink link;
+    for (const int end : {0, 1}) {
+      link.from[end] = product.triangles[*side / 3][end == 0 ? *side % 3 : next(*side % 3)];
+      link.start[end] = unscaled(drop.start[end], source.grid.scaleExponent());
+      link.landing[end] = unscaled(drop.landing[end], source.grid.scaleExponent());
+      link.depth = std::max(link.depth, link.start[end].z - link.landing[end].z);
+    }
+    link.fromTriangle = static_cast<std::uint32_t>(*side / 3);
+    link.width = std::hypot(link.start[1].x - link.start[0].x, link.start[1].y - link.start[0].y);
+    // A little inside of the triangle in which it lands, to tell it from neighbours on the other side of its border.
+    constexpr double kInside = 0x1p-10;
+    const MeshTriangle& t = mesh.triangles[drop.triangle];
+    Vec3 within{};
+    for (const Index corner : t.corners) {
+      const Vec3 p = asVector(placeNow(corner));
+      within = {within.x + p.x * (kInside / 3), within.y + p.y * (kInside / 3), 0};
+    }
+    for (const Vec3& p : link.landing)
+      within = {within.x + p.x * ((1 - kInside) / 2), within.y + p.y * ((1 - kInside) / 2), 0};
+    const auto landing = known.triangle(source.inputTriangles[t.face], within);
+    if (!landing) continue;
+    link.toTriangle = *landing;
+    result.push_back(link);
+  }
+  const auto keyOf = [](const DropLink& d) {
+    return std::tuple(d.from, d.toTriangle, placeOf(d.start[0]), placeOf(d.start[1]), placeOf(d.landing[0]),
+                      placeOf(d.landing[1]));
+  };
+  std::sort(result.begin(), result.end(), [&](const DropLink& a, const DropLink& b) { return keyOf(a) < keyOf(b); });
+  result.erase(std::unique(result.begin(), result.end(),
+                           [&](const DropLink& a, const DropLink& b) { return keyOf(a) == keyOf(b); }),
+               result.end());
+  return result;
+}
+
+}  // namespace footfall::detail

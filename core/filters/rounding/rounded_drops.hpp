@@ -1,0 +1,19 @@
+// Drops of the exact mesh in the product.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/assembly/walkable_state.hpp"
+#include "footfall/navigation_mesh.hpp"
+
+namespace footfall::detail {
+
+/// `places` are those of the state's mesh, rounded; `moved` are places that repairs brought to others, in that order;
+/// `product` has its vertices and triangles. A drop is lost where repairs left nothing of its edge or divided it, and
+/// where nothing is left of the face in which it lands.
+std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<Vec3>& places,
+                                 const std::vector<std::array<Vec3, 2>>& moved, const NavigationMesh& product);
+
+}  // namespace footfall::detail
