@@ -113,6 +113,7 @@ class FaceCutter {
   [[nodiscard]] bool precedes(Index line, Index other) const;
 
   bool started_ = false;
+  std::vector<std::span<const Index>> unsure_;  ///< polygons of which doubles do not tell how they lie to the face
   std::vector<CutSegment> segments_, sorted_;
   std::vector<Index> counts_;
   std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
