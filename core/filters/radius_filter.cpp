@@ -94,7 +94,10 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& cont
   FilterOutcome outcome;
   outcome.state = given;
   if (radius == 0) return outcome;
-  const StatePtr before = withMesh(given, context, outcome.fallbacks);
+  // The same area in fewer triangles: each that a margin touches is cut and meshed anew.
+  const FilterOutcome simplified = applySimplification(given, false, 0, {}, context);
+  outcome.fallbacks += simplified.fallbacks;
+  const StatePtr& before = simplified.state;
   const auto product = makeNavigationMesh(before, context);
   if (product->triangles.empty()) return outcome;
   std::vector<Index> faces;

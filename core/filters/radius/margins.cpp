@@ -54,7 +54,7 @@ class MarginFinder {
     reached_.resize(chains_.size());
     corners_.resize(chains_.size());
     std::vector<std::vector<Margin>> found(chains_.size());
-    tbb::enumerable_thread_specific<Spread> spreads(surface_);
+    tbb::enumerable_thread_specific<Spread> spreads([&] { return Spread(surface_); });
     forChains([&](Index i) { reached_[i] = reachedBy(chains_[i], spreads.local()); });
     forChains([&](Index i) {
       if (chains_[i].behind >= 0) corners_[i] = cornerBetween(i, chains_[i].behind);
