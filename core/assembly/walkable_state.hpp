@@ -30,6 +30,8 @@ struct WalkableState {
   double clearance = 0;
   /// The same exactly as it was asked for.
   double agentHeight = 0;
+  /// The largest step that a StepFilter allowed; 0 before the first.
+  double step = 0;
   /// The mesh of walkable parts; null until a filter needed it.
   std::shared_ptr<const WalkableMesh> mesh;
   /// The edges of `topologyOwner`, when a filter found them; of use while that is still `mesh` (topologyOf()).

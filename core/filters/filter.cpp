@@ -67,8 +67,9 @@ constexpr std::array kFilterFunctions = {
         FilterType::VerticalClearance,
         [](const FilterCall& f) { return applyVerticalClearance(f.state, f.values[0], f.recall, f.context); }},
     FilterFunction{FilterType::Step, [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.context); }},
-    FilterFunction{FilterType::Radius,
-                   [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.context); }},
+    FilterFunction{
+        FilterType::Radius,
+        [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.values[1], f.values[2], f.context); }},
     FilterFunction{FilterType::Reachable,
                    [](const FilterCall& f) { return applyReachable(f.state, f.values, f.context); }},
     FilterFunction{FilterType::Area, [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.context); }},

@@ -15,7 +15,7 @@ FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context);
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyStep(const StatePtr& state, double step, RunContext& context);
-FilterOutcome applyRadius(const StatePtr& state, double radius, RunContext& context);
+FilterOutcome applyRadius(const StatePtr& state, double radius, double ledges, double tolerance, RunContext& context);
 /// `seeds`: the coordinates of places in the file's frame, three each.
 FilterOutcome applyReachable(const StatePtr& state, std::span<const double> seeds, RunContext& context);
 FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);

@@ -10,6 +10,7 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/filters/face_cutter.hpp"
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/radius/border_pieces.hpp"
 #include "core/filters/radius/margins.hpp"
 #include "core/filters/rounding/generation.hpp"
 #include "core/filters/steps/step_linker.hpp"
@@ -17,7 +18,6 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kTolerance = 0.01;
 constexpr std::size_t kFacesPerTask = 8;
 
 /// What is walkable when a generation starts: the product, in the generation's own numbers, each triangle a face.
@@ -90,10 +90,10 @@ MarginsOfFaces groupByFaces(const std::vector<Margin>& margins) {
 
 }  // namespace
 
-FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& context) {
+FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, double tolerance, RunContext& context) {
   FilterOutcome outcome;
   outcome.state = given;
-  if (radius == 0) return outcome;
+  if (radius == 0 && ledges == 0) return outcome;
   // The same area in fewer triangles: each that a margin touches is cut and meshed anew.
   const FilterOutcome simplified = applySimplification(given, false, 0, {}, context);
   outcome.fallbacks += simplified.fallbacks;
@@ -105,8 +105,10 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& cont
       *startGeneration(*before, makeGenerationSoup(*before, *product, context, outcome.fallbacks), context, &faces));
   const auto floors = makeFloors(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
   state->mesh = floors;
-  const std::vector<Margin> margins =
-      findMargins(*state, std::ldexp(radius, state->kernel->mesh().grid.scaleExponent()), kTolerance, context);
+  if (radius != ledges) state->kernel = kernelForKinds(*state);
+  const int scale = state->kernel->mesh().grid.scaleExponent();
+  const std::vector<Margin> margins = findMargins(
+      *state, {std::ldexp(radius, scale), std::ldexp(ledges, scale), tolerance}, context, outcome.fallbacks);
 
   const KernelWithMargins known = addMargins(*state->kernel, margins);
   state->kernel = known.kernel;

@@ -1,5 +1,6 @@
 // StepFilter: links borders between which an agent can lift its feet (design section 7).
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <stdexcept>
 
 #include "core/assembly/mesh_assembly.hpp"
@@ -21,6 +22,7 @@ FilterOutcome applyStep(const StatePtr& given, double step, RunContext& context)
                             "scale and the largest coordinates"));
   state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, state->clearance), height);
   StepLinker linker(*state, context);
+  state->step = std::max(state->step, height);
   state->mesh = linker.link(height, state->clearance);
   state->topology = nullptr;
   outcome.fallbacks += linker.fallbacks();

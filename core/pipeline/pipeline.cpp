@@ -44,10 +44,12 @@ double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit
 std::string formatStep(const PipelineStep& step) {
   const std::vector<ParameterDescriptor>& parameters = step.filter->parameters;
   std::size_t written = step.values.size();
-  while (written > 0 && step.filter->repeats == 0 && parameters[written - 1].optional &&
-         step.values[written - 1] == parameters[written - 1].defaultValue) {
-    --written;
-  }
+  const auto isUsual = [&](std::size_t i) {
+    const int follows = parameters[i].follows;
+    return parameters[i].optional &&
+           step.values[i] == (follows < 0 ? parameters[i].defaultValue : step.values[follows]);
+  };
+  while (written > 0 && step.filter->repeats == 0 && isUsual(written - 1)) --written;
   std::string text(step.filter->name);
   for (std::size_t i = 0; i < written; ++i) text += ' ' + formatValue(step.filter->parameterOf(i), step.values[i]);
   return text;
@@ -105,6 +107,11 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
   } else {
     numbers.emplace_back(FilterType::Step, agent.step);
   }
+  if (agent.radius != 0) {
+    pipeline.steps.insert(place(FilterType::Area),
+                          defaultStep(filterDescriptor(FilterType::Radius), environment.metresPerUnit));
+    numbers.emplace_back(FilterType::Radius, agent.radius);
+  }
   for (const auto& [type, value] : numbers) {
     const FilterDescriptor& filter = filterDescriptor(type);
     const auto step = place(type);
@@ -114,6 +121,8 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
     step->values.front() = inUnits(parameter, value, environment.metresPerUnit);
     if (const Text wrong = checkValue(parameter, step->values.front()); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent, in the environment's units: %1"), wrong);
+    for (std::size_t i = 1; i < filter.parameters.size(); ++i)
+      if (filter.parameters[i].follows == 0) step->values[i] = step->values.front();
   }
   return pipeline;
 }

@@ -28,67 +28,89 @@ bool isStraightOver(const std::vector<PlanVector>& places) {
 }
 
 void finishChain(BorderChain& chain, const MarginSurface& surface) {
-  chain.begin = surface.begin(chain.sides.front());
-  chain.end = surface.end(chain.sides.back());
   const PlanVector whole = chain.end - chain.begin;
   const double size = length(whole);
   chain.isShort = size < kShort;
   chain.along = chain.isShort ? PlanVector{1, 0} : (1 / size) * whole;
-  chain.slack = kSlack;
   for (const Index side : chain.sides)
     chain.slack = std::max({chain.slack, kSlack + 2 * surface.error(surface.beginVertex(side)),
                             kSlack + 2 * surface.error(surface.endVertex(side))});
 }
 
+/// What follows what in the border.
+class PieceOrder {
+ public:
+  PieceOrder(const MarginSurface& surface, const std::vector<BorderPiece>& pieces)
+      : behind_(pieces.size()), before_(pieces.size(), -1), isStraight_(pieces.size(), 0) {
+    std::vector<Index> firstOf(static_cast<std::size_t>(surface.sideCount()), -1), fan;
+    for (std::size_t p = pieces.size(); p-- > 0;) firstOf[pieces[p].side] = static_cast<Index>(p);
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      const BorderPiece& piece = pieces[p];
+      if (p + 1 < pieces.size() && pieces[p + 1].side == piece.side) {
+        behind_[p] = static_cast<Index>(p) + 1;
+        before_[p + 1] = static_cast<Index>(p);
+        continue;
+      }
+      surface.fanBehind(piece.side, fan);
+      const Index next = behind_[p] = firstOf[fan.back()];
+      if (next < 0) continue;
+      before_[next] = static_cast<Index>(p);
+      const Index vertex = surface.endVertex(piece.side);
+      const bool isOnePlace =
+          std::all_of(fan.begin(), fan.end(), [&](Index side) { return surface.beginVertex(side) == vertex; });
+      isStraight_[p] = static_cast<char>(isOnePlace && pieces[next].isLedge == piece.isLedge &&
+                                         isStraightOver({piece.begin, piece.end, pieces[next].end}));
+    }
+  }
+
+  [[nodiscard]] Index behind(Index piece) const { return behind_[piece]; }
+  [[nodiscard]] Index before(Index piece) const { return before_[piece]; }
+  /// Whether the piece behind is of the same kind, and goes straight on.
+  [[nodiscard]] bool isStraight(Index piece) const { return isStraight_[piece] != 0; }
+
+ private:
+  std::vector<Index> behind_, before_;
+  std::vector<char> isStraight_;
+};
+
 }  // namespace
 
-std::vector<BorderChain> findBorderChains(const MarginSurface& surface) {
+std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const std::vector<BorderPiece>& pieces) {
+  const PieceOrder order(surface, pieces);
+  const auto count = static_cast<Index>(pieces.size());
   std::vector<BorderChain> chains;
-  std::vector<Index> borders, numberOf(static_cast<std::size_t>(surface.sideCount()), -1);
-  for (Index side = 0; side < surface.sideCount(); ++side) {
-    if (!surface.isBorder(side)) continue;
-    numberOf[side] = static_cast<Index>(borders.size());
-    borders.push_back(side);
-  }
-  std::vector<Index> behind(borders.size()), before(borders.size(), -1);
-  std::vector<char> isStraight(borders.size(), 0);
-  std::vector<Index> fan;
-  for (std::size_t b = 0; b < borders.size(); ++b) {
-    surface.fanBehind(borders[b], fan);
-    behind[b] = numberOf[fan.back()];
-    if (behind[b] < 0) continue;
-    before[behind[b]] = static_cast<Index>(b);
-    const Index vertex = surface.endVertex(borders[b]);
-    const bool isOnePlace =
-        std::all_of(fan.begin(), fan.end(), [&](Index side) { return surface.beginVertex(side) == vertex; });
-    isStraight[b] = static_cast<char>(
-        isOnePlace && isStraightOver({surface.begin(borders[b]), surface.begin(fan.back()), surface.end(fan.back())}));
-  }
-  std::vector<Index> chainOf(borders.size(), -1);
+  std::vector<Index> chainOf(pieces.size(), -1), firsts, lasts;
   const auto addChain = [&](Index first) {
     while (first >= 0 && chainOf[first] < 0) {
       BorderChain chain;
-      std::vector<PlanVector> places{surface.begin(borders[first])};
+      chain.begin = pieces[first].begin;
+      chain.isLedge = pieces[first].isLedge;
+      std::vector<PlanVector> places{chain.begin};
       Index last = -1;
-      for (Index b = first; b >= 0 && chainOf[b] < 0; b = behind[b]) {
-        places.push_back(surface.end(borders[b]));
-        if (last >= 0 && (isStraight[last] == 0 || places.size() > kLongestChain || !isStraightOver(places))) break;
-        chainOf[b] = static_cast<Index>(chains.size());
-        chain.sides.push_back(borders[b]);
-        last = b;
+      for (Index p = first; p >= 0 && chainOf[p] < 0; p = order.behind(p)) {
+        places.push_back(pieces[p].end);
+        if (last >= 0 && (!order.isStraight(last) || places.size() > kLongestChain || !isStraightOver(places))) break;
+        chainOf[p] = static_cast<Index>(chains.size());
+        chain.sides.push_back(pieces[p].side);
+        chain.slack = std::max(chain.slack, kSlack + 2 * pieces[p].error);
+        last = p;
       }
+      chain.end = pieces[last].end;
+      chain.endsInside = last + 1 < count && pieces[last + 1].side == pieces[last].side;
       finishChain(chain, surface);
       chains.push_back(std::move(chain));
-      first = isStraight[last] != 0 ? behind[last] : -1;
+      firsts.push_back(first);
+      lasts.push_back(last);
+      first = order.isStraight(last) ? order.behind(last) : -1;
     }
   };
-  for (std::size_t b = 0; b < borders.size(); ++b)
-    if (before[b] < 0 || isStraight[before[b]] == 0) addChain(static_cast<Index>(b));
-  for (std::size_t b = 0; b < borders.size(); ++b) addChain(static_cast<Index>(b));  // loops as small as doubles
-  for (BorderChain& chain : chains) {
-    const Index after = behind[numberOf[chain.sides.back()]], ahead = before[numberOf[chain.sides.front()]];
-    chain.behind = after < 0 ? -1 : chainOf[after];
-    chain.before = ahead < 0 ? -1 : chainOf[ahead];
+  for (Index p = 0; p < count; ++p)
+    if (order.before(p) < 0 || !order.isStraight(order.before(p))) addChain(p);
+  for (Index p = 0; p < count; ++p) addChain(p);  // loops as small as doubles
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const Index after = order.behind(lasts[c]), ahead = order.before(firsts[c]);
+    chains[c].behind = after < 0 ? -1 : chainOf[after];
+    chains[c].before = ahead < 0 ? -1 : chainOf[ahead];
   }
   return chains;
 }

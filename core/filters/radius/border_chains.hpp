@@ -4,13 +4,15 @@
 
 #include <vector>
 
-#include "core/filters/radius/margin_surface.hpp"
+#include "core/filters/radius/border_pieces.hpp"
 
 namespace footfall::detail {
 
-/// Border sides, one behind the other, that are one straight edge to within a few units.
+/// Border pieces of one kind, one behind the other, that are one straight edge to within a few units.
 struct BorderChain {
   std::vector<Index> sides;
+  bool isLedge = false;
+  bool endsInside = false;  ///< of its last side, where another kind begins
   PlanVector begin, end;
   PlanVector along;      ///< a unit vector
   double slack = 0;      ///< "m" (core/filters/radius/margins.hpp)
@@ -19,7 +21,7 @@ struct BorderChain {
   [[nodiscard]] double size() const { return isShort ? 0 : length(end - begin); }
 };
 
-/// In an order that depends on the surface alone.
-std::vector<BorderChain> findBorderChains(const MarginSurface& surface);
+/// In an order that depends on the surface alone. `pieces` are all of its border, by side and then along it.
+std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const std::vector<BorderPiece>& pieces);
 
 }  // namespace footfall::detail

@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kShort = MarginSurface::kShort;
 constexpr double kTouch = MarginSurface::kTouch;
-constexpr std::size_t kArcsPerMargin = 5;
 constexpr Index kChainsPerTask = 16;
 
 /// Where one chain ends and the next one begins.
@@ -27,9 +26,9 @@ struct Corner {
   /// Where neighbouring tangents of the arc meet, clockwise; of a mitre the one place where the two edges' parallels
   /// meet. None where the two rectangles know nothing of each other.
   std::vector<PlanVector> tangents;
-  std::vector<double> turns;  ///< of these, clockwise from the first chain's direction backwards
-  std::size_t split = 0;      ///< the first chain has those up to this one, the second from here on
-  bool isShared = false;      ///< the second has them indeed
+  std::vector<double> turns;                ///< of these, clockwise from the first chain's direction backwards
+  std::size_t split = 0;                    ///< the first chain has those up to this one, the second from here on
+  bool hasFirst = true, hasSecond = false;  ///< which of them have a part of it indeed
   bool isMitre = false;
   std::vector<Index> fan;                     ///< MarginSurface::fanBehind()
   double end = 0;                             ///< turn of the second chain
@@ -38,18 +37,24 @@ struct Corner {
 
 class MarginFinder {
  public:
-  MarginFinder(const WalkableState& state, double radius, double tolerance, RunContext& context)
-      : state_(state), context_(context), surface_(state, context), box_(surface_) {
-    // A straight walk comes to a border within the diagonal: a larger radius leaves nothing, as this one does.
-    radius_ = std::min(radius, 2 * box_.diagonal());
-    const double half = 1 / (1 + 0.9 * tolerance);  // cosine of half the angle of an arc
+  MarginFinder(const WalkableState& state, const MarginDistances& distances, RunContext& context,
+               ExactFallbacks& fallbacks)
+      : state_(state), context_(context), fallbacks_(fallbacks), surface_(state, context), box_(surface_) {
+    // A straight walk comes to a border within the diagonal: a larger distance leaves nothing, as this one does.
+    walls_ = std::min(distances.walls, 2 * box_.diagonal());
+    ledges_ = std::min(distances.ledges, 2 * box_.diagonal());
+    const double half = 1 / (1 + 0.9 * distances.tolerance);  // cosine of half the angle of an arc
     cosine_ = 2 * half * half - 1;
     sine_ = 2 * half * std::sqrt(1 - half * half);
-    mostSlack_ = radius_ * tolerance / 32;
+    arcsPerMargin_ = cosine_ > 0.95 ? 5 : cosine_ > 0.87 ? 3 : 2;  // about a quarter of a turn at most
+    least_ = std::min(walls_ > 0 ? walls_ : ledges_, ledges_ > 0 ? ledges_ : walls_);
+    mostSlack_ = least_ * distances.tolerance / 32;
   }
 
   std::vector<Margin> find() {
-    chains_ = findBorderChains(surface_);
+    chains_ = findBorderChains(
+        surface_, walls_ == ledges_ ? wholeBorders(surface_)
+                                    : dividedBorders(state_, surface_, ledges_ > walls_, context_, fallbacks_));
     for (const BorderChain& chain : chains_) checkSlack(chain);
     reached_.resize(chains_.size());
     corners_.resize(chains_.size());
@@ -81,17 +86,32 @@ class MarginFinder {
   void checkSlack(const BorderChain& chain) const {
     if (chain.slack <= mostSlack_) return;
     std::string least;
-    appendNumber(least, std::ldexp(radius_ * chain.slack / mostSlack_, -state_.kernel->mesh().grid.scaleExponent()));
+    appendNumber(least, std::ldexp(least_ * chain.slack / mostSlack_, -state_.kernel->mesh().grid.scaleExponent()));
     throw InputError(FOOTFALL_TEXT("a radius so small is lost beside the largest coordinates; give at least %1, or "
                                    "check the scale and the largest coordinates"),
                      least);
   }
 
-  [[nodiscard]] double distanceOf(const BorderChain& chain) const { return radius_ * (1 + 0x1p-46) + chain.slack; }
+  /// What an agent keeps away from a border; a mere place counts as what is next to it, if that is more.
+  [[nodiscard]] double asked(const BorderChain& chain) const {
+    double distance = chain.isLedge ? ledges_ : walls_;
+    if (!chain.isShort) return distance;
+    for (const Index other : {chain.before, chain.behind})
+      if (other >= 0) distance = std::max(distance, chains_[other].isLedge ? ledges_ : walls_);
+    return distance;
+  }
+  [[nodiscard]] double distanceOf(const BorderChain& chain) const { return asked(chain) * (1 + 0x1p-46) + chain.slack; }
+
+  void findFan(const BorderChain& chain, std::vector<Index>& fan) const {
+    if (chain.endsInside)
+      fan = {chain.sides.back()};
+    else
+      surface_.fanBehind(chain.sides.back(), fan);
+  }
 
   /// Triangles that beams from the edge reach; ascending.
   [[nodiscard]] std::vector<Index> reachedBy(const BorderChain& chain, Spread& spread) const {
-    if (chain.isShort) return {};
+    if (chain.isShort || asked(chain) == 0) return {};
     spread.start();
     const Beams beams{chain.begin, chain.along, distanceOf(chain) + chain.slack};
     for (const Index side : chain.sides)
@@ -106,7 +126,7 @@ class MarginFinder {
     const BorderChain &first = chains_[before], &second = chains_[behind];
     Corner corner;
     if (first.isShort || second.isShort) return corner;
-    surface_.fanBehind(first.sides.back(), corner.fan);
+    findFan(first, corner.fan);
     const PlanVector back = -1.0 * first.along;
     double turn = 0;
     const auto ahead = [&](const PlanVector& d) {
@@ -131,36 +151,57 @@ class MarginFinder {
       turn += more;
     }
     corner.end = turn;
-    corner.isShared = second.before == before;
-    if (turn > 2 - kTouch)
-      addArc(first, second, corner);
-    else if (corner.isShared)
-      addMitre(before, behind, corner);
+    const double a = asked(first), b = asked(second);
+    const bool isShared = second.before == before;
+    if (a > b) {
+      addArc(first, second, 1, turn, corner);
+    } else if (a < b) {
+      corner.hasFirst = false;
+      corner.hasSecond = isShared;
+      if (isShared) addArc(first, second, 0, turn - 1, corner);
+    } else {
+      corner.hasSecond = isShared;
+      if (turn > 2 - kTouch)
+        addArc(first, second, 1, turn - 1, corner);
+      else if (isShared && a > 0)
+        addMitre(before, behind, corner);
+    }
     return corner;
   }
 
-  void addArc(const BorderChain& first, const BorderChain& second, Corner& corner) const {
+  // From one turn to another one, where its radius goes to the border itself if the other border has a smaller one.
+  void addArc(const BorderChain& first, const BorderChain& second, double from, double to, Corner& corner) const {
+    if (to < from - kTouch) return;
     const PlanVector back = -1.0 * first.along, apex = first.end;
-    const double end = corner.end - 1, distance = std::max(distanceOf(first), distanceOf(second));
-    double turn = 1;
+    const double distance = std::max(distanceOf(first), distanceOf(second));
+    double turn = from;
     const auto ahead = [&](const PlanVector& d) {
       const double more = std::fmod(-turnFrom(back, d) - turn, 4);
       return more < 0 ? more + 4 : more;
     };
-    const PlanVector last = leftOf(second.along);
-    PlanVector d = leftOf(first.along);
+    const auto add = [&](const PlanVector& place, double at) {
+      corner.tangents.push_back(roundToUnit(place));
+      corner.turns.push_back(at);
+    };
+    // Behind the other border by a little.
+    const auto addEnd = [&](const BorderChain& other, const PlanVector& along, double at) {
+      add(apex + distance * along - 2 * other.slack * leftOf(other.along), at);
+    };
+    const PlanVector last = to < corner.end ? leftOf(second.along) : second.along;
+    PlanVector d = from > 0 ? leftOf(first.along) : back;
+    if (from == 0) addEnd(first, back, 0);
     for (bool isDone = false; !isDone;) {
       PlanVector e = unitOf({cosine_ * d.x + sine_ * d.y, cosine_ * d.y - sine_ * d.x});
       const double there = turn + ahead(e);
-      isDone = there >= end - kTouch;
+      isDone = there >= to - kTouch;
       if (isDone) e = last;
       const PlanVector middle = d + e;
-      corner.tangents.push_back(roundToUnit(apex + (distance / (1 + dot(d, e))) * middle));
-      corner.turns.push_back(turn + ahead(middle));
+      add(apex + (distance / (1 + dot(d, e))) * middle, turn + ahead(middle));
       turn = there;
       d = e;
     }
-    corner.split = corner.isShared ? corner.tangents.size() / 2 : corner.tangents.size() - 1;
+    if (to == corner.end) addEnd(second, second.along, to);
+    corner.split = !corner.hasSecond ? corner.tangents.size() - 1 : corner.hasFirst ? corner.tangents.size() / 2 : 0;
   }
 
   // Where the border turns towards the walkable side, what is before one edge beyond the two edges' bisector is before
@@ -219,6 +260,7 @@ class MarginFinder {
 
   void makeMargins(Index number, Spread& spread, std::vector<Margin>& margins) const {
     const BorderChain& chain = chains_[number];
+    if (asked(chain) == 0) return;
     if (chain.isShort) {
       addDisc(chain, spread, margins);
       return;
@@ -227,10 +269,10 @@ class MarginFinder {
     before.isBehind = false;
     if (chain.before >= 0) {
       const Corner& corner = corners_[chain.before];
-      if (corner.isShared && !corner.tangents.empty() && chains_[chain.before].behind == number)
+      if (corner.hasSecond && !corner.tangents.empty() && chains_[chain.before].behind == number)
         before = {&corner, corner.split, corner.tangents.size() - 1, false};
     }
-    if (chain.behind >= 0 && !corners_[number].tangents.empty())
+    if (chain.behind >= 0 && corners_[number].hasFirst && !corners_[number].tangents.empty())
       behind = {&corners_[number], 0, corners_[number].split, true};
     // An arc that does not fit into a convex polygon with the rectangle has polygons of its own.
     std::vector<Part> apart;
@@ -291,8 +333,8 @@ class MarginFinder {
   void addSectors(const BorderChain& chain, const Part& part, Spread& spread, std::vector<Margin>& margins) const {
     const Corner& corner = *part.corner;
     const PlanVector apex = part.isBehind ? chain.end : chain.begin;
-    for (std::size_t i = part.first; i < part.last; i += kArcsPerMargin) {
-      const std::size_t j = std::min(i + kArcsPerMargin, part.last);
+    for (std::size_t i = part.first; i < part.last; i += arcsPerMargin_) {
+      const std::size_t j = std::min(i + arcsPerMargin_, part.last);
       Margin margin{{corner.tangents.begin() + static_cast<std::ptrdiff_t>(i),
                      corner.tangents.begin() + static_cast<std::ptrdiff_t>(j) + 1},
                     {}};
@@ -339,15 +381,15 @@ class MarginFinder {
     std::vector<Index> around = chain.sides, fan;
     for (const Index i : {chain.before, static_cast<Index>(&chain - chains_.data())}) {
       if (i < 0) continue;
-      surface_.fanBehind(chains_[i].sides.back(), fan);
+      findFan(chains_[i], fan);
       around.insert(around.end(), fan.begin(), fan.end());
     }
     for (const PlanVector& middle : {PlanVector{1, 0}, PlanVector{0, 1}, PlanVector{-1, 0}, PlanVector{0, -1}}) {
       for (const Index side : around) spread.enter(side, -1, 1);
       spread.run(Rays{chain.begin, middle, 1.25 * distance});
     }
-    for (std::size_t i = 0; i + 1 < tangents.size(); i += kArcsPerMargin) {
-      const std::size_t j = std::min(i + kArcsPerMargin, tangents.size() - 1);
+    for (std::size_t i = 0; i + 1 < tangents.size(); i += arcsPerMargin_) {
+      const std::size_t j = std::min(i + arcsPerMargin_, tangents.size() - 1);
       Margin margin{
           {tangents.begin() + static_cast<std::ptrdiff_t>(i), tangents.begin() + static_cast<std::ptrdiff_t>(j) + 1},
           {}};
@@ -370,11 +412,13 @@ class MarginFinder {
 
   const WalkableState& state_;
   RunContext& context_;
-  double radius_ = 0;
+  ExactFallbacks& fallbacks_;
+  double walls_ = 0, ledges_ = 0, least_ = 0;  ///< distances; the smaller one above 0
   MarginSurface surface_;
   PlanBox box_;
   double cosine_ = 0, sine_ = 0;
   double mostSlack_ = 0;
+  std::size_t arcsPerMargin_ = 1;
   std::vector<BorderChain> chains_;
   std::vector<std::vector<Index>> reached_;  ///< of each chain the triangles that beams reach
   std::vector<Corner> corners_;              ///< behind each chain
@@ -382,8 +426,9 @@ class MarginFinder {
 
 }  // namespace
 
-std::vector<Margin> findMargins(const WalkableState& state, double radius, double tolerance, RunContext& context) {
-  return MarginFinder(state, radius, tolerance, context).find();
+std::vector<Margin> findMargins(const WalkableState& state, const MarginDistances& distances, RunContext& context,
+                                ExactFallbacks& fallbacks) {
+  return MarginFinder(state, distances, context, fallbacks).find();
 }
 
 }  // namespace footfall::detail

@@ -184,6 +184,7 @@ StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& sou
   state->environment = earlier.environment;
   state->clearance = earlier.clearance;
   state->agentHeight = earlier.agentHeight;
+  state->step = earlier.step;
   state->removed.assign(order.size(), 0);
   state->walkable.resize(order.size());
   for (std::size_t t = 0; t < order.size(); ++t)

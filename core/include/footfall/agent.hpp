@@ -15,12 +15,14 @@ struct Agent {
   double minimumArea = 1;
   /// Metres, at least 0: how high it climbs at once, on stairs, kerbs, low walls. 0: it does not lift its feet.
   double step = 0.4;
+  /// Metres, at least 0: how far its middle stays away from walls and ledges. 0: it is as thin as a point.
+  double radius = 0;
   bool operator==(const Agent&) const = default;
 };
 
 /// The default pipeline with the numbers of `agent`, turned into the environment's units by its metresPerUnit: weld
-/// equal vertices, drop triangles without area, slope, clearance, steps (left out where it climbs none), area,
-/// simplification, layers. For the default agent it is defaultPipeline(). Throws InputError when a number is out of
+/// equal vertices, drop triangles without area, slope, clearance, steps (left out where it climbs none), radius
+/// (left out where it has none), area, simplification, layers. For the default agent it is defaultPipeline(). Throws InputError when a number is out of
 /// range.
 Pipeline pipelineFor(const Environment& environment, const Agent& agent = {});
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/steps/border_kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace footfall::detail {
+
+bool CoverAlong::covers(const EdgePiece& piece) const {
+  return std::all_of(inside.begin(), inside.end(), [&](const SignAlong& s) { return s.on(piece) >= 0; });
+}
+
+BorderKinds::BorderKinds(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height)
+    : kernel_(kernel), removed_(removed), step_(step), height_(height), signs_(kernel), frame_({}, {1, 0, 0}, 1) {
+  for (const Vec3& p : kernel.mesh().scaled)
+    largest_ = std::max({largest_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+}
+
+double BorderKinds::heightOf(Index level) const {
+  return level == 0 ? 0 : std::ldexp(kernel_.heights()[level - 1], kernel_.mesh().grid.scaleExponent());
+}
+
+std::array<Vec3, 3> BorderKinds::cornersOf(Index triangle) const {
+  const SourceMesh& mesh = kernel_.mesh();
+  const auto& f = mesh.triangles[triangle];
+  return {mesh.scaled[f[0]], mesh.scaled[f[1]], mesh.scaled[f[2]]};
+}
+
+void BorderKinds::widen(Box& box) const {
+  const int unscale = -kernel_.mesh().grid.scaleExponent();
+  for (int k = 0; k < 3; ++k) {
+    box.lower[k] = std::ldexp(box.lower[k] - frame_.margin(), unscale);
+    box.upper[k] = std::ldexp(box.upper[k] + frame_.margin(), unscale);
+  }
+}
+
+void BorderKinds::turnTo(const BorderEdge& edge, const Vec3& begin, const Vec3& end, double below) {
+  edge_ = edge;
+  frame_ = EdgeFrame(begin, end, largest_);
+  covers_.clear();
+  walls_.clear();
+  const Box box{{std::min(begin.x, end.x), std::min(begin.y, end.y), std::min(begin.z, end.z) - below},
+                {std::max(begin.x, end.x), std::max(begin.y, end.y), std::max(begin.z, end.z) + heightOf(height_)}};
+  visitNear(box, [&](Index t) {
+    if (kernel_.mesh().facing[t] == 0)
+      addWall(t);
+    else
+      addCover(t);
+  });
+  std::sort(covers_.begin(), covers_.end(),
+            [](const CoverAlong& a, const CoverAlong& b) { return a.triangle < b.triangle; });
+}
+
+void BorderKinds::addCover(Index triangle) {
+  CoverAlong cover;
+  cover.triangle = triangle;
+  for (int k = 0; k < 3; ++k) {
+    SignAlong& inside = cover.inside[k] = signs_.inside(edge_, triangle, k);
+    if (inside.begin <= 0 && inside.end <= 0) {
+      if (!inside.isZero()) return;
+      cover.isOutside = signs_.orientation(edge_, kernel_.mesh().triangles[triangle][previous(k)]) < 0;
+    }
+  }
+  cover.overStep = signs_.height(edge_, triangle, edge_.face, step_);
+  cover.underHeight = signs_.height(edge_, triangle, edge_.face, height_);
+  covers_.push_back(cover);
+}
+
+// A wall that is not along the edge meets it in one point.
+void BorderKinds::addWall(Index triangle) {
+  const auto& f = kernel_.mesh().triangles[triangle];
+  bool reachesUp = false, reachesDown = false;
+  for (const Index v : f) {
+    if (signs_.orientation(edge_, v) != 0) return;
+    reachesUp = reachesUp || kernel_.heightSign(edge_.face, v, step_, signs_.fallbacks) > 0;
+    reachesDown = reachesDown || kernel_.heightSign(edge_.face, v, height_, signs_.fallbacks) < 0;
+  }
+  if (!reachesUp || !reachesDown) return;
+  const LinearFunction& above = frame_.above();
+  if (const auto piece =
+          frame_.shadow(cornersOf(triangle), {above + -heightOf(step_), LinearFunction{} - above + heightOf(height_)}))
+    walls_.push_back(*piece);
+}
+
+std::vector<EdgePiece> BorderKinds::ledges() {
+  EdgePieces pieces;
+  for (const CoverAlong& c : covers_) {
+    if (c.overStep.begin <= 0 && c.overStep.end <= 0) continue;
+    if (c.underHeight.begin >= 0 && c.underHeight.end >= 0) continue;
+    for (const SignAlong& sign : c.inside) pieces.add(sign);
+    pieces.add(c.overStep);
+    pieces.add(c.underHeight);
+  }
+  return without(pieces.where([&](const EdgePiece& piece) {
+    return std::none_of(covers_.begin(), covers_.end(), [&](const CoverAlong& c) {
+      return c.overStep.on(piece) > 0 && c.underHeight.on(piece) < 0 && c.covers(piece);
+    });
+  }),
+                 walls_);
+}
+
+bool BorderKinds::isKnownBeside(Index triangle, Index level, int sign) {
+  const SourceMesh& mesh = kernel_.mesh();
+  const auto& floor = mesh.triangles[edge_.face];
+  const double z = mesh.vertices[floor[0]].z;
+  if (mesh.vertices[floor[1]].z != z || mesh.vertices[floor[2]].z != z) return false;
+  const auto& f = mesh.triangles[triangle];
+  return std::none_of(f.begin(), f.end(),
+                      [&](Index v) { return sign * kernel_.heightSign(edge_.face, v, level, signs_.fallbacks) > 0; });
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,51 @@
+// What of a triangle lies in a part of space beside an edge of the border, seen along the edge; in doubles.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/filters/steps/edge_signs.hpp"
+#include "footfall/geometry.hpp"
+
+namespace footfall::detail {
+
+/// Where a linear function of the place is at least 0: x, y and z times these, and a constant.
+struct LinearFunction {
+  double x = 0, y = 0, z = 0, constant = 0;
+  [[nodiscard]] double at(const Vec3& p) const { return x * p.x + y * p.y + z * p.z + constant; }
+  LinearFunction operator-(const LinearFunction& o) const { return {x - o.x, y - o.y, z - o.z, constant - o.constant}; }
+  LinearFunction operator+(double c) const { return {x, y, z, constant + c}; }
+};
+
+/// The frame of an edge: places are relative to its begin, scaled. Everything in it is rounded; `margin` is far above
+/// what that can do: 2^-40 of the largest coordinate.
+class EdgeFrame {
+ public:
+  /// The edge's ends, scaled, which differ in the plan, and the largest size of a scaled coordinate.
+  EdgeFrame(const Vec3& begin, const Vec3& end, double largest);
+
+  [[nodiscard]] Vec3 local(const Vec3& p) const { return {p.x - begin_.x, p.y - begin_.y, p.z - begin_.z}; }
+  [[nodiscard]] Vec3 at(double along) const;  ///< scaled, on the edge
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] double margin() const { return margin_; }
+  /// From 0 at the begin of the edge to 1 at its end.
+  [[nodiscard]] const LinearFunction& along() const { return along_; }
+  /// The distance in the plan to the edge's line; positive on the right, where nothing is walkable.
+  [[nodiscard]] const LinearFunction& outwards() const { return outwards_; }
+  /// The height over the edge, straight across it.
+  [[nodiscard]] const LinearFunction& above() const { return above_; }
+
+  /// Where along the edge a triangle is inside all half-spaces, which are widened by the margin: a closed piece that
+  /// holds all of it. Nothing where it is in none.
+  [[nodiscard]] std::optional<EdgePiece> shadow(const std::array<Vec3, 3>& triangle,
+                                                const std::vector<LinearFunction>& halfSpaces) const;
+
+ private:
+  Vec3 begin_, end_;
+  double length_ = 0, margin_ = 0;
+  LinearFunction along_, outwards_, above_;
+};
+
+}  // namespace footfall::detail
