@@ -164,9 +164,10 @@ typedef struct footfall_agent {
   double minimum_area; /* square metres: connected parts that are no larger are left out */
   double step;         /* metres, at least 0: how high it climbs at once; 0: it does not lift its feet */
   double gap;          /* metres, at least 0: how wide a gap it steps over, seen from above */
+  double radius;       /* metres, at least 0: how far it stays away from walls and ledges; 0: it is a point */
 } footfall_agent;
 
-/* 45 degrees, 2 m, 1 square metre, steps of 0.4 m, gaps of 0.05 m. */
+/* 45 degrees, 2 m, 1 square metre, steps of 0.4 m, gaps of 0.05 m, no radius. */
 FOOTFALL_API footfall_agent footfall_default_agent(void);
 /* The pipeline for an agent (NULL: the default one) as text, one filter a line, in the environment's units. */
 FOOTFALL_API footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,
@@ -356,7 +357,8 @@ typedef enum footfall_verdict {
   FOOTFALL_REGION_TOO_SMALL = 7, /* the area filter */
   FOOTFALL_MOVED = 8,            /* a filter that moves vertices left nothing here */
   FOOTFALL_UNREACHABLE = 9,      /* the reachable filter */
-  FOOTFALL_TOO_NEAR = 10         /* the radius filter */
+  FOOTFALL_TOO_NEAR_WALL = 10,   /* the radius filter */
+  FOOTFALL_TOO_NEAR_LEDGE = 11   /* the radius filter, and no wall is too near */
 } footfall_verdict;
 
 #define FOOTFALL_NONE UINT32_MAX
@@ -366,9 +368,11 @@ typedef struct footfall_explanation {
   double point[3];    /* on the triangle */
   uint32_t triangle;  /* of the environment */
   uint32_t step;      /* of the pipeline, from 0: which rejected it; or FOOTFALL_NONE */
-  double limit;       /* of that step: degrees, height or area */
+  double limit;       /* of that step: degrees, height, area or distance */
   double slope;       /* degrees, 0 to 180 */
   double headroom;    /* the free height; infinite where nothing is above */
+  double wall;        /* how far the nearest wall is, in the plan; NaN where there is none or it is not known */
+  double ledge;       /* the same of the nearest ledge */
   uint32_t obstacle;  /* FOOTFALL_TOO_LOW: the triangle above; or FOOTFALL_NONE */
   uint32_t layer;     /* FOOTFALL_WALKABLE; or FOOTFALL_NONE */
   uint32_t component; /* FOOTFALL_WALKABLE: index as in footfall_get_component(); or FOOTFALL_NONE */

@@ -25,7 +25,7 @@ void copyTo(const Vec3& from, double (&to)[3]) {
 static_assert(static_cast<int>(PathStatus::NotConnected) == FOOTFALL_PATH_NOT_CONNECTED &&
               static_cast<int>(LinkKind::Touch) == FOOTFALL_LINK_TOUCH &&
               static_cast<int>(PlaceVerdict::TooSteep) == FOOTFALL_TOO_STEEP &&
-              static_cast<int>(PlaceVerdict::TooNear) == FOOTFALL_TOO_NEAR);
+              static_cast<int>(PlaceVerdict::TooNearLedge) == FOOTFALL_TOO_NEAR_LEDGE);
 
 footfall_explanation explanationOf(const PlaceExplanation& found) {
   footfall_explanation result{};
@@ -37,6 +37,8 @@ footfall_explanation explanationOf(const PlaceExplanation& found) {
   result.limit = found.limit;
   result.slope = found.slope;
   result.headroom = found.above ? found.above->height : std::numeric_limits<double>::infinity();
+  result.wall = found.wallDistance.value_or(std::numeric_limits<double>::quiet_NaN());
+  result.ledge = found.ledgeDistance.value_or(std::numeric_limits<double>::quiet_NaN());
   result.obstacle = found.obstacle ? found.obstacle->triangle : FOOTFALL_NONE;
   result.layer = found.layer.value_or(FOOTFALL_NONE);
   result.component = isWalkable ? found.component : FOOTFALL_NONE;

@@ -11,7 +11,8 @@ constexpr const char* kTextName = "pipeline";  // in messages: "pipeline:LINE:CO
 
 Agent agentOf(const footfall_agent* agent) {
   return agent == nullptr ? Agent{}
-                          : Agent{agent->max_slope, agent->height, agent->minimum_area, agent->step, agent->gap};
+                          : Agent{agent->max_slope, agent->height, agent->minimum_area,
+                                  agent->step,      agent->gap,    agent->radius};
 }
 
 footfall_result* run(const footfall_environment& environment, Pipeline pipeline, footfall_cache* cache,
@@ -29,7 +30,7 @@ footfall_result* run(const footfall_environment& environment, Pipeline pipeline,
 
 footfall_agent footfall_default_agent(void) {
   const Agent agent;
-  return {agent.maxSlope, agent.height, agent.minimumArea, agent.step, agent.gap};
+  return {agent.maxSlope, agent.height, agent.minimumArea, agent.step, agent.gap, agent.radius};
 }
 
 footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,

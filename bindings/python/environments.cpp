@@ -166,8 +166,9 @@ numbers of vertices that do not exist.)",
       .def("__repr__", &shown);
   define(
       environment, "pipeline_for",
-      [](const Environment& level, double slope, double height, double minimumArea, double step, double gap) {
-        return pipelineFor(level, {slope, height, minimumArea, step, gap});
+      [](const Environment& level, double slope, double height, double minimumArea, double step, double gap,
+         double radius) {
+        return pipelineFor(level, {slope, height, minimumArea, step, gap, radius});
       },
       R"(Return the `Pipeline` that computes where an agent can walk, in the units of this environment.
 
@@ -175,9 +176,10 @@ slope: degrees, above 0 and below 90: the steepest ground that the agent walks o
 height: metres, above 0: the free height that it needs.
 minimum_area: square metres: connected parts that are no larger are left out.
 step: metres, at least 0: how high it climbs at once, on stairs and kerbs; 0: it does not lift its feet.
-gap: metres, at least 0: how wide a gap it steps over, seen from above.)",
+gap: metres, at least 0: how wide a gap it steps over, seen from above.
+radius: metres, at least 0: how far its middle stays away from walls and ledges; 0: it is a point.)",
       py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(), py::arg("minimum_area") = 1.0,
-      py::arg("step") = 0.4, py::arg("gap") = 0.05);
+      py::arg("step") = 0.4, py::arg("gap") = 0.05, py::arg("radius") = 0.0);
 
   define(
       environment, "with_roles",

@@ -103,7 +103,7 @@ void bindExplanation(py::module_& module) {
           "verdict", [](const Explanation& e) { return verdictWord(e.answer.verdict); },
           R"("walkable", or what it is instead: "no_area" (the triangle is degenerate), "vertical", "faces_down",
 "obstacle_only", "too_steep", "too_low" (under something), "region_too_small", "unreachable" (from the seeds),
-"too_near" (a border), or "moved" (a filter that moves vertices left nothing here).)")
+"too_near_wall", "too_near_ledge", or "moved" (a filter that moves vertices left nothing here).)")
       .def_property_readonly(
           "filter", [](const Explanation& e) { return e.filter; },
           "The name of the filter that rejected it; None where none did.")
@@ -112,7 +112,7 @@ void bindExplanation(py::module_& module) {
           "Its number in the pipeline, from 0; None where none did.")
       .def_property_readonly(
           "limit", [](const Explanation& e) { return e.answer.limit; },
-          "Of that filter: degrees, a height or an area, as its parameter.")
+          "Of that filter: degrees, a height, an area or a distance, as its parameter.")
       .def_property_readonly(
           "point", [](const Explanation& e) { return arrayOf(e.answer.place.point); },
           "Shape (3,): the place, on its triangle.")
@@ -127,6 +127,14 @@ void bindExplanation(py::module_& module) {
       .def_property_readonly(
           "obstacle", [](const Explanation& e) { return heightAndTriangle(e.answer.obstacle); },
           "Where it is \"too_low\": (height above the place, triangle) of what is within the height.")
+      .def_property_readonly(
+          "wall_distance", [](const Explanation& e) { return e.answer.wallDistance; },
+          "How far the nearest wall is, straight over the walkable area (before a RadiusFilter), in the plan; None "
+          "where "
+          "there is none.")
+      .def_property_readonly(
+          "ledge_distance", [](const Explanation& e) { return e.answer.ledgeDistance; },
+          "The same of the nearest ledge: a drop, or an end of the world.")
       .def_property_readonly(
           "walls", [](const Explanation& e) { return e.answer.walls; },
           "Vertical triangles that stand exactly here: a list of int.")

@@ -221,19 +221,49 @@ FilterDescriptor radius() {
           "are no border.",
       .precondition = "",
       .effect =
-          "No walkable place is nearer to a border than the radius, and none that is farther than 1.01 times the "
-          "radius is removed. Straight borders move by the radius, rounded outwards; round corners are polygons.",
+          "No walkable place is nearer to a wall than the radius, or to a ledge than its own distance, and none that "
+          "is "
+          "farther than that by more than the tolerance is removed. Straight borders move by the distance, rounded "
+          "outwards; round corners are polygons.",
       .source = "ours",
       .parameters = {{
-          .name = "radius",
-          .label = "Radius",
-          .help = "How far an agent's middle stays away from borders; 0 removes nothing.",
-          .type = ParameterType::Real,
-          .unit = Unit::Length,
-          .defaultValue = 0.3,
-          .minimum = 0,
-          .maximum = kNoLimit,
-      }},
+                         .name = "radius",
+                         .label = "Radius",
+                         .help = "How far an agent's middle stays away from walls: borders where something reaches "
+                                 "higher than a step and not above its head. 0: walls keep nothing away.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 0.3,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                     },
+                     {
+                         .name = "ledges",
+                         .label = "From ledges",
+                         .help = "How far it stays away from all other borders: drops and ends of the world. Another "
+                                 "distance than the radius needs a VerticalClearanceFilter before it. 0: ledges keep "
+                                 "nothing away.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 0.3,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                         .optional = true,
+                         .follows = 0,
+                     },
+                     {
+                         .name = "tolerance",
+                         .label = "Tolerance",
+                         .help =
+                             "By what part of the distances more than that may be removed at round corners. Smaller "
+                             "ones give rounder corners, and more triangles.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::None,
+                         .defaultValue = 0.01,
+                         .minimum = 0.0001,
+                         .maximum = 0.1,
+                         .optional = true,
+                     }},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
   };

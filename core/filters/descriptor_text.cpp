@@ -35,7 +35,8 @@ Text unitText(Unit unit) {
   return {};
 }
 
-std::string defaultText(const ParameterDescriptor& parameter) {
+std::string defaultText(const FilterDescriptor& filter, const ParameterDescriptor& parameter) {
+  if (parameter.follows >= 0) return "as " + std::string(filter.parameters[parameter.follows].name);
   std::string text = formatValue(parameter, parameter.defaultValue);
   if (parameter.defaultValue != 0 && parameter.unit == Unit::Length) text += " m";
   if (parameter.defaultValue != 0 && parameter.unit == Unit::Area) text += " m²";
@@ -148,7 +149,7 @@ std::string describeFilter(const FilterDescriptor& filter) {
     const std::string head = "  " + std::string(parameter.name) + ": ";
     appendWrapped(text, head,
                   std::string(parameter.help) + " Write " + describeRange(parameter).str() +
-                      (filter.repeats > 0 ? "" : "; default " + defaultText(parameter)) +
+                      (filter.repeats > 0 ? "" : "; default " + defaultText(filter, parameter)) +
                       (parameter.optional ? ", may be left out." : "."));
   }
   if (!filter.parameters.empty()) text += '\n';
@@ -195,7 +196,8 @@ std::string filtersMarkdown() {
       text += "| parameter | meaning | value | default |\n|---|---|---|---|\n";
       for (const ParameterDescriptor& parameter : filter.parameters) {
         text += "| `" + std::string(parameter.name) + "` | " + std::string(parameter.help) + " | " +
-                describeRange(parameter).str() + " | " + (filter.repeats > 0 ? "" : defaultText(parameter)) + " |\n";
+                describeRange(parameter).str() + " | " + (filter.repeats > 0 ? "" : defaultText(filter, parameter)) +
+                " |\n";
       }
       text += '\n';
     }

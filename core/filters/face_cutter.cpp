@@ -2,6 +2,8 @@
 #include "core/filters/face_cutter.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <type_traits>
@@ -10,19 +12,68 @@
 #include "core/exact/insertion_order.hpp"
 
 namespace footfall::detail {
+namespace {
+
+/// How polygons of the plan lie to one another, as far as doubles tell for certain.
+enum class PlanRelation : std::uint8_t { Unknown, Apart, Inside };
+
+/// Whether q lies to the left (1) or to the right (-1) of the line from a to b, or it is not certain (0).
+int certainSide(const Vec3& a, const Vec3& b, const Vec3& q) {
+  constexpr double kRounding = 0x1p-50;  // of two differences, their product, and the difference of two products
+  const double left = (b.x - a.x) * (q.y - a.y), right = (b.y - a.y) * (q.x - a.x);
+  const double bound = (std::fabs(left) + std::fabs(right)) * kRounding + std::numeric_limits<double>::min();
+  return left - right > bound ? 1 : left - right < -bound ? -1 : 0;
+}
+
+// Whether a triangle lies in a convex polygon or beside it; both counter-clockwise.
+PlanRelation relate(const std::array<Vec3, 3>& triangle, std::span<const Index> polygon,
+                    const std::vector<Vec3>& places) {
+  bool isInside = true;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &a = places[polygon[i]], &b = places[polygon[(i + 1) % polygon.size()]];
+    int least = 1, most = -1;
+    for (const Vec3& q : triangle) {
+      const int side = certainSide(a, b, q);
+      least = std::min(least, side);
+      most = std::max(most, side);
+    }
+    if (most < 0) return PlanRelation::Apart;
+    isInside = isInside && least > 0;
+  }
+  if (isInside) return PlanRelation::Inside;
+  for (int k = 0; k < 3; ++k)
+    if (std::all_of(polygon.begin(), polygon.end(),
+                    [&](Index p) { return certainSide(triangle[k], triangle[next(k)], places[p]) < 0; }))
+      return PlanRelation::Apart;
+  return PlanRelation::Unknown;
+}
+
+}  // namespace
 
 FaceCuts FaceCutter::cut(Index face, std::span<const std::span<const Index>> polygons) {
-  begin(face);
-  startGeometry();
   FaceCuts cuts;
+  std::array<Vec3, 3> corners;
+  for (int k = 0; k < 3; ++k) corners[k] = mesh_.scaled[mesh_.triangles[face][k]];
+  unsure_.clear();
   for (const std::span<const Index> polygon : polygons) {
-    if ((++polls_ & 255) == 0) poll_();
-    cuts.removed = !addPolygon(polygon);
+    const PlanRelation relation = relate(corners, polygon, mesh_.scaled);
+    cuts.removed = relation == PlanRelation::Inside;
     if (cuts.removed) return cuts;
+    if (relation == PlanRelation::Unknown) unsure_.push_back(polygon);
+  }
+  begin(face);
+  cuts.edgeWalls = edgeWalls_;
+  if (unsure_.empty()) return cuts;
+  startGeometry();
+  for (const std::span<const Index> polygon : unsure_) {
+    if ((++polls_ & 255) == 0) poll_();
+    if (addPolygon(polygon)) continue;
+    cuts = {};
+    cuts.removed = true;
+    return cuts;
   }
   cancelSegments();
   collect(cuts);
-  cuts.edgeWalls = edgeWalls_;
   return cuts;
 }
 

@@ -124,6 +124,7 @@ class FaceCutter {
 
   FaceTriangulation triangulation_;  ///< of what keepOutline() looks at
   bool started_ = false;
+  std::vector<std::span<const Index>> unsure_;  ///< polygons of which doubles do not tell how they lie to the face
   std::vector<CutSegment> segments_, sorted_;
   std::vector<Index> counts_;
   std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected

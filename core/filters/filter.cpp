@@ -68,8 +68,9 @@ constexpr std::array kFilterFunctions = {
         [](const FilterCall& f) { return applyVerticalClearance(f.state, f.values[0], f.recall, f.context); }},
     FilterFunction{FilterType::Step,
                    [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.values[1], f.context); }},
-    FilterFunction{FilterType::Radius,
-                   [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.context); }},
+    FilterFunction{
+        FilterType::Radius,
+        [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.values[1], f.values[2], f.context); }},
     FilterFunction{FilterType::Drop,
                    [](const FilterCall& f) { return applyDrop(f.state, f.values[0], f.values[1], f.context); }},
     FilterFunction{FilterType::Reachable,

@@ -10,6 +10,7 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/filters/face_cutter.hpp"
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/radius/border_pieces.hpp"
 #include "core/filters/radius/margins.hpp"
 #include "core/filters/rounding/generation.hpp"
 #include "core/filters/steps/step_linker.hpp"
@@ -18,7 +19,6 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kTolerance = 0.01;
 constexpr std::size_t kFacesPerTask = 8;
 
 MeshLink linkOf(const StepLink& link) {
@@ -111,11 +111,14 @@ MarginsOfFaces groupByFaces(const std::vector<Margin>& margins) {
 
 }  // namespace
 
-FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& context) {
+FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, double tolerance, RunContext& context) {
   FilterOutcome outcome;
   outcome.state = given;
-  if (radius == 0) return outcome;
-  const StatePtr before = withMesh(given, context, outcome.fallbacks);
+  if (radius == 0 && ledges == 0) return outcome;
+  // The same area in fewer triangles: each that a margin touches is cut and meshed anew.
+  const FilterOutcome simplified = applySimplification(given, false, 0, {}, context);
+  outcome.fallbacks += simplified.fallbacks;
+  const StatePtr& before = simplified.state;
   const auto product = makeNavigationMesh(before, context);
   if (product->triangles.empty()) return outcome;
   std::vector<Index> faces;
@@ -124,8 +127,10 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, RunContext& cont
   const auto floors = makeFloors(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
   state->mesh = floors;
   state->mesh = addBridges(*floors, *product);
-  const std::vector<Margin> margins =
-      findMargins(*state, std::ldexp(radius, state->kernel->mesh().grid.scaleExponent()), kTolerance, context);
+  if (radius != ledges) state->kernel = kernelForKinds(*state);
+  const int scale = state->kernel->mesh().grid.scaleExponent();
+  const std::vector<Margin> margins = findMargins(
+      *state, {std::ldexp(radius, scale), std::ldexp(ledges, scale), tolerance}, context, outcome.fallbacks);
 
   const KernelWithMargins known = addMargins(*state->kernel, margins);
   state->kernel = known.kernel;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -11,6 +13,7 @@
 #include "core/assembly/walkable_state.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
+#include "core/inspect/border_distances.hpp"
 #include "core/inspect/place_cover.hpp"
 #include "core/mesh/mesh_topology.hpp"
 #include "core/pipeline/runner.hpp"
@@ -28,6 +31,8 @@ struct InspectedRun {
   std::vector<StatePtr> states;    ///< before the first step and after each
   Components components;
   std::vector<std::int32_t> faceOf;  ///< for each triangle of the environment its number in the first state
+  mutable std::mutex distancesMutex;
+  mutable std::map<std::size_t, std::shared_ptr<const BorderDistances>> distances;  ///< by place in `states`
 };
 
 }  // namespace detail
@@ -63,9 +68,36 @@ PlaceVerdict verdictOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Slope) return PlaceVerdict::TooSteep;
   if (filter.type == FilterType::VerticalClearance) return PlaceVerdict::TooLow;
   if (filter.type == FilterType::Area) return PlaceVerdict::RegionTooSmall;
-  if (filter.type == FilterType::Radius) return PlaceVerdict::TooNear;
+  if (filter.type == FilterType::Radius) return PlaceVerdict::TooNearWall;
   if (filter.type == FilterType::Reachable) return PlaceVerdict::Unreachable;
   return PlaceVerdict::Moved;
+}
+
+/// How far walls and ledges are in one of the states; `step` made it.
+BorderDistances::Nearest distancesAt(const InspectedRun& run, std::size_t number, PlaceFollower follower,
+                                     const PipelineStep& step, RunContext& context) {
+  std::shared_ptr<const BorderDistances> distances;
+  {
+    const std::lock_guard lock(run.distancesMutex);
+    std::shared_ptr<const BorderDistances>& known = run.distances[number];
+    if (!known) {
+      ExactFallbacks fallbacks;
+      known = std::make_shared<const BorderDistances>(*withMesh(run.states[number], context, fallbacks), context);
+    }
+    distances = known;
+  }
+  const auto cover = follower.follow(distances->state(), step);
+  if (!cover || cover->triangle < 0) return {};
+  return distances->at(cover->triangle, follower.place().x().get_d(), follower.place().y().get_d(), context);
+}
+
+/// Too near a wall or a ledge; if neither, as the tolerance took more, what is nearer beside what is asked.
+PlaceVerdict verdictOfRadius(const BorderDistances::Nearest& nearest, const std::vector<double>& values) {
+  const double wall = nearest.wall.value_or(std::numeric_limits<double>::infinity());
+  const double ledge = nearest.ledge.value_or(std::numeric_limits<double>::infinity());
+  if (wall < values[0]) return PlaceVerdict::TooNearWall;
+  if (ledge < values[1]) return PlaceVerdict::TooNearLedge;
+  return wall * values[1] <= ledge * values[0] ? PlaceVerdict::TooNearWall : PlaceVerdict::TooNearLedge;
 }
 
 std::optional<TriangleAbove> aboveIn(const SourceMesh& mesh, const std::vector<ColumnFace>& column,
@@ -216,15 +248,32 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
     return result;
   }
   if (cover->face != face) result.floor = mesh.inputTriangles[cover->face];
+  // Before the first RadiusFilter, or where there is none, at the end.
+  bool isMeasured = false;
+  const auto measure = [&](std::size_t s, const PlaceFollower& there) {
+    isMeasured = true;
+    const auto [wall, ledge] = distancesAt(
+        *inside_, s, there,
+        s == 0 ? PipelineStep{&filterDescriptor(FilterType::Slope), {}} : pipeline.steps[steps[s - 1]], context);
+    result.wallDistance = wall;
+    result.ledgeDistance = ledge;
+    return BorderDistances::Nearest{wall, ledge};
+  };
   for (std::size_t s = 0; s < steps.size(); ++s) {
     context.checkCancelled();
     const PipelineStep& step = pipeline.steps[steps[s]];
     const PlaceFollower before = follower;
+    const bool isRadius = step.filter->type == FilterType::Radius;
+    if (isRadius && !isMeasured) measure(s, before);
     cover = follower.follow(*states[s + 1], step);
     if (cover) continue;
     result.verdict = verdictOf(*step.filter);
     result.step = steps[s];
     if (!step.values.empty() && step.filter->repeats == 0) result.limit = step.values[0];
+    if (isRadius) {
+      result.verdict = verdictOfRadius(measure(s, before), step.values);
+      result.limit = step.values[result.verdict == PlaceVerdict::TooNearWall ? 0 : 1];
+    }
     if (result.verdict == PlaceVerdict::TooSteep && &before.mesh() != &mesh)
       result.movedSlope = slopeOf(before.mesh(), before.face());
     if (result.verdict == PlaceVerdict::TooLow)
@@ -233,6 +282,7 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
       result.regionArea = regionAreaAt(states[s], before, step, context);
     return result;
   }
+  if (!isMeasured) measure(steps.size(), follower);
   const WalkableState& last = *states.back();
   if (cover->triangle >= 0 && !last.mesh->layers.empty()) result.layer = last.mesh->layers[cover->triangle];
   findProductPlace(*inside_, result);

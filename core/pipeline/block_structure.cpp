@@ -76,6 +76,11 @@ std::optional<StructureError> findStepError(const Pipeline& pipeline) {
           i, Text(FOOTFALL_TEXT("%1 would lose the links of the StepFilter in %2; put it before that"), name,
                   placeOfStep(pipeline, *linked))};
     }
+    if (step.filter->type == FilterType::Radius && step.values[0] != step.values[1] && !hasClearance) {
+      return StructureError{i, FOOTFALL_TEXT("RadiusFilter with a distance of its own to ledges asks how high an agent "
+                                             "is, and no filter before it says so; put a VerticalClearanceFilter "
+                                             "before it")};
+    }
     if (step.filter->type != FilterType::Step) continue;
     if (!hasClearance) {
       return StructureError{i, FOOTFALL_TEXT("StepFilter asks how high an agent is, and no filter before it says so; "

@@ -44,10 +44,12 @@ double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit
 std::string formatStep(const PipelineStep& step) {
   const std::vector<ParameterDescriptor>& parameters = step.filter->parameters;
   std::size_t written = step.values.size();
-  while (written > 0 && step.filter->repeats == 0 && parameters[written - 1].optional &&
-         step.values[written - 1] == parameters[written - 1].defaultValue) {
-    --written;
-  }
+  const auto isUsual = [&](std::size_t i) {
+    const int follows = parameters[i].follows;
+    return parameters[i].optional &&
+           step.values[i] == (follows < 0 ? parameters[i].defaultValue : step.values[follows]);
+  };
+  while (written > 0 && step.filter->repeats == 0 && isUsual(written - 1)) --written;
   std::string text(step.filter->name);
   for (std::size_t i = 0; i < written; ++i) text += ' ' + formatValue(step.filter->parameterOf(i), step.values[i]);
   return text;
@@ -111,14 +113,23 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
     numbers.push_back({FilterType::Step, 0, agent.step});
     numbers.push_back({FilterType::Step, 1, agent.gap});
   }
+  if (agent.radius != 0) {
+    pipeline.steps.insert(place(FilterType::Area),
+                          defaultStep(filterDescriptor(FilterType::Radius), environment.metresPerUnit));
+    numbers.push_back({FilterType::Radius, 0, agent.radius});
+  }
   for (const auto& [type, index, value] : numbers) {
-    const ParameterDescriptor& parameter = filterDescriptor(type).parameters[index];
+    const FilterDescriptor& filter = filterDescriptor(type);
+    const ParameterDescriptor& parameter = filter.parameters[index];
     if (const Text wrong = checkValue(parameter, value); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);
-    double& written = place(type)->values[index];
+    std::vector<double>& values = place(type)->values;
+    double& written = values[index];
     written = inUnits(parameter, value, environment.metresPerUnit);
     if (const Text wrong = checkValue(parameter, written); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent, in the environment's units: %1"), wrong);
+    for (std::size_t i = 0; i < filter.parameters.size(); ++i)
+      if (filter.parameters[i].follows == static_cast<int>(index)) values[i] = written;
   }
   return pipeline;
 }

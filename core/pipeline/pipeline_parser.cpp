@@ -131,7 +131,8 @@ class Parser {
         step.values.push_back(parseValue(step.filter->parameterOf(i), tokens[i + 1]));
         step.columns.push_back(tokens[i + 1].column);
       } else if (parameters[i].optional) {
-        step.values.push_back(parameters[i].defaultValue);
+        const int follows = parameters[i].follows;
+        step.values.push_back(follows < 0 ? parameters[i].defaultValue : step.values[follows]);
       } else {
         failMissing(parameters[i]);
       }

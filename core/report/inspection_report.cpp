@@ -39,6 +39,11 @@ std::string triangleText(const Environment& environment, std::uint32_t triangle)
   return text + ')';
 }
 
+std::string distanceBeside(const std::optional<double>& distance, double limit) {
+  return (distance ? "at a distance of " + textBeside(*distance, limit) + ", and " : "") + number(limit) +
+         " are needed";
+}
+
 std::string verdictText(const Inspector& inspector, const PlaceExplanation& told) {
   const Environment& environment = inspector.environment();
   switch (told.verdict) {
@@ -70,8 +75,10 @@ std::string verdictText(const Inspector& inspector, const PlaceExplanation& told
       return "not walkable: the filter moved vertices, and no triangle is here any more";
     case PlaceVerdict::Unreachable:
       return "not walkable: it cannot be reached from the seeds";
-    case PlaceVerdict::TooNear:
-      return "not walkable: a border is nearer than the radius of " + number(told.limit);
+    case PlaceVerdict::TooNearWall:
+      return "not walkable: too near a wall, " + distanceBeside(told.wallDistance, told.limit);
+    case PlaceVerdict::TooNearLedge:
+      return "not walkable: too near a ledge, " + distanceBeside(told.ledgeDistance, told.limit);
   }
   return {};
 }
@@ -106,8 +113,10 @@ std::string_view verdictWord(PlaceVerdict verdict) {
       return "moved";
     case PlaceVerdict::Unreachable:
       return "unreachable";
-    case PlaceVerdict::TooNear:
-      return "too_near";
+    case PlaceVerdict::TooNearWall:
+      return "too_near_wall";
+    case PlaceVerdict::TooNearLedge:
+      return "too_near_ledge";
   }
   return {};
 }
@@ -140,6 +149,8 @@ std::string formatExplanation(const Inspector& inspector, const PlaceExplanation
     else
       text += "unlimited, nothing is above\n";
   }
+  if (told.wallDistance) text += "nearest wall: " + number(*told.wallDistance) + '\n';
+  if (told.ledgeDistance) text += "nearest ledge: " + number(*told.ledgeDistance) + '\n';
   if (!told.walls.empty())
     text += "on an obstacle edge: " + triangleList(environment, told.walls) +
             (told.walls.size() == 1 ? " stands here\n" : " stand here\n");
@@ -168,6 +179,8 @@ std::string formatExplanationJson(const Inspector& inspector, const PlaceExplana
   json["obstacle"] = told.obstacle ? Json(told.obstacle->triangle) : Json();
   json["obstacle_height"] = told.obstacle ? Json(told.obstacle->height) : Json();
   json["region_area"] = told.verdict == PlaceVerdict::RegionTooSmall ? Json(told.regionArea) : Json();
+  json["wall_distance"] = orNull(told.wallDistance);
+  json["ledge_distance"] = orNull(told.ledgeDistance);
   json["walls"] = told.walls;
   json["floor"] = orNull(told.floor);
   json["layer"] = orNull(told.layer);

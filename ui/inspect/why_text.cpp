@@ -42,8 +42,10 @@ QString WhyText::headline(const PlaceExplanation& told) {
       return tr("Not walkable: merged away");
     case PlaceVerdict::Unreachable:
       return tr("Not walkable: unreachable");
-    case PlaceVerdict::TooNear:
-      return tr("Not walkable: too near a border");
+    case PlaceVerdict::TooNearWall:
+      return tr("Not walkable: too near a wall");
+    case PlaceVerdict::TooNearLedge:
+      return tr("Not walkable: too near a ledge");
   }
   return {};
 }
@@ -111,8 +113,11 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
     case PlaceVerdict::Unreachable:
       text = tr("It cannot be reached from the seeds.");
       break;
-    case PlaceVerdict::TooNear:
-      text = tr("A wall, a drop or another border is nearer than the radius of %1.").arg(units.length(told.limit));
+    case PlaceVerdict::TooNearWall:
+      text = tr("Agents stay %1 away from walls.").arg(units.length(told.limit));
+      break;
+    case PlaceVerdict::TooNearLedge:
+      text = tr("Agents stay %1 away from ledges: drops and ends of the world.").arg(units.length(told.limit));
       break;
   }
   if (told.floor)

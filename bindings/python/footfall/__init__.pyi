@@ -103,7 +103,14 @@ class Environment:
         self, *, obstacle_only: Optional[ArrayLike] = None, ignored: Optional[ArrayLike] = None
     ) -> Environment: ...
     def pipeline_for(
-        self, slope: float = 45.0, height: float = 2.0, *, minimum_area: float = 1.0, step: float = 0.4, gap: float = 0.05
+        self,
+        slope: float = 45.0,
+        height: float = 2.0,
+        *,
+        minimum_area: float = 1.0,
+        step: float = 0.4,
+        gap: float = 0.05,
+        radius: float = 0.0,
     ) -> Pipeline: ...
 
 class EditableEnvironment:
@@ -219,6 +226,10 @@ class Explanation:
     def above(self) -> Optional[tuple[float, int]]: ...
     @property
     def obstacle(self) -> Optional[tuple[float, int]]: ...
+    @property
+    def wall_distance(self) -> Optional[float]: ...
+    @property
+    def ledge_distance(self) -> Optional[float]: ...
     @property
     def walls(self) -> list[int]: ...
     @property
@@ -399,6 +410,7 @@ def walkable_area(
     minimum_area: float = 1.0,
     step: float = 0.4,
     gap: float = 0.05,
+    radius: float = 0.0,
     up: str = "z",
     metres_per_unit: float = 1.0,
     both_sides: bool = False,

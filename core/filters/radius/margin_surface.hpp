@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,9 @@ inline PlanVector operator-(const PlanVector& a, const PlanVector& b) { return {
 inline PlanVector operator*(double f, const PlanVector& a) { return {f * a.x, f * a.y}; }
 inline double dot(const PlanVector& a, const PlanVector& b) { return a.x * b.x + a.y * b.y; }
 inline double cross(const PlanVector& a, const PlanVector& b) { return a.x * b.y - a.y * b.x; }
+inline PlanVector leftOf(const PlanVector& d) { return {-d.y, d.x}; }
 inline double length(const PlanVector& a) { return std::sqrt(dot(a, a)); }
+inline PlanVector unitOf(const PlanVector& d) { return (1 / length(d)) * d; }
 
 /// A number that grows with the angle from `base` to `direction`, counter-clockwise: a quarter of a turn is 1. In
 /// (-2, 2]. Made of the four operations only, so it is the same on every machine.
@@ -31,6 +34,9 @@ class MarginSurface {
  public:
   /// What doubles tell apart at the largest coordinate; scaled. All places of margins are multiples of it.
   static constexpr double kUnit = 0x1p-17;
+  static constexpr double kShort = 256 * kUnit;  ///< shorter edges have no direction
+  static constexpr double kSlack = 32 * kUnit;
+  static constexpr double kTouch = 0x1p-30;  ///< of turns: what touches is reached
 
   MarginSurface(const WalkableState& state, RunContext& context);
 

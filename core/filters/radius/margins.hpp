@@ -33,8 +33,17 @@ struct Margin {
   std::vector<Index> faces;  ///< that it reaches; ascending
 };
 
-/// All margins of a state that has a mesh, in an order that depends on it alone. `radius`, above 0, is scaled;
-/// `tolerance` is above 0. Throws InputError where the radius is too small beside the coordinates.
-std::vector<Margin> findMargins(const WalkableState& state, double radius, double tolerance, RunContext& context);
+/// What stays free: from walls and from ledges, at least 0 and not both 0, scaled; and by what part of these more may
+/// be taken, above 0 and at most a tenth.
+struct MarginDistances {
+  double walls = 0, ledges = 0;
+  double tolerance = 0.01;
+};
+
+/// All margins of a state that has a mesh, in an order that depends on it alone. If the distances differ, the state's
+/// kernel has the levels of its step and its clearance. Throws InputError where a distance is too small beside the
+/// coordinates.
+std::vector<Margin> findMargins(const WalkableState& state, const MarginDistances& distances, RunContext& context,
+                                ExactFallbacks& fallbacks);
 
 }  // namespace footfall::detail

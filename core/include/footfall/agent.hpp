@@ -17,12 +17,14 @@ struct Agent {
   double step = 0.4;
   /// Metres, at least 0: how wide a gap it steps over, seen from above. 0: it steps where borders coincide.
   double gap = 0.05;
+  /// Metres, at least 0: how far its middle stays away from walls and ledges. 0: it is as thin as a point.
+  double radius = 0;
   bool operator==(const Agent&) const = default;
 };
 
 /// The default pipeline with the numbers of `agent`, turned into the environment's units by its metresPerUnit: weld
-/// equal vertices, drop triangles without area, slope, clearance, steps (left out where it climbs none), area,
-/// simplification, layers. For the default agent it is defaultPipeline(). Throws InputError when a number is out of
+/// equal vertices, drop triangles without area, slope, clearance, steps (left out where it climbs none), radius
+/// (left out where it has none), area, simplification, layers. For the default agent it is defaultPipeline(). Throws InputError when a number is out of
 /// range.
 Pipeline pipelineFor(const Environment& environment, const Agent& agent = {});
 

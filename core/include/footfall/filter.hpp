@@ -31,6 +31,8 @@ struct ParameterDescriptor {
   bool maximumOpen = false;
   /// May be left out in a pipeline file; then the default holds. Optional parameters are the last ones.
   bool optional = false;
+  /// Left out, an optional parameter is what this earlier one is (its place); -1: its default holds.
+  int follows = -1;
 };
 
 /// What code decides by; files and people know filters by their names. The order is that of filterDescriptors().

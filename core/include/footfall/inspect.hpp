@@ -67,7 +67,8 @@ enum class PlaceVerdict {
   RegionTooSmall,  ///< AreaFilter
   Moved,           ///< a filter that moves vertices left nothing here
   Unreachable,     ///< ReachableFilter
-  TooNear,         ///< RadiusFilter
+  TooNearWall,     ///< RadiusFilter
+  TooNearLedge,    ///< RadiusFilter; no wall is too near
 };
 
 /// A triangle above a place.
@@ -81,7 +82,7 @@ struct PlaceExplanation {
   PlaceVerdict verdict = PlaceVerdict::Walkable;
   /// The step that rejected it: index into Pipeline::steps. Empty where it is walkable or never was, before any filter.
   std::optional<std::size_t> step;
-  double limit = 0;  ///< of that step: degrees, height or area, as its parameter
+  double limit = 0;  ///< of that step: degrees, height, area or distance, as its parameter
 
   /// Between the triangle's normal and up, degrees in [0, 180], rounded; not of a degenerate one.
   double slope = 0;
@@ -99,6 +100,11 @@ struct PlaceExplanation {
   /// down, or lies there a second time.
   std::optional<std::uint32_t> floor;
   double regionArea = 0;  ///< RegionTooSmall: of what was removed, rounded
+  /// Of a place that is walkable, or would be without RadiusFilter: how far it is to the nearest wall and to the
+  /// nearest ledge, straight over the walkable area before the first RadiusFilter (before the one that rejected it), in
+  /// the plan, rounded. Empty where there is none. Where no filter says how high an agent is, all that is higher than a
+  /// step is a wall.
+  std::optional<double> wallDistance, ledgeDistance;
 
   // Walkable:
   std::optional<std::uint32_t> layer;  ///< empty when no layer filter ran

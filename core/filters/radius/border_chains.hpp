@@ -1,0 +1,27 @@
+// The border of a surface as straight edges, one behind the other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/filters/radius/border_pieces.hpp"
+
+namespace footfall::detail {
+
+/// Border pieces of one kind, one behind the other, that are one straight edge to within a few units.
+struct BorderChain {
+  std::vector<Index> sides;
+  bool isLedge = false;
+  bool endsInside = false;  ///< of its last side, where another kind begins
+  PlanVector begin, end;
+  PlanVector along;      ///< a unit vector
+  double slack = 0;      ///< "m" (core/filters/radius/margins.hpp)
+  bool isShort = false;  ///< a mere place
+  Index before = -1, behind = -1;
+  [[nodiscard]] double size() const { return isShort ? 0 : length(end - begin); }
+};
+
+/// In an order that depends on the surface alone. `pieces` are all of its border, by side and then along it.
+std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const std::vector<BorderPiece>& pieces);
+
+}  // namespace footfall::detail

@@ -1,0 +1,36 @@
+// Convex polygons of the plan with corners in units of margins.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/filters/radius/margin_surface.hpp"
+
+namespace footfall::detail {
+
+inline double roundToUnit(double x) { return std::nearbyint(x / MarginSurface::kUnit) * MarginSurface::kUnit; }
+inline PlanVector roundToUnit(const PlanVector& p) { return {roundToUnit(p.x), roundToUnit(p.y)}; }
+
+/// What is left of polygons in a rectangle around a surface. What is cut off has corners in units again.
+class PlanBox {
+ public:
+  explicit PlanBox(const MarginSurface& surface);
+
+  [[nodiscard]] double diagonal() const { return length({upper_[0] - lower_[0], upper_[1] - lower_[1]}); }
+  [[nodiscard]] bool holds(const PlanVector& p) const {
+    return lower_[0] <= p.x && p.x <= upper_[0] && lower_[1] <= p.y && p.y <= upper_[1];
+  }
+  void clip(std::vector<PlanVector>& corners) const;
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> lower_{kInfinity, kInfinity}, upper_{-kInfinity, -kInfinity};
+};
+
+/// The convex hull of places in units, counter-clockwise, exactly: rounding can turn a corner the wrong way.
+std::vector<PlanVector> hullOf(std::vector<PlanVector> places);
+
+}  // namespace footfall::detail

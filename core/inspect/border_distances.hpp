@@ -1,0 +1,35 @@
+// How far a place of the walkable area is from walls and from ledges (design section 7, RadiusFilter).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/assembly/walkable_state.hpp"
+#include "core/filters/radius/border_pieces.hpp"
+
+namespace footfall::detail {
+
+/// Measures on the mesh of one state, in doubles. What is wall and what is ledge is told exactly. Immutable.
+class BorderDistances {
+ public:
+  /// The state must have a mesh.
+  BorderDistances(const WalkableState& state, RunContext& context);
+
+  struct Nearest {
+    std::optional<double> wall, ledge;  ///< environment units; empty where there is none
+  };
+  /// The least lengths, in the plan, of straight walks from a place on a triangle of the mesh. `x` and `y` in the
+  /// environment's units.
+  [[nodiscard]] Nearest at(Index triangle, double x, double y, RunContext& context) const;
+
+  [[nodiscard]] const WalkableState& state() const { return state_; }
+
+ private:
+  /// Whether one gets straight on from a place on a triangle to a place on another one. What touches is in.
+  [[nodiscard]] bool leadsTo(Index triangle, const PlanVector& from, Index goal, const PlanVector& to) const;
+
+  WalkableState state_;
+  MarginSurface surface_;
+};
+
+}  // namespace footfall::detail
