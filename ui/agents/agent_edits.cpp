@@ -23,6 +23,8 @@ QString resizeText(AgentSize size) {
       return tr("Change height of %1 %2 → %3");
     case AgentSize::MaxSlope:
       return tr("Change maximum slope of %1 %2 → %3");
+    case AgentSize::Gap:
+      return tr("Change gap of %1 %2 → %3");
     case AgentSize::Step:
       break;
   }
@@ -110,6 +112,7 @@ NamedAgent agentOfFilters(const DocumentState& state, double metresPerUnit) {
     for (const FilterEntry& entry : state.filters) {
       if (agentSizeOf(*entry.step.filter) != size || (size == AgentSize::Step && !entry.step.enabled)) continue;
       setSizeOf(agent, size, entry.step.values[0]);
+      if (size == AgentSize::Step) agent.gap = entry.step.values[1];
       break;
     }
   }

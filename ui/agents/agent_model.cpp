@@ -55,6 +55,7 @@ std::optional<AgentSize> AgentModel::sizeIn(int column) {
   if (column == Height) return AgentSize::Height;
   if (column == MaxSlope) return AgentSize::MaxSlope;
   if (column == Step) return AgentSize::Step;
+  if (column == Gap) return AgentSize::Gap;
   return std::nullopt;
 }
 
@@ -111,6 +112,7 @@ QVariant AgentModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       if (index.column() == Height) return lengthHelp(agent->height);
       if (index.column() == Step) return lengthHelp(agent->step);
+      if (index.column() == Gap) return lengthHelp(agent->gap);
       if (index.column() == Name && index.row() < 9) return tr("Alt+%1").arg(index.row() + 1);
       return {};
     default:
@@ -130,6 +132,8 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
         return tr("Slope (°)");
       case Step:
         return tr("Step (%1)").arg(units_.name());
+      case Gap:
+        return tr("Gap (%1)").arg(units_.name());
       case Area:
         return tr("Area (%1)").arg(units_.areaName());
       case Layers:
@@ -152,6 +156,8 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
       return tr(
           "How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no "
           "filter for steps");
+    case Gap:
+      return tr("How wide a gap the agent steps over, seen from above: the gap of the filters for steps");
     case ComponentCount:
       return tr("Parts of the walkable area that an agent cannot leave");
     case Connections:

@@ -14,6 +14,7 @@ struct NamedAgent {
   double height = 0;    ///< free height that it needs, in the environment's units
   double maxSlope = 0;  ///< degrees
   double step = 0;      ///< how high it climbs at once, in the environment's units; 0: it does not lift its feet
+  double gap = 0;       ///< how wide a gap it steps over, in the environment's units
   bool operator==(const NamedAgent&) const = default;
 };
 

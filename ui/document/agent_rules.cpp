@@ -47,7 +47,8 @@ void insertSteps(std::vector<FilterEntry>& filters, const FilterEntry& steps) {
 
 }  // namespace
 
-std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter) {
+std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter, std::size_t parameter) {
+  if (parameter > 0) return filter.type == FilterType::Step ? std::optional(AgentSize::Gap) : std::nullopt;
   if (filter.type == FilterType::Slope) return AgentSize::MaxSlope;
   if (filter.type == FilterType::VerticalClearance) return AgentSize::Height;
   if (filter.type == FilterType::Step) return AgentSize::Step;
@@ -61,6 +62,7 @@ const FilterDescriptor& filterOf(AgentSize size) {
     case AgentSize::MaxSlope:
       return filterDescriptor(FilterType::Slope);
     case AgentSize::Step:
+    case AgentSize::Gap:
       break;
   }
   return filterDescriptor(FilterType::Step);
@@ -72,7 +74,7 @@ const ParameterDescriptor& parameterOf(AgentSize size) {
     orNone.minimumOpen = false;
     return orNone;
   }();
-  return size == AgentSize::Step ? step : filterOf(size).parameters[0];
+  return size == AgentSize::Step ? step : filterOf(size).parameters[size == AgentSize::Gap ? 1 : 0];
 }
 
 double sizeOf(const NamedAgent& agent, AgentSize size) {
@@ -81,6 +83,8 @@ double sizeOf(const NamedAgent& agent, AgentSize size) {
       return agent.height;
     case AgentSize::MaxSlope:
       return agent.maxSlope;
+    case AgentSize::Gap:
+      return agent.gap;
     case AgentSize::Step:
       break;
   }
@@ -98,6 +102,9 @@ void setSizeOf(NamedAgent& agent, AgentSize size, double value) {
     case AgentSize::Step:
       agent.step = value;
       break;
+    case AgentSize::Gap:
+      agent.gap = value;
+      break;
   }
 }
 
@@ -111,7 +118,9 @@ void writeSizes(DocumentState& state) {
   if (!agent) return;
   for (FilterEntry& entry : state.filters) {
     const auto size = agentSizeOf(*entry.step.filter);
-    if (size && (size != AgentSize::Step || agent->step > 0)) entry.step.values[0] = sizeOf(*agent, *size);
+    if (!size || (size == AgentSize::Step && agent->step == 0)) continue;
+    entry.step.values[0] = sizeOf(*agent, *size);
+    if (size == AgentSize::Step) entry.step.values[1] = agent->gap;
   }
 }
 
@@ -132,6 +141,7 @@ bool followsAgent(const DocumentState& state) {
   return !agent || std::ranges::all_of(state.filters, [agent](const FilterEntry& entry) {
     const auto size = agentSizeOf(*entry.step.filter);
     if (size == AgentSize::Step && agent->step == 0) return !entry.step.enabled;
+    if (size == AgentSize::Step && entry.step.values[1] != agent->gap) return false;
     return !size || entry.step.values[0] == sizeOf(*agent, *size);
   });
 }
@@ -159,7 +169,7 @@ std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit) {
   for (NamedAgent& agent : agents) {
-    for (double* length : {&agent.height, &agent.step})
+    for (double* length : {&agent.height, &agent.step, &agent.gap})
       *length = rounded(*length * fromMetresPerUnit / toMetresPerUnit);
   }
   return agents;
@@ -173,33 +183,43 @@ std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fr
 // is at
 //   most 1 in 12 (4.76 degrees).
 // - Robot: Boston Dynamics, "About Spot": 840 mm high standing, slopes up to 30 degrees, steps up to 300 mm.
-// Defaults of others:
+// Gaps, seen from above:
+// - Wheels: 2010 ADA Standards for Accessible Design, 302.3: an opening in the floor lets no sphere of 1/2 inch (13 mm)
+//   pass.
+// - Others: 50 mm, the default of StepFilter, for joints and floors that miss each other; no code allows people more.
+// Defaults of others, which have no number for gaps (voxels close those narrower than a cell or two):
 // - Unity: the agent type Humanoid of a new project (ProjectSettings/NavMeshAreas.asset).
 // - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, in centimetres.
 // - Godot 4: agent_height, agent_max_slope and agent_max_climb of NavigationMesh.
 // - Recast: RecastDemo, Sample::resetCommonSettings().
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
-  constexpr double kRiser = 0.22, kThreshold = 0.013;
-  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step,
+  constexpr double kRiser = 0.22, kThreshold = 0.013, kOpening = 0.013, kJoint = 0.05;
+  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step, double gap,
                                       const QString& help) {
-    return AgentPreset{{0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit)},
+    return AgentPreset{{0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit),
+                        rounded(gap / metresPerUnit)},
                        help};
   };
   return {
-      preset(tr("Human"), 2, 45, kRiser, tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
-      preset(tr("Child"), 1.2, 45, kRiser, tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
-      preset(tr("Wheelchair"), 1.5, 5, kThreshold,
-             tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds up to 0.013 m")),
-      preset(tr("Cart"), 1.2, 10, kThreshold, tr("1.2 m, slopes up to 10°, thresholds up to 0.013 m")),
-      preset(tr("Giant"), 4, 45, 0.8, tr("4 m, slopes up to 45°, steps up to 0.8 m")),
-      preset(tr("Crawler"), 0.5, 60, 0.1, tr("0.5 m, slopes up to 60°, steps up to 0.1 m")),
-      preset(tr("Robot"), 0.84, 30, 0.3, tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m")),
-      preset(QStringLiteral("Unity"), 2, 45, 0.75, tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m")),
-      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35,
+      preset(tr("Human"), 2, 45, kRiser, kJoint,
+             tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m")),
+      preset(tr("Child"), 1.2, 45, kRiser, kJoint,
+             tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m")),
+      preset(tr("Wheelchair"), 1.5, 5, kThreshold, kOpening,
+             tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds and gaps up to 0.013 m")),
+      preset(tr("Cart"), 1.2, 10, kThreshold, kOpening,
+             tr("1.2 m, slopes up to 10°, thresholds and gaps up to 0.013 m")),
+      preset(tr("Giant"), 4, 45, 0.8, 0.1, tr("4 m, slopes up to 45°, steps up to 0.8 m, gaps up to 0.1 m")),
+      preset(tr("Crawler"), 0.5, 60, 0.1, 0.02, tr("0.5 m, slopes up to 60°, steps up to 0.1 m, gaps up to 0.02 m")),
+      preset(tr("Robot"), 0.84, 30, 0.3, kJoint,
+             tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m, gaps up to 0.05 m")),
+      preset(QStringLiteral("Unity"), 2, 45, 0.75, kJoint,
+             tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m")),
+      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35, kJoint,
              tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m")),
-      preset(QStringLiteral("Godot"), 1.5, 45, 0.25,
+      preset(QStringLiteral("Godot"), 1.5, 45, 0.25, kJoint,
              tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m")),
-      preset(QStringLiteral("Recast"), 2, 45, 0.9,
+      preset(QStringLiteral("Recast"), 2, 45, 0.9, kJoint,
              tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m"))};
 }
 

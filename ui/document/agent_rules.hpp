@@ -11,10 +11,10 @@
 
 namespace footfall::ui {
 
-enum class AgentSize { Height, MaxSlope, Step };
+enum class AgentSize { Height, MaxSlope, Step, Gap };
 
-/// The size that the first parameter of a filter is; nothing for filters that no agent drives.
-std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter);
+/// The size that a parameter of a filter is; nothing for those that no agent drives.
+std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter, std::size_t parameter = 0);
 /// The filter that a size drives.
 const FilterDescriptor& filterOf(AgentSize size);
 /// What a size may be: the parameter of its filter, and 0 for agents that climb no steps.

@@ -17,7 +17,8 @@ std::size_t bytesOf(const std::vector<Value>& values) {
 
 std::size_t bytesOf(const NavigationMeshGeometry& geometry) {
   return bytesOf(geometry.surface) + bytesOf(geometry.creases) + bytesOf(geometry.outline) +
-         bytesOf(geometry.obstacleEdges) + bytesOf(geometry.connections) + bytesOf(geometry.steps);
+         bytesOf(geometry.obstacleEdges) + bytesOf(geometry.connections) + bytesOf(geometry.steps) +
+         bytesOf(geometry.gaps);
 }
 
 std::size_t bytesOf(const FinishedRun& run, const ViewContent& content) {

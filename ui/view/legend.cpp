@@ -108,6 +108,8 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
                           tr("An edge on which two layers meet: agents can cross"));
   steps_ = addEntry(tr("Step: can be climbed"), &SceneParts::steps,
                     tr("Two borders over each other, from one of which an agent steps to the other"));
+  gaps_ = addEntry(tr("Gap: can be stepped over"), &SceneParts::gaps,
+                   tr("Two borders beside each other, from one of which an agent steps over to the other"));
   removed_ = addEntry(tr("Not walkable because:"), &SceneParts::removed, tr("Floors that a filter removed"));
   reasons_ = new QWidget(this);
   body().addWidget(reasons_);
@@ -123,6 +125,7 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
   setSwatch(obstacleEdges_, lineSwatch(obstacleEdgeColour(), 3, kSwatch, ratio));
   setSwatch(connections_, lineSwatch(connectionColour(), 3, kSwatch, ratio));
   setSwatch(steps_, lineSwatch(stepColour(), 3, kSwatch, ratio));
+  setSwatch(gaps_, lineSwatch(gapColour(), 3, kSwatch, ratio, Qt::DashLine));
   setSwatch(environment_, paintSwatch(wallPaint(), kSwatch, ratio));
   describe({});
 }
@@ -147,18 +150,20 @@ void Legend::showCells(bool on) {
 void Legend::describe(const ViewContent& content) {
   std::uint32_t layers = 0;
   bool edges = false;
-  bool connections = false, steps = false;
+  bool connections = false, steps = false, gaps = false;
   for (const auto& mesh : content.walkable) {
     layers = std::max(layers, mesh->layers);
     edges = edges || !mesh->obstacleEdges.empty();
     connections = connections || !mesh->connections.empty();
     steps = steps || !mesh->steps.empty();
+    gaps = gaps || !mesh->gaps.empty();
   }
   layers_ = layers;
   anyWalkable_ = !content.walkable.empty();
   obstacleEdges_->setVisible(edges);
   connections_->setVisible(connections);
   steps_->setVisible(steps);
+  gaps_->setVisible(gaps);
 
   std::vector<const RemovalStyle*> reasons;
   if (content.firstRemoval) reasons.push_back(content.firstRemoval);

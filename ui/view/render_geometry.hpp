@@ -95,10 +95,11 @@ struct NavigationMeshGeometry {
   std::vector<LineSegment> obstacleEdges;
   std::vector<LineSegment> connections;
   std::vector<LineSegment> steps;  ///< of each link both edges, and what joins them at the ends
+  std::vector<LineSegment> gaps;   ///< the same with dashes for edges
   std::uint32_t layers = 0;
   /// For each triangle and line of the above; all empty without layers.
   std::vector<std::uint32_t> surfaceLayers;
-  std::vector<LineLayers> creaseLayers, outlineLayers, obstacleEdgeLayers, connectionLayers, stepLayers;
+  std::vector<LineLayers> creaseLayers, outlineLayers, obstacleEdgeLayers, connectionLayers, stepLayers, gapLayers;
   /// One for each layer, one for the whole without layers, none for what is only shown with a paint of its own.
   std::vector<LayerFigures> figures;
 };
