@@ -152,6 +152,7 @@ std::string formatPath(const PathResult& path, UpAxis up) {
       text += "steps    " + std::to_string(path.steps.size()) + "; all in all " + shown(path.climb) + " up and " +
               shown(path.descent) + " down\n";
     }
+    if (!path.gaps.empty()) text += "gaps     " + std::to_string(path.gaps.size()) + '\n';
     text += "slope    " + shown(path.maxSlopeDegrees) + " degrees at most; climbs or falls at " +
             shown(path.maxInclineDegrees) + " degrees at most\n";
   }
@@ -170,6 +171,7 @@ std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path) {
   json["length"] = path.length;
   json["plan_length"] = path.planLength;
   json["steps"] = path.steps.size();
+  json["gaps"] = path.gaps.size();
   json["climb"] = path.climb;
   json["descent"] = path.descent;
   json["layers"] = path.layers;

@@ -113,7 +113,9 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
     if (!keepPositive(ends, room[0], room[1])) return std::nullopt;
   }
   const double most = gap_ - kSlack;
-  if (!keepPositive(ends, most - p.widthAt(ends[0]), most - p.widthAt(ends[1]))) return std::nullopt;
+  const std::array<double, 2> widths{p.widthAt(ends[0]), p.widthAt(ends[1])};
+  piece.isAsWide = std::max(widths[0], widths[1]) > most && std::max(widths[0], widths[1]) <= gap_ + kTouch;
+  if (!piece.isAsWide && !keepPositive(ends, most - widths[0], most - widths[1])) return std::nullopt;
   if (first.level && second.level) {
     const auto [low, high] = std::minmax(*first.level, *second.level);
     return signOfDifference(high, low, step_) <= 0 ? std::optional(std::move(piece)) : std::nullopt;
@@ -219,7 +221,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   std::vector<GapPiece> pieces;
   const auto add = [&](double from, double to) {
     if (!(to - from > kShort)) return;
-    pieces.push_back({frame, {from, to}, {}});
+    pieces.push_back({frame, {from, to}, {}, near.isAsWide});
     if (from == begin) pieces.back().touching[0] = whole.touching[0];
     if (to == end) pieces.back().touching[1] = whole.touching[1];
   };
