@@ -10,9 +10,8 @@ namespace {
 constexpr const char* kTextName = "pipeline";  // in messages: "pipeline:LINE:COLUMN: ..."
 
 Agent agentOf(const footfall_agent* agent) {
-  return agent == nullptr ? Agent{}
-                          : Agent{agent->max_slope, agent->height, agent->minimum_area,
-                                  agent->step,      agent->gap,    agent->radius};
+  return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area,
+                                            agent->step,      agent->gap,    agent->radius};
 }
 
 footfall_result* run(const footfall_environment& environment, Pipeline pipeline, footfall_cache* cache,

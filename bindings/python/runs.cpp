@@ -308,8 +308,7 @@ was finished. Raises InputError for a pipeline that is wrong, and RunError.)",
          const py::object& obstacleOnly, int threads, const py::object& progress) {
         const auto environment = environmentFrom(vertices, triangles, {up, metresPerUnit, bothSides, obstacleOnly});
         return run(environment, pipelineFor(*environment, {slope, height, minimumArea, step, gap, radius}), threads,
-                   nullptr,
-                   progress);
+                   nullptr, progress);
       },
       R"(Return where an agent can walk on a triangle soup, exactly: a `WalkableArea`.
 
@@ -331,9 +330,8 @@ threads, progress: as for `run`. Ctrl-C raises KeyboardInterrupt within some 50 
 Raises InputError for arrays or numbers that are wrong, and RunError.)",
       py::arg("vertices"), py::arg("triangles"), py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(),
       py::arg("minimum_area") = 1.0, py::arg("step") = 0.4, py::arg("gap") = 0.05, py::arg("radius") = 0.0,
-      py::arg("up") = "z",
-      py::arg("metres_per_unit") = 1.0, py::arg("both_sides") = false, py::arg("obstacle_only") = py::none(),
-      py::arg("threads") = 0, py::arg("progress") = py::none());
+      py::arg("up") = "z", py::arg("metres_per_unit") = 1.0, py::arg("both_sides") = false,
+      py::arg("obstacle_only") = py::none(), py::arg("threads") = 0, py::arg("progress") = py::none());
 }
 
 }  // namespace

@@ -204,12 +204,13 @@ class RouteTracer {
     PathResult leg;
     leg.start = at_;
     leg.end = place;
-    addPath(*ground_.mesh, ground_.topology, leg, poll_);
+    addPath(ground_, leg, poll_);
     const std::size_t before = result_.triangles.size();
     if (leg.hasPath()) result_.points.insert(result_.points.end(), leg.points.begin() + 1, leg.points.end());
     result_.triangles.insert(result_.triangles.end(), leg.triangles.begin(), leg.triangles.end());
     for (const std::size_t bend : leg.bends) result_.bends.push_back(before + bend);
     for (const std::size_t step : leg.steps) result_.steps.push_back(before + step);
+    for (const std::size_t gap : leg.gaps) result_.gaps.push_back(before + gap);
     for (const std::uint32_t layer : leg.layers)
       if (result_.layers.empty() || result_.layers.back() != layer) result_.layers.push_back(layer);
     result_.connections = result_.layers.empty() ? 0 : result_.layers.size() - 1;

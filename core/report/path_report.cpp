@@ -152,6 +152,7 @@ std::string formatPath(const PathResult& path, UpAxis up) {
       text += "steps    " + std::to_string(path.steps.size()) + "; all in all " + shown(path.climb) + " up and " +
               shown(path.descent) + " down\n";
     }
+    if (!path.gaps.empty()) text += "gaps     " + std::to_string(path.gaps.size()) + '\n';
     if (!path.drops.empty())
       text += "drops    " + std::to_string(path.drops.size()) + ", one way down; the deepest " +
               shown(path.deepestDrop) + '\n';
@@ -173,6 +174,7 @@ std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path) {
   json["length"] = path.length;
   json["plan_length"] = path.planLength;
   json["steps"] = path.steps.size();
+  json["gaps"] = path.gaps.size();
   json["drops"] = path.drops.size();
   json["deepest_drop"] = path.drops.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(path.deepestDrop);
   json["leads_back"] = path.leadsBack;

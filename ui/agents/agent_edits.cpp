@@ -23,6 +23,10 @@ QString resizeText(AgentSize size) {
       return tr("Change height of %1 %2 → %3");
     case AgentSize::MaxSlope:
       return tr("Change maximum slope of %1 %2 → %3");
+    case AgentSize::Gap:
+      return tr("Change gap of %1 %2 → %3");
+    case AgentSize::Radius:
+      return tr("Change radius of %1 %2 → %3");
     case AgentSize::Drop:
       return tr("Change drop of %1 %2 → %3");
     case AgentSize::Step:
@@ -107,11 +111,12 @@ void activateAgent(Document& document, int id) {
 NamedAgent agentOfFilters(const DocumentState& state, double metresPerUnit) {
   NamedAgent agent = agentPresets(metresPerUnit).front().agent;
   agent.name = tr("Agent").toStdString();
-  agent.step = agent.drop = 0;
+  agent.step = agent.radius = agent.drop = 0;
   for (const AgentSize size : kAgentSizes) {
+    const std::size_t parameter = size == AgentSize::Gap ? 1 : 0;
     for (const FilterEntry& entry : state.filters) {
-      if (agentSizeOf(*entry.step.filter) != size || (mayBeNone(size) && !entry.step.enabled)) continue;
-      setSizeOf(agent, size, entry.step.values[0]);
+      if (agentSizeOf(*entry.step.filter, parameter) != size || (mayBeNone(size) && !entry.step.enabled)) continue;
+      setSizeOf(agent, size, entry.step.values[parameter]);
       break;
     }
   }

@@ -55,6 +55,8 @@ std::optional<AgentSize> AgentModel::sizeIn(int column) {
   if (column == Height) return AgentSize::Height;
   if (column == MaxSlope) return AgentSize::MaxSlope;
   if (column == Step) return AgentSize::Step;
+  if (column == Gap) return AgentSize::Gap;
+  if (column == Radius) return AgentSize::Radius;
   if (column == Drop) return AgentSize::Drop;
   return std::nullopt;
 }
@@ -112,6 +114,8 @@ QVariant AgentModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       if (index.column() == Height) return lengthHelp(agent->height);
       if (index.column() == Step) return lengthHelp(agent->step);
+      if (index.column() == Gap) return lengthHelp(agent->gap);
+      if (index.column() == Radius) return lengthHelp(agent->radius);
       if (index.column() == Drop) return lengthHelp(agent->drop);
       if (index.column() == Name && index.row() < 9) return tr("Alt+%1").arg(index.row() + 1);
       return {};
@@ -132,6 +136,10 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
         return tr("Slope (°)");
       case Step:
         return tr("Step (%1)").arg(units_.name());
+      case Gap:
+        return tr("Gap (%1)").arg(units_.name());
+      case Radius:
+        return tr("Radius (%1)").arg(units_.name());
       case Drop:
         return tr("Drop (%1)").arg(units_.name());
       case Area:
@@ -156,6 +164,12 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
       return tr(
           "How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no "
           "filter for steps");
+    case Gap:
+      return tr("How wide a gap the agent steps over, seen from above: the gap of the filters for steps");
+    case Radius:
+      return tr(
+          "How far the agent's middle stays away from walls and ledges: the radius of the filters. With 0 there is no "
+          "filter for it");
     case Drop:
       return tr(
           "How deep the agent drops from ledges, one way: the depth of the filters. With 0 there is no filter for "

@@ -16,7 +16,21 @@ class AgentModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Name, Height, MaxSlope, Step, Drop, Area, Layers, ComponentCount, Connections, State, kColumns };
+  enum Column {
+    Name,
+    Height,
+    MaxSlope,
+    Step,
+    Gap,
+    Radius,
+    Drop,
+    Area,
+    Layers,
+    ComponentCount,
+    Connections,
+    State,
+    kColumns
+  };
 
   AgentModel(Document& document, RunController& controller, AgentResults& results, QObject* parent = nullptr);
 

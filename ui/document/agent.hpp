@@ -14,6 +14,8 @@ struct NamedAgent {
   double height = 0;    ///< free height that it needs, in the environment's units
   double maxSlope = 0;  ///< degrees
   double step = 0;      ///< how high it climbs at once, in the environment's units; 0: it does not lift its feet
+  double gap = 0;       ///< how wide a gap it steps over, in the environment's units
+  double radius = 0;    ///< how far it stays away from walls and ledges, in the environment's units; 0: it is a point
   double drop = 0;      ///< how deep it drops from ledges, in the environment's units; 0: not at all
   bool operator==(const NamedAgent&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "core/pipeline/block_structure.hpp"
 
@@ -45,12 +46,25 @@ void insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
   }
 }
 
+/// Behind the filters that a radius must follow, and in front of drops, which it would lose, and of filters that count
+/// what is left.
+void insertRadius(std::vector<FilterEntry>& filters, const FilterEntry& radius) {
+  const auto last = std::find_if(filters.rbegin(), filters.rend(), [](const FilterEntry& entry) {
+    const auto size = agentSizeOf(*entry.step.filter);
+    return (size && size != AgentSize::Drop) || entry.step.filter->kind != FilterKind::Filter;
+  });
+  filters.insert(last.base(), radius);
+}
+
 }  // namespace
 
-std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter) {
+std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter, std::size_t parameter) {
+  if (parameter > 0)
+    return filter.type == FilterType::Step && parameter == 1 ? std::optional(AgentSize::Gap) : std::nullopt;
   if (filter.type == FilterType::Slope) return AgentSize::MaxSlope;
   if (filter.type == FilterType::VerticalClearance) return AgentSize::Height;
   if (filter.type == FilterType::Step) return AgentSize::Step;
+  if (filter.type == FilterType::Radius) return AgentSize::Radius;
   if (filter.type == FilterType::Drop) return AgentSize::Drop;
   return std::nullopt;
 }
@@ -61,9 +75,12 @@ const FilterDescriptor& filterOf(AgentSize size) {
       return filterDescriptor(FilterType::VerticalClearance);
     case AgentSize::MaxSlope:
       return filterDescriptor(FilterType::Slope);
+    case AgentSize::Radius:
+      return filterDescriptor(FilterType::Radius);
     case AgentSize::Drop:
       return filterDescriptor(FilterType::Drop);
     case AgentSize::Step:
+    case AgentSize::Gap:
       break;
   }
   return filterDescriptor(FilterType::Step);
@@ -76,7 +93,9 @@ const ParameterDescriptor& parameterOf(AgentSize size) {
     return parameter;
   };
   static const ParameterDescriptor step = orNone(FilterType::Step), drop = orNone(FilterType::Drop);
-  return size == AgentSize::Step ? step : size == AgentSize::Drop ? drop : filterOf(size).parameters[0];
+  if (size == AgentSize::Step) return step;
+  if (size == AgentSize::Drop) return drop;
+  return filterOf(size).parameters[size == AgentSize::Gap ? 1 : 0];
 }
 
 double sizeOf(const NamedAgent& agent, AgentSize size) {
@@ -85,6 +104,10 @@ double sizeOf(const NamedAgent& agent, AgentSize size) {
       return agent.height;
     case AgentSize::MaxSlope:
       return agent.maxSlope;
+    case AgentSize::Gap:
+      return agent.gap;
+    case AgentSize::Radius:
+      return agent.radius;
     case AgentSize::Drop:
       return agent.drop;
     case AgentSize::Step:
@@ -104,6 +127,12 @@ void setSizeOf(NamedAgent& agent, AgentSize size, double value) {
     case AgentSize::Step:
       agent.step = value;
       break;
+    case AgentSize::Gap:
+      agent.gap = value;
+      break;
+    case AgentSize::Radius:
+      agent.radius = value;
+      break;
     case AgentSize::Drop:
       agent.drop = value;
       break;
@@ -119,20 +148,28 @@ void writeSizes(DocumentState& state) {
   const NamedAgent* agent = activeAgent(state);
   if (!agent) return;
   for (FilterEntry& entry : state.filters) {
-    const auto size = agentSizeOf(*entry.step.filter);
-    if (size && (!mayBeNone(*size) || sizeOf(*agent, *size) > 0)) entry.step.values[0] = sizeOf(*agent, *size);
+    std::vector<double>& values = entry.step.values;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto size = agentSizeOf(*entry.step.filter, i);
+      if (!size || (mayBeNone(*size) && sizeOf(*agent, *size) == 0)) continue;
+      const double value = sizeOf(*agent, *size), before = std::exchange(values[i], value);
+      for (std::size_t k = i + 1; k < values.size(); ++k) {
+        if (entry.step.filter->parameters[k].follows == static_cast<int>(i) && values[k] == before) values[k] = value;
+      }
+    }
   }
 }
 
 void applyAgent(DocumentState& state, const std::function<int()>& newId) {
   const NamedAgent* agent = activeAgent(state);
   if (!agent) return;
-  for (const AgentSize size : {AgentSize::Step, AgentSize::Drop}) {
+  for (const AgentSize size : {AgentSize::Step, AgentSize::Radius, AgentSize::Drop}) {
     const FilterDescriptor& filter = filterOf(size);
     if (sizeOf(*agent, size) == 0) {
       std::erase_if(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); });
     } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &filter; })) {
-      insertEarly(state.filters, {newId(), defaultStep(filter, 1)});
+      const FilterEntry added{newId(), defaultStep(filter, 1)};
+      size == AgentSize::Radius ? insertRadius(state.filters, added) : insertEarly(state.filters, added);
     }
   }
   writeSizes(state);
@@ -141,9 +178,12 @@ void applyAgent(DocumentState& state, const std::function<int()>& newId) {
 bool followsAgent(const DocumentState& state) {
   const NamedAgent* agent = activeAgent(state);
   return !agent || std::ranges::all_of(state.filters, [agent](const FilterEntry& entry) {
-    const auto size = agentSizeOf(*entry.step.filter);
-    if (size && mayBeNone(*size) && sizeOf(*agent, *size) == 0) return !entry.step.enabled;
-    return !size || entry.step.values[0] == sizeOf(*agent, *size);
+    for (std::size_t i = 0; i < entry.step.values.size(); ++i) {
+      const auto size = agentSizeOf(*entry.step.filter, i);
+      if (size && mayBeNone(*size) && sizeOf(*agent, *size) == 0) return !entry.step.enabled;
+      if (size && entry.step.values[i] != sizeOf(*agent, *size)) return false;
+    }
+    return true;
   });
 }
 
@@ -159,7 +199,8 @@ Pipeline pipelineFor(const DocumentState& state, int agent) {
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
   std::vector<AgentSize> missing;
   const NamedAgent* active = activeAgent(state);
-  for (const AgentSize size : {AgentSize::MaxSlope, AgentSize::Height, AgentSize::Step, AgentSize::Drop}) {
+  for (const AgentSize size :
+       {AgentSize::MaxSlope, AgentSize::Height, AgentSize::Step, AgentSize::Radius, AgentSize::Drop}) {
     if (mayBeNone(size) && (!active || sizeOf(*active, size) == 0)) continue;
     if (std::ranges::none_of(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); }))
       missing.push_back(size);
@@ -170,7 +211,7 @@ std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit) {
   for (NamedAgent& agent : agents) {
-    for (double* length : {&agent.height, &agent.step, &agent.drop})
+    for (double* length : {&agent.height, &agent.step, &agent.gap, &agent.radius, &agent.drop})
       *length = rounded(*length * fromMetresPerUnit / toMetresPerUnit);
   }
   return agents;
@@ -178,41 +219,59 @@ std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fr
 
 // Steps: what is built for who walks or rolls.
 // - Stairs: Approved Document K to the Building Regulations 2010 of England (2013 edition), table 1.1: a riser of a
-// private
-//   stair is at most 220 mm, the most that the codes looked at allow (190 mm for other stairs there).
+//   private stair is at most 220 mm, the most that the codes looked at allow (190 mm for other stairs there).
 // - Wheels: 2010 ADA Standards for Accessible Design, 404.2.5: a threshold is at most 1/2 inch (13 mm); 405.2: a ramp
-// is at
-//   most 1 in 12 (4.76 degrees).
-// - Robot: Boston Dynamics, "About Spot": 840 mm high standing, slopes up to 30 degrees, steps up to 300 mm.
-// Defaults of others:
+//   is at most 1 in 12 (4.76 degrees).
+// - Robot: Boston Dynamics, "About Spot": 840 mm high standing, 500 mm wide, slopes up to 30 degrees, steps up to 300
+//   mm.
+// Gaps, seen from above:
+// - Wheels: 2010 ADA Standards, 302.3: an opening in the floor lets no sphere of 1/2 inch (13 mm) pass.
+// - Others: 50 mm, the default of StepFilter, for joints and floors that miss each other; no code allows people more.
+// Radii: half of what they are wide.
+// - People: Gordon et al., 1988 Anthropometric Survey of U.S. Army Personnel: men are 0.535 m broad at the shoulders
+//   (bideltoid breadth, 95th percentile). A child, a cart, a giant and a crawler are ours.
+// - Wheelchair: 2010 ADA Standards, 305.3: the clear floor space for one is 760 mm wide.
+// Defaults of others, which have no number for gaps (voxels close those narrower than a cell or two):
 // - Unity: the agent type Humanoid of a new project (ProjectSettings/NavMeshAreas.asset).
-// - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, in centimetres.
-// - Godot 4: agent_height, agent_max_slope and agent_max_climb of NavigationMesh.
+// - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, and AgentRadius of
+//   ARecastNavMesh, in centimetres.
+// - Godot 4: agent_height, agent_radius, agent_max_slope and agent_max_climb of NavigationMesh.
 // - Recast: RecastDemo, Sample::resetCommonSettings().
 // Nobody drops by default: Unity and Unreal, which know drops, have them switched off until asked for.
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
-  constexpr double kRiser = 0.22, kThreshold = 0.013;
-  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step,
-                                      const QString& help) {
-    return AgentPreset{
-        {0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit), 0}, help};
+  constexpr double kRiser = 0.22, kThreshold = 0.013, kOpening = 0.013, kJoint = 0.05, kShoulder = 0.27;
+  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step, double gap,
+                                      double radius, const QString& help) {
+    const auto units = [metresPerUnit](double metres) { return rounded(metres / metresPerUnit); };
+    return AgentPreset{{0, name.toStdString(), units(height), degrees, units(step), units(gap), units(radius), 0},
+                       help};
   };
   return {
-      preset(tr("Human"), 2, 45, kRiser, tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
-      preset(tr("Child"), 1.2, 45, kRiser, tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
-      preset(tr("Wheelchair"), 1.5, 5, kThreshold,
-             tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds up to 0.013 m")),
-      preset(tr("Cart"), 1.2, 10, kThreshold, tr("1.2 m, slopes up to 10°, thresholds up to 0.013 m")),
-      preset(tr("Giant"), 4, 45, 0.8, tr("4 m, slopes up to 45°, steps up to 0.8 m")),
-      preset(tr("Crawler"), 0.5, 60, 0.1, tr("0.5 m, slopes up to 60°, steps up to 0.1 m")),
-      preset(tr("Robot"), 0.84, 30, 0.3, tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m")),
-      preset(QStringLiteral("Unity"), 2, 45, 0.75, tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m")),
-      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35,
-             tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m")),
-      preset(QStringLiteral("Godot"), 1.5, 45, 0.25,
-             tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m")),
-      preset(QStringLiteral("Recast"), 2, 45, 0.9,
-             tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m"))};
+      preset(
+          tr("Human"), 2, 45, kRiser, kJoint, kShoulder,
+          tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m, shoulders: a radius of 0.27 m")),
+      preset(tr("Child"), 1.2, 45, kRiser, kJoint, 0.18,
+             tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m, a radius of 0.18 m")),
+      preset(tr("Wheelchair"), 1.5, 5, kThreshold, kOpening, 0.38,
+             tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds and gaps up to 0.013 m, a radius of "
+                "0.38 m")),
+      preset(tr("Cart"), 1.2, 10, kThreshold, kOpening, 0.3,
+             tr("1.2 m, slopes up to 10°, thresholds and gaps up to 0.013 m, a radius of 0.3 m")),
+      preset(tr("Giant"), 4, 45, 0.8, 0.1, 1,
+             tr("4 m, slopes up to 45°, steps up to 0.8 m, gaps up to 0.1 m, a radius of 1 m")),
+      preset(tr("Crawler"), 0.5, 60, 0.1, 0.02, 0.2,
+             tr("0.5 m, slopes up to 60°, steps up to 0.1 m, gaps up to 0.02 m, a radius of 0.2 m")),
+      preset(tr("Robot"), 0.84, 30, 0.3, kJoint, 0.25,
+             tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m, gaps up to 0.05 m, a radius of "
+                "0.25 m")),
+      preset(QStringLiteral("Unity"), 2, 45, 0.75, kJoint, 0.5,
+             tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m, a radius of 0.5 m")),
+      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35, kJoint, 0.34,
+             tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m, a radius of 0.34 m")),
+      preset(QStringLiteral("Godot"), 1.5, 45, 0.25, kJoint, 0.5,
+             tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m, a radius of 0.5 m")),
+      preset(QStringLiteral("Recast"), 2, 45, 0.9, kJoint, 0.6,
+             tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m, a radius of 0.6 m"))};
 }
 
 int newAgentId(const DocumentState& state) {

@@ -13,13 +13,16 @@
 
 namespace footfall::ui {
 
-enum class AgentSize { Height, MaxSlope, Step, Drop };
-inline constexpr std::array kAgentSizes{AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step, AgentSize::Drop};
+enum class AgentSize { Height, MaxSlope, Step, Gap, Radius, Drop };
+inline constexpr std::array kAgentSizes{AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step,
+                                        AgentSize::Gap,    AgentSize::Radius,   AgentSize::Drop};
 /// Whether 0 means that the agent has none of it, and no filter for it.
-constexpr bool mayBeNone(AgentSize size) { return size == AgentSize::Step || size == AgentSize::Drop; }
+constexpr bool mayBeNone(AgentSize size) {
+  return size == AgentSize::Step || size == AgentSize::Radius || size == AgentSize::Drop;
+}
 
-/// The size that the first parameter of a filter is; nothing for filters that no agent drives.
-std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter);
+/// The size that a parameter of a filter is; nothing for those that no agent drives.
+std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter, std::size_t parameter = 0);
 /// The filter that a size drives.
 const FilterDescriptor& filterOf(AgentSize size);
 /// What a size may be: the parameter of its filter, and 0 where the agent may have none.
@@ -30,22 +33,23 @@ void setSizeOf(NamedAgent& agent, AgentSize size, double value);
 
 /// The one whose filters these are; null when there is none.
 const NamedAgent* activeAgent(const DocumentState& state);
-/// Writes the active agent's sizes into all filters that take them, those that are switched off too. A step or a drop
-/// of 0 is no value for a filter: those stay.
+/// Writes the active agent's sizes into all filters that take them, those that are switched off too. A step, a
+/// radius or a drop of 0 is no value for a filter: those stay. What follows a size, as the distance to ledges the
+/// radius, goes with it where both were the same.
 void writeSizes(DocumentState& state);
-/// The same, and where the agent climbs no steps, or does not drop, filters for that which are on go; where it does and
-/// there is none, one with an id of `newId` comes as far in front as it may stand (nowhere without a clearance before
-/// it).
+/// The same, and where the agent climbs no steps, has no radius or does not drop, filters for that which are on go;
+/// where it does and there is none, one with an id of `newId` comes: for steps and drops as far in front as it may
+/// stand (nowhere without a clearance before it), for a radius behind the filters that it must follow.
 void applyAgent(DocumentState& state, const std::function<int()>& newId);
 /// Whether the filters have the active agent's sizes; true without an active agent.
 bool followsAgent(const DocumentState& state);
 /// What switching to that agent would make of the filters. The active one or an unknown id: as they are.
 Pipeline pipelineFor(const DocumentState& state, int agent);
-/// Sizes that no filter that is switched on takes: there the agents have no effect. Steps and drops, which switching
-/// between agents adds and removes, only where the active agent has some.
+/// Sizes that no filter that is switched on takes: there the agents have no effect. Steps, radii and drops, which
+/// switching between agents adds and removes, only where the active agent has some.
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state);
 
-/// Heights, steps and drops in the environment's units stay the same in metres.
+/// Lengths in the environment's units stay the same in metres.
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit);
 

@@ -132,9 +132,9 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
   if (index == state_.filters.size() || parameter >= state_.filters[index].step.values.size()) return;
   DocumentState next = state_;
   next.filters[index].step.values[parameter] = value;
-  const auto size = agentSizeOf(*next.filters[index].step.filter);
+  const auto size = agentSizeOf(*next.filters[index].step.filter, parameter);
   const auto agent = std::ranges::find(next.agents, next.agent, &NamedAgent::id);
-  if (size && parameter == 0 && agent != next.agents.end()) {
+  if (size && agent != next.agents.end()) {
     setSizeOf(*agent, *size, value);
     writeSizes(next);
   }

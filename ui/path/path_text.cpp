@@ -77,6 +77,9 @@ QString pathText(const PathResult& result, const LevelUnits& units, double speed
     lines << (result.steps.size() == 1 ? PathText::tr("1 step, %1").arg(all)
                                        : PathText::tr("%1 steps, %2").arg(countText(result.steps.size()), all));
   }
+  if (!result.gaps.empty())
+    lines << (result.gaps.size() == 1 ? PathText::tr("1 gap stepped over")
+                                      : PathText::tr("%1 gaps stepped over").arg(countText(result.gaps.size())));
   if (!result.drops.empty()) {
     const QString deepest = units.length(result.deepestDrop);
     lines << (result.drops.size() == 1

@@ -18,7 +18,7 @@ std::size_t bytesOf(const std::vector<Value>& values) {
 std::size_t bytesOf(const NavigationMeshGeometry& geometry) {
   return bytesOf(geometry.surface) + bytesOf(geometry.creases) + bytesOf(geometry.outline) +
          bytesOf(geometry.obstacleEdges) + bytesOf(geometry.connections) + bytesOf(geometry.steps) +
-         bytesOf(geometry.drops);
+         bytesOf(geometry.gaps) + bytesOf(geometry.drops);
 }
 
 std::size_t bytesOf(const FinishedRun& run, const ViewContent& content) {

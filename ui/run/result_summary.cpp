@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/run/result_summary.hpp"
 
+#include <algorithm>
+
 #include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
@@ -30,7 +32,9 @@ void ResultSummary::show() {
     parts << counted(mesh.layerCount, tr("layer"), tr("layers"))
           << counted(mesh.connections.size(), tr("connection"), tr("connections"));
   }
-  if (!mesh.links.empty()) parts << counted(mesh.links.size(), tr("step"), tr("steps"));
+  const auto gaps = static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
+  if (gaps < mesh.links.size()) parts << counted(mesh.links.size() - gaps, tr("step"), tr("steps"));
+  if (gaps > 0) parts << counted(gaps, tr("gap"), tr("gaps"));
   if (!mesh.drops.empty()) parts << counted(mesh.drops.size(), tr("drop"), tr("drops"));
   parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"))
         << tr("%1 ms").arg(fixedText(run->result.totalMs, 0));

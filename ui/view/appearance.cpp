@@ -45,6 +45,7 @@ Paint layerPaint(std::uint32_t layer) { return {numberedColour(kLayerColours, la
 QColor obstacleEdgeColour() { return {213, 60, 0}; }
 QColor connectionColour() { return {255, 255, 255}; }
 QColor stepColour() { return {255, 220, 60}; }
+QColor gapColour() { return {250, 170, 60}; }    // dashes
 QColor dropColour() { return {240, 110, 190}; }  // arrows: told apart by their shape as well
 QColor outlineColour() { return {28, 40, 48}; }
 QColor creaseColour() { return {118, 123, 130}; }
@@ -122,14 +123,14 @@ QPixmap paintSwatch(const Paint& paint, const QSize& size, qreal devicePixelRati
   return QPixmap::fromImage(image);
 }
 
-QPixmap lineSwatch(const QColor& colour, qreal width, const QSize& size, qreal devicePixelRatio) {
+QPixmap lineSwatch(const QColor& colour, qreal width, const QSize& size, qreal devicePixelRatio, Qt::PenStyle style) {
   QPixmap pixmap(size * devicePixelRatio);
   pixmap.setDevicePixelRatio(devicePixelRatio);
   // Lines are seen on walkable area.
   pixmap.fill(walkablePaint().colour.darker(125));
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(colour, width));
+  painter.setPen(QPen(colour, width, style, Qt::FlatCap));
   painter.drawLine(QPointF(0, size.height() / 2.0), QPointF(size.width(), size.height() / 2.0));
   return pixmap;
 }

@@ -41,6 +41,7 @@ Paint layerPaint(std::uint32_t layer);
 QColor obstacleEdgeColour();
 QColor connectionColour();
 QColor stepColour();
+QColor gapColour();
 QColor dropColour();
 QColor outlineColour();
 QColor creaseColour();
@@ -75,6 +76,7 @@ const RemovalStyle* removalStyle(FilterType filter);
 /// A small picture of a paint, with the pattern of the view, for legends.
 QPixmap paintSwatch(const Paint& paint, const QSize& size, qreal devicePixelRatio);
 /// A small picture of a line.
-QPixmap lineSwatch(const QColor& colour, qreal width, const QSize& size, qreal devicePixelRatio);
+QPixmap lineSwatch(const QColor& colour, qreal width, const QSize& size, qreal devicePixelRatio,
+                   Qt::PenStyle style = Qt::SolidLine);
 
 }  // namespace footfall::ui

@@ -108,6 +108,8 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
                           tr("An edge on which two layers meet: agents can cross"));
   steps_ = addEntry(tr("Step: can be climbed"), &SceneParts::steps,
                     tr("Two borders over each other, from one of which an agent steps to the other"));
+  gaps_ = addEntry(tr("Gap: can be stepped over"), &SceneParts::gaps,
+                   tr("Two borders beside each other, from one of which an agent steps over to the other"));
   drops_ = addEntry(tr("Drop: one way down"), &SceneParts::drops,
                     tr("A ledge from which an agent drops to a lower place, along the arrows, and does not come back"));
   removed_ = addEntry(tr("Not walkable because:"), &SceneParts::removed, tr("Floors that a filter removed"));
@@ -125,6 +127,7 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
   setSwatch(obstacleEdges_, lineSwatch(obstacleEdgeColour(), 3, kSwatch, ratio));
   setSwatch(connections_, lineSwatch(connectionColour(), 3, kSwatch, ratio));
   setSwatch(steps_, lineSwatch(stepColour(), 3, kSwatch, ratio));
+  setSwatch(gaps_, lineSwatch(gapColour(), 3, kSwatch, ratio, Qt::DashLine));
   setSwatch(drops_, lineSwatch(dropColour(), 3, kSwatch, ratio));
   setSwatch(environment_, paintSwatch(wallPaint(), kSwatch, ratio));
   describe({});
@@ -150,12 +153,13 @@ void Legend::showCells(bool on) {
 void Legend::describe(const ViewContent& content) {
   std::uint32_t layers = 0;
   bool edges = false;
-  bool connections = false, steps = false, drops = false;
+  bool connections = false, steps = false, gaps = false, drops = false;
   for (const auto& mesh : content.walkable) {
     layers = std::max(layers, mesh->layers);
     edges = edges || !mesh->obstacleEdges.empty();
     connections = connections || !mesh->connections.empty();
     steps = steps || !mesh->steps.empty();
+    gaps = gaps || !mesh->gaps.empty();
     drops = drops || !mesh->drops.empty();
   }
   layers_ = layers;
@@ -163,6 +167,7 @@ void Legend::describe(const ViewContent& content) {
   obstacleEdges_->setVisible(edges);
   connections_->setVisible(connections);
   steps_->setVisible(steps);
+  gaps_->setVisible(gaps);
   drops_->setVisible(drops);
 
   std::vector<const RemovalStyle*> reasons;

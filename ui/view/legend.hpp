@@ -50,7 +50,7 @@ class Legend : public OverlayFrame {
   QCheckBox* addEntry(const QString& label, bool SceneParts::*part, const QString& help);
 
   SceneParts parts_;
-  QCheckBox *walkable_, *obstacleEdges_, *connections_, *steps_, *drops_, *removed_, *environment_;
+  QCheckBox *walkable_, *obstacleEdges_, *connections_, *steps_, *gaps_, *drops_, *removed_, *environment_;
   QWidget* reasons_;
   QLabel *mode_, *scale_, *notes_;
   std::vector<const RemovalStyle*> shownReasons_;

@@ -184,16 +184,42 @@ constexpr std::size_t kLinesOfStep = 4;
 std::vector<VertexPair> stepLines(const std::vector<StepLink>& links) {
   std::vector<VertexPair> lines;
   lines.reserve(kLinesOfStep * links.size());
-  for (const auto& [from, to, fromTriangle, toTriangle, height, width, kind] : links)
-    lines.insert(lines.end(), {from, to, {from[0], to[1]}, {from[1], to[0]}});
+  for (const StepLink& link : links)
+    if (link.kind == StepKind::Step)
+      lines.insert(lines.end(), {link.from, link.to, {link.from[0], link.to[1]}, {link.from[1], link.to[0]}});
   return lines;
+}
+
+// Both edges of a gap as dashes, beside each other, and its ends: so gaps are told from steps without colours, too.
+void addGaps(const NavigationMesh& mesh, const Vec3& centre, NavigationMeshGeometry& geometry) {
+  constexpr double kDashOfWidth = 4, kMostDashes = 24;
+  for (const StepLink& link : mesh.links) {
+    if (link.kind != StepKind::Gap) continue;
+    const std::array<Vec3, 2> first{mesh.vertices[link.from[0]], mesh.vertices[link.from[1]]};
+    const std::array<Vec3, 2> second{mesh.vertices[link.to[1]], mesh.vertices[link.to[0]]};
+    const double size = length(first[1] - first[0]);
+    const auto dashes = static_cast<int>(std::clamp(size / (2 * kDashOfWidth * link.width), 2.0, kMostDashes));
+    const auto add = [&](const Vec3& a, const Vec3& b) {
+      geometry.gaps.push_back({toFloats(a, centre), toFloats(b, centre)});
+      if (!mesh.layers.empty())
+        geometry.gapLayers.push_back({mesh.layers[link.fromTriangle], mesh.layers[link.toTriangle]});
+    };
+    for (const auto& [a, b] : {first, second})
+      for (int i = 0; i < dashes; ++i) {
+        const double begin = 2.0 * i / (2 * dashes - 1), end = (2.0 * i + 1) / (2 * dashes - 1);
+        add(a + begin * (b - a), a + end * (b - a));
+      }
+    add(first[0], second[0]);
+    add(first[1], second[1]);
+  }
 }
 
 std::vector<LineLayers> stepLayers(const NavigationMesh& mesh) {
   std::vector<LineLayers> layers;
   layers.reserve(kLinesOfStep * mesh.links.size());
   for (const StepLink& link : mesh.links)
-    layers.insert(layers.end(), kLinesOfStep, {mesh.layers[link.fromTriangle], mesh.layers[link.toTriangle]});
+    if (link.kind == StepKind::Step)
+      layers.insert(layers.end(), kLinesOfStep, {mesh.layers[link.fromTriangle], mesh.layers[link.toTriangle]});
   return layers;
 }
 
@@ -455,6 +481,7 @@ std::shared_ptr<const NavigationMeshGeometry> makeMeshGeometry(const NavigationM
   const std::vector<VertexPair> steps = stepLines(mesh.links);
   geometry->steps = toSegments(steps, mesh.vertices, centre);
   if (!mesh.layers.empty()) geometry->stepLayers = stepLayers(mesh);
+  addGaps(mesh, centre, *geometry);
   addDrops(mesh, centre, *geometry);
   return geometry;
 }

@@ -95,11 +95,13 @@ struct NavigationMeshGeometry {
   std::vector<LineSegment> obstacleEdges;
   std::vector<LineSegment> connections;
   std::vector<LineSegment> steps;  ///< of each link both edges, and what joins them at the ends
+  std::vector<LineSegment> gaps;   ///< the same with dashes for edges
   std::vector<LineSegment> drops;  ///< of each drop its stretch of border, and arrows from there to the landing
   std::uint32_t layers = 0;
   /// For each triangle and line of the above; all empty without layers.
   std::vector<std::uint32_t> surfaceLayers;
-  std::vector<LineLayers> creaseLayers, outlineLayers, obstacleEdgeLayers, connectionLayers, stepLayers, dropLayers;
+  std::vector<LineLayers> creaseLayers, outlineLayers, obstacleEdgeLayers, connectionLayers, stepLayers, gapLayers,
+      dropLayers;
   /// One for each layer, one for the whole without layers, none for what is only shown with a paint of its own.
   std::vector<LayerFigures> figures;
 };

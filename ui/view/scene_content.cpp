@@ -28,7 +28,7 @@ SceneBatches::CoversPtr coversOf(const std::vector<Geometry>& geometries, const 
 MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withLines,
                      const EnvironmentGeometry* environment) {
   const SceneBatches::CoversPtr covers = coversOf({geometry}, environment);
-  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface, covers), {}, {}, {}, {}, {}};
+  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface, covers), {}, {}, {}, {}, {}, {}};
   const bool layered = !geometry->surfaceLayers.empty();
   if (layered) {
     made.surface = batches.withLayers(made.surface, [geometry](std::size_t i) { return geometry->surfaceLayers[i]; });
@@ -44,6 +44,7 @@ MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withL
   made.obstacleEdges = lines(geometry->obstacleEdges, geometry->obstacleEdgeLayers);
   made.connections = lines(geometry->connections, geometry->connectionLayers);
   made.steps = lines(geometry->steps, geometry->stepLayers);
+  made.gaps = lines(geometry->gaps, geometry->gapLayers);
   made.drops = lines(geometry->drops, geometry->dropLayers);
   return made;
 }
@@ -67,13 +68,14 @@ MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geomet
       geometries, batches.makeSurface(joined(&NavigationMeshGeometry::surface), coversOf(geometries, environment)),
       {},         {},
       {},         {},
-      {}};
+      {},         {}};
   if (!withLines) return made;
   made.creases = batches.makeLines(joined(&NavigationMeshGeometry::creases));
   made.outline = batches.makeLines(joined(&NavigationMeshGeometry::outline));
   made.obstacleEdges = batches.makeLines(joined(&NavigationMeshGeometry::obstacleEdges));
   made.connections = batches.makeLines(joined(&NavigationMeshGeometry::connections));
   made.steps = batches.makeLines(joined(&NavigationMeshGeometry::steps));
+  made.gaps = batches.makeLines(joined(&NavigationMeshGeometry::gaps));
   made.drops = batches.makeLines(joined(&NavigationMeshGeometry::drops));
   return made;
 }

@@ -15,7 +15,7 @@ namespace footfall::ui {
 struct MeshBatches {
   /// What they were made of, which may come again with other content.
   std::vector<std::shared_ptr<const NavigationMeshGeometry>> geometries;
-  SceneBatchPtr surface, creases, outline, obstacleEdges, connections, steps, drops;
+  SceneBatchPtr surface, creases, outline, obstacleEdges, connections, steps, gaps, drops;
 };
 
 /// Few triangles that stand for a large environment and what is on it, while the camera moves.

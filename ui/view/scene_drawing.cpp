@@ -358,6 +358,10 @@ void SceneRenderer::drawAllLines(const SceneCamera& camera, const SceneParts& pa
       drawLines(mesh.steps, outlineColour(), 4.0F * pixel, 1.3e-4F);
       drawLines(mesh.steps, stepColour(), 2.2F * pixel, 1.4e-4F);
     }
+    if (parts.gaps) {
+      drawLines(mesh.gaps, outlineColour(), 4.0F * pixel, 1.3e-4F);
+      drawLines(mesh.gaps, gapColour(), 2.2F * pixel, 1.4e-4F);
+    }
     if (parts.drops) {
       drawLines(mesh.drops, outlineColour(), 4.4F * pixel, 1.3e-4F);
       drawLines(mesh.drops, dropColour(), 2.4F * pixel, 1.4e-4F);

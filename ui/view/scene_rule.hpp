@@ -16,6 +16,7 @@ struct SceneParts {
   bool obstacleEdges = true;
   bool connections = true;
   bool steps = true;
+  bool gaps = true;
   bool drops = true;
   bool outlines = true;              ///< creases of the environment and outlines of the walkable area
   bool cells = false;                ///< of a parallel block, over everything that faces up

@@ -285,7 +285,10 @@ QString ExportDialog::content() const {
   if (connections_->isChecked()) parts << counted(mesh.connections.size(), tr("connection"), tr("connections"));
   if (obstacleEdges_->isChecked())
     parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"));
-  if (steps_->isChecked() && !mesh.links.empty()) parts << counted(mesh.links.size(), tr("step"), tr("steps"));
+  const auto gaps = static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
+  if (steps_->isChecked() && gaps < mesh.links.size())
+    parts << counted(mesh.links.size() - gaps, tr("step"), tr("steps"));
+  if (steps_->isChecked() && gaps > 0) parts << counted(gaps, tr("gap"), tr("gaps"));
   if (drops_->isChecked() && !mesh.drops.empty()) parts << counted(mesh.drops.size(), tr("drop"), tr("drops"));
   if (placed_->isChecked()) parts << counted(source_.placed.size(), tr("placed obstacle"), tr("placed obstacles"));
   return parts.join(QStringLiteral(", ")) + QLatin1Char('.') +

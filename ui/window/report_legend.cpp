@@ -64,6 +64,7 @@ std::vector<CaptionedImage> reportLegend(const ViewContent& content, const Scene
   if (parts.connections && has(&NavigationMeshGeometry::connections))
     addLine(images, "Connection of two layers", connectionColour());
   if (parts.steps && has(&NavigationMeshGeometry::steps)) addLine(images, "Step: agents climb it", stepColour());
+  if (parts.gaps && has(&NavigationMeshGeometry::gaps)) addLine(images, "Gap: agents step over it", gapColour());
   if (parts.drops && has(&NavigationMeshGeometry::drops)) addLine(images, "Drop: one way down", dropColour());
   addRemoved(images, content, parts);
   if (parts.environment && parts.mode != ViewMode::WalkableOnly)

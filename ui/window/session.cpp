@@ -161,13 +161,19 @@ NamedAgent agentFrom(const Json& json) {
                    json.at("name").get<std::string>(),
                    json.at("height").get<double>(),
                    json.at("max_slope").get<double>(),
-                   json.value("step", 0.0),
-                   json.value("drop", 0.0)};  // sessions from before had neither
+                   json.value("step", 0.0),  // sessions from before had none of these
+                   json.value("gap", filterDescriptor(FilterType::Step).parameters[1].defaultValue),
+                   json.value("radius", 0.0),
+                   json.value("drop", 0.0)};
   if (!(agent.height > 0 && std::isfinite(agent.height) && agent.maxSlope > 0 && agent.maxSlope < 90))
     throw InputError(FOOTFALL_TEXT("agents: '%1' needs a height above 0 and a slope between 0 and 90 degrees"),
                      agent.name);
   if (!(agent.step >= 0 && std::isfinite(agent.step)))
     throw InputError(FOOTFALL_TEXT("agents: the step of '%1' is below 0; give 0 or more"), agent.name);
+  if (!(agent.gap >= 0 && std::isfinite(agent.gap)))
+    throw InputError(FOOTFALL_TEXT("agents: the gap of '%1' is below 0; give 0 or more"), agent.name);
+  if (!(agent.radius >= 0 && std::isfinite(agent.radius)))
+    throw InputError(FOOTFALL_TEXT("agents: the radius of '%1' is below 0; give 0 or more"), agent.name);
   if (!(agent.drop >= 0 && std::isfinite(agent.drop)))
     throw InputError(FOOTFALL_TEXT("agents: the drop of '%1' is below 0; give 0 or more"), agent.name);
   return agent;
@@ -206,6 +212,8 @@ void writeLevel(const Session& session, Json& json) {
                               {"height", agent.height},
                               {"max_slope", agent.maxSlope},
                               {"step", agent.step},
+                              {"gap", agent.gap},
+                              {"radius", agent.radius},
                               {"drop", agent.drop}});
     if (agent.id == session.agent) json["agent"] = i + 1;
   }

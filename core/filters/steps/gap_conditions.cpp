@@ -12,6 +12,7 @@ namespace {
 constexpr double kSlack = GapConditions::kSlack;
 constexpr double kLeastCosine = 0.5;  // of the angle between two borders
 constexpr double kTouch = 8 * GapConditions::kUnit;
+constexpr double kWide = 16 * kTouch;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A border as a function of the place along a frame.
@@ -97,12 +98,24 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
   GapPiece piece{*frame, {std::max(p.first.begin, p.second.begin), std::min(p.first.end, p.second.end)}, {}};
   std::array<double, 2>& ends = piece.ends;
   if (!(ends[1] - ends[0] > kShort)) return std::nullopt;
-  // Where they touch, the caller decides on which side they are.
-  if (std::min(p.widthAt(ends[0]), p.widthAt(ends[1])) < -kTouch &&
-      !keepPositive(ends, p.widthAt(ends[0]) - 2 * kTouch, p.widthAt(ends[1]) - 2 * kTouch))
-    return std::nullopt;
+  // Where they are hardly apart, or end in one place, the caller decides on which side they are.
+  std::array<double, 2> room{p.widthAt(ends[0]), p.widthAt(ends[1])};
+  if (std::min(room[0], room[1]) < -kTouch || std::max(room[0], room[1]) > kWide) {
+    for (const int i : {0, 1}) {
+      const auto isVertexOf = [&](const Profile& border) {
+        return std::fabs(ends[i] - (i == 0 ? border.begin : border.end)) <= kSnap;
+      };
+      if (std::fabs(room[i]) <= kTouch && isVertexOf(p.first) && isVertexOf(p.second))
+        room[i] = 0;
+      else
+        room[i] -= 2 * kTouch;
+    }
+    if (!keepPositive(ends, room[0], room[1])) return std::nullopt;
+  }
   const double most = gap_ - kSlack;
-  if (!keepPositive(ends, most - p.widthAt(ends[0]), most - p.widthAt(ends[1]))) return std::nullopt;
+  const std::array<double, 2> widths{p.widthAt(ends[0]), p.widthAt(ends[1])};
+  piece.isAsWide = std::max(widths[0], widths[1]) > most && std::max(widths[0], widths[1]) <= gap_ + kTouch;
+  if (!piece.isAsWide && !keepPositive(ends, most - widths[0], most - widths[1])) return std::nullopt;
   if (first.level && second.level) {
     const auto [low, high] = std::minmax(*first.level, *second.level);
     return signOfDifference(high, low, step_) <= 0 ? std::optional(std::move(piece)) : std::nullopt;
@@ -208,7 +221,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   std::vector<GapPiece> pieces;
   const auto add = [&](double from, double to) {
     if (!(to - from > kShort)) return;
-    pieces.push_back({frame, {from, to}, {}});
+    pieces.push_back({frame, {from, to}, {}, near.isAsWide});
     if (from == begin) pieces.back().touching[0] = whole.touching[0];
     if (to == end) pieces.back().touching[1] = whole.touching[1];
   };

@@ -10,8 +10,8 @@
 // found is so. What holds with 2^-40 of the largest coordinate to spare is found, except that |pq| is 1 / cos(a / 2)
 // times the distance from p to F where the borders include an angle a, and that an end is drawn in by kSlack where an
 // obstacle makes it. Horizontal borders and obstacles that touch a limit exactly (a door that is as high as the
-// clearance) are compared exactly. Obstacles that touch the end of a piece are left to the caller, who compares exactly
-// with the line there: single points do not count.
+// clearance) are compared exactly. Slits that are as wide as the gap, and obstacles that touch the end of a piece, are
+// left to the caller, who compares exactly, the obstacles with the line there: single points do not count.
 #pragma once
 
 #include <array>
@@ -44,6 +44,7 @@ struct GapPiece {
   GapFrame frame;
   std::array<double, 2> ends{};
   std::array<std::vector<Index>, 2> touching;  ///< obstacles at each end that must be proven to lie beyond it
+  bool isAsWide = false;                       ///< as the gap may be, as far as doubles tell: must be proven not wider
 };
 
 class GapConditions {

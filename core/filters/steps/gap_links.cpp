@@ -19,8 +19,8 @@ constexpr double kAcross = 4 * kSnap;
 constexpr double kArm = 0x1p20;
 /// Coordinates of places are below that.
 constexpr double kMostCoordinate = 0x1p36;
-/// Splits bring forth others on the borders across. Where gaps are wide beside edges, and many borders face each other at
-/// all angles, there is no end to that; what is not matched then is not linked, and counted.
+/// Splits bring forth others on the borders across. Where gaps are wide beside edges, and many borders face each other
+/// at all angles, there is no end to that; what is not matched then is not linked, and counted.
 constexpr int kRounds = 4;
 /// So far an end is drawn in from where an obstacle touches it: by more than GapConditions left to be compared exactly.
 constexpr double kDrawnIn = 4 * GapConditions::kSlack;
@@ -197,6 +197,12 @@ bool StepLinker::isOutside(Index obstacle, const Corners& p, const Corners& q, i
   return false;
 }
 
+bool StepLinker::isWider(const MeshVertex& a, const MeshVertex& b) const {
+  const auto p = kernel_->exactPosition(a.point, a.face), q = kernel_->exactPosition(b.point, b.face);
+  const mpq_class x = p[0] - q[0], y = p[1] - q[1], gap(gap_);
+  return x * x + y * y > gap * gap;
+}
+
 // Its corners are those of a convex quadrangle, or of a triangle where both borders meet at an end; all obstacles are
 // beyond it. `end` is set to an end that an obstacle reaches, else to -1; `isOverlap` says that there is no gap.
 bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) {
@@ -217,6 +223,7 @@ bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) 
                          turn(q[1], p[1], p[0])};
   isOverlap = std::ranges::any_of(turns, [](int sign) { return sign < 0; }) || std::ranges::count(turns, 0) > 2;
   if (isOverlap) return false;
+  if (piece.isAsWide && (isWider(*p[0], *q[0]) || isWider(*p[1], *q[1]))) return false;
   for (const int i : {0, 1})
     for (const Index obstacle : piece.touching[i])
       if (!stretch.isDrawnIn[i] && !isOutside(obstacle, p, q, i)) {

@@ -55,6 +55,7 @@ StepLinker::StepLinker(const WalkableState& state, RunContext& context)
 }
 
 std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap) {
+  gap_ = gap;
   findStretches(step, height, gap);
   return makeMesh();
 }

@@ -94,6 +94,7 @@ class StepLinker {
   /// Proves of all gaps what the cuts made of them; draws in ends that an obstacle reaches. False when one was.
   bool proveGaps();
   [[nodiscard]] bool isProven(const GapStretch& stretch, int& end, bool& isOverlap);
+  [[nodiscard]] bool isWider(const MeshVertex& a, const MeshVertex& b) const;
   [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
   /// The vertex of a border, or of its splits, at a place along a frame; null when there is none.
   [[nodiscard]] const MeshVertex* vertexAt(const Border& border, const GapFrame& frame, double along) const;
@@ -114,6 +115,7 @@ class StepLinker {
   BoxTree<3> tree_;  ///< of the borders
   std::vector<Stretch> stretches_;
   std::vector<GapStretch> gaps_;
+  double gap_ = 0;                                                   ///< how wide they may be
   std::unordered_map<Index, std::vector<MeshVertex>> splits_;        ///< of edges, in the order of their line
   std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges, once they are asked for
   std::optional<MeshGeometry> geometry_;
