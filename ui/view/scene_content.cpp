@@ -28,7 +28,7 @@ SceneBatches::CoversPtr coversOf(const std::vector<Geometry>& geometries, const 
 MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withLines,
                      const EnvironmentGeometry* environment) {
   const SceneBatches::CoversPtr covers = coversOf({geometry}, environment);
-  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface, covers), {}, {}, {}, {}, {}};
+  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface, covers), {}, {}, {}, {}, {}, {}};
   const bool layered = !geometry->surfaceLayers.empty();
   if (layered) {
     made.surface = batches.withLayers(made.surface, [geometry](std::size_t i) { return geometry->surfaceLayers[i]; });
@@ -67,7 +67,7 @@ MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geomet
       geometries, batches.makeSurface(joined(&NavigationMeshGeometry::surface), coversOf(geometries, environment)),
       {},         {},
       {},         {},
-      {}};
+      {},         {}};
   if (!withLines) return made;
   made.creases = batches.makeLines(joined(&NavigationMeshGeometry::creases));
   made.outline = batches.makeLines(joined(&NavigationMeshGeometry::outline));
