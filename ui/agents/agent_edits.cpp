@@ -24,9 +24,11 @@ QString resizeText(AgentSize size) {
     case AgentSize::MaxSlope:
       return tr("Change maximum slope of %1 %2 → %3");
     case AgentSize::Step:
+      return tr("Change step of %1 %2 → %3");
+    case AgentSize::Radius:
       break;
   }
-  return tr("Change step of %1 %2 → %3");
+  return tr("Change radius of %1 %2 → %3");
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ int addAgent(Document& document, const NamedAgent& agent) {
   next.agent = added.id;
   const int id = added.id;
   const QString text = tr("Add agent %1").arg(nameOf(added));
-  applyAgent(next, document.newFilterId());
+  applyAgent(next, [&] { return document.newFilterId(); });
   document.edit(std::move(next), text);
   return id;
 }
@@ -54,7 +56,7 @@ int duplicateAgent(Document& document, int id) {
   copy.name = freeAgentName(document.state(), copy.name);
   next.agents.insert(at + 1, copy);
   next.agent = copy.id;
-  applyAgent(next, document.newFilterId());
+  applyAgent(next, [&] { return document.newFilterId(); });
   document.edit(std::move(next), tr("Duplicate agent %1").arg(nameOf(copy)));
   return copy.id;
 }
@@ -89,7 +91,7 @@ void resizeAgent(Document& document, int id, AgentSize size, double value) {
   const QString text = resizeText(size).arg(nameOf(*at), valueText(parameter, sizeOf(*at, size), document.units()),
                                             valueText(parameter, value, document.units()));
   setSizeOf(*at, size, value);
-  applyAgent(next, document.newFilterId());
+  applyAgent(next, [&] { return document.newFilterId(); });
   document.edit(std::move(next), text);
 }
 
@@ -97,7 +99,7 @@ void activateAgent(Document& document, int id) {
   DocumentState next = document.state();
   next.agent = id;
   const NamedAgent* agent = activeAgent(next);
-  applyAgent(next, document.newFilterId());
+  applyAgent(next, [&] { return document.newFilterId(); });
   const QString text = agent ? tr("Switch to agent %1").arg(nameOf(*agent)) : tr("Let go of the agent");
   document.edit(std::move(next), text, QStringLiteral("agent"));
 }
@@ -106,9 +108,10 @@ NamedAgent agentOfFilters(const DocumentState& state, double metresPerUnit) {
   NamedAgent agent = agentPresets(metresPerUnit).front().agent;
   agent.name = tr("Agent").toStdString();
   agent.step = 0;
-  for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step}) {
+  agent.radius = 0;
+  for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step, AgentSize::Radius}) {
     for (const FilterEntry& entry : state.filters) {
-      if (agentSizeOf(*entry.step.filter) != size || (size == AgentSize::Step && !entry.step.enabled)) continue;
+      if (agentSizeOf(*entry.step.filter) != size || (mayBeNone(size) && !entry.step.enabled)) continue;
       setSizeOf(agent, size, entry.step.values[0]);
       break;
     }

@@ -55,6 +55,7 @@ std::optional<AgentSize> AgentModel::sizeIn(int column) {
   if (column == Height) return AgentSize::Height;
   if (column == MaxSlope) return AgentSize::MaxSlope;
   if (column == Step) return AgentSize::Step;
+  if (column == Radius) return AgentSize::Radius;
   return std::nullopt;
 }
 
@@ -111,6 +112,7 @@ QVariant AgentModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       if (index.column() == Height) return lengthHelp(agent->height);
       if (index.column() == Step) return lengthHelp(agent->step);
+      if (index.column() == Radius) return lengthHelp(agent->radius);
       if (index.column() == Name && index.row() < 9) return tr("Alt+%1").arg(index.row() + 1);
       return {};
     default:
@@ -130,6 +132,8 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
         return tr("Slope (°)");
       case Step:
         return tr("Step (%1)").arg(units_.name());
+      case Radius:
+        return tr("Radius (%1)").arg(units_.name());
       case Area:
         return tr("Area (%1)").arg(units_.areaName());
       case Layers:
@@ -152,6 +156,10 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
       return tr(
           "How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no "
           "filter for steps");
+    case Radius:
+      return tr(
+          "How far the agent's middle stays away from walls and ledges: the radius of the filters. With 0 there is no "
+          "filter for it");
     case ComponentCount:
       return tr("Parts of the walkable area that an agent cannot leave");
     case Connections:

@@ -16,7 +16,7 @@ class AgentModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Name, Height, MaxSlope, Step, Area, Layers, ComponentCount, Connections, State, kColumns };
+  enum Column { Name, Height, MaxSlope, Step, Radius, Area, Layers, ComponentCount, Connections, State, kColumns };
 
   AgentModel(Document& document, RunController& controller, AgentResults& results, QObject* parent = nullptr);
 

@@ -196,7 +196,8 @@ void AgentsPanel::follow() {
   QString hint;
   if (state.agents.empty()) {
     hint =
-        tr("An agent is a height, a slope and a step that the filters follow. Add one to compare what each can reach.");
+        tr("An agent is a height, a slope, a step and a radius that the filters follow. Add one to compare what each "
+           "can reach.");
   } else if (tell) {
     hint = tr("No filter '%1' is on: that size of the agents has no effect.")
                .arg(names.join(tr("' and no filter '", "between two names of filters")));
@@ -215,12 +216,12 @@ void AgentsPanel::addMissingFilters() {
         next.filters, [size](const FilterEntry& entry) { return agentSizeOf(*entry.step.filter) == size; });
     if (off != next.filters.end()) {
       off->step.enabled = true;
-    } else if (size != AgentSize::Step) {  // those have a place of their own
+    } else if (!mayBeNone(size)) {  // those have a place of their own
       added.push_back({document_.newFilterId(), defaultStep(filterOf(size), metresPerUnit_)});
     }
   }
   next.filters.insert(next.filters.begin(), added.begin(), added.end());
-  applyAgent(next, document_.newFilterId());
+  applyAgent(next, [this] { return document_.newFilterId(); });
   document_.edit(std::move(next), tr("Add the filters of agents"));
 }
 

@@ -14,6 +14,7 @@ struct NamedAgent {
   double height = 0;    ///< free height that it needs, in the environment's units
   double maxSlope = 0;  ///< degrees
   double step = 0;      ///< how high it climbs at once, in the environment's units; 0: it does not lift its feet
+  double radius = 0;    ///< how far it stays away from walls and ledges, in the environment's units; 0: it is a point
   bool operator==(const NamedAgent&) const = default;
 };
 

@@ -45,12 +45,22 @@ void insertSteps(std::vector<FilterEntry>& filters, const FilterEntry& steps) {
   }
 }
 
+/// Behind the filters that radii must follow, and in front of those that count what is left.
+void insertRadius(std::vector<FilterEntry>& filters, const FilterEntry& radius) {
+  const auto last = std::find_if(filters.rbegin(), filters.rend(), [](const FilterEntry& entry) {
+    const auto size = agentSizeOf(*entry.step.filter);
+    return size || entry.step.filter->kind != FilterKind::Filter;
+  });
+  filters.insert(last.base(), radius);
+}
+
 }  // namespace
 
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Slope) return AgentSize::MaxSlope;
   if (filter.type == FilterType::VerticalClearance) return AgentSize::Height;
   if (filter.type == FilterType::Step) return AgentSize::Step;
+  if (filter.type == FilterType::Radius) return AgentSize::Radius;
   return std::nullopt;
 }
 
@@ -61,10 +71,14 @@ const FilterDescriptor& filterOf(AgentSize size) {
     case AgentSize::MaxSlope:
       return filterDescriptor(FilterType::Slope);
     case AgentSize::Step:
+      return filterDescriptor(FilterType::Step);
+    case AgentSize::Radius:
       break;
   }
-  return filterDescriptor(FilterType::Step);
+  return filterDescriptor(FilterType::Radius);
 }
+
+bool mayBeNone(AgentSize size) { return size == AgentSize::Step || size == AgentSize::Radius; }
 
 const ParameterDescriptor& parameterOf(AgentSize size) {
   static const ParameterDescriptor step = [] {
@@ -82,9 +96,11 @@ double sizeOf(const NamedAgent& agent, AgentSize size) {
     case AgentSize::MaxSlope:
       return agent.maxSlope;
     case AgentSize::Step:
+      return agent.step;
+    case AgentSize::Radius:
       break;
   }
-  return agent.step;
+  return agent.radius;
 }
 
 void setSizeOf(NamedAgent& agent, AgentSize size, double value) {
@@ -97,6 +113,9 @@ void setSizeOf(NamedAgent& agent, AgentSize size, double value) {
       break;
     case AgentSize::Step:
       agent.step = value;
+      break;
+    case AgentSize::Radius:
+      agent.radius = value;
       break;
   }
 }
@@ -111,18 +130,25 @@ void writeSizes(DocumentState& state) {
   if (!agent) return;
   for (FilterEntry& entry : state.filters) {
     const auto size = agentSizeOf(*entry.step.filter);
-    if (size && (size != AgentSize::Step || agent->step > 0)) entry.step.values[0] = sizeOf(*agent, *size);
+    if (!size || (mayBeNone(*size) && sizeOf(*agent, *size) == 0)) continue;
+    std::vector<double>& values = entry.step.values;
+    for (std::size_t i = 1; i < values.size(); ++i)
+      if (entry.step.filter->parameters[i].follows == 0 && values[i] == values[0]) values[i] = sizeOf(*agent, *size);
+    values[0] = sizeOf(*agent, *size);
   }
 }
 
-void applyAgent(DocumentState& state, int newId) {
+void applyAgent(DocumentState& state, const std::function<int()>& newId) {
   const NamedAgent* agent = activeAgent(state);
   if (!agent) return;
-  const FilterDescriptor& steps = filterOf(AgentSize::Step);
-  if (agent->step == 0) {
-    std::erase_if(state.filters, [](const FilterEntry& entry) { return isOn(entry, AgentSize::Step); });
-  } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &steps; })) {
-    insertSteps(state.filters, {newId, defaultStep(steps, 1)});
+  for (const AgentSize size : {AgentSize::Step, AgentSize::Radius}) {
+    const FilterDescriptor& filter = filterOf(size);
+    if (sizeOf(*agent, size) == 0) {
+      std::erase_if(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); });
+    } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &filter; })) {
+      const FilterEntry added{newId(), defaultStep(filter, 1)};
+      size == AgentSize::Step ? insertSteps(state.filters, added) : insertRadius(state.filters, added);
+    }
   }
   writeSizes(state);
 }
@@ -131,7 +157,7 @@ bool followsAgent(const DocumentState& state) {
   const NamedAgent* agent = activeAgent(state);
   return !agent || std::ranges::all_of(state.filters, [agent](const FilterEntry& entry) {
     const auto size = agentSizeOf(*entry.step.filter);
-    if (size == AgentSize::Step && agent->step == 0) return !entry.step.enabled;
+    if (size && mayBeNone(*size) && sizeOf(*agent, *size) == 0) return !entry.step.enabled;
     return !size || entry.step.values[0] == sizeOf(*agent, *size);
   });
 }
@@ -141,15 +167,15 @@ Pipeline pipelineFor(const DocumentState& state, int agent) {
   other.filters = state.filters;
   other.agents = state.agents;
   other.agent = agent;
-  if (agent != state.agent) applyAgent(other, 0);
+  if (agent != state.agent) applyAgent(other, [] { return 0; });
   return pipelineOf(other.filters);
 }
 
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
   std::vector<AgentSize> missing;
   const NamedAgent* active = activeAgent(state);
-  for (const AgentSize size : {AgentSize::MaxSlope, AgentSize::Height, AgentSize::Step}) {
-    if (size == AgentSize::Step && (!active || active->step == 0)) continue;
+  for (const AgentSize size : {AgentSize::MaxSlope, AgentSize::Height, AgentSize::Step, AgentSize::Radius}) {
+    if (mayBeNone(size) && (!active || sizeOf(*active, size) == 0)) continue;
     if (std::ranges::none_of(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); }))
       missing.push_back(size);
   }
@@ -159,7 +185,7 @@ std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit) {
   for (NamedAgent& agent : agents) {
-    for (double* length : {&agent.height, &agent.step})
+    for (double* length : {&agent.height, &agent.step, &agent.radius})
       *length = rounded(*length * fromMetresPerUnit / toMetresPerUnit);
   }
   return agents;
@@ -167,40 +193,50 @@ std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fr
 
 // Steps: what is built for who walks or rolls.
 // - Stairs: Approved Document K to the Building Regulations 2010 of England (2013 edition), table 1.1: a riser of a
-// private
-//   stair is at most 220 mm, the most that the codes looked at allow (190 mm for other stairs there).
+//   private stair is at most 220 mm, the most that the codes looked at allow (190 mm for other stairs there).
 // - Wheels: 2010 ADA Standards for Accessible Design, 404.2.5: a threshold is at most 1/2 inch (13 mm); 405.2: a ramp
-// is at
-//   most 1 in 12 (4.76 degrees).
-// - Robot: Boston Dynamics, "About Spot": 840 mm high standing, slopes up to 30 degrees, steps up to 300 mm.
+//   is at most 1 in 12 (4.76 degrees).
+// - Robot: Boston Dynamics, "About Spot": 840 mm high standing, 500 mm wide, slopes up to 30 degrees, steps up to 300
+//   mm.
+// Radii: half of what they are wide.
+// - People: Gordon et al., 1988 Anthropometric Survey of U.S. Army Personnel: men are 0.535 m broad at the shoulders
+//   (bideltoid breadth, 95th percentile). A child, a cart, a giant and a crawler are ours.
+// - Wheelchair: 2010 ADA Standards, 305.3: the clear floor space for one is 760 mm wide.
 // Defaults of others:
 // - Unity: the agent type Humanoid of a new project (ProjectSettings/NavMeshAreas.asset).
-// - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, in centimetres.
-// - Godot 4: agent_height, agent_max_slope and agent_max_climb of NavigationMesh.
+// - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, and AgentRadius of
+//   ARecastNavMesh, in centimetres.
+// - Godot 4: agent_height, agent_radius, agent_max_slope and agent_max_climb of NavigationMesh.
 // - Recast: RecastDemo, Sample::resetCommonSettings().
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
-  constexpr double kRiser = 0.22, kThreshold = 0.013;
-  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step,
+  constexpr double kRiser = 0.22, kThreshold = 0.013, kShoulder = 0.27;
+  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step, double radius,
                                       const QString& help) {
-    return AgentPreset{{0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit)},
+    return AgentPreset{{0, name.toStdString(), rounded(height / metresPerUnit), degrees, rounded(step / metresPerUnit),
+                        rounded(radius / metresPerUnit)},
                        help};
   };
   return {
-      preset(tr("Human"), 2, 45, kRiser, tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
-      preset(tr("Child"), 1.2, 45, kRiser, tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m")),
-      preset(tr("Wheelchair"), 1.5, 5, kThreshold,
-             tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds up to 0.013 m")),
-      preset(tr("Cart"), 1.2, 10, kThreshold, tr("1.2 m, slopes up to 10°, thresholds up to 0.013 m")),
-      preset(tr("Giant"), 4, 45, 0.8, tr("4 m, slopes up to 45°, steps up to 0.8 m")),
-      preset(tr("Crawler"), 0.5, 60, 0.1, tr("0.5 m, slopes up to 60°, steps up to 0.1 m")),
-      preset(tr("Robot"), 0.84, 30, 0.3, tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m")),
-      preset(QStringLiteral("Unity"), 2, 45, 0.75, tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m")),
-      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35,
-             tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m")),
-      preset(QStringLiteral("Godot"), 1.5, 45, 0.25,
-             tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m")),
-      preset(QStringLiteral("Recast"), 2, 45, 0.9,
-             tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m"))};
+      preset(tr("Human"), 2, 45, kRiser, kShoulder,
+             tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m, shoulders: a radius of 0.27 m")),
+      preset(tr("Child"), 1.2, 45, kRiser, 0.18,
+             tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m, a radius of 0.18 m")),
+      preset(tr("Wheelchair"), 1.5, 5, kThreshold, 0.38,
+             tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds up to 0.013 m, a radius of 0.38 m")),
+      preset(tr("Cart"), 1.2, 10, kThreshold, 0.3,
+             tr("1.2 m, slopes up to 10°, thresholds up to 0.013 m, a radius of 0.3 m")),
+      preset(tr("Giant"), 4, 45, 0.8, 1, tr("4 m, slopes up to 45°, steps up to 0.8 m, a radius of 1 m")),
+      preset(tr("Crawler"), 0.5, 60, 0.1, 0.2, tr("0.5 m, slopes up to 60°, steps up to 0.1 m, a radius of 0.2 m")),
+      preset(tr("Robot"), 0.84, 30, 0.3, 0.25,
+             tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m, a radius of 0.25 m")),
+      preset(QStringLiteral("Unity"), 2, 45, 0.75, 0.5,
+             tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m, a radius of 0.5 m")),
+      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35, 0.34,
+             tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m, a radius of 0.34 m")),
+      preset(QStringLiteral("Godot"), 1.5, 45, 0.25, 0.5,
+             tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m, a radius of 0.5 m")),
+      preset(QStringLiteral("Recast"), 2, 45, 0.9, 0.6,
+             tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m, a radius of 0.6 m"))};
 }
 
 int newAgentId(const DocumentState& state) {

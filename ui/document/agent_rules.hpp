@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,12 +12,14 @@
 
 namespace footfall::ui {
 
-enum class AgentSize { Height, MaxSlope, Step };
+enum class AgentSize { Height, MaxSlope, Step, Radius };
 
 /// The size that the first parameter of a filter is; nothing for filters that no agent drives.
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter);
 /// The filter that a size drives.
 const FilterDescriptor& filterOf(AgentSize size);
+/// Whether 0 means that an agent has none, and no filter for it.
+bool mayBeNone(AgentSize size);
 /// What a size may be: the parameter of its filter, and 0 for agents that climb no steps.
 const ParameterDescriptor& parameterOf(AgentSize size);
 /// In the environment's units, or in degrees.
@@ -25,21 +28,22 @@ void setSizeOf(NamedAgent& agent, AgentSize size, double value);
 
 /// The one whose filters these are; null when there is none.
 const NamedAgent* activeAgent(const DocumentState& state);
-/// Writes the active agent's sizes into all filters that take them, those that are switched off too. A step of 0 is no
-/// value for a filter: those stay.
+/// Writes the active agent's sizes into all filters that take them, those that are switched off too. A step or a
+/// radius of 0 is no value for a filter: those stay.
 void writeSizes(DocumentState& state);
-/// The same, and where the agent climbs no steps, filters for them that are on go; where it does and there is none, one
-/// with the id `newId` comes as far in front as a StepFilter may stand (nowhere without a clearance before it).
-void applyAgent(DocumentState& state, int newId);
+/// The same, and where the agent climbs no steps or has no radius, filters for them that are on go; where it does and
+/// there is none, one comes as far in front as a StepFilter may stand (nowhere without a clearance before it), and one
+/// behind all of these. `newId` gives ids for them.
+void applyAgent(DocumentState& state, const std::function<int()>& newId);
 /// Whether the filters have the active agent's sizes; true without an active agent.
 bool followsAgent(const DocumentState& state);
 /// What switching to that agent would make of the filters. The active one or an unknown id: as they are.
 Pipeline pipelineFor(const DocumentState& state, int agent);
-/// Sizes that no filter that is switched on takes: there the agents have no effect. Steps, which switching between
-/// agents adds and removes, only where the active agent climbs some.
+/// Sizes that no filter that is switched on takes: there the agents have no effect. Those that may be none, for which
+/// switching between agents adds and removes filters, only where the active agent has some.
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state);
 
-/// Heights and steps in the environment's units stay the same in metres.
+/// Lengths in the environment's units stay the same in metres.
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,
                                        double toMetresPerUnit);
 

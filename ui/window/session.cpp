@@ -157,13 +157,19 @@ PlacedObstacle obstacleFrom(const Json& json) {
 }
 
 NamedAgent agentFrom(const Json& json) {
-  NamedAgent agent{0, json.at("name").get<std::string>(), json.at("height").get<double>(),
-                   json.at("max_slope").get<double>(), json.value("step", 0.0)};  // sessions from before had none
+  NamedAgent agent{0,
+                   json.at("name").get<std::string>(),
+                   json.at("height").get<double>(),
+                   json.at("max_slope").get<double>(),
+                   json.value("step", 0.0),  // sessions from before had none
+                   json.value("radius", 0.0)};
   if (!(agent.height > 0 && std::isfinite(agent.height) && agent.maxSlope > 0 && agent.maxSlope < 90))
     throw InputError(FOOTFALL_TEXT("agents: '%1' needs a height above 0 and a slope between 0 and 90 degrees"),
                      agent.name);
   if (!(agent.step >= 0 && std::isfinite(agent.step)))
     throw InputError(FOOTFALL_TEXT("agents: the step of '%1' is below 0; give 0 or more"), agent.name);
+  if (!(agent.radius >= 0 && std::isfinite(agent.radius)))
+    throw InputError(FOOTFALL_TEXT("agents: the radius of '%1' is below 0; give 0 or more"), agent.name);
   return agent;
 }
 
@@ -196,8 +202,11 @@ void writeLevel(const Session& session, Json& json) {
   }
   for (std::size_t i = 0; i < session.agents.size(); ++i) {
     const NamedAgent& agent = session.agents[i];
-    json["agents"].push_back(
-        {{"name", agent.name}, {"height", agent.height}, {"max_slope", agent.maxSlope}, {"step", agent.step}});
+    json["agents"].push_back({{"name", agent.name},
+                              {"height", agent.height},
+                              {"max_slope", agent.maxSlope},
+                              {"step", agent.step},
+                              {"radius", agent.radius}});
     if (agent.id == session.agent) json["agent"] = i + 1;
   }
 }

@@ -154,11 +154,11 @@ class MarginFinder {
     const double a = asked(first), b = asked(second);
     const bool isShared = second.before == before;
     if (a > b) {
-      addArc(first, second, 1, turn, corner);
+      addArc(first, second, 1, std::min(turn, 2.0), corner);
     } else if (a < b) {
       corner.hasFirst = false;
       corner.hasSecond = isShared;
-      if (isShared) addArc(first, second, 0, turn - 1, corner);
+      if (isShared) addArc(first, second, std::max(turn - 2, 0.0), turn - 1, corner);
     } else {
       corner.hasSecond = isShared;
       if (turn > 2 - kTouch)
@@ -169,11 +169,13 @@ class MarginFinder {
     return corner;
   }
 
-  // From one turn to another one, where its radius goes to the border itself if the other border has a smaller one.
+  // From one turn to another one. Where the other border has a smaller distance, that is as far as the border itself,
+  // or straight on: what is beyond comes to the larger one by none of its points but the corner.
   void addArc(const BorderChain& first, const BorderChain& second, double from, double to, Corner& corner) const {
     if (to < from - kTouch) return;
     const PlanVector back = -1.0 * first.along, apex = first.end;
     const double distance = std::max(distanceOf(first), distanceOf(second));
+    const bool isFirsts = asked(first) > asked(second), isSeconds = asked(first) < asked(second);
     double turn = from;
     const auto ahead = [&](const PlanVector& d) {
       const double more = std::fmod(-turnFrom(back, d) - turn, 4);
@@ -183,13 +185,13 @@ class MarginFinder {
       corner.tangents.push_back(roundToUnit(place));
       corner.turns.push_back(at);
     };
-    // Behind the other border by a little.
-    const auto addEnd = [&](const BorderChain& other, const PlanVector& along, double at) {
-      add(apex + distance * along - 2 * other.slack * leftOf(other.along), at);
+    // Farther round by a little.
+    const auto addEnd = [&](const PlanVector& direction, const PlanVector& round, double at) {
+      add(apex + distance * direction + 2 * std::max(first.slack, second.slack) * round, at);
     };
-    const PlanVector last = to < corner.end ? leftOf(second.along) : second.along;
-    PlanVector d = from > 0 ? leftOf(first.along) : back;
-    if (from == 0) addEnd(first, back, 0);
+    const PlanVector last = !isFirsts ? leftOf(second.along) : to < corner.end ? first.along : second.along;
+    PlanVector d = !isSeconds ? leftOf(first.along) : from > 0 ? -1.0 * second.along : back;
+    if (isSeconds) addEnd(d, leftOf(d), from);
     for (bool isDone = false; !isDone;) {
       PlanVector e = unitOf({cosine_ * d.x + sine_ * d.y, cosine_ * d.y - sine_ * d.x});
       const double there = turn + ahead(e);
@@ -200,7 +202,7 @@ class MarginFinder {
       turn = there;
       d = e;
     }
-    if (to == corner.end) addEnd(second, second.along, to);
+    if (isFirsts) addEnd(last, -1.0 * leftOf(last), to);
     corner.split = !corner.hasSecond ? corner.tangents.size() - 1 : corner.hasFirst ? corner.tangents.size() / 2 : 0;
   }
 
