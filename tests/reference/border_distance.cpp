@@ -185,21 +185,23 @@ BorderDistance::Distance BorderDistance::leastOf(const SurfacePlace& from, doubl
     const double apart = std::fabs(height(way.end) - heightOn(border, q[0], q[1]));
     const bool isThere = way.end.triangle == border.triangle || apart < 1e-6 * (1 + most);
     const bool isStoppedBefore = way.isStopped && (!isThere || way.length < direct - 1e-9 * (1 + most));
-    if ((!isThere && !way.isStopped) || way.length > most || !counts(border, isStoppedBefore)) continue;
+    if ((!isThere && !way.isStopped) || way.length > most || !counts(border, way, isStoppedBefore)) continue;
     if (!way.isDoubtful) least = least ? std::min(*least, way.length) : way.length;
   }
   return distance;
 }
 
 BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most) const {
-  return leastOf(from, most, [](const Border&, bool) { return true; });
+  return leastOf(from, most, [](const Border&, const Walk&, bool) { return true; });
 }
 
 // What stops a walk is nearer, and counts as what it is.
 BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most, BorderKind kind,
                                             bool orDoubtful) const {
-  return leastOf(from, most, [&](const Border& border, bool isStoppedBefore) {
+  return leastOf(from, most, [&](const Border& border, const Walk& way, bool isStoppedBefore) {
     const BorderKind own = border.stretch.kind;
+    // Beside a border's very end one can be on another floor of nearly the same height.
+    if (!orDoubtful && way.end.triangle != border.triangle) return false;
     return !isStoppedBefore && (own == kind || (orDoubtful && own == BorderKind::Doubtful));
   });
 }
