@@ -17,10 +17,11 @@ double orientation(const Place& a, const Place& b, const Place& c) {
 }
 
 // Not its very ends: where a border meets a step, one walks over the step beside the corner.
-Place nearestOn(const Place& a, const Place& b, double x, double y) {
+Place nearestOn(const Place& a, const Place& b, const BorderStretch& part, double x, double y) {
   constexpr double kEnd = 1e-8;
   const double dx = b[0] - a[0], dy = b[1] - a[1];
-  const double t = std::clamp(((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy), kEnd, 1 - kEnd);
+  const double t = std::clamp(((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy), std::max(part.begin, kEnd),
+                              std::max({part.begin, kEnd, std::min(part.end, 1 - kEnd)}));
   return {a[0] + t * dx, a[1] + t * dy};
 }
 
@@ -29,7 +30,7 @@ Place nearestOn(const Place& a, const Place& b, double x, double y) {
 BorderDistance::BorderDistance(const NavigationMesh& mesh) : mesh_(mesh), beyond_(mesh.triangles.size()) {
   std::map<std::array<std::uint32_t, 2>, std::vector<Border>> sides;  // by their ends
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) sides[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}].push_back({t, k});
+    for (int k = 0; k < 3; ++k) sides[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}].push_back({t, k, {}});
   for (const auto& [ends, own] : sides) {
     const auto other = sides.find({ends[1], ends[0]});
     if (other == sides.end()) continue;
@@ -44,7 +45,7 @@ BorderDistance::BorderDistance(const NavigationMesh& mesh) : mesh_(mesh), beyond
   }
   for (const auto& [ends, own] : sides)
     for (const Border& side : own)
-      if (beyond_[side.triangle][side.side].empty()) borders_.push_back(side);
+      if (beyond_[side.triangle][side.side].empty()) borders_.push_back({side.triangle, side.side, {}});
   makeGrid();
 }
 
@@ -74,6 +75,8 @@ void BorderDistance::makeGrid() {
     for (int i = cell(x0, 0); i <= cell(x1, 0); ++i)
       for (int j = cell(y0, 1); j <= cell(y1, 1); ++j) cells[i * kCells + j].push_back(id);
   };
+  for (auto* cells : {&trianglesIn_, &bordersIn_})
+    for (auto& cell : *cells) cell.clear();
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     add(trianglesIn_, t, {corner(t, 0), corner(t, 1), corner(t, 2)});
   for (std::uint32_t b = 0; b < borders_.size(); ++b)
@@ -151,7 +154,20 @@ BorderDistance::Walk BorderDistance::walk(const SurfacePlace& from, double x, do
   return {{t, x, y}, whole, false, true};
 }
 
-BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most) const {
+void BorderDistance::divide(const Environment& environment, double step, double height) {
+  std::vector<Border> divided;
+  for (const Border& border : borders_) {
+    const auto& t = mesh_.triangles[border.triangle];
+    for (const BorderStretch& stretch : stretchesOf(environment, mesh_.vertices[t[border.side]],
+                                                    mesh_.vertices[t[(border.side + 1) % 3]], step, height))
+      divided.push_back({border.triangle, border.side, stretch});
+  }
+  borders_ = std::move(divided);
+  makeGrid();
+}
+
+template <class Counts>
+BorderDistance::Distance BorderDistance::leastOf(const SurfacePlace& from, double most, const Counts& counts) const {
   std::set<std::uint32_t> near;
   for (int i = cell(from.x - most, 0); i <= cell(from.x + most, 0); ++i)
     for (int j = cell(from.y - most, 1); j <= cell(from.y + most, 1); ++j)
@@ -160,17 +176,34 @@ BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double mos
   auto& [least, isDoubtful] = distance;
   for (const std::uint32_t i : near) {
     const Border& border = borders_[i];
-    const Place q =
-        nearestOn(corner(border.triangle, border.side), corner(border.triangle, border.side + 1), from.x, from.y);
-    if (std::hypot(q[0] - from.x, q[1] - from.y) > most) continue;
+    const Place q = nearestOn(corner(border.triangle, border.side), corner(border.triangle, border.side + 1),
+                              border.stretch, from.x, from.y);
+    const double direct = std::hypot(q[0] - from.x, q[1] - from.y);
+    if (direct > most) continue;
     const Walk way = walk(from, q[0], q[1]);
     isDoubtful = isDoubtful || way.isDoubtful || isNeedle(border.triangle);
     const double apart = std::fabs(height(way.end) - heightOn(border, q[0], q[1]));
-    const bool isThere = way.isStopped || way.end.triangle == border.triangle || apart < 1e-6 * (1 + most);
-    if (!isThere || way.length > most) continue;
+    const bool isThere = way.end.triangle == border.triangle || apart < 1e-6 * (1 + most);
+    const bool isStoppedBefore = way.isStopped && (!isThere || way.length < direct - 1e-9 * (1 + most));
+    if ((!isThere && !way.isStopped) || way.length > most || !counts(border, way, isStoppedBefore)) continue;
     if (!way.isDoubtful) least = least ? std::min(*least, way.length) : way.length;
   }
   return distance;
+}
+
+BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most) const {
+  return leastOf(from, most, [](const Border&, const Walk&, bool) { return true; });
+}
+
+// What stops a walk is nearer, and counts as what it is.
+BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most, BorderKind kind,
+                                            bool orDoubtful) const {
+  return leastOf(from, most, [&](const Border& border, const Walk& way, bool isStoppedBefore) {
+    const BorderKind own = border.stretch.kind;
+    // Beside a border's very end one can be on another floor of nearly the same height.
+    if (!orDoubtful && way.end.triangle != border.triangle) return false;
+    return !isStoppedBefore && (own == kind || (orDoubtful && own == BorderKind::Doubtful));
+  });
 }
 
 }  // namespace footfall::reference

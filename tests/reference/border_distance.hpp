@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "footfall/navigation_mesh.hpp"
+#include "tests/reference/border_kinds.hpp"
 
 namespace footfall::reference {
 
@@ -26,8 +27,12 @@ class BorderDistance {
   struct Border {
     std::uint32_t triangle = 0;
     int side = 0;
+    BorderStretch stretch{};  ///< of the side; all of it until divide()
   };
   [[nodiscard]] const std::vector<Border>& borders() const { return borders_; }
+
+  /// Divides the border into walls and ledges.
+  void divide(const Environment& environment, double step, double height);
 
   struct Distance {
     std::optional<double> least;  ///< nothing where it is above the limit
@@ -35,6 +40,8 @@ class BorderDistance {
   };
   /// The least length, in the plan, of a straight walk from a place to the border, up to a limit.
   [[nodiscard]] Distance at(const SurfacePlace& from, double most) const;
+  /// The same to one kind of border, once it is divided, and where `orDoubtful`, to what may be of it.
+  [[nodiscard]] Distance at(const SurfacePlace& from, double most, BorderKind kind, bool orDoubtful) const;
 
   struct Walk {
     SurfacePlace end;
@@ -54,6 +61,8 @@ class BorderDistance {
  private:
   [[nodiscard]] std::array<double, 2> corner(std::uint32_t triangle, int k) const;
   [[nodiscard]] double heightOn(const Border& border, double x, double y) const;
+  template <class Counts>
+  [[nodiscard]] Distance leastOf(const SurfacePlace& from, double most, const Counts& counts) const;
   void makeGrid();
   [[nodiscard]] int cell(double value, int axis) const;
 

@@ -196,9 +196,9 @@ void AgentsPanel::follow() {
   const bool tell = !state.agents.empty() && !missing.empty();
   QString hint;
   if (state.agents.empty()) {
-    hint =
-        tr("An agent is a height, a slope, a step and a drop that the filters follow. Add one to compare what each can "
-           "reach.");
+    hint = tr(
+        "An agent is the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare "
+        "what each can reach.");
   } else if (tell) {
     hint = tr("No filter '%1' is on: that size of the agents has no effect.")
                .arg(names.join(tr("' and no filter '", "between two names of filters")));

@@ -85,6 +85,10 @@ QWidget* WhyPanel::makeAnswerPage() {
   slope_->setToolTip(tr("Between the upper side of the triangle and the horizontal; beyond 90° it faces down"));
   headroom_ = addFigure(grid, tr("Free height"), QStringLiteral("whyHeadroom"));
   headroom_->setToolTip(tr("Up to the lowest triangle straight above"));
+  borders_ = addFigure(grid, tr("Borders"), QStringLiteral("whyBorders"));
+  borders_->setToolTip(
+      tr("How far the nearest wall and the nearest ledge are, straight over the walkable area as it is "
+         "before a radius narrows it, seen from above"));
 
   showFilter_ = new QPushButton(page);
   showFilter_->setObjectName(QStringLiteral("whyShowFilter"));
@@ -125,6 +129,7 @@ void WhyPanel::show(const std::shared_ptr<const Inspector>& inspector, const Pla
   triangle_->setText(WhyText::triangle(*inspector, told.place.triangle));
   slope_->setText(WhyText::slope(told));
   headroom_->setText(WhyText::headroom(*inspector, told, units));
+  borders_->setText(WhyText::borders(told, units));
   showFilter_->setVisible(told.step.has_value());
   if (told.step)
     showFilter_->setText(tr("Go to step %1: %2")

@@ -51,6 +51,7 @@ class WhyPanel : public QWidget {
   QLabel* triangle_ = nullptr;
   QLabel* slope_ = nullptr;
   QLabel* headroom_ = nullptr;
+  QLabel* borders_ = nullptr;
   QPushButton* framePlace_ = nullptr;
   QPushButton* frameObstacle_ = nullptr;
   QPushButton* showFilter_ = nullptr;

@@ -141,6 +141,13 @@ QString WhyText::headroom(const Inspector& inspector, const PlaceExplanation& to
   return tr("%1, below triangle %2").arg(units.length(told.above->height), triangle(inspector, told.above->triangle));
 }
 
+QString WhyText::borders(const PlaceExplanation& told, const LevelUnits& units) {
+  QStringList parts;
+  if (told.wallDistance) parts << tr("a wall at %1").arg(units.length(*told.wallDistance));
+  if (told.ledgeDistance) parts << tr("a ledge at %1").arg(units.length(*told.ledgeDistance));
+  return parts.isEmpty() ? tr("none") : parts.join(tr(", ", "between two borders"));
+}
+
 Paint WhyText::paint(const Inspector& inspector, const PlaceExplanation& told) {
   if (told.verdict == PlaceVerdict::Walkable) return told.layer ? layerPaint(*told.layer) : walkablePaint();
   if (!told.step) return wallPaint();

@@ -23,6 +23,8 @@ class WhyText {
   static QString reason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
   static QString slope(const PlaceExplanation& told);
   static QString headroom(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
+  /// How far the nearest wall and ledge are.
+  static QString borders(const PlaceExplanation& told, const LevelUnits& units);
   /// "12 (door, wood)": the number, and the names of mesh and material where the file has some.
   static QString triangle(const Inspector& inspector, std::uint32_t triangle);
   /// The colour and pattern that such places have in the view.

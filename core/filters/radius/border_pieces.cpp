@@ -5,8 +5,10 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "core/base/vector.hpp"
 #include "core/filters/height_levels.hpp"
 
 namespace footfall::detail {
@@ -15,17 +17,67 @@ namespace {
 constexpr std::size_t kSidesPerTask = 16;
 constexpr double kDoubt = 4;  // margins of an EdgeFrame between what is wall for certain and what is ledge
 
-// Ledges as they are for certain, or as they may be: neighbours that may touch are one.
-std::vector<EdgePiece> widened(std::vector<EdgePiece> ledges, double doubt) {
+// Ledges end a little before the places where something begins or ends. What is no longer than `point` is one, and
+// points do not count, neither ledges nor what is between two of them. `more` goes to all ends.
+std::vector<EdgePiece> widened(const std::vector<EdgePiece>& ledges, double more, double point) {
   std::vector<EdgePiece> result;
   for (EdgePiece piece : ledges) {
-    piece = {std::max(piece.begin - doubt, 0.0), std::min(piece.end + doubt, 1.0)};
-    if (!result.empty() && piece.begin <= result.back().end)
-      result.back().end = piece.end;
+    if (piece.end - piece.begin <= point) continue;
+    if (piece.begin <= std::max(more, point)) piece.begin = 0;
+    if (piece.end >= 1 - std::max(more, point)) piece.end = 1;
+    piece = {std::max(piece.begin - more, 0.0), std::min(piece.end + more, 1.0)};
+    if (!result.empty() && piece.begin <= result.back().end + point)
+      result.back().end = std::max(piece.end, result.back().end);
     else
       result.push_back(piece);
   }
   return result;
+}
+
+/// Where a triangle begins to be a wall right at the border: it is as high over it as the step and rises outwards, or
+/// as the clearance and falls. So are all borders that a slanting ceiling makes, to within rounding.
+std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
+  constexpr double kLevel = 0x1p-20;  // of slopes
+  const EdgeFrame& frame = kinds.frame();
+  const double step = kinds.heightOf(kinds.stepLevel()), height = kinds.heightOf(kinds.heightLevel());
+  std::vector<EdgePiece> walls;
+  for (const CoverAlong& cover : kinds.covers()) {
+    if (!cover.isOutside) continue;
+    const auto [p, q, r] = kinds.cornersOf(cover.triangle);
+    const Vec3 n = cross(q - p, r - p);
+    const auto above = [&](const Vec3& place) {
+      return p.z - (n.x * (place.x - p.x) + n.y * (place.y - p.y)) / n.z - place.z;
+    };
+    const double atBegin = above(frame.at(0)), atEnd = above(frame.at(1));
+    const double rise = -(n.x * frame.outwards().x + n.y * frame.outwards().y) / n.z;
+    const auto isAt = [&](double level) {
+      return std::max(std::fabs(atBegin - level), std::fabs(atEnd - level)) <= frame.margin();
+    };
+    if (!(isAt(height) && rise < -kLevel) && !(isAt(step) && rise > kLevel)) continue;
+    EdgePieces pieces;
+    for (const SignAlong& sign : cover.inside) pieces.add(sign);
+    const std::vector<EdgePiece> covered = pieces.where([&](const EdgePiece& piece) { return cover.covers(piece); });
+    walls.insert(walls.end(), covered.begin(), covered.end());
+  }
+  return walls;
+}
+
+/// What stands along the border to within rounding, as walls on which a product was cut do. Closed pieces; what is as
+/// high as the step or the clearance to within rounding is none.
+std::vector<EdgePiece> nearWalls(BorderKinds& kinds) {
+  const EdgeFrame& frame = kinds.frame();
+  const double hair = 2 * frame.margin();
+  const double lowest = kinds.heightOf(kinds.stepLevel()) + hair, highest = kinds.heightOf(kinds.heightLevel()) - hair;
+  const LinearFunction none{}, &above = frame.above(), &outwards = frame.outwards();
+  const std::vector<LinearFunction> beside{outwards, none - outwards, above + -lowest, none - above + highest};
+  const Vec3 a = frame.at(0), b = frame.at(1);
+  std::vector<EdgePiece> walls;
+  kinds.visitNear({{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z) + lowest},
+                   {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z) + highest}},
+                  [&](Index t) {
+                    if (const auto piece = frame.shadow(kinds.cornersOf(t), beside)) walls.push_back(*piece);
+                  });
+  return walls;
 }
 
 double heightForKinds(const WalkableState& state) {
@@ -71,7 +123,8 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
     pieces.push_back({side, placeAt(at), placeAt(to), isLedge, at == 0 && to == 1 ? 0 : error});
     at = to;
   };
-  for (const EdgePiece& ledge : widened(kinds_.ledges(), isLedgeInDoubt_ ? doubt : 0)) {
+  for (const EdgePiece& ledge : widened(without(without(kinds_.ledges(), grazedWalls(kinds_)), nearWalls(kinds_)),
+                                        isLedgeInDoubt_ ? doubt : 0, 2 * doubt)) {
     add(ledge.begin, false);
     add(ledge.end, true);
   }

@@ -28,7 +28,7 @@ struct Corner {
   std::vector<PlanVector> tangents;
   std::vector<double> turns;                ///< of these, clockwise from the first chain's direction backwards
   std::size_t split = 0;                    ///< the first chain has those up to this one, the second from here on
-  bool hasFirst = true, hasSecond = false;  ///< which of them have a part of it indeed
+  bool hasFirst = true, hasSecond = false;  ///< which of them have a part of it
   bool isMitre = false;
   std::vector<Index> fan;                     ///< MarginSurface::fanBehind()
   double end = 0;                             ///< turn of the second chain
@@ -58,11 +58,12 @@ class MarginFinder {
     for (const BorderChain& chain : chains_) checkSlack(chain);
     reached_.resize(chains_.size());
     corners_.resize(chains_.size());
+    others_.resize(chains_.size());
     std::vector<std::vector<Margin>> found(chains_.size());
     tbb::enumerable_thread_specific<Spread> spreads([&] { return Spread(surface_); });
     forChains([&](Index i) { reached_[i] = reachedBy(chains_[i], spreads.local()); });
     forChains([&](Index i) {
-      if (chains_[i].behind >= 0) corners_[i] = cornerBetween(i, chains_[i].behind);
+      if (chains_[i].behind >= 0) findCorner(i, chains_[i].behind);
     });
     forChains([&](Index i) { makeMargins(i, spreads.local(), found[i]); });
     std::vector<Margin> margins;
@@ -122,10 +123,10 @@ class MarginFinder {
 
   // --- Corners ---
 
-  [[nodiscard]] Corner cornerBetween(Index before, Index behind) const {
+  void findCorner(Index before, Index behind) {
     const BorderChain &first = chains_[before], &second = chains_[behind];
-    Corner corner;
-    if (first.isShort || second.isShort) return corner;
+    Corner& corner = corners_[before];
+    if (first.isShort || second.isShort) return;
     findFan(first, corner.fan);
     const PlanVector back = -1.0 * first.along;
     double turn = 0;
@@ -153,12 +154,14 @@ class MarginFinder {
     corner.end = turn;
     const double a = asked(first), b = asked(second);
     const bool isShared = second.before == before;
-    if (a > b) {
-      addArc(first, second, 1, turn, corner);
-    } else if (a < b) {
-      corner.hasFirst = false;
-      corner.hasSecond = isShared;
-      if (isShared) addArc(first, second, 0, turn - 1, corner);
+    if (a != b) {
+      // An arc for each, where the other one has not all of it: the larger one covers what both do.
+      Corner& other = others_[before] = corner;
+      other.hasFirst = false;
+      other.hasSecond = isShared;
+      if (a > b || (a > 0 && turn > 3 - kTouch)) addArc(first, second, 1, std::min(turn, 2.0), corner);
+      if (isShared && (b > a || (b > 0 && turn > 3 - kTouch)))
+        addArc(first, second, std::max(turn - 2, 0.0), turn - 1, other);
     } else {
       corner.hasSecond = isShared;
       if (turn > 2 - kTouch)
@@ -166,14 +169,18 @@ class MarginFinder {
       else if (isShared && a > 0)
         addMitre(before, behind, corner);
     }
-    return corner;
   }
 
-  // From one turn to another one, where its radius goes to the border itself if the other border has a smaller one.
+  // From one turn to another one. Where the two distances differ, that is as far as the other border itself,
+  // or straight on: what is beyond comes to that border by none of its points but the corner.
   void addArc(const BorderChain& first, const BorderChain& second, double from, double to, Corner& corner) const {
     if (to < from - kTouch) return;
     const PlanVector back = -1.0 * first.along, apex = first.end;
-    const double distance = std::max(distanceOf(first), distanceOf(second));
+    const bool isEqual = asked(first) == asked(second), isFirsts = !isEqual && corner.hasFirst,
+               isSeconds = !isEqual && !corner.hasFirst;
+    const double distance = isFirsts    ? distanceOf(first)
+                            : isSeconds ? distanceOf(second)
+                                        : std::max(distanceOf(first), distanceOf(second));
     double turn = from;
     const auto ahead = [&](const PlanVector& d) {
       const double more = std::fmod(-turnFrom(back, d) - turn, 4);
@@ -183,13 +190,13 @@ class MarginFinder {
       corner.tangents.push_back(roundToUnit(place));
       corner.turns.push_back(at);
     };
-    // Behind the other border by a little.
-    const auto addEnd = [&](const BorderChain& other, const PlanVector& along, double at) {
-      add(apex + distance * along - 2 * other.slack * leftOf(other.along), at);
+    // Farther round by a little.
+    const auto addEnd = [&](const PlanVector& direction, const PlanVector& round, double at) {
+      add(apex + distance * direction + 2 * std::max(first.slack, second.slack) * round, at);
     };
-    const PlanVector last = to < corner.end ? leftOf(second.along) : second.along;
-    PlanVector d = from > 0 ? leftOf(first.along) : back;
-    if (from == 0) addEnd(first, back, 0);
+    const PlanVector last = !isFirsts ? leftOf(second.along) : to < corner.end ? first.along : second.along;
+    PlanVector d = !isSeconds ? leftOf(first.along) : from > 0 ? -1.0 * second.along : back;
+    if (isSeconds) addEnd(d, leftOf(d), from);
     for (bool isDone = false; !isDone;) {
       PlanVector e = unitOf({cosine_ * d.x + sine_ * d.y, cosine_ * d.y - sine_ * d.x});
       const double there = turn + ahead(e);
@@ -200,7 +207,7 @@ class MarginFinder {
       turn = there;
       d = e;
     }
-    if (to == corner.end) addEnd(second, second.along, to);
+    if (isFirsts) addEnd(last, -1.0 * leftOf(last), to);
     corner.split = !corner.hasSecond ? corner.tangents.size() - 1 : corner.hasFirst ? corner.tangents.size() / 2 : 0;
   }
 
@@ -268,7 +275,7 @@ class MarginFinder {
     Part before, behind;
     before.isBehind = false;
     if (chain.before >= 0) {
-      const Corner& corner = corners_[chain.before];
+      const Corner& corner = corners_[chain.before].hasSecond ? corners_[chain.before] : others_[chain.before];
       if (corner.hasSecond && !corner.tangents.empty() && chains_[chain.before].behind == number)
         before = {&corner, corner.split, corner.tangents.size() - 1, false};
     }
@@ -422,6 +429,7 @@ class MarginFinder {
   std::vector<BorderChain> chains_;
   std::vector<std::vector<Index>> reached_;  ///< of each chain the triangles that beams reach
   std::vector<Corner> corners_;              ///< behind each chain
+  std::vector<Corner> others_;               ///< what is the second chain\'s alone, where the distances differ
 };
 
 }  // namespace

@@ -29,10 +29,18 @@ using reference::SurfacePlace;
 
 namespace {
 
-constexpr double kTolerance = 0.01;
+/// What an agent keeps away from walls and from ledges.
+struct Distances {
+  double walls = 0, ledges = 0;
+  double tolerance = 0.01;
+  [[nodiscard]] bool areEqual() const { return walls == ledges; }
+};
 
 std::string number(double x) { return QString::number(x, 'g', 17).toStdString(); }
 std::string radius(double r) { return "RadiusFilter " + number(r) + "\n"; }
+std::string radius(const Distances& d) {
+  return "RadiusFilter " + number(d.walls) + ' ' + number(d.ledges) + ' ' + number(d.tolerance) + '\n';
+}
 
 NavigationMesh narrowed(const Soup& soup, double r, const std::string& before = minimalPipeline(2) + "\n",
                         const std::string& more = "") {
@@ -48,14 +56,21 @@ struct Tally {
 /// Looks at places of the area before the filter: evenly strewn, and along its border.
 class PromiseCheck {
  public:
-  PromiseCheck(const NavigationMesh& before, const NavigationMesh& after, double r)
-      : mesh_(before), before_(before), after_(after), radius_(r) {
+  PromiseCheck(const NavigationMesh& before, const NavigationMesh& after, const Distances& distances)
+      : mesh_(before),
+        before_(before),
+        after_(after),
+        asked_(distances),
+        radius_(std::max(distances.walls, distances.ledges)) {
     double sum = 0;
     for (const Triangle& t : before.triangles) {
       const Vec3 &a = before.vertices[t[0]], &b = before.vertices[t[1]], &c = before.vertices[t[2]];
       sums_.push_back(sum += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
     }
   }
+
+  /// Tells walls from ledges.
+  void divide(const Environment& environment, double step, double height) { before_.divide(environment, step, height); }
 
   Tally look(int places, std::mt19937& random) {
     Tally tally;
@@ -84,7 +99,9 @@ class PromiseCheck {
   [[nodiscard]] SurfacePlace nearBorder(double which, double along, double how) const {
     if (before_.borders().empty()) return anywhere(which, along, how);
     const auto number = static_cast<std::size_t>(which * static_cast<double>(before_.borders().size()));
-    const auto& [t, side] = before_.borders()[std::min(number, before_.borders().size() - 1)];
+    const BorderDistance::Border& border = before_.borders()[std::min(number, before_.borders().size() - 1)];
+    const auto t = border.triangle;
+    const int side = border.side;
     const SurfacePlace start = inside(t, 0.3, 0.3);
     const Vec3 &a = mesh_.vertices[mesh_.triangles[t][side]], &b = mesh_.vertices[mesh_.triangles[t][(side + 1) % 3]];
     const double x = a.x + along * (b.x - a.x), y = a.y + along * (b.y - a.y);
@@ -97,42 +114,74 @@ class PromiseCheck {
   void lookAt(const SurfacePlace& place, Tally& tally) {
     constexpr double kRounding = 1e-9;  // what the doubles of the two products are off, beside coordinates of about 10
     if (before_.isNeedle(place.triangle)) return;
-    const auto [distance, isDoubtful] = before_.at(place, 1.1 * radius_);
     const bool isLeft = after_.find(place.x, place.y, before_.height(place), 1e-6).has_value();
     const double slack = kRounding * (1 + radius_);
-    if (distance && *distance < radius_ - slack) {
+    const Nearest certain = nearestTo(place, false), possible = nearestTo(place, true);
+    const auto isNear = [&](const std::optional<double>& d, double asked) { return d && *d < asked - slack; };
+    const auto isFar = [&](const std::optional<double>& d, double asked) {
+      return !d || *d > (1 + asked_.tolerance) * asked + slack;
+    };
+    // On a border that keeps nothing away, a place is on either side of it.
+    const auto isOn = [&](const std::optional<double>& d) { return d && *d < slack; };
+    if ((asked_.walls == 0 && isOn(possible.wall)) || (asked_.ledges == 0 && isOn(possible.ledge))) return;
+    if (isNear(certain.wall, asked_.walls) || isNear(certain.ledge, asked_.ledges)) {
       ++tally.near;
-      if (isLeft) tell("left", place, *distance, tally);
-    } else if (isDoubtful) {
+      if (isLeft) tell("left", place, certain, tally);
+    } else if (possible.isDoubtful) {
       ++tally.doubtful;
-    } else if (!distance || *distance > (1 + kTolerance) * radius_ + slack) {
+    } else if (isFar(possible.wall, asked_.walls) && isFar(possible.ledge, asked_.ledges)) {
       ++tally.far;
-      if (!isLeft) tell("removed", place, distance.value_or(-1), tally);
+      if (!isLeft) tell("removed", place, possible, tally);
     }
   }
-  void tell(const char* what, const SurfacePlace& place, double distance, Tally& tally) const {
+
+  struct Nearest {
+    std::optional<double> wall, ledge;
+    bool isDoubtful = false;
+  };
+  // With equal distances nobody needs to know what is a wall.
+  [[nodiscard]] Nearest nearestTo(const SurfacePlace& place, bool orDoubtful) const {
+    const double most = 1.2 * radius_;
+    if (asked_.areEqual()) {
+      const auto [distance, isDoubtful] = before_.at(place, most);
+      return {distance, distance, isDoubtful};
+    }
+    const auto wall = before_.at(place, most, reference::BorderKind::Wall, orDoubtful);
+    const auto ledge = before_.at(place, most, reference::BorderKind::Ledge, orDoubtful);
+    return {wall.least, ledge.least, wall.isDoubtful || ledge.isDoubtful};
+  }
+  void tell(const char* what, const SurfacePlace& place, const Nearest& nearest, Tally& tally) const {
     if (++tally.wrong < 4)
-      qWarning("%s: %.17g %.17g %.17g at a distance of %.17g, radius %g", what, place.x, place.y, before_.height(place),
-               distance, radius_);
+      qWarning("%s: %.17g %.17g %.17g, wall at %.17g of %g, ledge at %.17g of %g", what, place.x, place.y,
+               before_.height(place), nearest.wall.value_or(-1), asked_.walls, nearest.ledge.value_or(-1),
+               asked_.ledges);
   }
 
   const NavigationMesh& mesh_;
   BorderDistance before_, after_;
-  double radius_;
+  Distances asked_;
+  double radius_;  ///< the larger one
   std::vector<double> sums_;
 };
 
-Tally checkPromise(const std::shared_ptr<Environment>& environment, const std::string& before, double r, int places,
-                   std::mt19937& random) {
+Tally checkPromise(const std::shared_ptr<Environment>& environment, const std::string& before,
+                   const Distances& distances, int places, std::mt19937& random) {
   const StatePtr state = runFilters(environment, before);
-  const NavigationMesh all = navigationMesh(state), left = navigationMesh(runFilters(state, radius(r)));
+  const NavigationMesh all = navigationMesh(state),
+                       left = navigationMesh(runFilters(environment, before + radius(distances)));
   if (const std::string error = findMeshError(left); !error.empty()) {
     qWarning("%s", error.c_str());
     return {0, 0, 0, 1};
   }
-  const Tally tally = PromiseCheck(all, left, r).look(places, random);
+  PromiseCheck check(all, left, distances);
+  if (!distances.areEqual()) check.divide(*environment, state->step, state->clearance);
+  const Tally tally = check.look(places, random);
   if (tally.wrong > 0 && environment->triangles.size() < 100) qWarning("%s", toText(*environment).c_str());
   return tally;
+}
+Tally checkPromise(const std::shared_ptr<Environment>& environment, const std::string& before, double r, int places,
+                   std::mt19937& random) {
+  return checkPromise(environment, before, Distances{r, r}, places, random);
 }
 
 }  // namespace
@@ -226,14 +275,91 @@ class TestRadiusFilter : public QObject {
     const Pipeline pipeline = parsePipeline(minimalPipeline(2) + "\n" + radius(1) + "AreaFilter 1\n", "p");
     const Inspector inspector(environment, pipeline, runPipeline(environment, pipeline, context).mesh);
     const PlaceExplanation near = inspector.explain(*inspector.placeBelow({0.5, 5, 0.1}));
-    QVERIFY(near.verdict == PlaceVerdict::TooNear && near.limit == 1 && near.step == std::size_t{2});
-    QVERIFY(inspector.explain(*inspector.placeBelow({5, 5, 0.1})).verdict == PlaceVerdict::Walkable);
+    QVERIFY(near.verdict == PlaceVerdict::TooNearLedge && near.limit == 1 && near.step == std::size_t{2});
+    QVERIFY(near.ledgeDistance == 0.5 && !near.wallDistance);
+    const PlaceExplanation middle = inspector.explain(*inspector.placeBelow({5, 5, 0.1}));
+    QVERIFY(middle.verdict == PlaceVerdict::Walkable && middle.ledgeDistance == 5.0);
+  }
+
+  void tellsWallsFromLedges() {
+    // A wall along x = 0 as far as y = 5.
+    const Soup room = Soup().floor(0, 0, 10, 10, 0).wall(0, -1, 0, 5, -1, 3);
+    RunContext context;
+    const auto environment = room.environment();
+    const Pipeline pipeline = parsePipeline(minimalPipeline(2) + "\nRadiusFilter 1 0.25\n", "p");
+    const Inspector inspector(environment, pipeline, runPipeline(environment, pipeline, context).mesh);
+    const auto at = [&](double x, double y) { return inspector.explain(*inspector.placeBelow({x, y, 0.1})); };
+    QVERIFY(at(0.5, 3).verdict == PlaceVerdict::TooNearWall && at(0.5, 3).limit == 1 && at(0.5, 3).wallDistance == 0.5);
+    QVERIFY(at(9.875, 3).verdict == PlaceVerdict::TooNearLedge && at(9.875, 3).limit == 0.25 &&
+            at(9.875, 3).ledgeDistance == 0.125);
+    QVERIFY(at(0.5, 6.5).verdict == PlaceVerdict::Walkable && at(0.5, 6.5).ledgeDistance == 0.5);
+    QVERIFY(at(9.5, 5).verdict == PlaceVerdict::Walkable && at(9.5, 5).wallDistance == 9.5);
+  }
+
+  void wallsEndInTheMiddleOfAnEdge() {
+    const auto left = [](const Soup& soup, const std::string& numbers) {
+      return area(navigationMesh(
+          runFilters(soup.environment(), minimalPipeline(2) + "\nStepFilter 0.3\nRadiusFilter " + numbers + "\n")));
+    };
+    const Soup floor = Soup().floor(0, 0, 10, 10, 0);
+    const Soup room = Soup().floor(0, 0, 10, 10, 0).wall(0, -1, 0, 5, -1, 3);
+    const double disc = std::numbers::pi;
+    const auto isAbout = [](double found, double exact, double arcs) { return found <= exact && found > exact - arcs; };
+    QVERIFY(isAbout(left(room, "1 0"), 100 - 5 - disc / 4, 0.02 * disc));
+    QVERIFY(isAbout(left(room, "0 1"), 72 - 4 - disc / 4, 0.02 * disc));
+    QCOMPARE(left(room, "0 0"), 100.0);
+    QVERIFY(std::fabs(left(room, "1 1") - 64) < 1e-10 && std::fabs(left(room, "1") - 64) < 1e-10);
+    QCOMPARE(left(floor, "1 0"), 100.0);
+    QVERIFY(std::fabs(left(floor, "0 1") - 64) < 1e-10);
+    // A finer tolerance loses less, a coarser one more, and none too much.
+    double before = 100 - 5 - disc / 4;
+    for (const char* tolerance : {"0.0001", "0.001", "0.01", "0.1"}) {
+      const double now = left(room, std::string("1 0 ") + tolerance);
+      QVERIFY2(now < before, tolerance);
+      before = now;
+    }
+    QVERIFY(before > 100 - 5 - 1.21 * disc / 4);
+    // What is no higher than a step is no wall; a railing is one; so is what hangs beside the floor at a man's height.
+    QVERIFY(isAbout(left(Soup(floor).wall(0, -1, 0, 5, -1, 0.3), "1 0"), 100.0000001, 1e-6));
+    QVERIFY(left(Soup(floor).wall(0, -1, 0, 5, 0, 1), "1 0") < 94.3);
+    QVERIFY(left(Soup(floor).wall(0, -1, 0, 5, 1, 1.5), "1 0") < 94.3);
+    QCOMPARE(left(Soup(floor).wall(0, -1, 0, 5, 2, 3), "1 0"), 100.0);
+    QVERIFY(left(Soup(floor).ceiling(-2, -1, 0, 5, 1.5), "1 0") < 94.3);
+    QCOMPARE(left(Soup(floor).ceiling(-2, -1, -0.001, 5, 1.5), "1 0"), 100.0);
+  }
+
+  void keepsItsPromiseToWallsAndLedges() {
+    std::mt19937 random(static_cast<unsigned>(seed()) + 5);
+    Tally sum;
+    for (int i = 0; i < rounds(60); ++i) {
+      std::vector<PartNumbers> parts(3 + random() % 9);
+      for (PartNumbers& part : parts)
+        for (int& n : part) n = static_cast<int>(random() % 64);
+      const Soup soup = buildingOf(parts);  // not turned: what a rounding decides is doubtful for the reference, too
+      const std::string before = minimalPipeline(1.5) + "\n" + (i % 3 == 0 ? "StepFilter 0.5\n" : "");
+      for (const Distances& distances : {Distances{0.3, 0}, Distances{0, 0.3}, Distances{0.75, 0.2},
+                                         Distances{0.2, 0.5, 0.1}, Distances{0.3, 0.3, 0.001}}) {
+        const Tally tally = checkPromise(soup.environment(i % 5 == 0), before, distances, 300, random);
+        QVERIFY2(tally.wrong == 0, qPrintable(QString("building %1, %2, %3, %4")
+                                                  .arg(i)
+                                                  .arg(distances.walls)
+                                                  .arg(distances.ledges)
+                                                  .arg(distances.tolerance)));
+        sum.near += tally.near;
+        sum.far += tally.far;
+        sum.doubtful += tally.doubtful;
+      }
+    }
+    qInfo("%zu places nearer, %zu farther, %zu near needles", sum.near, sum.far, sum.doubtful);
+    QVERIFY(sum.near > 1000 && sum.far > 1000 && sum.doubtful < sum.far / 10);
   }
 
   void wrongNumbers_data() {
     QTest::addColumn<QString>("text");
-    for (const char* text : {"RadiusFilter -1", "RadiusFilter nan", "RadiusFilter inf", "RadiusFilter",
-                             "RadiusFilter x", "GridStrategy 2 2\nRadiusFilter 1\nCollapse"})
+    for (const char* text :
+         {"RadiusFilter -1", "RadiusFilter nan", "RadiusFilter inf", "RadiusFilter", "RadiusFilter x",
+          "RadiusFilter 1 -1", "RadiusFilter 1 1 0", "RadiusFilter 1 1 0.2", "RadiusFilter 1 2",
+          "RadiusFilter 1 1 0.01 1", "GridStrategy 2 2\nRadiusFilter 1\nCollapse"})
       QTest::newRow(text) << QString(text);
   }
   void wrongNumbers() {

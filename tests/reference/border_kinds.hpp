@@ -1,0 +1,23 @@
+// Which parts of a border are walls and which are ledges (design section 7, RadiusFilter): slow, obvious, in doubles.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "footfall/environment.hpp"
+
+namespace footfall::reference {
+
+enum class BorderKind { Wall, Ledge, Doubtful };
+
+struct BorderStretch {
+  double begin = 0, end = 1;  ///< shares of the edge
+  BorderKind kind = BorderKind::Doubtful;
+};
+
+/// Of a border edge, with walkable area on its left: at a wall is what the environment reaches over, strictly between
+/// the step and the height above it, straight over it or beside it on the right. Doubtful is what a hair decides.
+std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec3& a, const Vec3& b, double step,
+                                       double height);
+
+}  // namespace footfall::reference
