@@ -190,6 +190,7 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
   std::size_t added = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const ClearanceCandidate& candidate = candidates[kept[i]];
+    if (tellCrowd && i % 64 == 0) tellCrowd(static_cast<double>(i) / static_cast<double>(kept.size()));
     if (isReduced && !grid.mayReach(outlineInPlan(geometry_.kernel(), candidate.obstacle, geometry_.origin())))
       continue;
     if (!clipOne(candidate)) return false;

@@ -36,6 +36,9 @@ class ClearanceClipper : private FaceCutter {
 
   [[nodiscard]] ExactFallbacks fallbacks() const;
 
+  /// Is called with the share of a crowd above a face that clip() has looked at, from 0 to 1; may be empty.
+  std::function<void(double)> tellCrowd;
+
  private:
   /// False when one obstacle covers the whole face.
   bool clipAll(std::span<const ClearanceCandidate> candidates);

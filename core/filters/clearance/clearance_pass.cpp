@@ -83,7 +83,7 @@ bool ClearancePass::mayBeCrowded(Index face) const {
   return crowded > 0;
 }
 
-void ClearancePass::clip(Index face, Worker& own) {
+void ClearancePass::clip(Index face, Worker& own, const std::function<void(double)>& tell) {
   const Index then = known_->before(face);
   if (then >= 0 && known_->sameClearance() && !known_->isTouched(face)) {
     cuts_->set(face, earlier_->cuts(then, own.copies_));
@@ -91,6 +91,7 @@ void ClearancePass::clip(Index face, Worker& own) {
     return;
   }
   isChanged_[face] = 1;
+  own.clipper_.tellCrowd = tell;
   cuts_->set(face, known_->knowsAll(then)
                        ? own.clipper_.clip(face, known_->standing(then, own.copies_), known_->clearance())
                        : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr));

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -48,9 +49,11 @@ class ClearancePass {
   /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance, or known ones, and not when
   /// there is such a crowd above it that only a look at all of it tells what counts.
   [[nodiscard]] bool canShare(Index face) const;
+  /// False: there is no crowd above the face.
+  [[nodiscard]] bool mayBeCrowded(Index face) const;
 
-  /// Finds the cuts of a floor.
-  void clip(Index face, Worker& own);
+  /// Finds the cuts of a floor. `tell` is called with the share that is done of a crowd above it; may be empty.
+  void clip(Index face, Worker& own, const std::function<void(double)>& tell = {});
   /// The part of a floor's cuts that one cell finds.
   FaceShare clipShare(Index face, std::span<const CellSide> sides, Worker& own);
   /// All parts of a floor's cuts.
@@ -69,7 +72,6 @@ class ClearancePass {
   FilterOutcome finish(std::vector<char> walkable, std::vector<char> removed, bool isMeshed);
 
  private:
-  [[nodiscard]] bool mayBeCrowded(Index face) const;
   void keepCandidates(Index face, std::vector<Index> found);
 
   StatePtr state_;

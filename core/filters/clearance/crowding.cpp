@@ -15,15 +15,45 @@ double planArea(const Box& a, const Box& b) {
 
 }  // namespace
 
-Crowding::Crowding(const SourceMesh& mesh, Index face)
-    : mesh_(mesh), box_(boxOf(mesh, face)), faceArea_(planArea(box_, box_)) {}
+Crowding::Crowding(const SourceMesh& mesh, Index face) : mesh_(mesh), box_(boxOf(mesh, face)) {}
 
 double Crowding::commonArea(Index obstacle) const { return planArea(box_, boxOf(mesh_, obstacle)); }
 
 void Crowding::add(Index obstacle) {
-  if (mesh_.facing[obstacle] == 0 || faceArea_ == 0) return;
-  depth_ += static_cast<std::uint64_t>(std::min(commonArea(obstacle) / faceArea_, 1.0) * kWhole);
-  ++count_;
+  if (mesh_.facing[obstacle] == 0) return;
+  if (few_.size() == kFewest) {
+    count(obstacle);
+    return;
+  }
+  few_.push_back(obstacle);
+  if (few_.size() == kFewest)
+    for (const Index one : few_) count(one);
+}
+
+void Crowding::count(Index obstacle) {
+  const Box box = boxOf(mesh_, obstacle);
+  // Of each part of the face's box along an axis the share that the obstacle's box covers, and which have one.
+  std::array<std::array<double, kParts>, 2> shares{};
+  std::array<std::size_t, 2> first{}, last{};
+  for (const std::size_t axis : {0, 1}) {
+    const double width = (box_.upper[axis] - box_.lower[axis]) / kParts;
+    if (!(width > 0)) return;
+    const double low = (box.lower[axis] - box_.lower[axis]) / width;
+    const double high = (box.upper[axis] - box_.lower[axis]) / width;
+    first[axis] = static_cast<std::size_t>(std::clamp(low, 0.0, kParts - 1.0));
+    last[axis] = static_cast<std::size_t>(std::clamp(high, 0.0, kParts - 1.0));
+    for (std::size_t i = first[axis]; i <= last[axis]; ++i) {
+      const auto start = static_cast<double>(i);
+      shares[axis][i] = std::clamp(high - start, 0.0, 1.0) - std::clamp(low - start, 0.0, 1.0);
+    }
+  }
+  for (std::size_t y = first[1]; y <= last[1]; ++y)
+    for (std::size_t x = first[0]; x <= last[0]; ++x) {
+      std::uint64_t& depth = depths_[y * kParts + x];
+      const auto more = static_cast<std::uint64_t>(std::max(shares[0][x] * shares[1][y], 0.0) * kUnits);
+      squares_ += more * (2 * depth + more);
+      depth += more;
+    }
 }
 
 }  // namespace footfall::detail

@@ -2,33 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/exact/source_mesh.hpp"
 
 namespace footfall::detail {
 
-/// How deep the boxes of obstacles lie above a floor, as a measure: sums up only.
+/// How often the outlines of obstacles over a floor may cross, as a measure: the squares of the depths in which their
+/// boxes lie above parts of it. In whole numbers, which are the same sum in any order.
 class Crowding {
  public:
   Crowding(const SourceMesh& mesh, Index face);
   void add(Index obstacle);
-  /// Deep enough for looking what covers what to pay. More obstacles never make a crowd less of one.
-  [[nodiscard]] bool isCrowd() const { return count_ >= kFewest && depth_ >= kDeepest * kWhole; }
+  /// Deep enough for looking what covers what to pay: 24 deep everywhere, or deeper in some part. More obstacles never
+  /// make a crowd less of one.
+  [[nodiscard]] bool isCrowd() const { return few_.size() >= kFewest && squares_ >= kMostSquares; }
   /// What the boxes of face and obstacle have in common in the plan.
   [[nodiscard]] double commonArea(Index obstacle) const;
 
  private:
   static constexpr std::size_t kFewest = 64;
-  static constexpr std::uint64_t kDeepest = 24;
-  static constexpr std::uint64_t kWhole = 1 << 20;  ///< whole numbers are the same sum in any order
+  static constexpr std::size_t kParts = 8;          ///< along each axis
+  static constexpr std::uint64_t kUnits = 1 << 10;  ///< of depth
+  static constexpr std::uint64_t kMostSquares = kParts * kParts * (24 * kUnits) * (24 * kUnits);
+
+  void count(Index obstacle);
 
   const SourceMesh& mesh_;
   Box box_;
-  double faceArea_ = 0;
-  std::uint64_t depth_ = 0;
-  std::size_t count_ = 0;
+  std::vector<Index> few_;  ///< the first; they are counted when there are enough of them
+  std::array<std::uint64_t, kParts * kParts> depths_{};
+  std::uint64_t squares_ = 0;
 };
 
 }  // namespace footfall::detail

@@ -44,20 +44,37 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
   std::vector<char> isGiant(count, 0);
   for (const Index t : giants) isGiant[t] = 1;
   const auto giantCount = static_cast<Index>(giants.size());
+  // What a giant under a crowd takes is no matter of its being one face of many.
+  const double giantShare =
+      std::any_of(giants.begin(), giants.end(), [&](Index t) { return pass.mayBeCrowded(t); }) ? 0.25 : 0;
+  std::vector<std::atomic<double>> giantsDone(giants.size());
   std::atomic<Index> done{0}, nextTask{0};
+  const auto tell = [&] {
+    double sum = 0;
+    for (const std::atomic<double>& one : giantsDone) sum += one.load(std::memory_order_relaxed);
+    const double ofGiants = giants.empty() ? 0 : giantShare * sum / static_cast<double>(giants.size());
+    const Index faces = done.load(std::memory_order_relaxed);
+    context.progress(0.5 * (ofGiants + (1 - giantShare) * faces / count));
+  };
   tbb::parallel_for(Index{0}, giantCount + (count + kFacesPerTask - 1) / kFacesPerTask, [&](Index) {
     const Index task = nextTask.fetch_add(1, std::memory_order_relaxed);
-    const bool isOne = task < giantCount;
-    const Index first = isOne ? giants[task] : (task - giantCount) * kFacesPerTask;
-    const Index last = isOne ? first + 1 : std::min(first + kFacesPerTask, count);
     ClearancePass::Worker& own = pass.worker();
+    if (task < giantCount) {
+      context.checkCancelled();
+      pass.clip(giants[task], own, [&](double share) {
+        giantsDone[task] = share;
+        tell();
+      });
+      giantsDone[task] = 1;
+      return;
+    }
+    const Index first = (task - giantCount) * kFacesPerTask, last = std::min(first + kFacesPerTask, count);
     for (Index t = first; t != last; ++t) {
       context.checkCancelled();
-      if (state->walkable[t] != 0 && (isGiant[t] == 0 || isOne)) pass.clip(t, own);
+      if (state->walkable[t] != 0 && isGiant[t] == 0) pass.clip(t, own);
     }
-    if (isOne) return;
-    const Index finished = done.fetch_add(last - first, std::memory_order_relaxed);
-    context.progress(0.5 * finished / count);
+    done.fetch_add(last - first, std::memory_order_relaxed);
+    tell();
   });
   return pass.finish(state->walkable, state->removed, false);
 }

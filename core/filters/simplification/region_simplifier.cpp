@@ -41,9 +41,16 @@ double distanceToTriangle(const Place& p, const Place& a, const Place& b, const 
 }  // namespace
 
 void RegionSimplifier::simplify(std::span<const Index> vertices, std::span<const Index> triangles) {
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if ((i & 255) == 0) context_.checkCancelled();
-    removeIfPossible(vertices[i]);
+  // Beside a border that keeps its vertices, fans grow as long as it is.
+  constexpr std::size_t kPolled = 4096;
+  std::size_t visited = kPolled;
+  for (const Index v : vertices) {
+    if (visited >= kPolled) {
+      context_.checkCancelled();
+      visited = 0;
+    }
+    removeIfPossible(v);
+    visited += 16 + at_.size();
   }
   improve(triangles);
 }

@@ -365,12 +365,14 @@ class TestFileSafety : public QObject {
     const QString target = folder_->filePath("late.obj");
     edit(80);
     window_->saveSession(folder_->filePath("work.footfall"));  // nothing is unsaved
+    QTRY_VERIFY(!window_->hasUnsavedChanges() && window_->idle());
+    // Another number of threads runs anew, and what a run has found is told by the event loop: not before close().
+    window_->controller().setThreads(3);
     window_->exportResult(target);
-    QVERIFY(QTest::qWaitFor([&] { return !window_->hasUnsavedChanges(); }));
-    if (QFile::exists(target)) QSKIP("the run was faster");
-    if (window_->close()) QSKIP("the run was faster");
+    QVERIFY(!window_->close());
     auto* box = window_->findChild<QMessageBox*>("pendingQuestion");
-    if (box) QTest::keyClick(box, Qt::Key_Return);  // write, then close
+    QVERIFY(box != nullptr && !QFile::exists(target));
+    QTest::keyClick(box, Qt::Key_Return);  // write, then close
     QTRY_VERIFY(!window_->isVisible());
     QVERIFY(readFile(target).contains("SlopeFilter 80"));
   }

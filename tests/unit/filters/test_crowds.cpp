@@ -7,9 +7,11 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "core/assembly/walkable_state.hpp"
-#include "core/filters/clearance/clearance_candidates.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/filters/clearance/clearance_clipper.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/pipeline.hpp"
 #include "tests/support/run_filters.hpp"
@@ -153,6 +155,38 @@ class TestCrowds : public QObject {
     });
     runPipeline(soup.environment(), parsePipeline("VerticalClearanceFilter 2\n", "test"), context, nullptr, 1);
     QVERIFY2(between >= 20, qPrintable(QString::number(between)));
+  }
+
+  // A crowd above one floor is told of while it is looked at, and cancelling is asked for all the time.
+  void crowdsTellTheirProgress() {
+    const Crowd crowd = crowdOf(6000, 1, [](int i) { return 0.25 + i / 4096.0; });
+    const auto environment = crowd.soup.environment();
+    int early = 0;
+    double last = 0;
+    bool rises = true;
+    RunContext context([&](const RunEvent& event) {
+      if (event.kind != RunEvent::Kind::Progress) return;
+      early += event.fraction > 0 && event.fraction < 0.125 ? 1 : 0;
+      rises = rises && event.fraction >= last;
+      last = event.fraction;
+    });
+    runPipeline(environment, parsePipeline("VerticalClearanceFilter 2\n", "test"), context, nullptr, 1);
+    QVERIFY2(early >= 4 && rises, qPrintable(QString::number(early)));
+
+    const StatePtr state = runFilters(environment, "SlopeFilter 45\n");
+    const PlanKernel kernel(state->kernel->sharedMesh(), {2.0});
+    const SourceMesh& mesh = kernel.mesh();
+    double before = processCpuMs(), longest = 0;
+    const auto poll = [&] {
+      const double now = processCpuMs();
+      longest = std::max(longest, now - std::exchange(before, now));
+    };
+    ClearanceClipper clipper(
+        kernel, [](Index) { return true; }, 1, poll);
+    for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
+      if (mesh.facing[t] > 0 && mesh.vertices[mesh.triangles[t][0]].z == 0) clipper.clip(t, nullptr);
+    poll();
+    QVERIFY2(longest < 20, qPrintable(QString::number(longest)));
   }
 
   // Triangles in any position on a coarse grid, which pierce floors, the clearance and each other: at random places

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/background_release.hpp"
+#include "core/base/process_usage.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/pipeline.hpp"
 
@@ -77,6 +78,7 @@ class TestCancelling : public QObject {
   void whatIsStillInUseStays();
   void eachStepOfALargeRun_data();
   void eachStepOfALargeRun();
+  void fansAsLongAsTheLevel();
 };
 
 void TestCancelling::exceptionsLeaveLargeThingsToOthers() {
@@ -134,6 +136,51 @@ void TestCancelling::eachStepOfALargeRun() {
     QCOMPARE(cancelled, told.load());
     QVERIFY(told || kind == RunEvent::Kind::Progress);  // quick steps tell nothing in between
     QTRY_COMPARE_WITH_TIMEOUT(environment.use_count(), 1L, 10000);
+  }
+}
+
+// Between two borders that steps link, the vertices of the links stay and those of the far borders go, so that fans
+// grow as long as the borders are.
+void TestCancelling::fansAsLongAsTheLevel() {
+  constexpr int kTreads = 4000;
+  auto environment = std::make_shared<Environment>();
+  const auto addFloor = [&](double x, double y, double z) {
+    const auto first = static_cast<std::uint32_t>(environment->vertices.size());
+    for (const auto& [dx, dy] : {std::pair{0., 0.}, {0.5, 0.}, {0.5, 2.}, {0., 2.}})
+      environment->vertices.push_back({x + dx, y + dy, z});
+    environment->triangles.push_back({first, first + 1, first + 2});
+    environment->triangles.push_back({first, first + 2, first + 3});
+  };
+  for (int i = 0; i < kTreads; ++i) {
+    addFloor(0.5 * i, 0, 0);
+    addFloor(0.5 * i + 0.25, -2, 0.25);
+  }
+  const Pipeline pipeline =
+      parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nSimplificationFilter\n", "test");
+  for (const double after : {200.0, 600.0}) {
+    std::atomic<double> started{-1};
+    RunContext context([&](const RunEvent& event) {
+      if (event.kind == RunEvent::Kind::StepStarted && event.step == 3) started = processCpuMs();
+    });
+    double told = 0;
+    std::atomic<bool> isOver{false};
+    std::thread canceller([&] {
+      while (!isOver && (started < 0 || processCpuMs() < started + after)) std::this_thread::sleep_for(1ms);
+      told = processCpuMs();
+      context.cancel();
+    });
+    bool isCancelled = false;
+    double known = 0;
+    try {
+      runPipeline(environment, pipeline, context, nullptr, 1);
+    } catch (const Cancelled&) {
+      isCancelled = true;
+      known = processCpuMs();
+    }
+    isOver = true;
+    canceller.join();
+    QVERIFY2(isCancelled, "the run was over before it was cancelled");
+    QVERIFY2(known - told < 50, qPrintable(QString::number(known - told)));
   }
 }
 
