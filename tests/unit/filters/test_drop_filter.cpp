@@ -409,9 +409,9 @@ class TestDropFilter : public QObject {
 
   void agreesWithTheDefinition() {
     std::size_t seen = 0;
-    for (int i = 0; i < rounds(80); ++i) {
+    for (int i = 0; i < rounds(120); ++i) {
       const fuzz::PipelineCase one = fuzz::makePipelineCase(seed() + 9000 + static_cast<std::uint64_t>(i));
-      if (one.soup.size() > 30) continue;
+      if (one.soup.size() > 14) continue;
       const double step = one.clearance * (i % 3 == 0 ? 0 : i % 3 == 1 ? 0.25 : 0.5);
       std::string filters = minimalPipeline(one.clearance) + "\n";
       if (step > 0) filters += "StepFilter " + text(step) + "\n";
