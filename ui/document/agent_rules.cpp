@@ -237,7 +237,7 @@ std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fr
 //   ARecastNavMesh, in centimetres.
 // - Godot 4: agent_height, agent_radius, agent_max_slope and agent_max_climb of NavigationMesh.
 // - Recast: RecastDemo, Sample::resetCommonSettings().
-// Nobody drops by default: Unity and Unreal, which know drops, have them switched off until asked for.
+// Nobody drops by default: in Unity, which knows drops, objects are marked for them first.
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
   constexpr double kRiser = 0.22, kThreshold = 0.013, kOpening = 0.013, kJoint = 0.05, kShoulder = 0.27;
   const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step, double gap,

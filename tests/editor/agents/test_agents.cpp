@@ -117,16 +117,16 @@ class TestAgents : public QObject {
     typeInto(AgentModel::Step, "0");
     QVERIFY(!filterNames(*window_).contains("StepFilter"));
     QVERIFY(document().state().agent != 0);
-    typeInto(AgentModel::Drop, "1.5");
-    QCOMPARE(document().state().agents[0].drop, 1.5);
-    QCOMPARE(filterNames(*window_).count("DropFilter"), 1);
-    typeInto(AgentModel::Drop, "0");
-    QVERIFY(!filterNames(*window_).contains("DropFilter"));
     typeInto(AgentModel::Step, "-1");
     QVERIFY2(window_->messageBar().text().contains("-1 is out of range"), qPrintable(window_->messageBar().text()));
     QCOMPARE(document().state().agents[0].step, 0.0);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(filterNames(*window_)[3], QString("StepFilter"));
+    typeInto(AgentModel::Drop, "1.5");
+    QCOMPARE(document().state().agents[0].drop, 1.5);
+    QCOMPARE(filterNames(*window_).count("DropFilter"), 1);
+    typeInto(AgentModel::Drop, "0");
+    QVERIFY(!filterNames(*window_).contains("DropFilter"));
     typeInto(AgentModel::Name, "Tall, \"old\" human");
     QCOMPARE(QString::fromStdString(document().state().agents[0].name), QString("Tall, \"old\" human"));
     typeInto(AgentModel::MaxSlope, "95");
@@ -210,9 +210,9 @@ class TestAgents : public QObject {
 
     button("copyAgents")->menu()->findChild<QAction*>("copyCsv")->trigger();
     const QStringList csv = QApplication::clipboard()->text().split("\r\n");
-    QCOMPARE(csv[0], QString::fromUtf8(
-                         "Agent,Height (units),Slope (°),Step (units),Area (units²),Layers,Components,Connections"));
-    QVERIFY2(csv[1].startsWith("Human,2,45,0.22,64.00,"), qPrintable(csv[1]));
+    QCOMPARE(csv[0], QString::fromUtf8("Agent,Height (units),Slope (°),Step (units),Drop (units),Area (units²),Layers,"
+                                       "Components,Connections"));
+    QVERIFY2(csv[1].startsWith("Human,2,45,0.22,0,64.00,"), qPrintable(csv[1]));
     button("copyAgents")->menu()->findChild<QAction*>("copyText")->trigger();
     const QStringList text = QApplication::clipboard()->text().split('\n');
     QVERIFY(text[0].startsWith("Agent") && text[0].size() == text[1].size());

@@ -205,12 +205,13 @@ class TestExportDialog : public QObject {
     openDialog();
     name()->setFocus();
     QStringList order;
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 13; ++i) {
       order << dialog()->focusWidget()->objectName();
       QTest::keyClick(dialog()->focusWidget(), Qt::Key_Tab);
     }
-    for (const char* wanted : {"fileNameEdit", "exportBrowse", "exportFormat", "exportLayers", "exportConnections",
-                               "exportObstacleEdges", "exportUp", "exportScale", "exportAccept", "exportCancel"})
+    for (const char* wanted :
+         {"fileNameEdit", "exportBrowse", "exportFormat", "exportLayers", "exportConnections", "exportObstacleEdges",
+          "exportDrops", "exportUp", "exportScale", "exportAccept", "exportCancel"})
       QVERIFY2(order.contains(wanted), qPrintable(wanted + QString(": ") + order.join(' ')));
     QVERIFY(order.lastIndexOf("fileNameEdit") > 0);  // and around again
   }

@@ -44,7 +44,7 @@ void TestDescriptor::namesAreUniqueAndFound() {
     std::set<std::string_view> parameters;
     for (const ParameterDescriptor& parameter : filter.parameters) QVERIFY(parameters.insert(parameter.name).second);
   }
-  QCOMPARE(filterDescriptors().size(), std::size_t{17});
+  QCOMPARE(filterDescriptors().size(), std::size_t{18});
   QVERIFY(findFilter("slopefilter") == nullptr);
   QVERIFY(findFilter("") == nullptr);
 }

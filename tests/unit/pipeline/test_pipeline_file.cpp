@@ -55,8 +55,9 @@ PipelineStep arbitraryStep(const FilterDescriptor& filter) {
 Pipeline arbitraryPipeline() {
   std::vector<const FilterDescriptor*> plain, local, strategies;
   for (const FilterDescriptor& filter : filterDescriptors()) {
-    // StepFilter has places where it cannot stand: below, and test_step_filter
-    if (filter.kind == FilterKind::Filter && filter.type != FilterType::Step) plain.push_back(&filter);
+    // StepFilter and DropFilter have places where they cannot stand: below, test_step_filter and test_drop_filter
+    if (filter.kind == FilterKind::Filter && filter.type != FilterType::Step && filter.type != FilterType::Drop)
+      plain.push_back(&filter);
     if (filter.kind == FilterKind::Filter && filter.scope == Scope::Local) local.push_back(&filter);
     if (filter.kind == FilterKind::Strategy) strategies.push_back(&filter);
   }
@@ -74,9 +75,9 @@ Pipeline arbitraryPipeline() {
     pipeline.steps.push_back({&filterDescriptor(FilterType::Collapse), {}, enabled, 0});
   }
   if (*rc::gen::inRange(0, 3) == 0) {
-    for (const FilterType last : {FilterType::VerticalClearance, FilterType::Step, FilterType::Area})
+    for (const FilterType last : {FilterType::VerticalClearance, FilterType::Step, FilterType::Drop, FilterType::Area})
       pipeline.steps.push_back(arbitraryStep(filterDescriptor(last)));
-    pipeline.steps[pipeline.steps.size() - 3].enabled = true;
+    pipeline.steps[pipeline.steps.size() - 4].enabled = true;
   }
   return pipeline;
 }
