@@ -77,7 +77,7 @@ class TestLiveEdits : public QObject {
       const auto number = [&](int end) { return static_cast<double>(random() % static_cast<unsigned>(end)); };
       Soup soup;
       soup.floor(0, 0, 16, 16, 0).box({30, 30, 0}, {31, 31, 4});
-      for (int i = 0; i < 100; ++i) {
+      for (int i = 0; i < 60; ++i) {
         const auto corner = [&] {
           const double x = number(17), y = number(17), z = number(4);
           return Vec3{x, y, z};
@@ -90,7 +90,7 @@ class TestLiveEdits : public QObject {
       QVERIFY(agrees(editable.environment(), pipeline, cache));
       // A roof in two layers of large plates, of which one comes and goes.
       Soup roof, plate;
-      for (int depth = 0; depth < 24; ++depth)
+      for (int depth = 0; depth < 14; ++depth)
         for (int x = -1; x < 16; x += 6)
           for (int y = -1; y < 16; y += 6)
             if (x != 5 || y != 5) roof.floor(x - 0.4, y, x + 7 + depth / 16.0, y + 7, 0.25 + depth / 1024.0);
