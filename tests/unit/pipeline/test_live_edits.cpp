@@ -67,6 +67,50 @@ class TestLiveEdits : public QObject {
     }));
   }
 
+  // The same where obstacles lie many deep above floors: floors are told to be covered without a look at all that
+  // stands above them, and open again when something goes.
+  void obstaclesInCrowds() {
+    for (const std::string pipeline : {"SlopeFilter 45\nVerticalClearanceFilter 2\n",
+                                       "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\n",
+                                       "GridStrategy 2 2\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n"}) {
+      std::mt19937 random(1);
+      const auto number = [&](int end) { return static_cast<double>(random() % static_cast<unsigned>(end)); };
+      Soup soup;
+      soup.floor(0, 0, 16, 16, 0).box({30, 30, 0}, {31, 31, 4});
+      for (int i = 0; i < 60; ++i) {
+        const auto corner = [&] {
+          const double x = number(17), y = number(17), z = number(4);
+          return Vec3{x, y, z};
+        };
+        const Vec3 a = corner(), b = corner(), c = corner();
+        soup.triangle(a, b, c);
+      }
+      EditableEnvironment editable(soup.environment());
+      ResultCache cache;
+      QVERIFY(agrees(editable.environment(), pipeline, cache));
+      // A roof in two layers of large plates, of which one comes and goes.
+      Soup roof, plate;
+      for (int depth = 0; depth < 14; ++depth)
+        for (int x = -1; x < 16; x += 6)
+          for (int y = -1; y < 16; y += 6)
+            if (x != 5 || y != 5) roof.floor(x - 0.4, y, x + 7 + depth / 16.0, y + 7, 0.25 + depth / 1024.0);
+      plate.floor(4.5, 4.5, 12, 12, 0.5).floor(4, 4, 12, 12.5, 0.625);
+      std::vector<ObstacleId> obstacles{editable.add(soupFor(roof)), editable.add(soupFor(plate))};
+      QVERIFY(agrees(editable.environment(), pipeline, cache));
+      editable.remove(obstacles.back());
+      QVERIFY(agrees(editable.environment(), pipeline, cache));
+      obstacles.back() = editable.add(soupFor(plate));
+      QVERIFY(agrees(editable.environment(), pipeline, cache));
+      for (int i = 0; i < 4; ++i) {
+        const double x = number(15), y = number(15);
+        editable.replace(obstacles.back(), soupFor(Soup().box({x, y, 0}, {x + 1.5, y + 1, 1.25})));
+        QVERIFY(agrees(editable.environment(), pipeline, cache));
+      }
+      editable.remove(obstacles.front());
+      QVERIFY(agrees(editable.environment(), pipeline, cache));
+    }
+  }
+
   // The same among triangles that are mostly degenerate.
   void obstaclesInRandomSoups() {
     QVERIFY(check("obstacles in random soups", 200, [] {
