@@ -383,8 +383,7 @@ class TestGaps : public QObject {
       try {
         QVERIFY2(
             agreesWithDefinition(one.soup.environment(one.bothSides), one.clearance, 0.3 * one.clearance, gap,
-                                 // In clusters of vertices nearer than the margin, and where the gap is as wide as
-                                 // everything, not all is linked.
+                                 // In clusters of vertices, and far from the origin, not all that holds is linked.
                                  isOf("tiny") || isOf("nearly") || isOf("far") ? 0 : 1e-9 * largest, counts),
             qPrintable(
                 QString("case %1 (%2), clearance %3").arg(i).arg(QString::fromStdString(one.kind)).arg(one.clearance)));
