@@ -224,8 +224,8 @@ typedef struct footfall_links {
 } footfall_links;
 
 /* Steps and gaps, where the pipeline has a StepFilter: two edges, as vertex numbers, each with the walkable area of its
- * triangle on its left. Those of a step lie over each other in the plan, from[0] at to[1]; those of a gap lie beside each
- * other, and no way over it is longer than `width`, seen from above. `height` is the largest difference. */
+ * triangle on its left. Those of a step lie over each other in the plan, from[0] at to[1]; those of a gap lie beside
+ * each other, and no way over it is longer than `width`, seen from above. `height` is the largest difference. */
 FOOTFALL_API footfall_links footfall_result_links(const footfall_result* result);
 typedef struct footfall_drop {
   uint32_t from[2];

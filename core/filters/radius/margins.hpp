@@ -14,6 +14,10 @@
 // r, and nothing that is nearer than r is left. The tangents meet at R / cos(d / 2), d being the angle between
 // neighbours, which is chosen such that this is below (1 + tolerance) r: nothing that is farther is lost.
 //
+// A gap that is stepped over is surface, too, as wide as it is: two triangles of no face between its borders
+// (core/mesh/gap_bridges.hpp). Where it ends, their sides are borders, so that both its corners are; a border that has
+// no bridge, as another one took its place, is taken as a border: that takes too much, and never too little.
+//
 // What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
 // nearer still. Which triangles are reached is found in doubles, and in doubt they are: this may take too much only
 // where one triangle is above itself, as on a spiral about a post thinner than the radius, and never too little.

@@ -204,7 +204,8 @@ bool StepLinker::isWider(const MeshVertex& a, const MeshVertex& b) const {
 }
 
 // Its corners are those of a convex quadrangle, or of a triangle where both borders meet at an end; all obstacles are
-// beyond it. `end` is set to an end that an obstacle reaches, else to -1; `isOverlap` says that there is no gap.
+// beyond it. `end` is set to an end that an obstacle reaches, or at which both meet, else to -1; `isOverlap` says that
+// there is no gap.
 bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) {
   end = -1;
   isOverlap = false;
@@ -222,7 +223,12 @@ bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) 
   const std::array turns{turn(p[1], p[0], q[0]), turn(p[0], q[0], q[1]), turn(q[0], q[1], p[1]),
                          turn(q[1], p[1], p[0])};
   isOverlap = std::ranges::any_of(turns, [](int sign) { return sign < 0; }) || std::ranges::count(turns, 0) > 2;
-  if (isOverlap) return false;
+  if (isOverlap) {  // only where they meet, in places that are nearly one?
+    for (const int i : {0, 1})
+      if (!stretch.isDrawnIn[i] && std::max(std::fabs(p[i]->x - q[i]->x), std::fabs(p[i]->y - q[i]->y)) <= kAcross)
+        end = i;
+    return false;
+  }
   if (piece.isAsWide && (isWider(*p[0], *q[0]) || isWider(*p[1], *q[1]))) return false;
   for (const int i : {0, 1})
     for (const Index obstacle : piece.touching[i])
@@ -262,7 +268,7 @@ void StepLinker::splitAtGaps() {
     if (cuts.list.empty() && !proveGaps()) return;
     makeCuts(cuts.list);
   }
-  proveGaps();
+  while (proveGaps()) context_.checkCancelled();  // what is still drawn in then has no vertices there, and goes
 }
 
 // Both in their own directions. Of the vertices within the gap, those that lie across from each other are paired;

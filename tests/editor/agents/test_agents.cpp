@@ -147,10 +147,10 @@ class TestAgents : public QObject {
     QCOMPARE(slope(), 10.0);
     QVERIFY(!button("removeAgent")->isEnabled());
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10, 0.013}));
+    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10, 0.013, 0.013}));
     document().removeFilter(document().filters()[3].id);
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[2], (NamedAgent{3, "Agent 2", 1.2, 10, 0}));
+    QCOMPARE(document().state().agents[2], (NamedAgent{3, "Agent 2", 1.2, 10, 0, 0.05}));
   }
 
   void missingFiltersAreToldAndAdded() {
@@ -210,9 +210,9 @@ class TestAgents : public QObject {
 
     button("copyAgents")->menu()->findChild<QAction*>("copyCsv")->trigger();
     const QStringList csv = QApplication::clipboard()->text().split("\r\n");
-    QCOMPARE(csv[0], QString::fromUtf8("Agent,Height (units),Slope (°),Step (units),Drop (units),Area (units²),Layers,"
-                                       "Components,Connections"));
-    QVERIFY2(csv[1].startsWith("Human,2,45,0.22,0,64.00,"), qPrintable(csv[1]));
+    QCOMPARE(csv[0], QString::fromUtf8("Agent,Height (units),Slope (°),Step (units),Gap (units),Radius (units),"
+                                       "Drop (units),Area (units²),Layers,Components,Connections"));
+    QVERIFY2(csv[1].startsWith("Human,2,45,0.22,0.05,0.27,0,"), qPrintable(csv[1]));
     button("copyAgents")->menu()->findChild<QAction*>("copyText")->trigger();
     const QStringList text = QApplication::clipboard()->text().split('\n');
     QVERIFY(text[0].startsWith("Agent") && text[0].size() == text[1].size());
