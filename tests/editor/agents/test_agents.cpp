@@ -106,6 +106,12 @@ class TestAgents : public QObject {
     open();
     addPreset("Human");
     QTableView* table = panel_->table();
+    QCOMPARE(filterNames(*window_)[4], QString("RadiusFilter"));
+    typeInto(AgentModel::Radius, "0.4");
+    QCOMPARE(document().state().agents[0].radius, 0.4);
+    QCOMPARE(document().filters()[4].step.values, (std::vector<double>{0.4, 0.4, 0.01}));
+    typeInto(AgentModel::Radius, "0");
+    QVERIFY(!filterNames(*window_).contains("RadiusFilter"));
     typeInto(AgentModel::Height, "1.75");
     QCOMPARE(document().state().agents[0].height, 1.75);
     QCOMPARE(clearance(), 1.75);
@@ -142,10 +148,10 @@ class TestAgents : public QObject {
     QCOMPARE(slope(), 10.0);
     QVERIFY(!button("removeAgent")->isEnabled());
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10, 0.013}));
+    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10, 0.013, 0.3}));
     document().removeFilter(document().filters()[3].id);
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[2], (NamedAgent{3, "Agent 2", 1.2, 10, 0}));
+    QCOMPARE(document().state().agents[2], (NamedAgent{3, "Agent 2", 1.2, 10, 0, 0.3}));
   }
 
   void missingFiltersAreToldAndAdded() {
@@ -205,8 +211,10 @@ class TestAgents : public QObject {
 
     button("copyAgents")->menu()->findChild<QAction*>("copyCsv")->trigger();
     const QStringList csv = QApplication::clipboard()->text().split("\r\n");
-    QCOMPARE(csv[0], QString::fromUtf8(
-                         "Agent,Height (units),Slope (°),Step (units),Area (units²),Layers,Components,Connections"));
+    QCOMPARE(
+        csv[0],
+        QString::fromUtf8(
+            "Agent,Height (units),Slope (°),Step (units),Radius (units),Area (units²),Layers,Components,Connections"));
     QVERIFY2(csv[1].startsWith("Human,2,45,0.22,64.00,"), qPrintable(csv[1]));
     button("copyAgents")->menu()->findChild<QAction*>("copyText")->trigger();
     const QStringList text = QApplication::clipboard()->text().split('\n');
