@@ -3,6 +3,7 @@
 
 #include <QUndoCommand>
 #include <algorithm>
+#include <utility>
 
 #include "ui/document/agent_rules.hpp"
 #include "ui/document/edit_text.hpp"
@@ -131,8 +132,12 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
   const std::size_t index = indexOf(id);
   if (index == state_.filters.size() || parameter >= state_.filters[index].step.values.size()) return;
   DocumentState next = state_;
-  next.filters[index].step.values[parameter] = value;
-  const auto size = agentSizeOf(*next.filters[index].step.filter, parameter);
+  PipelineStep& step = next.filters[index].step;
+  const double before = std::exchange(step.values[parameter], value);
+  for (std::size_t i = 0; i < step.values.size(); ++i)
+    if (step.filter->parameterOf(i).follows == static_cast<int>(parameter) && step.values[i] == before)
+      step.values[i] = value;
+  const auto size = agentSizeOf(*step.filter, parameter);
   const auto agent = std::ranges::find(next.agents, next.agent, &NamedAgent::id);
   if (size && agent != next.agents.end()) {
     setSizeOf(*agent, *size, value);

@@ -1,26 +1,42 @@
 // What is too near the border of the walkable area (design section 7, RadiusFilter).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// D(p) is the least length, in the plan, of a straight walk from p over joined edges and links to a border. The nearest
-// border point of p is inside a border edge, then p lies in the rectangle of height r over that edge; or it is a corner
-// where the border turns by more than half a turn on the walkable side, then p lies in the sector between the normals
-// of the two edges there. So the area with D(p) < r is within the union of these rectangles and sectors, taken on the
-// surface: on those triangles that a straight walk of at most r from the edge or corner reaches.
+// D(p) is the least length, in the plan, of a straight walk from p over joined edges and links to a border of one kind,
+// a wall or a ledge, and r what is to stay free of that kind. The nearest border point of p is inside a border edge,
+// then p lies in the rectangle of height r over that edge; or it is the end of an edge, then p lies in a sector around
+// it. Where the border goes on with the same r, that is the sector between the normals of both edges, and there is one
+// only if it turns by more than half a turn on the walkable side. Where it goes on with another r, or with another
+// kind, each edge has its own: from its normal to the other edge, but no farther than straight on, because what is
+// beyond comes to the edge by nothing but its end, and single points do not count. Of two sectors in one direction the
+// smaller one lies in the larger. So the area with D(p) < r is within the union of these rectangles and sectors, taken
+// on the surface: on those triangles that a straight walk of at most r from the edge or corner reaches.
 //
 // Each shape is a convex polygon with double corners. The outer edges of a rectangle and the tangents that stand for
 // the arc of a sector are drawn at the distance R = r (1 + 2^-46) + m, where m is 32 units of the scaled coordinates
-// and what the places of the vertices may be off. A corner is computed with an error below r 2^-48 + 3 units, and
-// borders that go on straight to within 8 units are one edge: so no outer edge comes nearer to its edge or corner than
-// r, and nothing that is nearer than r is left. The tangents meet at R / cos(d / 2), d being the angle between
-// neighbours, which is chosen such that this is below (1 + tolerance) r: nothing that is farther is lost.
+// and what the places of the vertices and of the ends of walls may be off. A corner is computed with an error below
+// r 2^-48 + 3 units, and borders that go on straight to within 8 units are one edge: so no outer edge comes nearer to
+// its edge or corner than r, and nothing that is nearer than r is left. The tangents meet at R / cos(d / 2), d being
+// the angle between neighbours, which is chosen such that this is below (1 + tolerance) r: nothing that is farther is
+// lost.
+//
+// A rectangle and the parts of the sectors at its ends are one polygon where that is convex: up to a quarter of a turn
+// on either side. Where the border turns the other way, the rectangles of two long edges overlap, and each ends at
+// the bisector: what it would have had beyond is before the other edge, and not farther from that. Both edges must
+// reach the same triangles there.
 //
 // A gap that is stepped over is surface, too, as wide as it is: two triangles of no face between its borders
 // (core/mesh/gap_bridges.hpp). Where it ends, their sides are borders, so that both its corners are; a border that has
 // no bridge, as another one took its place, is taken as a border: that takes too much, and never too little.
 //
 // What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
-// nearer still. Which triangles are reached is found in doubles, and in doubt they are: this may take too much only
-// where one triangle is above itself, as on a spiral about a post thinner than the radius, and never too little.
+// nearer still: if not, the straight walk from there to the nearest place of the edge would get there. Which triangles
+// are reached is found in doubles, and in doubt they are: this may take too much only where one triangle is above
+// itself, as on a spiral about a post thinner than the radius, and never too little. What is behind another border is
+// nearer to that, but that one may keep less away: with different distances this takes too much where one triangle
+// reaches around the end of such a border.
+//
+// Where a wall ends on an edge is known to within 2^-38 of the largest coordinate. What is in doubt counts as the kind
+// with the larger distance, and what is shorter than twice that counts as a point.
 #pragma once
 
 #include <array>

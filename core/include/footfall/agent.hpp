@@ -24,8 +24,8 @@ struct Agent {
 
 /// The default pipeline with the numbers of `agent`, turned into the environment's units by its metresPerUnit: weld
 /// equal vertices, drop triangles without area, slope, clearance, steps (left out where it climbs none), radius
-/// (left out where it has none), area, simplification, layers. For the default agent it is defaultPipeline(). Throws InputError when a number is out of
-/// range.
+/// (left out where it has none), area, simplification, layers. For the default agent it is defaultPipeline(). Throws
+/// InputError when a number is out of range.
 Pipeline pipelineFor(const Environment& environment, const Agent& agent = {});
 
 }  // namespace footfall

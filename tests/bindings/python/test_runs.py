@@ -68,6 +68,7 @@ class Pipelines(unittest.TestCase):
         self.assertEqual(names[3:6], ["VerticalClearanceFilter", "StepFilter", "AreaFilter"])
         self.assertEqual(feet.pipeline_for(step=0.25)[4], ("StepFilter", 0.5))
         self.assertNotIn("StepFilter", [step[0] for step in feet.pipeline_for(step=0)])
+        self.assertIn("RadiusFilter", [step[0] for step in feet.pipeline_for(radius=0.3)])
 
     def test_filters_are_described(self):
         slope = {f.name: f for f in footfall.filters()}["SlopeFilter"]

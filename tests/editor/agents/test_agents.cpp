@@ -106,6 +106,12 @@ class TestAgents : public QObject {
     open();
     addPreset("Human");
     QTableView* table = panel_->table();
+    QCOMPARE(filterNames(*window_)[4], QString("RadiusFilter"));
+    typeInto(AgentModel::Radius, "0.4");
+    QCOMPARE(document().state().agents[0].radius, 0.4);
+    QCOMPARE(document().filters()[4].step.values, (std::vector<double>{0.4, 0.4, 0.01}));
+    typeInto(AgentModel::Radius, "0");
+    QVERIFY(!filterNames(*window_).contains("RadiusFilter"));
     typeInto(AgentModel::Height, "1.75");
     QCOMPARE(document().state().agents[0].height, 1.75);
     QCOMPARE(clearance(), 1.75);
@@ -147,10 +153,10 @@ class TestAgents : public QObject {
     QCOMPARE(slope(), 10.0);
     QVERIFY(!button("removeAgent")->isEnabled());
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10, 0.013, 0.013}));
+    QCOMPARE(document().state().agents[1], (NamedAgent{2, "Agent", 1.2, 10, 0.013, 0.013, 0.3}));
     document().removeFilter(document().filters()[3].id);
     panel_->addButton()->menu()->findChild<QAction*>("agentOfFilters")->trigger();
-    QCOMPARE(document().state().agents[2], (NamedAgent{3, "Agent 2", 1.2, 10, 0, 0.05}));
+    QCOMPARE(document().state().agents[2], (NamedAgent{3, "Agent 2", 1.2, 10, 0, 0.05, 0.3}));
   }
 
   void missingFiltersAreToldAndAdded() {
@@ -189,7 +195,10 @@ class TestAgents : public QObject {
 
   void allAreComputedInTheBackgroundAndCompared() {
     open();
-    for (const char* name : {"Human", "Child", "Crawler"}) addPreset(name);
+    for (const char* name : {"Human", "Child", "Crawler"}) {
+      addPreset(name);
+      resizeAgent(document(), document().state().agent, AgentSize::Radius, 0);
+    }
     QVERIFY(waitUntilIdle(*window_));
     panel_->letGo();
     QSignalSpy ahead(&window_->controller(), &RunController::aheadChanged);
@@ -212,7 +221,7 @@ class TestAgents : public QObject {
     const QStringList csv = QApplication::clipboard()->text().split("\r\n");
     QCOMPARE(csv[0], QString::fromUtf8("Agent,Height (units),Slope (°),Step (units),Gap (units),Radius (units),"
                                        "Drop (units),Area (units²),Layers,Components,Connections"));
-    QVERIFY2(csv[1].startsWith("Human,2,45,0.22,0.05,0.27,0,"), qPrintable(csv[1]));
+    QVERIFY2(csv[1].startsWith("Human,2,45,0.22,0.05,0,0,64.00,"), qPrintable(csv[1]));
     button("copyAgents")->menu()->findChild<QAction*>("copyText")->trigger();
     const QStringList text = QApplication::clipboard()->text().split('\n');
     QVERIFY(text[0].startsWith("Agent") && text[0].size() == text[1].size());

@@ -204,7 +204,7 @@ class TestDocument : public QObject {
   void presetsClimbWhatTheySay() {
     for (const double metresPerUnit : {1.0, 0.01}) {
       for (const AgentPreset& preset : agentPresets(metresPerUnit)) {
-        for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step}) {
+        for (const AgentSize size : {AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step, AgentSize::Radius}) {
           const double value = sizeOf(preset.agent, size);
           QVERIFY(checkValue(parameterOf(size), value).empty());
           const double shown = size == AgentSize::MaxSlope ? value : value * metresPerUnit;

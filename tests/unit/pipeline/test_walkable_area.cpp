@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "footfall/footfall.hpp"
+#include "footfall/inspect.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/unit/environment_files.hpp"
 
@@ -84,6 +85,19 @@ class TestWalkableArea : public QObject {
                std::size_t{1});
       QVERIFY(pipelineFor(withScale(metresPerUnit), {.step = 0}) == expected);
     }
+  }
+
+  void theRadiusCounts() {
+    QCOMPARE(
+        steps(0.5, {.maxSlope = 30, .height = 1.2, .minimumArea = 0.5, .step = 0.25, .radius = 0.3}),
+        std::string("SlopeFilter 30\nVerticalClearanceFilter 2.4\nStepFilter 0.5\nRadiusFilter 0.6\nAreaFilter 2\n"));
+    const auto message = [](double radius) {
+      return messageOf([&] { (void)pipelineFor(withScale(1), {.radius = radius}); });
+    };
+    for (const double radius : {-0.1, kNaN, kInfinity}) QVERIFY(message(radius).starts_with("agent: radius"));
+    const Environment level = *Soup().floor(0, 0, 4, 4, 0).environment();
+    const auto areaFor = [&](const Agent& agent) { return findComponents(walkableArea(level, agent)).totalArea(); };
+    QVERIFY(areaFor({}) == 16 && areaFor({.radius = 1}) < 4 && areaFor({.radius = 1}) > 3.9999);
   }
 
   // Two halves of a floor, one 0.25 m higher: a step of exactly that is climbed.
