@@ -46,7 +46,7 @@ static const double kVertices[] = {0, 0, 0,   4, 0, 0,   4, 4, 0, 0, 4, 0, 4, 0,
 static const uint32_t kTriangles[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 8, 10, 9, 8, 11, 10};
 static const footfall_points kPoints = {kVertices, 12};
 static const footfall_triangles kFaces = {kTriangles, 6};
-static const footfall_agent kAgent = {45, 1.8, 1, 0, 0};
+static const footfall_agent kAgent = {45, 1.8, 1, 0, 0.05, 0};
 
 static footfall_environment* makeLevel(void) {
   footfall_environment* level = NULL;
@@ -173,7 +173,7 @@ static void testPipelines(void) {
   char* text = NULL;
   const footfall_agent standard = footfall_default_agent();
   CHECK(standard.max_slope == 45 && standard.height == 2 && standard.minimum_area == 1 && standard.step == 0.4 &&
-        standard.radius == 0);
+        standard.gap == 0.05 && standard.radius == 0);
   CHECK_OK(footfall_pipeline_for(level, &kAgent, &text));
   CHECK(text != NULL && strstr(text, "SlopeFilter 45\nVerticalClearanceFilter 1.8\nAreaFilter 1\n") != NULL);
   CHECK_OK(footfall_check_pipeline(text));

@@ -140,6 +140,8 @@ class ArraysOut(unittest.TestCase):
             ("connections", (len(area.connections), 2), np.uint32),
             ("links", (0, 4), np.uint32),
             ("link_heights", (0,), np.float64),
+            ("link_widths", (0,), np.float64),
+            ("link_is_gap", (0,), np.bool_),
             ("drops", (0, 4), np.uint32),
             ("drop_places", (0, 4, 3), np.float64),
             ("drop_depths", (0,), np.float64),

@@ -63,10 +63,11 @@ class Pipelines(unittest.TestCase):
         self.assertEqual(steps["SlopeFilter"], (30.0,))
         self.assertEqual(steps["VerticalClearanceFilter"], (3.0,))
         self.assertEqual(steps["AreaFilter"], (8.0,))
-        self.assertEqual(steps["StepFilter"], (0.8,))
+        self.assertEqual(steps["StepFilter"], (0.8, 0.1))
         names = [step[0] for step in feet.pipeline_for(step=0.25)]
         self.assertEqual(names[3:6], ["VerticalClearanceFilter", "StepFilter", "AreaFilter"])
-        self.assertEqual(feet.pipeline_for(step=0.25)[4], ("StepFilter", 0.5))
+        self.assertEqual(feet.pipeline_for(step=0.25)[4], ("StepFilter", 0.5, 0.1))
+        self.assertEqual(feet.pipeline_for(gap=0.25)[4], ("StepFilter", 0.8, 0.5))
         self.assertNotIn("StepFilter", [step[0] for step in feet.pipeline_for(step=0)])
         self.assertIn("RadiusFilter", [step[0] for step in feet.pipeline_for(radius=0.3)])
 

@@ -94,7 +94,8 @@ class Help(unittest.TestCase):
     def test_help_shows_signatures_shapes_and_units(self):
         text = pydoc.plain(pydoc.render_doc(footfall))
         for wanted in [
-            "walkable_area(vertices, triangles, slope=45.0, height=2.0, *, minimum_area=1.0, step=0.4, radius=0.0, up='z'",
+            "walkable_area(vertices, triangles, slope=45.0, height=2.0, *, minimum_area=1.0, step=0.4, gap=0.05, "
+            "radius=0.0, up='z'",
             "vertices: shape (n, 3), float64",
             "find_path(self, start, target, *, reach=None)",
             "slope: degrees, above 0 and below 90",
