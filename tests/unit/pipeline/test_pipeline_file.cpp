@@ -281,9 +281,9 @@ void TestPipelineFile::defaultsFollowTheScale_data() {
   QTest::addColumn<QByteArray>("step");
   QTest::addColumn<QByteArray>("area");
   QTest::newRow("metres") << 1.0 << QByteArray("2") << QByteArray("0.4") << QByteArray("1");
-  QTest::newRow("centimetres") << 0.01 << QByteArray("200") << QByteArray("40") << QByteArray("10000");
-  QTest::newRow("20 a metre") << 0.05 << QByteArray("40") << QByteArray("8") << QByteArray("400");
-  QTest::newRow("feet") << 0.3048 << QByteArray("6.56167979003") << QByteArray("1.31233595801")
+  QTest::newRow("centimetres") << 0.01 << QByteArray("200") << QByteArray("40 5") << QByteArray("10000");
+  QTest::newRow("20 a metre") << 0.05 << QByteArray("40") << QByteArray("8 1") << QByteArray("400");
+  QTest::newRow("feet") << 0.3048 << QByteArray("6.56167979003") << QByteArray("1.31233595801 0.164041994751")
                         << QByteArray("10.7639104167");
   QTest::newRow("no scale") << 0.0 << QByteArray("2") << QByteArray("0.4") << QByteArray("1");
 }
