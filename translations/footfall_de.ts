@@ -372,14 +372,6 @@
         <translation>Die Stelle hat eine Koordinate, die nicht endlich ist; geben Sie drei Zahlen</translation>
     </message>
     <message>
-        <source>--height: must be a length in the file&apos;s units; give 0 or more</source>
-        <translation>--height: muss eine Länge in den Einheiten der Datei sein; geben Sie 0 oder mehr</translation>
-    </message>
-    <message>
-        <source>--error: must be a length in the file&apos;s units; give a number above 0</source>
-        <translation>--error: muss eine Länge in den Einheiten der Datei sein; geben Sie eine Zahl über 0</translation>
-    </message>
-    <message>
         <source>One cell, because one thread runs.</source>
         <translation>Eine Zelle, weil ein Thread läuft.</translation>
     </message>
@@ -1131,6 +1123,62 @@
         <source>agents: the step of &apos;%1&apos; is below 0; give 0 or more</source>
         <translation>Agenten: die Stufe von „%1“ ist kleiner als 0; geben Sie 0 oder mehr an</translation>
     </message>
+    <message>
+        <source>the height must be a length in the files&apos; units: 0 or more</source>
+        <translation>die Höhe muss eine Länge in den Einheiten der Dateien sein: 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the error must be a length in the files&apos; units: above 0</source>
+        <translation>der Fehler muss eine Länge in den Einheiten der Dateien sein: über 0</translation>
+    </message>
+    <message>
+        <source>a drop of %1 is too small beside coordinates of up to %2; give at least %3, or check the scale and the largest coordinates</source>
+        <translation>ein Sprung von %1 ist zu klein neben Koordinaten bis %2; geben Sie mindestens %3 an, oder prüfen Sie den Maßstab und die größten Koordinaten</translation>
+    </message>
+    <message>
+        <source>1 drop</source>
+        <translation>1 Sprung</translation>
+    </message>
+    <message>
+        <source>%1 drops</source>
+        <translation>%1 Sprünge</translation>
+    </message>
+    <message>
+        <source>drops are %1 deep at most, and the whole level is no higher than %2; check the scale</source>
+        <translation>Sprünge sind höchstens %1 tief, und das ganze Level ist nicht höher als %2; prüfen Sie den Maßstab</translation>
+    </message>
+    <message>
+        <source>gaps: its comments count %1, but it has %2</source>
+        <translation>Lücken: Seine Kommentare zählen %1, es hat aber %2</translation>
+    </message>
+    <message>
+        <source>drops: its comments count %1, but it has %2</source>
+        <translation>Sprünge: die Kommentare nennen %1, aber es sind %2</translation>
+    </message>
+    <message>
+        <source>%1 would lose the drops of the DropFilter in %2; put it before that</source>
+        <translation>%1 würde die Sprünge des DropFilters in %2 verlieren; stellen Sie ihn davor</translation>
+    </message>
+    <message>
+        <source>DropFilter asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
+        <translation>DropFilter fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; stellen Sie einen VerticalClearanceFilter davor</translation>
+    </message>
+    <message>
+        <source>RadiusFilter with a distance of its own to ledges asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
+        <translation>RadiusFilter mit eigenem Abstand zu Kanten fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; einen VerticalClearanceFilter davor setzen</translation>
+    </message>
+    <message>
+        <source>agents: the gap of &apos;%1&apos; is below 0; give 0 or more</source>
+        <translation>Agenten: Die Lücke von „%1“ ist kleiner als 0; geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>agents: the radius of &apos;%1&apos; is below 0; give 0 or more</source>
+        <translation>Agenten: der Radius von &apos;%1&apos; ist unter 0; 0 oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>agents: the drop of &apos;%1&apos; is below 0; give 0 or more</source>
+        <translation>Agenten: der Sprung von „%1“ ist kleiner als 0; geben Sie 0 oder mehr an</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>
@@ -1411,16 +1459,8 @@
         <translation>Stufen</translation>
     </message>
     <message>
-        <source>Links borders of the walkable area that lie over each other in the plan, where an agent can lift its feet from one to the other: stairs, kerbs, thresholds, low walls without thickness. The area stays as it is; for the filters that follow, what is linked is one region.</source>
-        <translation>Verbindet Ränder der begehbaren Fläche, die im Grundriss übereinander liegen, wo ein Agent den Fuß vom einen zum anderen heben kann: Treppen, Bordsteine, Schwellen, niedrige Wände ohne Dicke. Die Fläche bleibt, wie sie ist; für die folgenden Filter ist das Verbundene eine Region.</translation>
-    </message>
-    <message>
         <source>A VerticalClearanceFilter comes before it; no filter that makes the area anew follows.</source>
         <translation>Ein VerticalClearanceFilter geht voran; kein Filter, der die Fläche neu erzeugt, folgt.</translation>
-    </message>
-    <message>
-        <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one.</source>
-        <translation>Jedes Stück, auf dem zwei Ränder im Grundriss zusammenfallen, ist genau dort verbunden, wo ihre Höhen sich um höchstens die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der Durchgangshöhe über dem oberen liegt.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -1459,28 +1499,12 @@
         <translation>Entfernt, was für einen Agenten mit einem Körper zu nah am Rand der begehbaren Fläche ist: an Wänden, an Kanten, von denen er fallen könnte, und an den Enden der Welt. Abstände sind die eines geraden Weges, von oben gesehen; Stufen sind kein Rand.</translation>
     </message>
     <message>
-        <source>No walkable place is nearer to a border than the radius, and none that is farther than 1.01 times the radius is removed. Straight borders move by the radius, rounded outwards; round corners are polygons.</source>
-        <translation>Keine begehbare Stelle ist näher an einem Rand als der Radius, und keine, die weiter weg ist als das 1,01-Fache des Radius, entfällt. Gerade Ränder rücken um den Radius, nach außen gerundet; runde Ecken sind Vielecke.</translation>
-    </message>
-    <message>
-        <source>How far an agent&apos;s middle stays away from borders; 0 removes nothing.</source>
-        <translation>Wie weit die Mitte eines Agenten von Rändern wegbleibt; 0 entfernt nichts.</translation>
-    </message>
-    <message>
         <source>Reachable</source>
         <translation>Erreichbar</translation>
     </message>
     <message>
-        <source>Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps; roofs, islands and the insides of solids go. Put it behind a StepFilter, where there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. On an edge or a corner it means all that meets there. What is removed stays an obstacle.</source>
-        <translation>Behält, was von gegebenen Stellen, den Startpunkten, aus erreicht werden kann. Wege führen über gemeinsame Kanten und Stufen; Dächer, Inseln und das Innere von Körpern entfallen. Gehört hinter einen StepFilter, wo es einen gibt. Ein Startpunkt meint die höchste begehbare Stelle an oder unter ihm, höchstens um die Durchgangshöhe tiefer; vor jedem VerticalClearanceFilter beliebig viel tiefer. Auf einer Kante oder Ecke meint er alles, was dort zusammentrifft. Was entfällt, bleibt ein Hindernis.</translation>
-    </message>
-    <message>
         <source>Each seed has a walkable place under it.</source>
         <translation>Unter jedem Startpunkt liegt eine begehbare Stelle.</translation>
-    </message>
-    <message>
-        <source>Every walkable region holds a seed.</source>
-        <translation>Jeder begehbare Bereich enthält einen Startpunkt.</translation>
     </message>
     <message>
         <source>X</source>
@@ -1541,6 +1565,82 @@
     <message>
         <source>thesis 4.1, 5.1.1</source>
         <translation>Dissertation 4.1, 5.1.1</translation>
+    </message>
+    <message>
+        <source>Links borders of the walkable area that lie over each other in the plan, or beside each other with a gap between them, where an agent can lift its feet from one to the other: stairs, kerbs, thresholds, low walls without thickness, slits. The area stays as it is; for the filters that follow, what is linked is one region.</source>
+        <translation>Verbindet Ränder der begehbaren Fläche, die im Grundriss übereinander oder mit einer Lücke dazwischen nebeneinander liegen, wo ein Agent die Füße von einem zum anderen heben kann: Treppen, Bordsteine, Schwellen, niedrige Wände ohne Dicke, Spalten. Die Fläche bleibt, wie sie ist; für die folgenden Filter ist das Verbundene ein Gebiet.</translation>
+    </message>
+    <message>
+        <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, straight along the plan.</source>
+        <translation>Jede Strecke, auf der zwei Ränder im Grundriss zusammenfallen, wird genau dort verbunden, wo sich ihre Höhen höchstens um die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der lichten Höhe über dem oberen liegt. Ränder, die einander über eine Lücke gegenüberliegen, werden verbunden, wo das für alle geraden Wege im Grundriss darüber bewiesen ist.</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>How wide a gap an agent steps over, seen from above. 0: borders must coincide.</source>
+        <translation>Wie breit eine Lücke sein darf, über die ein Agent tritt, von oben gesehen. 0: Ränder müssen zusammenfallen.</translation>
+    </message>
+    <message>
+        <source>No walkable place is nearer to a wall than the radius, or to a ledge than its own distance, and none that is farther than that by more than the tolerance is removed. Straight borders move by the distance, rounded outwards; round corners are polygons.</source>
+        <translation>Kein begehbarer Ort ist näher an einer Wand als der Radius oder an einer Kante als deren eigener Abstand, und keiner, der um mehr als die Toleranz weiter weg ist, fällt weg. Gerade Ränder rücken um den Abstand, nach außen gerundet; runde Ecken sind Vielecke.</translation>
+    </message>
+    <message>
+        <source>How far an agent&apos;s middle stays away from walls: borders where something reaches higher than a step and not above its head. 0: walls keep nothing away.</source>
+        <translation>Wie weit die Mitte eines Agenten von Wänden wegbleibt: Rändern, an denen etwas höher als eine Stufe reicht und nicht über seinem Kopf liegt. 0: Wände halten nichts fern.</translation>
+    </message>
+    <message>
+        <source>From ledges</source>
+        <translation>Von Kanten</translation>
+    </message>
+    <message>
+        <source>How far it stays away from all other borders: drops and ends of the world. Another distance than the radius needs a VerticalClearanceFilter before it. 0: ledges keep nothing away.</source>
+        <translation>Wie weit sie von allen anderen Rändern wegbleibt: Abgründen und Enden der Welt. Ein anderer Abstand als der Radius braucht einen VerticalClearanceFilter davor. 0: Kanten halten nichts fern.</translation>
+    </message>
+    <message>
+        <source>By what part of the distances more than that may be removed at round corners. Smaller ones give rounder corners, and more triangles.</source>
+        <translation>Um welchen Teil der Abstände mehr als diese an runden Ecken wegfallen darf. Kleinere geben rundere Ecken und mehr Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>Finds where an agent can drop from a ledge of the walkable area to a lower place, one way: straight below the ledge, or where the first floor begins within the reach outwards. Nothing may stand in the way, higher than the step of the StepFilter before it and within the clearance, or above the landing along the fall. The area stays as it is.</source>
+        <translation>Findet, wo ein Agent von einer Kante der begehbaren Fläche auf eine tiefere Stelle hinabspringen kann, nur in dieser Richtung: senkrecht unter der Kante oder dort, wo in der Reichweite nach außen ein Boden beginnt. Nichts darf im Weg stehen, was höher als die Stufe des StepFilters davor ist und in die Durchgangshöhe reicht, und nichts über der Landestelle entlang des Falls. Die Fläche bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>A VerticalClearanceFilter comes before it; only AreaFilter, ReachableFilter and DropFilter follow.</source>
+        <translation>Davor steht ein VerticalClearanceFilter; es folgen nur AreaFilter, ReachableFilter und DropFilter.</translation>
+    </message>
+    <message>
+        <source>Every drop that is found is free. Those that land straight below are all found, but for rounding of their ends; of those across a gap, all that have a little to spare.</source>
+        <translation>Jeder gefundene Sprung ist frei. Die senkrecht nach unten werden bis auf Rundung ihrer Enden alle gefunden; von denen über einen Spalt alle, die ein wenig Spielraum haben.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>How deep an agent drops. A drop of exactly this depth is taken.</source>
+        <translation>Wie tief ein Agent springt. Genau diese Tiefe ist erlaubt.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>How far outwards, seen from above, an agent lands at most. Behind a RadiusFilter give at least twice its radius.</source>
+        <translation>Wie weit außen, von oben gesehen, ein Agent höchstens landet. Hinter einem RadiusFilter mindestens das Doppelte seines Radius.</translation>
+    </message>
+    <message>
+        <source>Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps, and down over drops; roofs, islands and the insides of solids go. Put it behind a StepFilter and a DropFilter, where there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. On an edge or a corner it means all that meets there. What is removed stays an obstacle.</source>
+        <translation>Behält, was von gegebenen Stellen, den Startpunkten, aus erreicht werden kann. Wege führen über gemeinsame Kanten und Stufen und über Sprünge hinab; Dächer, Inseln und das Innere von Körpern entfallen. Gehört hinter einen StepFilter und einen DropFilter, wo es einen gibt. Ein Startpunkt meint die höchste begehbare Stelle an oder unter ihm, höchstens um die Durchgangshöhe tiefer; vor jedem VerticalClearanceFilter beliebig viel tiefer. Auf einer Kante oder Ecke meint er alles, was dort zusammentrifft. Was entfällt, bleibt ein Hindernis.</translation>
+    </message>
+    <message>
+        <source>Every walkable region holds a seed, or is reached over drops from one that does.</source>
+        <translation>Jede begehbare Region enthält einen Startpunkt oder wird über Sprünge von einer erreicht, die einen enthält.</translation>
     </message>
 </context>
 <context>
@@ -1752,16 +1852,37 @@
         <translation>Nicht begehbar: unerreichbar</translation>
     </message>
     <message>
-        <source>Not walkable: too near a border</source>
-        <translation>Nicht begehbar: zu nah an einem Rand</translation>
-    </message>
-    <message>
         <source>It cannot be reached from the seeds.</source>
         <translation>Es kann von den Startpunkten aus nicht erreicht werden.</translation>
     </message>
     <message>
-        <source>A wall, a drop or another border is nearer than the radius of %1.</source>
-        <translation>Eine Wand, ein Absturz oder ein anderer Rand ist näher als der Radius von %1.</translation>
+        <source>Not walkable: too near a wall</source>
+        <translation>Nicht begehbar: zu nah an einer Wand</translation>
+    </message>
+    <message>
+        <source>Not walkable: too near a ledge</source>
+        <translation>Nicht begehbar: zu nah an einer Kante</translation>
+    </message>
+    <message>
+        <source>Agents stay %1 away from walls.</source>
+        <translation>Agenten bleiben %1 von Wänden weg.</translation>
+    </message>
+    <message>
+        <source>Agents stay %1 away from ledges: drops and ends of the world.</source>
+        <translation>Agenten bleiben %1 von Kanten weg: Abgründen und Enden der Welt.</translation>
+    </message>
+    <message>
+        <source>a wall at %1</source>
+        <translation>eine Wand in %1</translation>
+    </message>
+    <message>
+        <source>a ledge at %1</source>
+        <translation>eine Kante in %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between two borders</comment>
+        <translation>, </translation>
     </message>
 </context>
 <context>
@@ -2110,52 +2231,8 @@
         <translation>Stufe von %1 ändern %2 → %3</translation>
     </message>
     <message>
-        <source>2 m, slopes up to 45°, stairs: risers up to 0.22 m</source>
-        <translation>2 m, Neigungen bis 45°, Treppen: Steigungen bis 0,22 m</translation>
-    </message>
-    <message>
-        <source>1.2 m, slopes up to 45°, stairs: risers up to 0.22 m</source>
-        <translation>1,2 m, Neigungen bis 45°, Treppen: Steigungen bis 0,22 m</translation>
-    </message>
-    <message>
-        <source>1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds up to 0.013 m</source>
-        <translation>1,5 m, Neigungen bis 5° (Rampen von 1 zu 12 haben 4,76°), Schwellen bis 0,013 m</translation>
-    </message>
-    <message>
-        <source>1.2 m, slopes up to 10°, thresholds up to 0.013 m</source>
-        <translation>1,2 m, Neigungen bis 10°, Schwellen bis 0,013 m</translation>
-    </message>
-    <message>
-        <source>4 m, slopes up to 45°, steps up to 0.8 m</source>
-        <translation>4 m, Neigungen bis 45°, Stufen bis 0,8 m</translation>
-    </message>
-    <message>
-        <source>0.5 m, slopes up to 60°, steps up to 0.1 m</source>
-        <translation>0,5 m, Neigungen bis 60°, Stufen bis 0,1 m</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m</source>
-        <translation>Ein Roboter auf vier Beinen: 0,84 m, Neigungen bis 30°, Stufen bis 0,3 m</translation>
-    </message>
-    <message>
-        <source>Unity&apos;s default: 2 m, slopes up to 45°, steps up to 0.75 m</source>
-        <translation>Vorgabe von Unity: 2 m, Neigungen bis 45°, Stufen bis 0,75 m</translation>
-    </message>
-    <message>
-        <source>Unreal&apos;s default: 1.44 m, slopes up to 44°, steps up to 0.35 m</source>
-        <translation>Vorgabe von Unreal: 1,44 m, Neigungen bis 44°, Stufen bis 0,35 m</translation>
-    </message>
-    <message>
-        <source>Godot&apos;s default: 1.5 m, slopes up to 45°, steps up to 0.25 m</source>
-        <translation>Vorgabe von Godot: 1,5 m, Neigungen bis 45°, Stufen bis 0,25 m</translation>
-    </message>
-    <message>
-        <source>The default of Recast&apos;s demo: 2 m, slopes up to 45°, steps up to 0.9 m</source>
-        <translation>Vorgabe der Demo von Recast: 2 m, Neigungen bis 45°, Stufen bis 0,9 m</translation>
     </message>
     <message>
         <source>Place seed %1</source>
@@ -2168,6 +2245,62 @@
     <message>
         <source>Remove seed %1</source>
         <translation>Startpunkt %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Change gap of %1 %2 → %3</source>
+        <translation>Lücke von %1 ändern: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Change radius of %1 %2 → %3</source>
+        <translation>Radius von %1 ändern: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Change drop of %1 %2 → %3</source>
+        <translation>Sprung von %1 ändern: %2 → %3</translation>
+    </message>
+    <message>
+        <source>2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m, shoulders: a radius of 0.27 m</source>
+        <translation>2 m, Neigungen bis 45°, Treppen: Stufen bis 0,22 m, Lücken bis 0,05 m, Schultern: ein Radius von 0,27 m</translation>
+    </message>
+    <message>
+        <source>1.2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m, a radius of 0.18 m</source>
+        <translation>1,2 m, Neigungen bis 45°, Treppen: Stufen bis 0,22 m, Lücken bis 0,05 m, ein Radius von 0,18 m</translation>
+    </message>
+    <message>
+        <source>1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds and gaps up to 0.013 m, a radius of 0.38 m</source>
+        <translation>1,5 m, Neigungen bis 5° (Rampen von 1 zu 12 haben 4,76°), Schwellen und Lücken bis 0,013 m, ein Radius von 0,38 m</translation>
+    </message>
+    <message>
+        <source>1.2 m, slopes up to 10°, thresholds and gaps up to 0.013 m, a radius of 0.3 m</source>
+        <translation>1,2 m, Neigungen bis 10°, Schwellen und Lücken bis 0,013 m, ein Radius von 0,3 m</translation>
+    </message>
+    <message>
+        <source>4 m, slopes up to 45°, steps up to 0.8 m, gaps up to 0.1 m, a radius of 1 m</source>
+        <translation>4 m, Neigungen bis 45°, Stufen bis 0,8 m, Lücken bis 0,1 m, ein Radius von 1 m</translation>
+    </message>
+    <message>
+        <source>0.5 m, slopes up to 60°, steps up to 0.1 m, gaps up to 0.02 m, a radius of 0.2 m</source>
+        <translation>0,5 m, Neigungen bis 60°, Stufen bis 0,1 m, Lücken bis 0,02 m, ein Radius von 0,2 m</translation>
+    </message>
+    <message>
+        <source>A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m, gaps up to 0.05 m, a radius of 0.25 m</source>
+        <translation>Ein Roboter auf vier Beinen: 0,84 m, Neigungen bis 30°, Stufen bis 0,3 m, Lücken bis 0,05 m, ein Radius von 0,25 m</translation>
+    </message>
+    <message>
+        <source>Unity&apos;s default: 2 m, slopes up to 45°, steps up to 0.75 m, a radius of 0.5 m</source>
+        <translation>Voreinstellung von Unity: 2 m, Neigungen bis 45°, Stufen bis 0,75 m, ein Radius von 0,5 m</translation>
+    </message>
+    <message>
+        <source>Unreal&apos;s default: 1.44 m, slopes up to 44°, steps up to 0.35 m, a radius of 0.34 m</source>
+        <translation>Voreinstellung von Unreal: 1,44 m, Neigungen bis 44°, Stufen bis 0,35 m, ein Radius von 0,34 m</translation>
+    </message>
+    <message>
+        <source>Godot&apos;s default: 1.5 m, slopes up to 45°, steps up to 0.25 m, a radius of 0.5 m</source>
+        <translation>Voreinstellung von Godot: 1,5 m, Neigungen bis 45°, Stufen bis 0,25 m, ein Radius von 0,5 m</translation>
+    </message>
+    <message>
+        <source>The default of Recast&apos;s demo: 2 m, slopes up to 45°, steps up to 0.9 m, a radius of 0.6 m</source>
+        <translation>Voreinstellung der Demo von Recast: 2 m, Neigungen bis 45°, Stufen bis 0,9 m, ein Radius von 0,6 m</translation>
     </message>
 </context>
 <context>
@@ -2264,6 +2397,30 @@
         <source>How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no filter for steps</source>
         <translation>Wie hoch der Agent auf einmal steigt, auf Treppen und Bordsteinen: die Stufe der Filter. Mit 0 gibt es keinen Filter für Stufen</translation>
     </message>
+    <message>
+        <source>Gap (%1)</source>
+        <translation>Lücke (%1)</translation>
+    </message>
+    <message>
+        <source>Radius (%1)</source>
+        <translation>Radius (%1)</translation>
+    </message>
+    <message>
+        <source>Drop (%1)</source>
+        <translation>Sprung (%1)</translation>
+    </message>
+    <message>
+        <source>How wide a gap the agent steps over, seen from above: the gap of the filters for steps</source>
+        <translation>Wie breit eine Lücke sein darf, über die der Agent tritt, von oben gesehen: die Lücke der Filter für Stufen</translation>
+    </message>
+    <message>
+        <source>How far the agent&apos;s middle stays away from walls and ledges: the radius of the filters. With 0 there is no filter for it</source>
+        <translation>Wie weit die Mitte des Agenten von Wänden und Kanten wegbleibt: der Radius der Filter. Mit 0 gibt es keinen Filter dafür</translation>
+    </message>
+    <message>
+        <source>How deep the agent drops from ledges, one way: the depth of the filters. With 0 there is no filter for drops</source>
+        <translation>Wie tief der Agent von Kanten springt, nur hinab: die Tiefe der Filter. Mit 0 gibt es keinen Filter für Sprünge</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::AgentsPanel</name>
@@ -2357,12 +2514,12 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Add the filters that the agents drive, before all others; steps behind the clearance</source>
-        <translation>Die Filter hinzufügen, die die Agenten bestimmen, vor allen anderen; Stufen hinter der Durchgangshöhe</translation>
+        <source>Add the filters that the agents drive, before all others; steps and drops behind the clearance</source>
+        <translation>Fügt die Filter, die Agenten steuern, vor allen anderen hinzu; Stufen und Sprünge hinter der Durchgangshöhe</translation>
     </message>
     <message>
-        <source>An agent is a height, a slope and a step that the filters follow. Add one to compare what each can reach.</source>
-        <translation>Ein Agent ist eine Höhe, eine Neigung und eine Stufe, denen die Filter folgen. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
+        <source>An agent is the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare what each can reach.</source>
+        <translation>Ein Agent ist die Größen, denen die Filter folgen: Höhe, Neigung, Stufe, Lücke, Radius und Sprung. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
     </message>
 </context>
 <context>
@@ -3630,6 +3787,30 @@
         <source>steps</source>
         <translation>Stufen</translation>
     </message>
+    <message>
+        <source>Drops as lines</source>
+        <translation>Sprünge als Linien</translation>
+    </message>
+    <message>
+        <source>Lines from where an agent drops to where it lands</source>
+        <translation>Linien von der Absprungstelle zur Landestelle</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>drop</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>drops</source>
+        <translation>Sprünge</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::ExportTexts</name>
@@ -4435,6 +4616,22 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <source>Two borders over each other, from one of which an agent steps to the other</source>
         <translation>Zwei Ränder übereinander, von deren einem ein Agent auf den anderen steigt</translation>
     </message>
+    <message>
+        <source>Gap: can be stepped over</source>
+        <translation>Lücke: darüber kann man treten</translation>
+    </message>
+    <message>
+        <source>Two borders beside each other, from one of which an agent steps over to the other</source>
+        <translation>Zwei Ränder nebeneinander, von deren einem ein Agent zum anderen hinübertritt</translation>
+    </message>
+    <message>
+        <source>Drop: one way down</source>
+        <translation>Sprung: nur hinab</translation>
+    </message>
+    <message>
+        <source>A ledge from which an agent drops to a lower place, along the arrows, and does not come back</source>
+        <translation>Eine Kante, von der ein Agent entlang der Pfeile auf eine tiefere Stelle springt, ohne zurückzukommen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::LevelLook</name>
@@ -4800,16 +4997,16 @@ bis %2</translation>
         <translation>Jedes Stück zwischen zwei Orten; Höhe und Neigung vom ersten zum zweiten</translation>
     </message>
     <message>
-        <source>Length (%1)</source>
-        <translation>Länge (%1)</translation>
+        <source>Length</source>
+        <translation>Länge</translation>
     </message>
     <message>
-        <source>In plan (%1)</source>
-        <translation>Im Grundriss (%1)</translation>
+        <source>In plan</source>
+        <translation>Im Grundriss</translation>
     </message>
     <message>
-        <source>Height (%1)</source>
-        <translation>Höhe (%1)</translation>
+        <source>Height</source>
+        <translation>Höhe</translation>
     </message>
 </context>
 <context>
@@ -5477,6 +5674,26 @@ Material: %2</translation>
         <source>%1 steps, %2</source>
         <translation>%1 Stufen, %2</translation>
     </message>
+    <message>
+        <source>Drops lead from the target to the start, but no way leads back up. One can come as near as %1, at %2.</source>
+        <translation>Sprünge führen vom Ziel zum Start, aber kein Weg führt wieder hinauf. Man kommt bis auf %1 heran, bei %2.</translation>
+    </message>
+    <message>
+        <source>1 gap stepped over</source>
+        <translation>über 1 Lücke getreten</translation>
+    </message>
+    <message>
+        <source>%1 gaps stepped over</source>
+        <translation>über %1 Lücken getreten</translation>
+    </message>
+    <message>
+        <source>1 drop of %1, one way</source>
+        <translation>1 Sprung von %1, nur hinab</translation>
+    </message>
+    <message>
+        <source>%1 drops, one way, the deepest %2</source>
+        <translation>%1 Sprünge, nur hinab, der tiefste %2</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::PathTool</name>
@@ -5793,6 +6010,22 @@ Material: %2</translation>
         <source>steps</source>
         <translation>Stufen</translation>
     </message>
+    <message>
+        <source>gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>drop</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>drops</source>
+        <translation>Sprünge</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::RunController</name>
@@ -5963,6 +6196,17 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::SeparationMend</name>
+    <message>
+        <source>Lower %1 to %2</source>
+        <translation>%1 auf %2 senken</translation>
+    </message>
+    <message>
+        <source>Raise %1 to %2</source>
+        <translation>%1 auf %2 erhöhen</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::SeparationText</name>
     <message>
         <source>The parts are nearest at %1: %2.</source>
@@ -5996,6 +6240,10 @@ Material: %2</translation>
     <message>
         <source>Bring the place into sight where the two parts are nearest to each other</source>
         <translation>Die Stelle ins Bild bringen, an der sich die beiden Teile am nächsten sind</translation>
+    </message>
+    <message>
+        <source>Change the filter so that this place can be passed; undo takes it back</source>
+        <translation>Ändert den Filter, so dass man dort durchkommt; Rückgängig nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -6611,6 +6859,14 @@ Material: %2</translation>
     <message>
         <source>Go to step %1: %2</source>
         <translation>Zu Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Borders</source>
+        <translation>Ränder</translation>
+    </message>
+    <message>
+        <source>How far the nearest wall and the nearest ledge are, straight over the walkable area as it is before a radius narrows it, seen from above</source>
+        <translation>Wie weit die nächste Wand und die nächste Kante sind, geradeaus über die begehbare Fläche, wie sie ist, bevor ein Radius sie verengt, von oben gesehen</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,9 @@ SceneBatches::CoversPtr coversOf(const std::vector<Geometry>& geometries, const 
 MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withLines,
                      const EnvironmentGeometry* environment) {
   const SceneBatches::CoversPtr covers = coversOf({geometry}, environment);
-  MeshBatches made{{geometry}, batches.makeSurface(geometry, geometry->surface, covers), {}, {}, {}, {}, {}, {}};
+  MeshBatches made;
+  made.geometries = {geometry};
+  made.surface = batches.makeSurface(geometry, geometry->surface, covers);
   const bool layered = !geometry->surfaceLayers.empty();
   if (layered) {
     made.surface = batches.withLayers(made.surface, [geometry](std::size_t i) { return geometry->surfaceLayers[i]; });
@@ -64,11 +66,9 @@ MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geomet
     for (const Geometry& geometry : geometries) elements.push_back({geometry, &((*geometry).*member)});
     return elements;
   };
-  MeshBatches made{
-      geometries, batches.makeSurface(joined(&NavigationMeshGeometry::surface), coversOf(geometries, environment)),
-      {},         {},
-      {},         {},
-      {},         {}};
+  MeshBatches made;
+  made.geometries = geometries;
+  made.surface = batches.makeSurface(joined(&NavigationMeshGeometry::surface), coversOf(geometries, environment));
   if (!withLines) return made;
   made.creases = batches.makeLines(joined(&NavigationMeshGeometry::creases));
   made.outline = batches.makeLines(joined(&NavigationMeshGeometry::outline));

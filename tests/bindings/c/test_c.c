@@ -418,7 +418,7 @@ static void testFiles(const char* sample, const char* folder, const char* expect
   free(bytes);
   free(expectedBytes);
 
-  footfall_export_options options = {1, 1, 1, FOOTFALL_UP_Z, 0, 1};
+  footfall_export_options options = {1, 1, 1, FOOTFALL_UP_Z, 0, 1, 1};
   CHECK_OK(footfall_save(result, path, &options));
   bytes = contentsOf(path, &size);
   bytes[size] = '\0';
