@@ -205,10 +205,13 @@ void completeSteps(const std::vector<StepFace>& faces, StepKind kind, Navigation
     if (std::max({a, b, c}) >= mesh.vertices.size() || (d != kNone && d >= mesh.vertices.size())) continue;
     StepLink link{{a, b}, {c, d}};
     link.kind = kind;
-    if (d ==
-        kNone) {  // both borders end in one vertex, at the end where the third corner does not lie over the first two
+    // Both borders end in one vertex. Of a step that is at the end where the third corner does not lie over the first
+    // two; of a gap, where there is a border.
+    if (d == kNone) {
       const Vec3 &first = mesh.vertices[a], &third = mesh.vertices[c];
-      link.to = first.x == third.x && first.y == third.y ? std::array{b, c} : std::array{c, a};
+      const bool isAtSecond =
+          kind == StepKind::Step ? first.x == third.x && first.y == third.y : triangleAt.contains(std::array{b, c});
+      link.to = isAtSecond ? std::array{b, c} : std::array{c, a};
     }
     const auto from = triangleAt.find(link.from), to = triangleAt.find(link.to);
     if (from == triangleAt.end() || to == triangleAt.end()) continue;

@@ -109,9 +109,14 @@ BorderDivider::BorderDivider(const WalkableState& state, const MarginSurface& su
 void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
   const MeshVertex &a = mesh_.vertices[surface_.beginVertex(side)], &b = mesh_.vertices[surface_.endVertex(side)];
   const PlanVector begin = surface_.begin(side), end = surface_.end(side);
-  // A point, for doubles; or the side of a bridge over a gap, which lies on no face.
-  if ((begin.x == end.x && begin.y == end.y) || surface_.face(side) < 0) {
+  if (begin.x == end.x && begin.y == end.y) {  // a point, for doubles
     pieces.push_back({side, begin, end, isLedgeInDoubt_});
+    return;
+  }
+  // The side of a bridge over a gap, on no face: nothing stands there, but at its ends, where borders begin that know
+  // what they are and keep it away themselves.
+  if (surface_.face(side) < 0) {
+    pieces.push_back({side, begin, end, !isLedgeInDoubt_});
     return;
   }
   kinds_.turnTo({a, b, surface_.face(side)}, {begin.x, begin.y, a.z}, {end.x, end.y, b.z}, 0);

@@ -115,7 +115,7 @@ class TestDocument : public QObject {
     const std::string before = "SlopeFilter 45\nVerticalClearanceFilter 2\nDegeneracyFilter\nAreaFilter 1\n";
     document.reset(parsePipeline(before, "test"), {});
     const auto text = [&] { return formatPipeline(document.pipeline()); };
-    const int climber = addAgent(document, {0, "Climber", 2, 45, 0.4});
+    const int climber = addAgent(document, {0, "Climber", 2, 45, 0.4, 0.05});
     const std::string with =
         "SlopeFilter 45\nVerticalClearanceFilter 2\nDegeneracyFilter\nStepFilter 0.4\nAreaFilter 1\n";
     QCOMPARE(text(), with);  // behind what would lose the links, in front of what counts them
@@ -156,7 +156,7 @@ class TestDocument : public QObject {
                    {});
     const auto text = [&] { return formatPipeline(document.pipeline()); };
     const std::string before = text();
-    const int jumper = addAgent(document, {0, "Jumper", 2, 45, 0.4, 1.5});
+    const int jumper = addAgent(document, {0, "Jumper", 2, 45, 0.4, 0.05, 0, 1.5});
     const std::string with =
         "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nSimplificationFilter\nDropFilter 1.5\n"
         "AreaFilter 1\nReachableFilter 1 2 3\n";
@@ -180,14 +180,14 @@ class TestDocument : public QObject {
     QVERIFY(text().find("StepFilter 0.4") != std::string::npos);
     QVERIFY(!checkValue(parameterOf(AgentSize::Drop), -0.1).empty());
     QVERIFY(checkValue(parameterOf(AgentSize::Drop), 0).empty());
-    QCOMPARE(rescaledAgents({{1, "Jumper", 2, 45, 0.4, 1.5}}, 1, 0.01)[0].drop, 150.0);
+    QCOMPARE(rescaledAgents({{1, "Jumper", 2, 45, 0.4, 0.05, 0, 1.5}}, 1, 0.01)[0].drop, 150.0);
   }
 
   void stepsNeedAPlace() {
     const auto with = [](const std::string& filters) {
       Document document;
       document.reset(parsePipeline(filters, "test"), {});
-      addAgent(document, {0, "Climber", 2, 45, 0.4});
+      addAgent(document, {0, "Climber", 2, 45, 0.4, 0.05});
       const std::vector<AgentSize> missing = sizesWithoutEffect(document.state());
       const bool isTold = std::ranges::find(missing, AgentSize::Step) != missing.end();
       return formatPipeline(document.pipeline()) + (isTold ? "no effect" : "");
@@ -307,7 +307,7 @@ class TestDocument : public QObject {
         "{\"footfall_session\": 1, \"pipeline\": [{\"filter\": \"SlopeFilter\", \"parameters\": {\"max_slope\": 45}}], "
         "\"agents\": [{\"name\": \"A\", \"height\": 2, \"max_slope\": 45}], \"agent\": 1}");
     const Session session = readSession(writeFile(folder, "old.footfall", old).toStdString());
-    QCOMPARE(session.agents, (std::vector<NamedAgent>{{1, "A", 2, 45, 0}}));
+    QCOMPARE(session.agents, (std::vector<NamedAgent>{{1, "A", 2, 45, 0, 0.05}}));
     Document document;
     DocumentState rest;
     rest.agents = session.agents;

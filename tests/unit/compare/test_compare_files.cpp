@@ -315,9 +315,9 @@ void TestCompareFiles::wrongUsage_data() {
   QTest::newRow("one file") << QStringList{"FILE"} << QByteArray("B is required");
   QTest::newRow("missing") << QStringList{"FILE", "nowhere.obj"} << QByteArray("nowhere.obj: no such file");
   QTest::newRow("folder") << QStringList{"FILE", "."} << QByteArray("is a folder");
-  QTest::newRow("height") << QStringList{"FILE", "FILE", "--height", "-1"} << QByteArray("--height");
-  QTest::newRow("height inf") << QStringList{"FILE", "FILE", "--height", "inf"} << QByteArray("--height");
-  QTest::newRow("error") << QStringList{"FILE", "FILE", "--error", "0"} << QByteArray("--error");
+  QTest::newRow("height") << QStringList{"FILE", "FILE", "--height", "-1"} << QByteArray("the height must be");
+  QTest::newRow("height inf") << QStringList{"FILE", "FILE", "--height", "inf"} << QByteArray("the height must be");
+  QTest::newRow("error") << QStringList{"FILE", "FILE", "--error", "0"} << QByteArray("the error must be");
   QTest::newRow("area") << QStringList{"FILE", "FILE", "--fail-above", "nan"} << QByteArray("--fail-above");
   QTest::newRow("up") << QStringList{"FILE", "FILE", "--up", "w"} << QByteArray("--up");
 }

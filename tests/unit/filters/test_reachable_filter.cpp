@@ -512,7 +512,7 @@ class TestReachableFilter : public QObject {
   void moreSeedsNeverRemoveAndOrderChangesNothing() {
     std::mt19937_64 random(seed());
     int grown = 0;
-    for (int i = 0; i < rounds(60); ++i) {
+    for (int i = 0; i < rounds(90); ++i) {
       const fuzz::PipelineCase one = fuzz::makePipelineCase(seed() + 7000 + static_cast<std::uint64_t>(i));
       if (one.clearance < 1e-6 || one.clearance > 1e20) continue;
       const auto environment = one.soup.environment(one.bothSides);

@@ -40,7 +40,7 @@ struct Level {
 
   static std::string pipeline(double step) {
     return minimalPipeline(kHeight) +
-           (step > 0 ? "\nStepFilter " + QString::number(step, 'g', 17).toStdString() + "\n" : "");
+           (step > 0 ? "\nStepFilter " + QString::number(step, 'g', 17).toStdString() + " 0\n" : "");
   }
 
   [[nodiscard]] PathResult path(const Vec3& from, const Vec3& to) const {

@@ -73,9 +73,9 @@ class TestWalkableArea : public QObject {
     QCOMPARE(steps(1, child),
              std::string("SlopeFilter 30\nVerticalClearanceFilter 1.2\nStepFilter 0.25\nAreaFilter 0.5\n"));
     QCOMPARE(steps(0.01, child),
-             std::string("SlopeFilter 30\nVerticalClearanceFilter 120\nStepFilter 25\nAreaFilter 5000\n"));
+             std::string("SlopeFilter 30\nVerticalClearanceFilter 120\nStepFilter 25 5\nAreaFilter 5000\n"));
     QCOMPARE(steps(0.5, child),
-             std::string("SlopeFilter 30\nVerticalClearanceFilter 2.4\nStepFilter 0.5\nAreaFilter 2\n"));
+             std::string("SlopeFilter 30\nVerticalClearanceFilter 2.4\nStepFilter 0.5 0.1\nAreaFilter 2\n"));
   }
 
   void withoutAStepThereIsNoFilterForIt() {
@@ -88,9 +88,9 @@ class TestWalkableArea : public QObject {
   }
 
   void theRadiusCounts() {
-    QCOMPARE(
-        steps(0.5, {.maxSlope = 30, .height = 1.2, .minimumArea = 0.5, .step = 0.25, .radius = 0.3}),
-        std::string("SlopeFilter 30\nVerticalClearanceFilter 2.4\nStepFilter 0.5\nRadiusFilter 0.6\nAreaFilter 2\n"));
+    QCOMPARE(steps(0.5, {.maxSlope = 30, .height = 1.2, .minimumArea = 0.5, .step = 0.25, .radius = 0.3}),
+             std::string(
+                 "SlopeFilter 30\nVerticalClearanceFilter 2.4\nStepFilter 0.5 0.1\nRadiusFilter 0.6\nAreaFilter 2\n"));
     const auto message = [](double radius) {
       return messageOf([&] { (void)pipelineFor(withScale(1), {.radius = radius}); });
     };
