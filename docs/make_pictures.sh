@@ -15,6 +15,19 @@ cells() {
 }
 cells "${repository}/samples/villa/villa.obj" -p "${repository}/resources/pipelines/parallel.pipeline" \
   --screenshot "${FOOTFALL_PICTURES}/villa-cells.png"
+# villa_for NAME SLOPE HEIGHT STEP GAP RADIUS: the villa for one agent, in metres.
+villa_for() {
+  local pipeline
+  pipeline="$(mktemp)"
+  printf '%s\n' "SlopeFilter $2" "VerticalClearanceFilter $3" "StepFilter $4 $5" "RadiusFilter $6" "AreaFilter 1" \
+    SimplificationFilter LayerSubdivisionFilter >"${pipeline}"
+  xvfb-run -a -s "-screen 0 1920x1200x24" "${build}/footfall-editor" "${repository}/samples/villa/villa.obj" \
+    -p "${pipeline}" --size 1200x750 --screenshot "${FOOTFALL_PICTURES}/guide-villa-$1.png"
+  rm -f -- "${pipeline}"
+}
+villa_for person 45 2 0.22 0.05 0.27
+villa_for wheelchair 5 1.5 0.013 0.013 0.38
+villa_for unity 45 2 0.75 0.05 0.5
 steelribs="${FOOTFALL_SHARED:-${repository}/../shared}/envs/steelribs.obj"
 if [ -f "${steelribs}" ]; then
   pipeline="$(mktemp)"

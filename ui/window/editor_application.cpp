@@ -20,6 +20,7 @@
 #include "ui/base/theme.hpp"
 #include "ui/base/translations.hpp"
 #include "ui/level/level_look.hpp"
+#include "ui/view/view_hint.hpp"
 #include "ui/window/editor_window.hpp"
 #include "ui/window/window_placement.hpp"
 
@@ -119,6 +120,8 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
       finish(fail(2, why));
       return;
     }
+    // Nobody can close them in a picture.
+    for (ViewHint* hint : window.findChildren<ViewHint*>()) hint->hide();
     window.view().grabFramebuffer();  // what follows finds all of it drawn
     QSaveFile file(target);
     const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
