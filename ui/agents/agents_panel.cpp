@@ -72,7 +72,7 @@ AgentsPanel::AgentsPanel(Document& document, RunController& controller, QWidget*
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(AgentModel::Name, QHeaderView::Stretch);
+  table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setMinimumSectionSize(48);
   table_->setMinimumHeight(90);
   layout->addWidget(table_, 1);
