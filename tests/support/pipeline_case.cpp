@@ -196,6 +196,17 @@ double largestCoordinate(const Soup& soup) {
   return largest;
 }
 
+// A clearance and what needs one before it, in one piece: parts of a pipeline may be left out.
+std::string chooseBody(Dice& dice, double scale, double least) {
+  const auto length = [&](double factor) { return std::max(scale * factor, least); };
+  std::string text = filter("VerticalClearanceFilter", scale * dice.oneOf({0.5, 1.0, 2.0}));
+  text += '\n' + filter("StepFilter", length(dice.oneOf({0.1, 0.25, 0.5}))) +
+          filter("", dice.oneIn(3) ? 0 : length(dice.oneOf({0.02, 0.1, 0.25})));
+  if (dice.oneIn(4)) text += '\n' + filter("RadiusFilter", length(dice.oneOf({0.1, 0.35}))) + filter("", length(0.2));
+  if (dice.oneIn(2)) text += '\n' + filter("DropFilter", length(dice.oneOf({1.0, 3.0}))) + filter("", length(0.3));
+  return text;
+}
+
 // `leastRadius`: smaller ones are refused.
 std::vector<std::string> chooseAnyFilters(Dice& dice, double scale, double leastRadius) {
   std::vector<std::string> filters;
@@ -230,6 +241,7 @@ std::vector<std::string> chooseAnyFilters(Dice& dice, double scale, double least
         filters.push_back(dice.oneOf({"RoundingFilter", "RoundingFilter false"}));
     }
   }
+  if (dice.oneIn(3)) filters.push_back(chooseBody(dice, scale, leastRadius));
   return filters;
 }
 
