@@ -77,7 +77,9 @@ void appendSteps(std::string& text, const std::vector<StepLink>& links, StepKind
     if (from[1] == to[0])
       appendElement(text, 'f', std::array{from[0], from[1], to[1]});
     else if (to[1] == from[0])
-      appendElement(text, 'f', std::array{from[0], from[1], to[0]});
+      // Of a gap, where heights do not tell, the vertex in which both edges end is the second one.
+      appendElement(text, 'f',
+                    kind == StepKind::Gap ? std::array{to[0], to[1], from[1]} : std::array{from[0], from[1], to[0]});
     else
       appendElement(text, 'f', std::array{from[0], from[1], to[0], to[1]});
   }

@@ -154,6 +154,11 @@ void removeExtras(ObjGroups& groups, Environment& soup, const StatedContent& sta
   });
   if (!stated.isExport || !stated.vertices || first == groups.groups.end()) return;
   if (*stated.vertices > soup.vertices.size()) return;  // cut off: the counts tell
+  const auto isBeyond = [&](std::uint32_t v) { return v >= *stated.vertices; };
+  for (std::size_t t = 0; t < first->firstTriangle; ++t)
+    if (std::ranges::any_of(soup.triangles[t], isBeyond)) return;  // changed by hand: the counts tell
+  for (std::size_t i = 0; i < first->firstSegment; ++i)
+    if (std::ranges::any_of(groups.segments[i], isBeyond)) return;
   soup.triangles.resize(first->firstTriangle);
   groups.segments.resize(first->firstSegment);
   soup.vertices.resize(*stated.vertices);
@@ -205,13 +210,13 @@ void completeSteps(const std::vector<StepFace>& faces, StepKind kind, Navigation
     if (std::max({a, b, c}) >= mesh.vertices.size() || (d != kNone && d >= mesh.vertices.size())) continue;
     StepLink link{{a, b}, {c, d}};
     link.kind = kind;
-    // Both borders end in one vertex. Of a step that is at the end where the third corner does not lie over the first
-    // two; of a gap, where there is a border.
+    // Both borders end in one vertex. Of a gap that is the second corner, of a step the one at the end where the third
+    // corner does not lie over the first two.
     if (d == kNone) {
       const Vec3 &first = mesh.vertices[a], &third = mesh.vertices[c];
-      const bool isAtSecond =
-          kind == StepKind::Step ? first.x == third.x && first.y == third.y : triangleAt.contains(std::array{b, c});
+      const bool isAtSecond = kind == StepKind::Gap || (first.x == third.x && first.y == third.y);
       link.to = isAtSecond ? std::array{b, c} : std::array{c, a};
+      if (kind == StepKind::Gap && link.to < link.from) std::swap(link.from, link.to);
     }
     const auto from = triangleAt.find(link.from), to = triangleAt.find(link.to);
     if (from == triangleAt.end() || to == triangleAt.end()) continue;

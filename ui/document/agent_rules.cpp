@@ -51,7 +51,7 @@ void insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
 void insertRadius(std::vector<FilterEntry>& filters, const FilterEntry& radius) {
   const auto last = std::find_if(filters.rbegin(), filters.rend(), [](const FilterEntry& entry) {
     const auto size = agentSizeOf(*entry.step.filter);
-    return (size && size != AgentSize::Drop) || entry.step.filter->kind != FilterKind::Filter;
+    return entry.step.enabled && ((size && size != AgentSize::Drop) || entry.step.filter->kind != FilterKind::Filter);
   });
   filters.insert(last.base(), radius);
 }
@@ -166,7 +166,10 @@ void applyAgent(DocumentState& state, const std::function<int()>& newId) {
   for (const AgentSize size : {AgentSize::Step, AgentSize::Radius, AgentSize::Drop}) {
     const FilterDescriptor& filter = filterOf(size);
     if (sizeOf(*agent, size) == 0) {
-      std::erase_if(state.filters, [size](const FilterEntry& entry) { return isOn(entry, size); });
+      // A radius of 0 with a distance to ledges is no agent's, and stays.
+      std::erase_if(state.filters, [size](const FilterEntry& entry) {
+        return isOn(entry, size) && !(size == AgentSize::Radius && entry.step.values[0] == 0);
+      });
     } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &filter; })) {
       const FilterEntry added{newId(), defaultStep(filter, 1)};
       size == AgentSize::Radius ? insertRadius(state.filters, added) : insertEarly(state.filters, added);
@@ -180,7 +183,8 @@ bool followsAgent(const DocumentState& state) {
   return !agent || std::ranges::all_of(state.filters, [agent](const FilterEntry& entry) {
     for (std::size_t i = 0; i < entry.step.values.size(); ++i) {
       const auto size = agentSizeOf(*entry.step.filter, i);
-      if (size && mayBeNone(*size) && sizeOf(*agent, *size) == 0) return !entry.step.enabled;
+      if (size && mayBeNone(*size) && sizeOf(*agent, *size) == 0)
+        return !entry.step.enabled || entry.step.values[i] == 0;
       if (size && entry.step.values[i] != sizeOf(*agent, *size)) return false;
     }
     return true;

@@ -27,11 +27,20 @@ struct Need {
   bool atMost = false;  ///< the value may not be more than that; else not less
 };
 
-std::optional<Need> needOf(const BorderLink& link, double step) {
+// Behind a radius, borders are where a body must stop, and not what stands there.
+std::optional<Need> needOf(const BorderLink& link, double step, const std::vector<FilterEntry>& filters) {
+  double gap = 0;
+  for (const FilterEntry& entry : filters) {
+    if (!entry.step.enabled) continue;
+    if (entry.step.filter->type == FilterType::Radius) return std::nullopt;
+    if (entry.step.filter->type == FilterType::Step) gap = std::max(gap, entry.step.values[1]);
+  }
   if (link.isClosed()) return std::nullopt;
-  if (link.kind == LinkKind::LowCeiling) return Need{FilterType::VerticalClearance, "height", link.headroom, true};
   const double climbed = std::max(std::abs(link.rise), link.kind == LinkKind::Obstacle ? link.obstacle : 0.0);
-  if (climbed > step && climbed - step >= link.excess) return Need{FilterType::Step, "step", climbed, false};
+  const bool isLow = link.kind == LinkKind::LowCeiling, isHigh = climbed > step, isWide = link.gap > gap;
+  if (int{isLow} + int{isHigh} + int{isWide} != 1) return std::nullopt;  // one value is not enough, or there is none
+  if (isLow) return Need{FilterType::VerticalClearance, "height", link.headroom, true};
+  if (isHigh) return Need{FilterType::Step, "step", climbed, false};
   return Need{FilterType::Step, "gap", link.gap, false};
 }
 
@@ -45,9 +54,10 @@ double roundedAway(const Need& need, const LevelUnits& units) {
 
 std::optional<SeparationMend> mendOf(const Separation& separation, const std::vector<FilterEntry>& filters,
                                      const LevelUnits& units) {
-  const auto need = needOf(separation.barrier(), separation.step);
+  const auto need = needOf(separation.barrier(), separation.step, filters);
   if (!need) return std::nullopt;
   const double value = roundedAway(*need, units);
+  std::optional<SeparationMend> mend;
   for (const FilterEntry& entry : filters) {
     const FilterDescriptor& filter = *entry.step.filter;
     if (!entry.step.enabled || filter.type != need->filter) continue;
@@ -58,9 +68,10 @@ std::optional<SeparationMend> mendOf(const Separation& separation, const std::ve
     const double now = entry.step.values[index];
     if (need->atMost ? now <= value : now >= value) continue;
     const QString text = need->atMost ? MendText::tr("Lower %1 to %2") : MendText::tr("Raise %1 to %2");
-    return SeparationMend{entry.id, index, value, text.arg(filterText(parameter->label), units.length(value))};
+    if (mend) return std::nullopt;  // two filters stand in the way
+    mend = {entry.id, index, value, text.arg(filterText(parameter->label), units.length(value))};
   }
-  return std::nullopt;
+  return mend;
 }
 
 }  // namespace footfall::ui

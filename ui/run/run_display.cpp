@@ -42,13 +42,19 @@ void RunDisplay::setResult(const RunJob& job, const RunOutcome& outcome) {
 
 void RunDisplay::show() {
   provisional_ = false;
-  emit contentReady(shown_.content);
+  tellResult();
   showKnownCells();
 }
 
 void RunDisplay::restore() {
-  if (std::exchange(provisional_, false)) emit contentReady(shown_.content);
+  if (std::exchange(provisional_, false)) tellResult();
   showKnownCells();
+}
+
+// Of a copy: who hears it may bring about another result.
+void RunDisplay::tellResult() {
+  const ViewContent content = shown_.content;
+  emit contentReady(content);
 }
 
 void RunDisplay::begin(bool changesShown) {

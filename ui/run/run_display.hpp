@@ -50,6 +50,7 @@ class RunDisplay : public QObject {
  private:
   [[nodiscard]] bool pictureIsDue(const RunJob& job) const;
   [[nodiscard]] ViewContent contentOf(const RunJob& job, const RunEventBuffer::Step& step) const;
+  void tellResult();
   void showKnownCells();
 
   ShownResult shown_;         ///< of the last finished run; no mesh when there is none

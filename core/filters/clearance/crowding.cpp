@@ -2,6 +2,7 @@
 #include "core/filters/clearance/crowding.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace footfall::detail {
 namespace {
@@ -31,13 +32,14 @@ void Crowding::add(Index obstacle) {
 }
 
 void Crowding::count(Index obstacle) {
+  if (isCrowd()) return;  // it stays one, and sums do not overflow
   const Box box = boxOf(mesh_, obstacle);
   // Of each part of the face's box along an axis the share that the obstacle's box covers, and which have one.
   std::array<std::array<double, kParts>, 2> shares{};
   std::array<std::size_t, 2> first{}, last{};
   for (const std::size_t axis : {0, 1}) {
     const double width = (box_.upper[axis] - box_.lower[axis]) / kParts;
-    if (!(width > 0)) return;
+    if (!(width > 0) || !std::isfinite(width)) return;
     const double low = (box.lower[axis] - box_.lower[axis]) / width;
     const double high = (box.upper[axis] - box_.lower[axis]) / width;
     first[axis] = static_cast<std::size_t>(std::clamp(low, 0.0, kParts - 1.0));

@@ -158,6 +158,7 @@ void DropFinder::tryBorder(const Border& border, double reach, Worker& worker) c
     (out < 0 ? query.lower : query.upper)[axis] += out;
   }
   borderTree_.visitOverlapping(query, [&](Index other) {
+    context_.checkCancelled();
     if (&borders_[other] != &border) dropAcross(border, borders_[other], ledges, reach, worker);
   });
 }
@@ -197,6 +198,7 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
   Tree::Bounds query = boundsOf(border.from, border.to);
   query.lower[2] -= kinds.heightOf(levels_.depth);
   triangleTree_.visitOverlapping(query, [&](Index t) {
+    context_.checkCancelled();
     Landing landing;
     if (!landingIn(t, landing)) return;
     const Index face = mesh_.triangles[t].face;

@@ -43,8 +43,9 @@ std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
   std::vector<EdgePiece> walls;
   for (const CoverAlong& cover : kinds.covers()) {
     if (!cover.isOutside) continue;
-    const auto [p, q, r] = kinds.cornersOf(cover.triangle);
-    const Vec3 n = cross(q - p, r - p);
+    const std::array<Vec3, 3> corners = kinds.cornersOf(cover.triangle);
+    const Vec3& p = corners[0];
+    const Vec3 n = cross(corners[1] - p, corners[2] - p);
     const auto above = [&](const Vec3& place) {
       return p.z - (n.x * (place.x - p.x) + n.y * (place.y - p.y)) / n.z - place.z;
     };

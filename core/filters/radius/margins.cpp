@@ -233,14 +233,16 @@ class MarginFinder {
   // Whether what reaches a triangle near these places is among the others, too.
   [[nodiscard]] bool reachesAll(const std::vector<Index>& some, const std::vector<Index>& others,
                                 const std::array<PlanVector, 3>& places) const {
-    const auto [lowX, highX] = std::minmax({places[0].x, places[1].x, places[2].x});
-    const auto [lowY, highY] = std::minmax({places[0].y, places[1].y, places[2].y});
     const double more = 2 * mostSlack_;
+    const double lowX = std::min({places[0].x, places[1].x, places[2].x}) - more;
+    const double highX = std::max({places[0].x, places[1].x, places[2].x}) + more;
+    const double lowY = std::min({places[0].y, places[1].y, places[2].y}) - more;
+    const double highY = std::max({places[0].y, places[1].y, places[2].y}) + more;
     return std::all_of(some.begin(), some.end(), [&](Index triangle) {
       const PlanVector a = surface_.begin(3 * triangle), b = surface_.begin(3 * triangle + 1),
                        c = surface_.begin(3 * triangle + 2);
-      if (std::max({a.x, b.x, c.x}) < lowX - more || std::min({a.x, b.x, c.x}) > highX + more ||
-          std::max({a.y, b.y, c.y}) < lowY - more || std::min({a.y, b.y, c.y}) > highY + more)
+      if (std::max({a.x, b.x, c.x}) < lowX || std::min({a.x, b.x, c.x}) > highX || std::max({a.y, b.y, c.y}) < lowY ||
+          std::min({a.y, b.y, c.y}) > highY)
         return true;
       return std::binary_search(others.begin(), others.end(), triangle);
     });

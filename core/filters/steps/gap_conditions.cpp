@@ -131,7 +131,7 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
 std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapBorder& second, const GapPiece& near) {
   const GapFrame& frame = near.frame;
   const Profiles p(frame, first, second);
-  const auto [begin, end] = near.ends;
+  const double begin = near.ends[0], end = near.ends[1];
   const double slack = p.heightSlack();
   // The lower of both, and the higher one; both may be either where they cross.
   std::vector<const Profile*> lower, higher;

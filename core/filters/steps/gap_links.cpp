@@ -105,6 +105,7 @@ void StepLinker::planCut(GapStretch& stretch, Index number, double along, Cuts& 
 // The ends of all gaps, and what lies across from each vertex within one.
 void StepLinker::planCuts(Cuts& cuts) {
   for (GapStretch& stretch : gaps_) {
+    context_.checkCancelled();
     const auto [low, high] = stretch.piece.ends;
     for (const double end : {low, high})
       for (const Index border : {stretch.first, stretch.second})
@@ -135,6 +136,7 @@ void StepLinker::makeCuts(const std::vector<Cut>& cuts) {
   kernel_ = std::make_shared<PlanKernel>(std::move(mesh), kernel_->heights(), kernel_->borders());
   geometry_.emplace(*kernel_, mesh_.vertices);
   for (std::size_t i = 0; i < cuts.size(); ++i) {
+    context_.checkCancelled();
     const Border& border = borders_[cuts[i].border];
     const Index a = ids[2 * i], b = ids[2 * i + 1];
     const std::vector<KnownLine> lines = linesOf(border, *geometry_);
@@ -242,6 +244,7 @@ bool StepLinker::isProven(const GapStretch& stretch, int& end, bool& isOverlap) 
 bool StepLinker::proveGaps() {
   bool isChanged = false;
   for (GapStretch& stretch : gaps_) {
+    context_.checkCancelled();
     if (stretch.isDropped) continue;
     int end = -1;
     bool isOverlap = false;

@@ -373,8 +373,10 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
       result->links.push_back(link);
     }
   }
-  for (const GapStretch& gap : gaps_)
+  for (const GapStretch& gap : gaps_) {
+    context_.checkCancelled();
     if (!gap.isDropped) addGapLinks(*result, gap, verticesOf(borders_[gap.first]), verticesOf(borders_[gap.second]));
+  }
   std::sort(result->links.begin(), result->links.end());
   result->links.erase(std::unique(result->links.begin(), result->links.end()), result->links.end());
   fallbacks_ += geometry_->fallbacks;

@@ -143,10 +143,21 @@ class TestPathTool : public QObject {
     // Too low a ceiling.
     link.kind = LinkKind::LowCeiling;
     link.headroom = 181.5;
+    QVERIFY(!mend(pipeline, link));  // and too high
+    link.rise = 30;
     link.excess = 18.5;
     QCOMPARE(mend(pipeline, link)->filter, 1);
     QCOMPARE(mend(pipeline, link)->value, 181.0);
     QCOMPARE(mend(pipeline, link)->text, QString("Lower Clearance to 1.81 m"));
+    QVERIFY(!mend("VerticalClearanceFilter 200\nVerticalClearanceFilter 190\nStepFilter 40\n", link));
+    QVERIFY(!mend(pipeline + "RadiusFilter 30\n", link));  // the border is the radius's
+    // A gap.
+    link.kind = LinkKind::Open;
+    link.gap = 12.3;
+    link.excess = 12.3;
+    QCOMPARE(mend(pipeline, link)->parameter, std::size_t{1});
+    QCOMPARE(mend(pipeline, link)->value, 13.0);
+    QCOMPARE(mend(pipeline, link)->text, QString("Raise Gap to 0.13 m"));
     for (const LinkKind kind : {LinkKind::Wall, LinkKind::Touch}) {
       link.kind = kind;
       QVERIFY(!mend(pipeline, link));
