@@ -14,6 +14,11 @@
 namespace footfall::detail {
 namespace {
 
+// Files say where drops are and not on what; that is looked for near by, and what is nearest is taken. All by the
+// largest coordinate.
+constexpr double kNear = 0x1p-16;      ///< far more than numbers in files are rounded by
+constexpr double kWrongWay = 0x1p-20;  ///< for so much nearer is a side taken that runs against the starts
+constexpr double kOutwards = 0x1p-16;  ///< by the width of a drop: where one goes on after it
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double distanceToSegment(const Vec3& a, const Vec3& b, const Vec3& p) {
@@ -55,7 +60,7 @@ class DropPlaces {
         const Vec3 &a = mesh_.vertices[corners_.beginOf(side)], &b = mesh_.vertices[corners_.endOf(side)];
         double apart = distanceToSegment(a, b, starts[0]) + distanceToSegment(a, b, starts[1]);
         // The other side of an obstacle edge runs against the starts.
-        if (dot(b - a, starts[1] - starts[0]) < 0) apart += 1e-6 * largest_;
+        if (dot(b - a, starts[1] - starts[0]) < 0) apart += kWrongWay * largest_;
         if (apart > least || (apart == least && best && *best < side)) continue;
         least = apart;
         best = side;
@@ -86,10 +91,9 @@ class DropPlaces {
   }
 
  private:
-  /// Rounding in files moves places by far less than this.
   template <class Visit>
   void forNear(const Vec3& p, const Visit& visit) {
-    const double margin = 1e-5 * largest_;
+    const double margin = kNear * largest_;
     const Box query{{p.x - margin, p.y - margin, p.z - margin}, {p.x + margin, p.y + margin, p.z + margin}};
     tree_.visitOverlapping(query, stack_, [&](std::int32_t t) {
       visit(static_cast<std::uint32_t>(t));
@@ -121,8 +125,7 @@ void completeDrops(const std::vector<DropLine>& lines, NavigationMesh& mesh) {
     drop.width = std::hypot(way.x, way.y);
     const auto side = places.side(drop.start);
     // One lands on the right of the edge, and goes on there.
-    constexpr double kStep = 0x1p-16;
-    const auto landing = places.triangle(middleOf(drop.landing) + kStep * Vec3{way.y, -way.x, 0});
+    const auto landing = places.triangle(middleOf(drop.landing) + kOutwards * Vec3{way.y, -way.x, 0});
     if (!side || !landing) continue;
     const Triangle& t = mesh.triangles[static_cast<std::size_t>(*side / 3)];
     const int k = *side % 3;

@@ -78,6 +78,7 @@ class TestCompareFiles : public QObject {
   void refusedFiles();
   void emptyExport();
   void reportForPeople();
+  void facesOverVerticesOfDropsAreRefused();
   void stepsInReports();
   void jsonKeys();
   void exitCodes();
@@ -223,6 +224,15 @@ void TestCompareFiles::reportForPeople() {
 }
 
 // Steps end in vertices of their own, and these are rounded: floors that slope differ by that, and nothing else.
+// A face of the mesh over a vertex of a drop: no vertex of the mesh is left for it.
+void TestCompareFiles::facesOverVerticesOfDropsAreRefused() {
+  const QByteArray text =
+      "# Walkable area by Footfall\n# content: 3 vertices, 1 triangles, 0 layers, 0 connections, 0 obstacle edges, "
+      "1 drops\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 1 1 -1\nv 1 2 0\nv 1 2 -1\ng walkable\nf 1 2 4\ng drops\n"
+      "l 4 5\nl 6 7\n";
+  QVERIFY_EXCEPTION_THROWN((void)readNavigationMesh(folder_.write("edited.obj", text)), InputError);
+}
+
 void TestCompareFiles::stepsInReports() {
   const std::string filters = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
   const Product without = exported("villa", filters), with = exported("villa", filters + "StepFilter 0.4\n");
