@@ -24,6 +24,9 @@ void EnvironmentOptions::addTo(CLI::App& command) {
            "the names");
   addNames("--obstacle-only", obstacleOnly,
            "A mesh, a material or MESH/MATERIAL that is an obstacle, but never walkable; give it once for each");
+  addNames("--as-usual", asUsual,
+           "A mesh, a material or MESH/MATERIAL that is floor and obstacle as usual, though its file says otherwise, "
+           "such as the doors of a building (IfcDoor); give it once for each");
 }
 
 ImportOptions EnvironmentOptions::import() const {

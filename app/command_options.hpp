@@ -19,7 +19,7 @@ struct EnvironmentOptions {
   std::string up;  ///< a name of nameOf(UpAxis), or empty
   std::optional<double> metresPerUnit;
   bool bothSides = false;
-  std::vector<std::string> ignored, obstacleOnly;  ///< meshes, materials or MESH/MATERIAL
+  std::vector<std::string> ignored, obstacleOnly, asUsual;  ///< meshes, materials or MESH/MATERIAL
 
   void addTo(CLI::App& command);
   /// Throws InputError for a scale that is none.

@@ -16,6 +16,7 @@ using namespace detail;
 
 CommandSession::CommandSession(int threads, bool quiet)
     : threads_(threads),
+      quiet_(quiet),
       bar_(!quiet && isatty(STDERR_FILENO) != 0),
       context_([this](const RunEvent& event) { bar_.show(event); }),
       watcher_(context_) {
@@ -26,6 +27,9 @@ std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions
   begin("loading");
   const auto environment =
       onThreads(threads_, [&](int) { return importEnvironment(options.path, options.import(), &context_); });
+  bar_.clear();
+  if (!quiet_)
+    for (const Text& note : environment->notes) std::cerr << "footfall: note: " << note.str() << '\n';
   std::vector<PartRule> rules;
   const auto add = [&](const std::vector<std::string>& names, PartRole role, const char* option) {
     for (const std::string& name : names) {
@@ -33,6 +37,7 @@ std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions
       rules.insert(rules.end(), named.begin(), named.end());
     }
   };
+  add(options.asUsual, PartRole::Floor, "--as-usual");
   add(options.obstacleOnly, PartRole::ObstacleOnly, "--obstacle-only");
   add(options.ignored, PartRole::Ignored, "--ignore");
   auto chosen = applyPartRules(environment, rules);

@@ -38,6 +38,7 @@ class CommandSession {
 
  private:
   int threads_;
+  bool quiet_;
   std::optional<tbb::global_control> limit_;
   ProgressBar bar_;
   RunContext context_;

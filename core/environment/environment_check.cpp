@@ -31,6 +31,9 @@ void checkEnvironment(const Environment& environment) {
     throw InputError(FOOTFALL_TEXT("metresPerUnit must be a positive number of metres"));
   checkLength(environment.partOf.size(), triangles, "partOf");
   checkLength(environment.obstacleOnly.size(), triangles, "obstacleOnly");
+  if (!environment.usualRoles.empty() && environment.usualRoles.size() != environment.parts.size())
+    throw InputError(FOOTFALL_TEXT("usualRoles has %1 entries for %2 parts; give one for each part, or none"),
+                     environment.usualRoles.size(), environment.parts.size());
   for (const std::uint32_t part : environment.partOf)
     if (part >= environment.parts.size())
       throw InputError(FOOTFALL_TEXT("partOf names part %1 of %2; parts count from 0"), part, environment.parts.size());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/numbered_table.hpp"
+#include "core/environment/environment_head.hpp"
 #include "footfall/edit.hpp"
 
 namespace footfall::detail {
@@ -56,7 +57,7 @@ class Differ {
 
   std::shared_ptr<const Environment> edited(const std::shared_ptr<const Environment>& base) {
     auto result = std::make_shared<Environment>();
-    copyHead(*result);
+    copyHead(now_, *result);
     auto edit = std::make_shared<EnvironmentEdit>();
     edit->base = base;
     arrangeVertices(*result, *edit);
@@ -114,17 +115,6 @@ class Differ {
     }
     for (std::size_t t = 0; t < now_.triangles.size(); ++t)
       if (isTaken_[t] == 0) order_.push_back(static_cast<std::uint32_t>(t));
-  }
-
-  void copyHead(Environment& result) const {
-    result.source = now_.source;
-    result.up = now_.up;
-    result.upGuessed = now_.upGuessed;
-    result.metresPerUnit = now_.metresPerUnit;
-    result.scaleGuessed = now_.scaleGuessed;
-    result.bothSides = now_.bothSides;
-    result.skipped = now_.skipped;
-    result.parts = now_.parts;
   }
 
   // Each position keeps as many vertices as both versions have there.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/environment/environment_head.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/errors.hpp"
 
@@ -25,7 +26,6 @@ constexpr std::uint32_t kGone = 0xFFFFFFFF;
 /// What belongs to each triangle besides its corners; `result` has its edit already.
 void carryAttributes(const Environment& base, Environment& result, std::size_t added) {
   const std::vector<std::uint32_t>& kept = result.edit->keptTriangles;
-  result.parts = base.parts;
   if (!base.partOf.empty()) {
     result.partOf.reserve(kept.size() + added);
     for (const std::uint32_t t : kept) result.partOf.push_back(base.partOf[t]);
@@ -33,6 +33,7 @@ void carryAttributes(const Environment& base, Environment& result, std::size_t a
       const auto unnamed = std::find(result.parts.begin(), result.parts.end(), EnvironmentPart{});
       const auto part = static_cast<std::uint32_t>(unnamed - result.parts.begin());
       if (unnamed == result.parts.end()) result.parts.emplace_back();
+      if (!result.usualRoles.empty()) result.usualRoles.resize(result.parts.size(), PartRole::Floor);
       result.partOf.resize(kept.size() + added, part);
     }
   }
@@ -69,13 +70,7 @@ std::shared_ptr<Environment> editedCopy(const std::shared_ptr<const Environment>
       for (const std::uint32_t v : base->triangles[t]) lost[v] = 0;
 
   auto result = std::make_shared<Environment>();
-  result->source = base->source;
-  result->up = base->up;
-  result->upGuessed = base->upGuessed;
-  result->metresPerUnit = base->metresPerUnit;
-  result->scaleGuessed = base->scaleGuessed;
-  result->bothSides = base->bothSides;
-  result->skipped = base->skipped;
+  detail::copyHead(*base, *result);
   auto edit = std::make_shared<EnvironmentEdit>();
   edit->base = base;
   result->vertices.reserve(base->vertices.size() + added.vertices.size());

@@ -41,13 +41,18 @@ Text listNames(const Environment& environment) {
 
 std::vector<PartRole> rolesOf(const Environment& environment, const std::vector<PartRule>& rules) {
   const std::vector<EnvironmentPart> parts = partsOf(environment);
-  std::vector<PartRole> roles(parts.size(), PartRole::Floor);
+  std::vector<PartRole> roles = environment.usualRoles;
+  roles.resize(parts.size(), PartRole::Floor);
   if (rules.empty()) return roles;
   std::map<std::pair<std::string_view, std::string_view>, PartRole> named;
   for (const PartRule& rule : rules) named[{rule.mesh, rule.material}] = rule.role;
   for (std::size_t p = 0; p < parts.size(); ++p)
     if (const auto rule = named.find({parts[p].mesh, parts[p].material}); rule != named.end()) roles[p] = rule->second;
   return roles;
+}
+
+PartRole usualRole(const Environment& environment, std::uint32_t part) {
+  return part < environment.usualRoles.size() ? environment.usualRoles[part] : PartRole::Floor;
 }
 
 std::shared_ptr<const Environment> applyPartRules(const std::shared_ptr<const Environment>& base,

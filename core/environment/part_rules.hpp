@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,14 +11,6 @@
 
 namespace footfall::detail {
 
-/// 'Obstacle only' and 'never walkable' are one role: what was rejected as a floor remains an obstacle (design,
-/// section 2).
-enum class PartRole {
-  Floor,         ///< as usual: walkable where the filters let it be, and an obstacle
-  ObstacleOnly,  ///< an obstacle, never walkable
-  Ignored        ///< not there at all
-};
-
 /// The role of one part, named exactly as the file names it; an empty name stands for a part without that name.
 struct PartRule {
   std::string mesh, material;
@@ -25,9 +18,9 @@ struct PartRule {
   bool operator==(const PartRule&) const = default;
 };
 
-/// For each of Environment::parts its role: that of the last rule that names it. Rules for parts that are not there
-/// have no effect, so that they can outlive a version of the file. An environment without parts has one all the same,
-/// without names: the list then has one entry.
+/// For each of Environment::parts its role: that of the last rule that names it, else its usual one. Rules for parts
+/// that are not there have no effect, so that they can outlive a version of the file. An environment without parts has
+/// one all the same, without names: the list then has one entry.
 std::vector<PartRole> rolesOf(const Environment& environment, const std::vector<PartRule>& rules);
 
 /// `base` without the triangles of ignored parts and with Environment::obstacleOnly set for the others, as an edit of
@@ -35,6 +28,9 @@ std::vector<PartRole> rolesOf(const Environment& environment, const std::vector<
 /// rules change nothing. Nothing may be left: the result then has no triangles.
 std::shared_ptr<const Environment> applyPartRules(const std::shared_ptr<const Environment>& base,
                                                   const std::vector<PartRule>& rules);
+
+/// The role of a part when no rule names it.
+PartRole usualRole(const Environment& environment, std::uint32_t part);
 
 /// Rules that give `role` to the parts that `name` means: a mesh, a material, or MESH/MATERIAL. Throws InputError, with
 /// the names that there are, when it means none; `option` begins the message.

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/io/obj_text.hpp"
+#include "core/mesh/storey_names.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
@@ -39,7 +40,7 @@ std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
 /// The frame that is written: coordinates times s are in units of 1/s of those before.
 SourceFrame frameOf(const SourceFrame& source, const ExportOptions& options) {
   return {source.source, options.up.value_or(source.up),
-          options.scale == 1 ? source.metresPerUnit : source.metresPerUnit / options.scale};
+          options.scale == 1 ? source.metresPerUnit : source.metresPerUnit / options.scale, source.storeys};
 }
 
 void appendVertices(std::string& text, const std::vector<Vec3>& vertices, UpAxis up, double scale) {
@@ -135,8 +136,18 @@ std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, co
   text.reserve(1024 + 64 * mesh.vertices.size() + 28 * mesh.triangles.size() +
                20 * (mesh.connections.size() + mesh.obstacleEdges.size()));
   ExportHeader head = header;
-  if (options.scale != 1) {
+  const auto beginNote = [&head] {
     if (!head.note.empty()) head.note += '\n';
+  };
+  const std::vector<std::string> storeys = options.layers ? storeyNames(mesh) : std::vector<std::string>();
+  for (std::size_t layer = 0; layer < storeys.size(); ++layer) {
+    beginNote();
+    head.note += "layer_";
+    appendNumber(head.note, layer);
+    head.note += " lies on " + storeys[layer];
+  }
+  if (options.scale != 1) {
+    beginNote();
     head.note += "coordinates are those of the source times ";
     appendNumber(head.note, options.scale);
     head.note += "; pipeline and agent are in units of the source";

@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "core/base/counted_text.hpp"
+#include "core/environment/part_rules.hpp"
 #include "core/io/assimp_reader.hpp"
+#include "core/io/ifc_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 #include "footfall/up_axis.hpp"
@@ -41,9 +43,23 @@ double usualMetresPerUnit(const std::string& extension) {
   return 1;
 }
 
-}  // namespace
+/// As long as the converter is not installed, Assimp does what it can.
+FileFrame readIfc(const std::string& path, Environment& environment, RunContext* context) {
+  if (const std::optional<std::string> converter = findIfcConverter())
+    return readWithIfcConverter(*converter, path, environment, context);
+  environment.notes.emplace_back(FOOTFALL_TEXT(
+      "IFC is read without its converter: openings may be closed, doors are in the way, and elements have "
+      "no classes or storeys; ifc.sh installs it (docs/buildings.md)"));
+  try {
+    return readWithAssimp(path, environment, context);
+  } catch (const InputError& error) {
+    throw InputError(FOOTFALL_TEXT("%1; IFC files that are in order may need the converter that ifc.sh installs "
+                                   "(docs/buildings.md)"),
+                     error.text());
+  }
+}
 
-Environment load(const std::string& path, const ImportOptions& options, RunContext* context) {
+Environment readEnvironment(const std::string& path, const ImportOptions& options, RunContext* context) {
   if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
     throw InputError(
         FOOTFALL_TEXT("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres"));
@@ -64,7 +80,7 @@ Environment load(const std::string& path, const ImportOptions& options, RunConte
                                   : Text(FOOTFALL_TEXT("unknown extension '.%1'"), extension),
                 FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
     }
-    frame = readWithAssimp(path, environment, context);
+    frame = extension == "ifc" ? readIfc(path, environment, context) : readWithAssimp(path, environment, context);
   }
   if (environment.triangles.empty()) {
     const SkippedElements& skipped = environment.skipped;
@@ -85,7 +101,23 @@ Environment load(const std::string& path, const ImportOptions& options, RunConte
   for (Vec3& p : environment.vertices) p = fromFileFrame(p, environment.up);
   for (SkippedPolygon& polygon : environment.skipped.listed)
     for (Vec3& p : polygon.corners) p = fromFileFrame(p, environment.up);
+  if (environment.up != frame.up.value_or(environment.up))
+    environment.storeys.clear();  // heights are along another axis
   return environment;
+}
+
+}  // namespace
+
+Environment load(const std::string& path, const ImportOptions& options, RunContext* context) {
+  Environment whole = readEnvironment(path, options, context);
+  const auto isUsual = [](PartRole role) { return role == PartRole::Floor; };
+  if (std::all_of(whole.usualRoles.begin(), whole.usualRoles.end(), isUsual)) return whole;
+  Environment level = *applyPartRules(std::make_shared<const Environment>(std::move(whole)), {});
+  level.edit = nullptr;
+  if (level.triangles.empty())
+    failInput(path, 0, FOOTFALL_TEXT("nothing of it is a floor or an obstacle"),
+              FOOTFALL_TEXT("choose a file that has walls, slabs or stairs"));
+  return level;
 }
 
 std::vector<std::string> importableExtensions() {
@@ -98,7 +130,7 @@ std::vector<std::string> importableExtensions() {
 
 std::shared_ptr<const Environment> detail::importEnvironment(const std::string& path, const ImportOptions& options,
                                                              RunContext* context) {
-  return std::make_shared<const Environment>(load(path, options, context));
+  return std::make_shared<const Environment>(readEnvironment(path, options, context));
 }
 
 }  // namespace footfall

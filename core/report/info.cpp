@@ -8,6 +8,7 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/number_text.hpp"
 #include "core/environment/part_names.hpp"
+#include "core/environment/part_rules.hpp"
 #include "core/environment/skipped_polygons.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/mesh/adjacency.hpp"
@@ -51,6 +52,19 @@ void appendLine(std::string& text, const char* label, const std::string& value) 
   std::string padded(label);
   padded.resize(kLabelWidth, ' ');
   text += padded + value + "\n";
+}
+
+/// What the file says of a part, unless it is nothing special.
+std::string roleNote(const Environment& environment, std::size_t part) {
+  switch (usualRole(environment, static_cast<std::uint32_t>(part))) {
+    case PartRole::ObstacleOnly:
+      return " (usually an obstacle only)";
+    case PartRole::Ignored:
+      return " (usually ignored)";
+    case PartRole::Floor:
+      break;
+  }
+  return {};
 }
 
 std::string number(auto value) {
@@ -121,11 +135,13 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
                  counted(environment.skipped.lines, "line", "lines") + ", " +
                  counted(environment.skipped.polygons, "polygon", "polygons"));
   text += formatSkipped(environment.skipped, environment.up, kSkippedShown);
+  for (const Storey& storey : environment.storeys)
+    appendLine(text, "storey", storey.name + " at " + number(storey.height));
   if (environment.parts.empty()) return text;
   appendLine(text, "parts (MESH/MATERIAL)", number(environment.parts.size()));
   for (std::size_t p = 0; p < environment.parts.size(); ++p)
     text += "  " + partLabel(environment.parts[p]).str() + ": " +
-            counted(info.partTriangles[p], "triangle", "triangles") + '\n';
+            counted(info.partTriangles[p], "triangle", "triangles") + roleNote(environment, p) + '\n';
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/process_usage.hpp"
 #include "core/environment/skipped_polygons.hpp"
 #include "core/filters/descriptor_text.hpp"
+#include "core/mesh/storey_names.hpp"
 #include "core/report/text_table.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
@@ -328,6 +329,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["triangles"] = mesh.triangles.size();
   json["area"] = result.summary.area;
   json["layers"] = mesh.layerCount;
+  json["layer_names"] = storeyNames(mesh);
   json["connections"] = mesh.connections.size();
   const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
   json["links"] = mesh.links.size();

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "footfall/up_axis.hpp"
+#include "ui/base/core_text.hpp"
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/namespaces.hpp"
@@ -166,7 +167,10 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     if (skipped.polygons > 0) left << counted(skipped.polygons, tr("polygon"), tr("polygons"));
     if (skipped.lines > 0) left << counted(skipped.lines, tr("line"), tr("lines"));
     if (skipped.points > 0) left << counted(skipped.points, tr("point"), tr("points"));
-    skipped_ = left.isEmpty() ? QString() : tr("Skipped: %1").arg(left.join(QStringLiteral(", ")));
+    QStringList lines;
+    if (!left.isEmpty()) lines << tr("Skipped: %1").arg(left.join(QStringLiteral(", ")));
+    for (const Text& note : environment->notes) lines << coreText(note);
+    notes_ = lines.join(QLatin1Char('\n'));
     showFigures();
     // What was given instead of guessed is no guess to fall back to.
     if (environment->upGuessed) guessedUp_ = environment->up;
@@ -215,7 +219,7 @@ void ImportPanel::showFigures() {
       counts_ + QLatin1Char('\n') +
       tr("%1 × %2 × %3 %4 (%5)")
           .arg(shortText(shown[0], 4), shortText(shown[1], 4), shortText(shown[2], 4), units_.name(), units_.upText());
-  if (!skipped_.isEmpty()) figures += QLatin1Char('\n') + skipped_;
+  if (!notes_.isEmpty()) figures += QLatin1Char('\n') + notes_;
   figures_->setText(figures);
 }
 

@@ -53,7 +53,7 @@ class ImportPanel : public QWidget {
   double fileScale_ = 1;      ///< holds while the user gives none
   bool scaleGuessed_ = true;  ///< and is not the file's own word
   bool loaded_ = false;
-  QString counts_, skipped_;
+  QString counts_, notes_;
   Vec3 size_;
   LevelUnits units_;
   QLabel *name_, *figures_, *scaleNote_, *scaleError_;

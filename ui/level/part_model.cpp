@@ -46,8 +46,13 @@ void PartModel::setEnvironment(std::shared_ptr<const Environment> environment) {
     mesh.parts.push_back(p);
     mesh.triangles += counts_[p];
   }
-  roles_.assign(parts_.size(), PartRole::Floor);
+  roles_.clear();
+  for (std::uint32_t part = 0; part < partCount(); ++part) roles_.push_back(usualRoleOf(part));
   endResetModel();
+}
+
+PartRole PartModel::usualRoleOf(std::uint32_t part) const {
+  return environment_ ? usualRole(*environment_, part) : PartRole::Floor;
 }
 
 void PartModel::setRules(const std::vector<PartRule>& rules) {

@@ -32,6 +32,8 @@ class PartModel : public QAbstractItemModel {
   [[nodiscard]] std::vector<std::uint32_t> partsOf(const QModelIndex& index) const;
   /// The row of a part.
   [[nodiscard]] QModelIndex indexOf(std::uint32_t part) const;
+  /// When no rule of the document names it.
+  [[nodiscard]] PartRole usualRoleOf(std::uint32_t part) const;
   [[nodiscard]] PartRole roleOf(std::uint32_t part) const { return roles_[part]; }
   [[nodiscard]] const std::vector<PartRole>& roles() const { return roles_; }
   [[nodiscard]] const EnvironmentPart& part(std::uint32_t part) const { return parts_[part]; }

@@ -244,13 +244,16 @@ void PartPanel::include(const std::vector<std::uint32_t>& parts, bool on) {
 
 void PartPanel::apply(const std::vector<std::uint32_t>& parts, const std::vector<PartRole>& roles,
                       const QString& text) {
-  std::map<std::pair<std::string, std::string>, PartRole> asked;
+  struct Asked {
+    PartRole role, usual;
+  };
+  std::map<std::pair<std::string, std::string>, Asked> asked;
   for (std::size_t i = 0; i < parts.size(); ++i)
-    asked[{model_->part(parts[i]).mesh, model_->part(parts[i]).material}] = roles[i];
+    asked[{model_->part(parts[i]).mesh, model_->part(parts[i]).material}] = {roles[i], model_->usualRoleOf(parts[i])};
   DocumentState next = document_.state();
   std::erase_if(next.partRules, [&](const PartRule& rule) { return asked.contains({rule.mesh, rule.material}); });
-  for (const auto& [names, role] : asked)
-    if (role != PartRole::Floor) next.partRules.push_back({names.first, names.second, role});
+  for (const auto& [names, one] : asked)
+    if (one.role != one.usual) next.partRules.push_back({names.first, names.second, one.role});
   document_.edit(std::move(next), text);
 }
 

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/base/core_text.hpp"
 #include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
@@ -220,7 +221,10 @@ void LayerPanel::fill() {
     const LayerFigures& figures = result_->figures[i];
     auto* row = new Row(list_);
     row->setData(0, kLayerRole, static_cast<uint>(i));
-    row->setText(kNumber, layers() == 0 ? tr("Walkable area") : QString::number(i));
+    const QString number = QString::number(i);
+    row->setText(kNumber, layers() == 0             ? tr("Walkable area")
+                          : figures.storeys.empty() ? number
+                                                    : number + QStringLiteral(" · ") + coreText(Text(figures.storeys)));
     row->setText(kArea, units_.areaNumber(figures.area));
     row->setText(kTriangles, countText(figures.triangles));
     row->setData(kNumber, kSortRole, static_cast<double>(i));

@@ -12,6 +12,7 @@
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
+#include "core/mesh/storey_names.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/coarse_geometry.hpp"
 #include "ui/view/floor_shares.hpp"
@@ -280,6 +281,8 @@ std::vector<LayerFigures> figuresOf(const NavigationMesh& mesh, const Vec3& cent
     layer.area += areaOf(*corners[0], *corners[1], *corners[2]);
     ++layer.triangles;
   }
+  const std::vector<std::string> storeys = storeyNames(mesh);
+  for (std::size_t i = 0; i < storeys.size(); ++i) figures[i].storeys = storeys[i];
   return figures;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "footfall/environment.hpp"
@@ -83,6 +84,7 @@ struct EnvironmentGeometry {
 struct LayerFigures {
   double area = 0;  ///< of the surface, square units
   std::uint32_t triangles = 0;
+  std::string storeys;  ///< of a building, on which it lies; else empty
   /// Bounds relative to the centre.
   std::array<float, 3> lower{}, upper{};
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "footfall/geometry.hpp"
+#include "footfall/text.hpp"
 
 namespace footfall {
 
@@ -57,6 +58,14 @@ struct EnvironmentPart {
   bool operator==(const EnvironmentPart&) const = default;
 };
 
+/// What the triangles of a part are for. 'Obstacle only' and 'never walkable' are one role: what is no floor remains an
+/// obstacle.
+enum class PartRole : std::uint8_t {
+  Floor,         ///< as usual: walkable where the filters let it be, and an obstacle
+  ObstacleOnly,  ///< an obstacle, never walkable
+  Ignored        ///< not there at all
+};
+
 struct EnvironmentEdit;  // footfall/edit.hpp
 
 /// A triangle soup, from load() or filled by a program (checkEnvironment()). Coordinates are the file's own doubles; a
@@ -72,13 +81,18 @@ struct Environment {
   bool scaleGuessed = true;
   bool bothSides = false;  ///< both sides of every triangle are its upper side
   SkippedElements skipped;
-  std::vector<EnvironmentPart> parts;      ///< in the order of their first triangles
-  std::vector<std::uint32_t> partOf;       ///< part of each triangle; empty when the file tells no parts apart
+  std::vector<EnvironmentPart> parts;  ///< in the order of their first triangles
+  std::vector<std::uint32_t> partOf;   ///< part of each triangle; empty when the file tells no parts apart
+  /// The role of each part by what the file says that it is (of an IFC file: doors are open, furniture is an obstacle);
+  /// empty where it says nothing. load() has applied them.
+  std::vector<PartRole> usualRoles;
   std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
   /// What it was made of, when it is another environment with something changed; else null.
   std::shared_ptr<const EnvironmentEdit> edit;
+  std::vector<Storey> storeys;  ///< of a building, ascending by height; empty where the file tells none
+  std::vector<Text> notes;      ///< what the user should know of how the file was read, a sentence each
 
-  [[nodiscard]] SourceFrame frame() const { return {source, up, metresPerUnit}; }
+  [[nodiscard]] SourceFrame frame() const { return {source, up, metresPerUnit, storeys}; }
 };
 
 /// Throws InputError when an environment that a program filled itself is not in order: no triangles, a vertex number

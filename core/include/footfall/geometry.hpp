@@ -27,11 +27,19 @@ struct TriangleSoup {
   std::vector<Triangle> triangles;
 };
 
+/// A storey of a building.
+struct Storey {
+  std::string name;
+  double height = 0;  ///< of its floor, in the environment's units, along Z
+  bool operator==(const Storey&) const = default;
+};
+
 /// The file that coordinates came from, so that results can be written to lie exactly on it.
 struct SourceFrame {
-  std::string source = {};   ///< path as given by the user; empty when there was no file
-  UpAxis up = UpAxis::Z;     ///< the file's up axis; inside, Z is up
-  double metresPerUnit = 1;  ///< of the file and of everything that was made of it
+  std::string source = {};           ///< path as given by the user; empty when there was no file
+  UpAxis up = UpAxis::Z;             ///< the file's up axis; inside, Z is up
+  double metresPerUnit = 1;          ///< of the file and of everything that was made of it
+  std::vector<Storey> storeys = {};  ///< ascending by height; empty where the file tells none
 };
 
 }  // namespace footfall

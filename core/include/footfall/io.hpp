@@ -14,10 +14,11 @@
 namespace footfall {
 
 /// Reads OBJ at double precision, and everything else that Assimp reads through Assimp (floats), node transforms
-/// applied, polygons triangulated. The environment is turned to Z up and keeps the file's units. Throws InputError with
-/// one line that says file, place and what to do: missing, a directory, no permission, empty, truncated, not a mesh, no
-/// triangles, NaN or infinite coordinates, indices out of range. Throws Cancelled when `context` (may be null) was
-/// cancelled while reading. Any thread may call it.
+/// applied, polygons triangulated. The environment is turned to Z up and keeps the file's units. Buildings (IFC) come
+/// through a converter where it is installed (docs/buildings.md), with Environment::usualRoles applied. Throws
+/// InputError with one line that says file, place and what to do: missing, a directory, no permission, empty,
+/// truncated, not a mesh, no triangles, NaN or infinite coordinates, indices out of range. Throws Cancelled when
+/// `context` (may be null) was cancelled while reading. Any thread may call it.
 Environment load(const std::string& path, const ImportOptions& options = {}, RunContext* context = nullptr);
 
 /// File name extensions that load() reads, lower case, without the dot ("obj", "gltf", ...).

@@ -3,8 +3,10 @@
 #include <QElapsedTimer>
 #include <QHeaderView>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/unit/ifc_stand_in.hpp"
 #include "ui/level/environment_tools.hpp"
 
 using namespace footfall;
@@ -104,6 +106,29 @@ class TestEnvironmentPanel : public QObject {
       if (button->defaultAction() == ignore) QTest::mouseClick(button, Qt::LeftButton);
     QCOMPARE(area(), 8.0);
     QCOMPARE(window_->document().undoStack()->undoText(), QString("Ignore ground/stone"));
+  }
+
+  void aBuildingHasUsualRolesAndStoreys() {
+    const Converter converter(kHouse);
+    QVERIFY(openZUp(*window_, QString::fromStdString(converter.building),
+                    "SlopeFilter 45\nVerticalClearanceFilter 600\nLayerSubdivisionFilter\n"));
+    const auto role = [&](const char* name) { return row(name).siblingAtColumn(PartModel::Role).data().toString(); };
+    QCOMPARE(role("IfcSlab · Ground: Floor"), QString("as usual"));
+    QCOMPARE(role("IfcDoor · Ground: Door"), QString("ignored"));
+    QCOMPARE(role("IfcFurniture · Ground: Table"), QString("obstacle only"));
+    QCOMPARE(area(), 16e6);
+    QVERIFY(window_->document().state().partRules.empty());
+    auto* layers = window_->findChild<QTreeWidget*>(QStringLiteral("layerList"));
+    QCOMPARE(layers->topLevelItem(0)->text(1), QString("0 · Ground"));
+    // What differs is the user's, and what is usual again is nobody's.
+    select("IfcDoor · Ground: Door");
+    QTest::keyClick(&tree(), Qt::Key_1, Qt::AltModifier | Qt::ShiftModifier);
+    QVERIFY(area() < 16e6);
+    QVERIFY(
+        (window_->document().state().partRules == std::vector<PartRule>{{"IfcDoor", "Ground: Door", PartRole::Floor}}));
+    QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier | Qt::ShiftModifier);
+    QCOMPARE(area(), 16e6);
+    QVERIFY(window_->document().state().partRules.empty());
   }
 
   void everythingIgnoredAndBack() {

@@ -1,0 +1,23 @@
+// Another program that reads or writes what Footfall does not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/poll.hpp"
+
+namespace footfall::detail {
+
+struct ChildResult {
+  int status = 0;      ///< exit status; 128 + n when signal n ended it; 127 when it could not be started
+  std::string output;  ///< what it wrote to standard output
+  std::string errors;  ///< the same of standard error, 64 KiB at most
+};
+
+/// Runs `arguments[0]`, looked for in PATH, with the others and without input, and waits for its end. `poll` is called
+/// at least every 20 ms; what it throws ends the program first. Throws RunError when the system gives no pipe or no
+/// process.
+ChildResult runChild(const std::vector<std::string>& arguments, Poll poll);
+
+}  // namespace footfall::detail

@@ -1,0 +1,24 @@
+// What an environment says of itself and of its file, apart from its geometry.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "footfall/environment.hpp"
+
+namespace footfall::detail {
+
+/// Copies everything that does not count vertices or triangles, and no edit.
+inline void copyHead(const Environment& from, Environment& to) {
+  to.source = from.source;
+  to.up = from.up;
+  to.upGuessed = from.upGuessed;
+  to.metresPerUnit = from.metresPerUnit;
+  to.scaleGuessed = from.scaleGuessed;
+  to.bothSides = from.bothSides;
+  to.skipped = from.skipped;
+  to.parts = from.parts;
+  to.usualRoles = from.usualRoles;
+  to.storeys = from.storeys;
+  to.notes = from.notes;
+}
+
+}  // namespace footfall::detail

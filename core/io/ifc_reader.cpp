@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/ifc_reader.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/child_process.hpp"
+#include "core/environment/part_names.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/obj_reader.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::string_view kFirstLine = "# footfall-ifc 1";
+constexpr const char* kPlace = "footfall/ifc/footfall-ifc.mjs";
+
+std::string_view variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string_view() : value;
+}
+
+/// The next line of a text, which it is taken from.
+std::string_view takeLine(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+/// What follows `start`, when the line begins with it.
+std::optional<std::string_view> after(std::string_view line, std::string_view start) {
+  if (!line.starts_with(start)) return std::nullopt;
+  return line.substr(start.size());
+}
+
+/// The number at the start of a text, which it is taken from.
+std::optional<double> takeNumber(std::string_view& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+std::string firstLineOf(std::string_view text) { return std::string(takeLine(text)); }
+
+}  // namespace
+
+std::optional<std::string> findIfcConverter() {
+  std::vector<std::filesystem::path> places;
+  if (const std::string_view given = variable("FOOTFALL_IFC"); !given.empty()) {
+    places.emplace_back(given);
+  } else {
+    if (const std::string_view data = variable("XDG_DATA_HOME"); !data.empty())
+      places.push_back(std::filesystem::path(data) / kPlace);
+    else if (const std::string_view home = variable("HOME"); !home.empty())
+      places.push_back(std::filesystem::path(home) / ".local/share" / kPlace);
+    std::string_view shared = variable("XDG_DATA_DIRS");
+    if (shared.empty()) shared = "/usr/local/share:/usr/share";
+    while (!shared.empty()) {
+      const std::size_t end = std::min(shared.find(':'), shared.size());
+      if (end > 0) places.push_back(std::filesystem::path(shared.substr(0, end)) / kPlace);
+      shared.remove_prefix(std::min(end + 1, shared.size()));
+    }
+  }
+  // A package has the converter itself, but not what it needs.
+  for (const std::filesystem::path& place : places)
+    if (::access(place.c_str(), R_OK) == 0 &&
+        ::access((place.parent_path() / "node_modules/web-ifc/package.json").c_str(), R_OK) == 0)
+      return place.string();
+  return std::nullopt;
+}
+
+PartRole usualRoleOfClass(std::string_view ifcClass) {
+  constexpr std::array<std::string_view, 7> kIgnored = {"IfcDoor",           "IfcDoorStandardCase", "IfcSpace",
+                                                        "IfcOpeningElement", "IfcAnnotation",       "IfcGrid",
+                                                        "IfcVirtualElement"};
+  constexpr std::array<std::string_view, 17> kObstacles = {"IfcFurnishingElement",
+                                                           "IfcFurniture",
+                                                           "IfcSystemFurnitureElement",
+                                                           "IfcWindow",
+                                                           "IfcWindowStandardCase",
+                                                           "IfcRailing",
+                                                           "IfcSanitaryTerminal",
+                                                           "IfcFlowTerminal",
+                                                           "IfcElectricAppliance",
+                                                           "IfcLightFixture",
+                                                           "IfcFlowSegment",
+                                                           "IfcFlowFitting",
+                                                           "IfcPipeSegment",
+                                                           "IfcPipeFitting",
+                                                           "IfcDuctSegment",
+                                                           "IfcDuctFitting",
+                                                           "IfcSpaceHeater"};
+  if (std::ranges::find(kIgnored, ifcClass) != kIgnored.end()) return PartRole::Ignored;
+  if (std::ranges::find(kObstacles, ifcClass) != kObstacles.end()) return PartRole::ObstacleOnly;
+  return PartRole::Floor;
+}
+
+FileFrame readWithIfcConverter(const std::string& converter, const std::string& path, Environment& environment,
+                               RunContext* context) {
+  // An absolute path is none of Node's options.
+  ChildResult result = runChild({"node", converter, std::filesystem::absolute(path).string()}, Poll(context));
+  if (result.status == 127)
+    failInput(path, 0, FOOTFALL_TEXT("IFC files are read by a converter that needs Node.js, which cannot be started"),
+              FOOTFALL_TEXT("install it (package nodejs)"));
+  if (result.status != 0) {
+    const std::string reason = firstLineOf(result.errors);
+    failInput(
+        path, 0,
+        reason.empty() ? Text(FOOTFALL_TEXT("cannot be converted (exit status %1)"), result.status) : Text(reason),
+        FOOTFALL_TEXT("check that the file is complete, or export it again"));
+  }
+  FileFrame frame;
+  frame.up = UpAxis::Z;
+  std::string_view rest = result.output;
+  if (takeLine(rest) != kFirstLine)
+    failInput(path, 0, Text(FOOTFALL_TEXT("its converter %1 is of another version"), converter),
+              FOOTFALL_TEXT("run ifc.sh again (docs/buildings.md)"));
+  while (rest.starts_with('#')) {
+    const std::string_view line = takeLine(rest);
+    if (auto value = after(line, "# metres per unit: ")) {
+      frame.metresPerUnit = takeNumber(*value);
+    } else if (auto storey = after(line, "# storey: ")) {
+      const std::optional<double> height = takeNumber(*storey);
+      if (height && storey->starts_with(' ')) environment.storeys.push_back({cleanName(storey->substr(1)), *height});
+    }
+  }
+  std::ranges::stable_sort(environment.storeys, {}, &Storey::height);
+  readObj(path, std::move(result.output), environment, context);
+  for (const EnvironmentPart& part : environment.parts) environment.usualRoles.push_back(usualRoleOfClass(part.mesh));
+  return frame;
+}
+
+}  // namespace footfall::detail

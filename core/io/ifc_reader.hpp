@@ -1,0 +1,33 @@
+// Reading buildings (IFC) through a converter of its own (installer/ifc).
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The converter runs web-ifc in Node.js and writes OBJ with a few comments; installer/ifc.sh installs it. It cuts
+// openings, reads IFC 2x3 and IFC 4, and keeps classes, storeys and units, all of which Assimp does not.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/io/assimp_reader.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// Where the converter is: the file that the environment variable FOOTFALL_IFC names, else
+/// footfall/ifc/footfall-ifc.mjs in XDG_DATA_HOME (or ~/.local/share) or in one of XDG_DATA_DIRS. Empty when it is
+/// nowhere.
+std::optional<std::string> findIfcConverter();
+
+/// Fills `vertices`, `triangles`, `parts`, `partOf`, `usualRoles` and `storeys` in the file's own frame. A part is an
+/// element's class (`mesh`) with its storey and name (`material`). Throws InputError with what the converter says, and
+/// when it cannot be run; Cancelled when `context` (may be null) was cancelled, which takes 50 ms at most.
+FileFrame readWithIfcConverter(const std::string& converter, const std::string& path, Environment& environment,
+                               RunContext* context);
+
+/// The role of a class of IFC elements: doors are open; what is no thing, such as spaces and annotations, is not there;
+/// nobody walks on furniture, fittings, windows and railings.
+PartRole usualRoleOfClass(std::string_view ifcClass);
+
+}  // namespace footfall::detail
