@@ -60,7 +60,7 @@ inline constexpr const char* kHouse =
     "cat <<'END'\n"
     "# footfall-ifc 1\n# metres per unit: 0.001\n# storey: 3000 Above\n# storey: 0 Ground\n"
     "o IfcSlab\nusemtl Ground: Floor\nv 0 0 0\nv 4000 0 0\nv 4000 4000 0\nv 0 4000 0\nf 1 2 3\nf 1 3 4\n"
-    "o IfcDoor\nusemtl Ground: Door\nv 1000 1000 0\nv 2000 1000 0\nv 2000 1000 2000\nf 5 6 7\n"
+    "o IfcDoor\nusemtl Ground: Door\nv 1000 1000 0\nv 2000 1000 0\nv 2000 1100 2000\nf 5 6 7\n"
     "o IfcFurniture\nusemtl Ground: Table\nv 3000 3000 800\nv 3500 3000 800\nv 3500 3500 800\nf 8 9 10\n"
     "END\n";
 
