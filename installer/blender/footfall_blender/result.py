@@ -6,6 +6,7 @@ import numpy as np
 from .level import RESULT
 
 COLLECTION = "Walkable area"
+LIFT = 0.02  # metres: objects stand a little over the floors that their meshes lie in, or they would flicker
 # The editor's colours: layers by hue, steps yellow, gaps orange, drops violet, obstacle edges red, connections white.
 _LAYERS = [(0.10, 0.55, 0.25), (0.10, 0.40, 0.70), (0.55, 0.45, 0.10), (0.45, 0.20, 0.60), (0.10, 0.55, 0.55),
            (0.60, 0.25, 0.30)]
@@ -44,7 +45,7 @@ def _links(rows):
     return faces
 
 
-def _put(collection, name, vertices, edges, faces, colour):
+def _put(collection, name, vertices, edges, faces, colour, lift):
     """Make or refill one object; its transform and whether it is hidden stay."""
     obj = next((o for o in collection.objects if o.get(RESULT) == name), None)
     mesh = bpy.data.meshes.new(name)
@@ -56,6 +57,7 @@ def _put(collection, name, vertices, edges, faces, colour):
         obj[RESULT] = name
         obj.color = (*colour, 1.0)
         obj.hide_select = True
+        obj.location.z = lift
         collection.objects.link(obj)
     else:
         before, obj.data = obj.data, mesh
@@ -71,7 +73,7 @@ def show(scene, area):
     names = set()
 
     def put(name, points, edges, faces, colour):
-        _put(collection, name, points, edges, faces, colour)
+        _put(collection, name, points, edges, faces, colour, LIFT / area.metres_per_unit)
         names.add(name)
 
     layers = area.layers
