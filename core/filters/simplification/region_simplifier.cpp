@@ -41,16 +41,27 @@ double distanceToTriangle(const Place& p, const Place& a, const Place& b, const 
 }  // namespace
 
 void RegionSimplifier::simplify(std::span<const Index> vertices, std::span<const Index> triangles) {
-  // Beside a border that keeps its vertices, fans grow as long as it is.
-  constexpr std::size_t kPolled = 4096;
+  // Taking away a vertex can leave its whole fan to its neighbour. Where a border keeps its vertices and the one across
+  // does not, going on with that neighbour would carry a fan along that grows with each vertex. Later the fans that
+  // come together are equally large, so that each triangle is in few of them.
+  constexpr std::size_t kSmallFan = 256, kPolled = 4096;
+  std::vector<Index> waiting(vertices.begin(), vertices.end()), large;
   std::size_t visited = kPolled;
-  for (const Index v : vertices) {
-    if (visited >= kPolled) {
-      context_.checkCancelled();
-      visited = 0;
+  for (std::size_t most = kSmallFan; !waiting.empty(); most *= 2) {
+    large.clear();
+    for (const Index v : waiting) {
+      if (visited >= kPolled) {
+        poll_();
+        visited = 0;
+      }
+      collectTriangles(v);
+      if (at_.size() > most)
+        large.push_back(v);
+      else
+        removeIfPossible(v);
+      visited += 16 + at_.size();
     }
-    removeIfPossible(v);
-    visited += 16 + at_.size();
+    waiting.swap(large);
   }
   improve(triangles);
 }
@@ -60,11 +71,14 @@ int RegionSimplifier::cornerOf(Index triangle, Index vertex) const {
   return c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
 }
 
+void RegionSimplifier::collectTriangles(Index v) {
+  at_.clear();
+  mesh_.around.visit(v, [&](Index t) { at_.push_back(t); });
+}
+
 // In the order of their smallest triangles.
 void RegionSimplifier::collectFans(Index v) {
   fanCount_ = 0;
-  at_.clear();
-  mesh_.around.visit(v, [&](Index t) { at_.push_back(t); });
   std::sort(at_.begin(), at_.end());
   seen_.assign(at_.size(), 0);
   for (std::size_t i = 0; i < at_.size(); ++i) {
@@ -292,7 +306,7 @@ void RegionSimplifier::improve(std::span<const Index> triangles) {
   }
   std::size_t left = 10 * queue_.size(), polls = 0;
   while (!queue_.empty() && left > 0) {
-    if ((++polls & 1023) == 0) context_.checkCancelled();
+    if ((++polls & 1023) == 0) poll_();
     const Index s = queue_.back();
     queue_.pop_back();
     if (mesh_.neighbors[s] < 0 || !flipIfBetter(s)) continue;

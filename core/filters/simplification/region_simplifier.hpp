@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/mesh/corner_lists.hpp"
 #include "core/mesh/mesh_geometry.hpp"
-#include "footfall/run_context.hpp"
 
 namespace footfall::detail {
 
@@ -36,8 +36,8 @@ struct SimplifiedMesh {
 class RegionSimplifier {
  public:
   RegionSimplifier(const PlanKernel& kernel, SimplifiedMesh& mesh, const ApproximateSimplification& approximate,
-                   RunContext& context)
-      : mesh_(mesh), approximate_(approximate), context_(context), geometry_(kernel, mesh.vertices) {}
+                   Poll poll)
+      : mesh_(mesh), approximate_(approximate), poll_(poll), geometry_(kernel, mesh.vertices) {}
 
   /// Takes away what can go of `vertices` (ascending; all their triangles must be in the group, and exactly, each must
   /// be inside a region or in the middle of a straight piece of outline), then flips edges inside the regions of
@@ -59,8 +59,12 @@ class RegionSimplifier {
   };
 
   [[nodiscard]] int cornerOf(Index triangle, Index vertex) const;
+  /// Lists the triangles at a vertex.
+  void collectTriangles(Index vertex);
+  /// Divides what collectTriangles() has listed into fans.
   void collectFans(Index vertex);
   void collectFan(Index vertex, Index start, Fan& fan) const;
+  /// Call collectTriangles() first.
   void removeIfPossible(Index vertex);
   [[nodiscard]] bool isStraight(Index u, Index v, Index w) const;
   bool turnsOnce(Index vertex, const Fan& fan);
@@ -77,7 +81,7 @@ class RegionSimplifier {
 
   SimplifiedMesh& mesh_;
   const ApproximateSimplification& approximate_;
-  RunContext& context_;
+  Poll poll_;
   MeshGeometry geometry_;
   std::vector<Fan> fans_;  ///< only the first fanCount_ are in use: their memory is kept
   std::size_t fanCount_ = 0;

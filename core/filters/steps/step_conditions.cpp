@@ -55,7 +55,7 @@ std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch&
     const LinearSign& sign = wrong > 0 ? over : under;
     if (sideAt(sign, stretch.begin, geometry) == wrong && sideAt(sign, stretch.end, geometry) == wrong) return pieces;
   }
-  listObstacles(stretch, geometry);
+  if (!listObstacles(stretch, geometry)) return pieces;
   isUndecided_ = false;
   lines_.clear();
   breaks_.clear();
@@ -85,7 +85,7 @@ std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch&
 }
 
 // Of the tree's boxes, which may be larger; nothing that counts is missed.
-void StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& geometry) {
+bool StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& geometry) {
   covers_.clear();
   walls_.clear();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -97,15 +97,21 @@ void StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& g
   }
   box.lower[2] = std::nextafter(box.lower[2] + kernel_.heights()[step_ - 1], -kInfinity);
   box.upper[2] = std::nextafter(box.upper[2] + kernel_.heights()[height_ - 1], kInfinity);
+  bool isOpen = true;
   mesh_.tree.visitOverlapping(box, stack_, [&](Index t) {
     if (removed_[t] != 0 || t == stretch.faces[0] || t == stretch.faces[1]) return true;
-    if (mesh_.facing[t] == 0)
+    if (mesh_.facing[t] == 0) {
+      const std::size_t before = walls_.size();
       addWall(stretch, t, geometry);
-    else if (mayCover(stretch, t, geometry))
+      isOpen = walls_.size() == before || !isBlockedThroughoutBy(stretch, walls_.back(), geometry);
+    } else if (mayCover(stretch, t, geometry)) {
       covers_.push_back(t);
-    return true;
+      isOpen = !isBlockedThroughoutBy(stretch, t, geometry);
+    }
+    return isOpen;
   });
   std::sort(covers_.begin(), covers_.end());
+  return isOpen;
 }
 
 // False when an edge has the whole stretch on its outer side.
@@ -154,6 +160,48 @@ void StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshG
     if (order != 0) wall.push_back(order < 0 ? WallEdge{p, q} : WallEdge{q, p});  // else the other two span the same
   }
   walls_.push_back(std::move(wall));
+}
+
+// Linear functions that are nowhere negative at either end of the stretch, and positive at one, are positive between.
+bool StepConditions::isBlockedThroughoutBy(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const {
+  const auto isPositive = [&](const LinearSign& sign, int factor) {
+    const int begin = factor * sideAt(sign, stretch.begin, geometry);
+    if (begin < 0) return false;
+    const int end = factor * sideAt(sign, stretch.end, geometry);
+    return end >= 0 && begin + end > 0;
+  };
+  const auto reaches = [&](Index level, int factor) {
+    return std::any_of(stretch.faces.begin(), stretch.faces.end(), [&](Index face) {
+      return isPositive({{PlanLine::Trace, triangle, level}, face}, factor);
+    });
+  };
+  if (!reaches(step_, 1) || !reaches(height_, -1)) return false;
+  for (int k = 0; k < 3; ++k) {
+    int inside = 0;
+    const LinearSign sign = edgeSign(triangle, k, inside);
+    if (inside * sideAt(sign, stretch.begin, geometry) < 0 || inside * sideAt(sign, stretch.end, geometry) < 0)
+      return false;
+  }
+  return true;
+}
+
+bool StepConditions::isBlockedThroughoutBy(const SharedStretch& stretch, const Wall& wall,
+                                           MeshGeometry& geometry) const {
+  bool reachesUp = false, reachesDown = false;
+  for (const WallEdge& edge : wall) {
+    if (compareAlong(stretch, stretch.begin, edge.begin.place, geometry) < 0 ||
+        compareAlong(stretch, edge.end.place, stretch.end, geometry) < 0)
+      continue;
+    for (int face = 0; face < 2; ++face) {
+      const auto reaches = [&](int level, int factor) {
+        const int begin = factor * edge.begin.signs[face][level], end = factor * edge.end.signs[face][level];
+        return begin >= 0 && end >= 0 && begin + end > 0;
+      };
+      reachesUp = reachesUp || reaches(0, 1);
+      reachesDown = reachesDown || reaches(1, -1);
+    }
+  }
+  return reachesUp && reachesDown;
 }
 
 MeshVertex StepConditions::placeOf(const SharedStretch& stretch, Index vertex) const {

@@ -68,9 +68,13 @@ class StepConditions {
   [[nodiscard]] ApproximatePoint approximateSource(Index vertex) const;
   [[nodiscard]] std::array<LinearSign, 2> stepSigns(const SharedStretch& stretch) const;
   [[nodiscard]] LinearSign edgeSign(Index triangle, int k, int& inside) const;
-  void listObstacles(const SharedStretch& stretch, MeshGeometry& geometry);
+  /// False when one obstacle was found that blocks the whole stretch; then not all are listed.
+  bool listObstacles(const SharedStretch& stretch, MeshGeometry& geometry);
   bool mayCover(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const;
   void addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry);
+  /// True only if an obstacle blocks every piece of the stretch, whatever the pieces are.
+  bool isBlockedThroughoutBy(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const;
+  bool isBlockedThroughoutBy(const SharedStretch& stretch, const Wall& wall, MeshGeometry& geometry) const;
   void addBreaks(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry);
   void addCrossing(const SharedStretch& stretch, const LinearSign& sign, const Lines& lines, MeshGeometry& geometry);
   void addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry);

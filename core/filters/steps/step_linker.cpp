@@ -43,6 +43,9 @@ int axisBetween(const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry
 
 }  // namespace
 
+StepLinker::AlongLine::AlongLine(const MeshVertex& from, const MeshVertex& to, std::optional<MeshGeometry>& geometry)
+    : geometry_(&geometry), axis_(axisBetween(from, to, *geometry)), direction_(geometry->compare(to, from, axis_)) {}
+
 StepLinker::StepLinker(const WalkableState& state, RunContext& context)
     : state_(state),
       kernel_(state.kernel),
@@ -256,27 +259,17 @@ bool StepLinker::insertSplit(Index edge, const MeshVertex& place) {
   const Index side = topology_->sidesOf(edge)[0];
   const TriangleCorners corners(mesh_.triangles);
   const MeshVertex &from = mesh_.vertices[corners.beginOf(side)], &to = mesh_.vertices[corners.endOf(side)];
-  const int axis = axisBetween(from, to, *geometry_), direction = geometry_->compare(to, from, axis);
-  const auto order = [&](const MeshVertex& a, const MeshVertex& b) {
-    return direction * geometry_->compare(a, b, axis);
-  };
-  if (order(place, from) <= 0 || order(place, to) >= 0) return false;
-  std::vector<MeshVertex>& splits = splits_[edge];
-  const auto at = std::find_if(splits.begin(), splits.end(), [&](const MeshVertex& s) { return order(place, s) <= 0; });
-  if (at != splits.end() && order(place, *at) == 0) return false;
-  splits.insert(at, place);
-  return true;
+  const AlongLine isBefore(from, to, geometry_);
+  if (!isBefore(from, place) || !isBefore(place, to)) return false;
+  return splits_.try_emplace(edge, isBefore).first->second.insert(place).second;
 }
 
-std::vector<MeshVertex> StepLinker::splitsBetween(Index edge, const MeshVertex& a, const MeshVertex& b) {
-  std::vector<MeshVertex> between;
+std::vector<MeshVertex> StepLinker::splitsBetween(Index edge, const MeshVertex& a, const MeshVertex& b) const {
   const auto found = splits_.find(edge);
-  if (found == splits_.end()) return between;
-  const int axis = axisBetween(a, b, *geometry_), direction = geometry_->compare(b, a, axis);
-  for (const MeshVertex& s : found->second)
-    if (direction * geometry_->compare(s, a, axis) > 0 && direction * geometry_->compare(s, b, axis) < 0)
-      between.push_back(s);
-  return between;
+  if (found == splits_.end()) return {};
+  const Splits& splits = found->second;
+  const auto [low, high] = std::minmax(a, b, splits.key_comp());
+  return {splits.upper_bound(low), splits.lower_bound(high)};
 }
 
 // Both borders of a stretch end with it, and get all vertices that either has inside it, until nothing changes. No
@@ -320,7 +313,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
   for (const Index edge : edges) {
     const auto sides = topology_->sidesOf(edge);
     auto& [forward, backward] = inside[edge];
-    for (const MeshVertex& place : splits_[edge]) {
+    for (const MeshVertex& place : splits_.at(edge)) {
       forward.push_back(static_cast<Index>(result->vertices.size()));
       result->vertices.push_back(liftedVertex(*kernel_, mesh_.triangles[sides[0] / 3].face, place.point));
     }
@@ -343,24 +336,36 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
     if (!mesh_.layers.empty()) result->layers.resize(result->triangles.size(), mesh_.layers[t]);
   }
 
+  // New vertices between the ends of a border, in its own direction; null when there are none.
+  const auto verticesInside = [&](const Border& border) -> const std::vector<Index>* {
+    const auto found = inside.find(border.edge);
+    if (found == inside.end()) return nullptr;
+    const bool isForward = border.from == corners.beginOf(topology_->sidesOf(border.edge)[0]);
+    return &found->second[isForward ? 0 : 1];
+  };
   const auto verticesOf = [&](const Border& border) {
     std::vector<Index> chain{border.from};
-    if (const auto found = inside.find(border.edge); found != inside.end()) {
-      const bool isForward = border.from == corners.beginOf(topology_->sidesOf(border.edge)[0]);
-      const std::vector<Index>& between = found->second[isForward ? 0 : 1];
-      chain.insert(chain.end(), between.begin(), between.end());
-    }
+    if (const std::vector<Index>* between = verticesInside(border))
+      chain.insert(chain.end(), between->begin(), between->end());
     chain.push_back(border.to);
     return chain;
   };
   // Those from one place to another, in the border's own direction.
   const auto chainOf = [&](const Border& border, const MeshVertex& a, const MeshVertex& b) {
-    std::vector<Index> chain = verticesOf(border);
-    const int axis = axisBetween(a, b, *geometry_), direction = geometry_->compare(b, a, axis);
-    std::erase_if(chain, [&](Index v) {
-      const MeshVertex& p = result->vertices[v];
-      return direction * geometry_->compare(p, a, axis) < 0 || direction * geometry_->compare(p, b, axis) > 0;
-    });
+    const AlongLine isBefore(a, b, geometry_);
+    const auto isWithin = [&](Index v) {
+      return !isBefore(result->vertices[v], a) && !isBefore(b, result->vertices[v]);
+    };
+    std::vector<Index> chain;
+    if (isWithin(border.from)) chain.push_back(border.from);
+    if (const std::vector<Index>* between = verticesInside(border)) {
+      const auto first = std::partition_point(between->begin(), between->end(),
+                                              [&](Index v) { return isBefore(result->vertices[v], a); });
+      chain.insert(chain.end(), first, std::partition_point(first, between->end(), [&](Index v) {
+                     return !isBefore(b, result->vertices[v]);
+                   }));
+    }
+    if (isWithin(border.to)) chain.push_back(border.to);
     return chain;
   };
   for (const Stretch& s : stretches_) {

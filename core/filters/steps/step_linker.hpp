@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -67,6 +68,21 @@ class StepLinker {
     std::unordered_map<Index, std::vector<Vec3>> places;  ///< where they cut each edge
   };
 
+  /// Orders places on one line of the plan along it.
+  class AlongLine {
+   public:
+    /// The line from one place to another one, which differ in the plan; `geometry` must outlive this.
+    AlongLine(const MeshVertex& from, const MeshVertex& to, std::optional<MeshGeometry>& geometry);
+    bool operator()(const MeshVertex& a, const MeshVertex& b) const {
+      return direction_ * (*geometry_)->compare(a, b, axis_) < 0;
+    }
+
+   private:
+    std::optional<MeshGeometry>* geometry_;
+    int axis_, direction_;
+  };
+  using Splits = std::set<MeshVertex, AlongLine>;
+
   /// What pairs of borders are tried with; one for each thread.
   struct Worker {
     MeshGeometry geometry;
@@ -103,7 +119,7 @@ class StepLinker {
   /// False when there was a vertex already.
   bool insertSplit(Index edge, const MeshVertex& place);
   /// The splits of an edge strictly between two places of its line.
-  [[nodiscard]] std::vector<MeshVertex> splitsBetween(Index edge, const MeshVertex& a, const MeshVertex& b);
+  [[nodiscard]] std::vector<MeshVertex> splitsBetween(Index edge, const MeshVertex& a, const MeshVertex& b) const;
   [[nodiscard]] std::shared_ptr<const WalkableMesh> makeMesh();
 
   const WalkableState& state_;
@@ -115,8 +131,8 @@ class StepLinker {
   BoxTree<3> tree_;  ///< of the borders
   std::vector<Stretch> stretches_;
   std::vector<GapStretch> gaps_;
-  double gap_ = 0;                                                   ///< how wide they may be
-  std::unordered_map<Index, std::vector<MeshVertex>> splits_;        ///< of edges, in the order of their line
+  double gap_ = 0;                            ///< how wide they may be
+  std::unordered_map<Index, Splits> splits_;  ///< of edges, in the direction of their first sides
   std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges, once they are asked for
   std::optional<MeshGeometry> geometry_;
   ExactFallbacks fallbacks_;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/assembly/walkable_state.hpp"
+#include "core/filters/filter.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/io.hpp"
@@ -331,6 +332,42 @@ class TestStepFilter : public QObject {
       }
       QVERIFY(height > 0);
     }
+  }
+
+  // Walls that overlap in one line end at thousands of places and stand hundreds deep. Each stretch is known not to be
+  // free from the first that blocks it; where one steps over all of them, each end is a vertex of both floors.
+  void wallsInOneLine_data() {
+    QTest::addColumn<double>("least");
+    QTest::addColumn<double>("most");
+    QTest::newRow("too high") << 0.45 << 0.9;
+    QTest::newRow("low") << 0.05 << 0.2;
+  }
+  void wallsInOneLine() {
+    QFETCH(double, least);
+    QFETCH(double, most);
+    const bool isHigh = least > 0.4;
+    std::vector<std::size_t> tests;
+    for (const int count : {100, 400}) {
+      std::mt19937 random(1);
+      const auto number = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random() % 99991) / 99991;
+      };
+      Soup soup;
+      soup.floor(0, -5, 100, 0, 0).floor(0, 0, 100, 5, 0.2);
+      for (int i = 0; i < count; ++i) {
+        const double x = number(0, 50);
+        soup.wall(x, 0, x + 50, 0, 0, number(least, most));
+      }
+      const Soup turned = soup.mapped([](const Vec3& p) { return Vec3{p.x - p.y, p.x + p.y, p.z}; });
+      const StatePtr state = runFilters(turned.environment(), minimalPipeline(2));
+      RunContext context;
+      const FilterOutcome outcome = applyFilter(filterDescriptor(FilterType::Step), {0.4, 0}, state, context);
+      const auto links = static_cast<int>(outcome.state->mesh->links.size());
+      QVERIFY2(isHigh ? links < 4 : links >= 2 * count, qPrintable(QString::number(links)));
+      tests.push_back(outcome.fallbacks.total());
+    }
+    // Whether a wall stands in the line is a test that doubles cannot do.
+    QVERIFY2(tests[1] < 6 * tests[0], qPrintable(QString("%1, then %2").arg(tests[0]).arg(tests[1])));
   }
 };
 
