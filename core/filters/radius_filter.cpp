@@ -157,7 +157,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   state->mesh = assembleMesh(*state, context, outcome.fallbacks);
   if (!floors->links.empty()) {
     StepLinker linker(*state, context);
-    state->mesh = linker.relink(*floors);
+    state->mesh = linker.relink(*floors, std::nullopt);
     state->kernel = linker.kernel();
     outcome.fallbacks += linker.fallbacks();
   }

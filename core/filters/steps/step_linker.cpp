@@ -6,385 +6,306 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
+#include <unordered_set>
 
 #include "core/base/geometry.hpp"
-#include "core/mesh/lifted_vertex.hpp"
-#include "core/mesh/triangle_split.hpp"
+#include "core/mesh/triangle_corners.hpp"
 
 namespace footfall::detail {
 namespace {
 
-using Tree = BoxTree<3>;
+using Bounds = BoxTree<3>::Bounds;
 
 constexpr Index kBordersPerTask = 64;
 
-Tree::Bounds boundsOf(const MeshVertex& a, const MeshVertex& b) {
-  Tree::Bounds bounds;
-  const auto set = [&](int k, double p, double q) {
-    const double margin = std::max(a.error, b.error) + std::max(std::fabs(p), std::fabs(q)) * 0x1p-50;
-    bounds.lower[k] = std::min(p, q) - margin;
-    bounds.upper[k] = std::max(p, q) + margin;
-  };
-  set(0, a.x, b.x);
-  set(1, a.y, b.y);
-  set(2, a.z, b.z);
-  return bounds;
-}
-
-/// A coordinate of the plan in which two vertices differ, the one in which they seem to differ most; -1 where they are
-/// one point of the plan.
-int axisBetween(const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) {
-  const int likely = std::fabs(a.x - b.x) >= std::fabs(a.y - b.y) ? 0 : 1;
-  if (geometry.compare(a, b, likely) != 0) return likely;
-  return geometry.compare(a, b, 1 - likely) != 0 ? 1 - likely : -1;
-}
-
 }  // namespace
 
-StepLinker::AlongLine::AlongLine(const MeshVertex& from, const MeshVertex& to, std::optional<MeshGeometry>& geometry)
-    : geometry_(&geometry), axis_(axisBetween(from, to, *geometry)), direction_(geometry->compare(to, from, axis_)) {}
-
 StepLinker::StepLinker(const WalkableState& state, RunContext& context)
-    : state_(state),
-      kernel_(state.kernel),
-      mesh_(*state.mesh),
-      context_(context),
-      topology_(topologyOf(state, context)),
-      geometry_(std::in_place, *kernel_, mesh_.vertices) {
-  findBorders();
-  buildTree();
+    : state_(state), context_(context), splits_(state, context) {}
+
+StepLinker::Worker StepLinker::makeWorker(const Limits& limits, double gap) const {
+  const PlanKernel& kernel = *splits_.kernel();
+  const int scale = kernel.mesh().grid.scaleExponent();
+  const auto scaled = [&](double length) { return std::ldexp(length, scale); };
+  return {{kernel, splits_.mesh().vertices},
+          {kernel, state_.removed, kernel.levelOf(limits.step).value(), kernel.levelOf(limits.height).value()},
+          {kernel.mesh(), state_.removed, scaled(limits.step), scaled(limits.height), scaled(gap)},
+          {},
+          {}};
+}
+
+void StepLinker::take(Worker& worker) {
+  fallbacks_ += worker.geometry.fallbacks;
+  undecided_ += worker.conditions.undecided();
+  stretches_.insert(stretches_.end(), worker.stretches.begin(), worker.stretches.end());
+  if (gaps_) gaps_->add(std::move(worker.gapStretches));
 }
 
 std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap) {
-  gap_ = gap;
-  findStretches(step, height, gap);
+  const WalkableMesh& mesh = splits_.mesh();
+  const bool hasGaps =
+      std::any_of(mesh.links.begin(), mesh.links.end(), [](const MeshLink& link) { return link.isGap; });
+  if (gap > 0 || hasGaps) gaps_.emplace(splits_, gap, context_);
+  findStretches({step, height}, gap);
+  std::unordered_map<Index, Index> borderOf;  // by its side
+  for (std::size_t i = 0; i < splits_.borders().size() && !mesh.links.empty(); ++i)
+    borderOf[splits_.borders()[i].side] = static_cast<Index>(i);
+  const auto topology = topologyOf(state_, context_);
+  for (const MeshLink& link : mesh.links) {
+    context_.checkCancelled();
+    const auto find = [&](const std::array<Index, 2>& edge) {
+      return borderOf.at(findSide(mesh.triangles, *topology, edge[0], edge[1]));
+    };
+    const Index first = find(link.from), second = find(link.to);
+    if (link.isGap)
+      gaps_->add(gaps_->findAgain(first, second, nullptr));
+    else
+      stretches_.push_back({first, second, splits_.vertex(link.from[0]), splits_.vertex(link.from[1])});
+  }
   return makeMesh();
 }
 
-std::shared_ptr<const WalkableMesh> StepLinker::relink(const WalkableMesh& earlier) {
+std::shared_ptr<const WalkableMesh> StepLinker::relink(const WalkableMesh& earlier,
+                                                       const std::optional<Limits>& limits) {
   const Adjacency topology = findEdges(earlier.triangles, earlier.vertices.size(), context_);
   const auto borderOf = [&](const std::array<Index, 2>& edge) {
     const Index side = findSide(earlier.triangles, topology, edge[0], edge[1]);
     if (side < 0) throw std::logic_error("a link without its triangle");
-    return Border{side, -1, edge[0], edge[1], earlier.triangles[side / 3].face};
+    return MeshBorder{side, -1, edge[0], edge[1], earlier.triangles[side / 3].face};
   };
+  if (std::any_of(earlier.links.begin(), earlier.links.end(), [](const MeshLink& link) { return link.isGap; }))
+    gaps_.emplace(splits_, 0, context_);
+  std::optional<Worker> worker;
+  if (limits) worker.emplace(makeWorker(*limits, 0));
   for (const MeshLink& link : earlier.links) {
     context_.checkCancelled();
-    addStretches(earlier, borderOf(link.from), borderOf(link.to), link.isGap);
+    addRemains(earlier, borderOf(link.from), borderOf(link.to), link.isGap, worker ? &*worker : nullptr);
   }
+  if (worker) take(*worker);
   return makeMesh();
 }
 
-void StepLinker::findBorders() {
-  const TriangleCorners corners(mesh_.triangles);
-  for (Index e = 0; e < topology_->edgeCount(); ++e) {
-    const auto sides = topology_->sidesOf(e);
-    if (sides.size() > 1 && !isObstacle(mesh_.triangles, sides)) continue;
-    for (const Index side : sides)
-      borders_.push_back({side, e, corners.beginOf(side), corners.endOf(side), mesh_.triangles[side / 3].face});
-  }
-}
-
-void StepLinker::buildTree() {
-  std::vector<Index> all(borders_.size());
-  std::iota(all.begin(), all.end(), 0);
-  tree_.build(
-      all, [&](Index i) { return boundsOf(mesh_.vertices[borders_[i].from], mesh_.vertices[borders_[i].to]); },
-      context_);
-}
-
-void StepLinker::findStretches(double step, double height, double gap) {
-  const auto count = static_cast<Index>(borders_.size());
-  const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
-  const Index stepLevel = kernel_->levelOf(step).value(), heightLevel = kernel_->levelOf(height).value();
-  const int scale = kernel_->mesh().grid.scaleExponent();
-  const double scaledStep = std::ldexp(step, scale), scaledHeight = std::ldexp(height, scale);
-  const double scaledGap = std::ldexp(gap, scale);
-  tbb::enumerable_thread_specific<Worker> workers([&] {
-    return Worker{{*kernel_, mesh_.vertices},
-                  {*kernel_, state_.removed, stepLevel, heightLevel},
-                  {kernel_->mesh(), state_.removed, scaledStep, scaledHeight, scaledGap},
-                  {},
-                  {}};
-  });
+void StepLinker::findStretches(const Limits& limits, double gap) {
+  const auto count = static_cast<Index>(splits_.borders().size());
+  const int scale = splits_.kernel()->mesh().grid.scaleExponent();
+  const double scaledStep = std::ldexp(limits.step, scale), scaledGap = std::ldexp(gap, scale);
+  tbb::enumerable_thread_specific<Worker> workers([&] { return makeWorker(limits, gap); });
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
     Worker& worker = workers.local();
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();
-      Tree::Bounds query = boundsOf(vertex(borders_[i].from), vertex(borders_[i].to));
+      const MeshBorder& border = splits_.border(i);
+      Bounds query = BorderSplits::boundsOf(splits_.vertex(border.from), splits_.vertex(border.to));
       for (const int k : {0, 1, 2}) {
         query.lower[k] -= k < 2 ? scaledGap : scaledStep;
         query.upper[k] += k < 2 ? scaledGap : scaledStep;
       }
-      tree_.visitOverlapping(query, [&](Index other) {
+      splits_.tree().visitOverlapping(query, [&](Index other) {
         if (other <= i) return;
         tryPair(i, other, worker);
-        if (gap > 0) tryGap(i, other, worker);
+        if (gap <= 0) return;
+        std::vector<GapStretch> found = gaps_->find(i, other, worker.gaps, worker.geometry);
+        std::move(found.begin(), found.end(), std::back_inserter(worker.gapStretches));
       });
     }
   });
-  for (Worker& worker : workers) {
-    fallbacks_ += worker.geometry.fallbacks;
-    undecided_ += worker.conditions.undecided();
-    stretches_.insert(stretches_.end(), worker.stretches.begin(), worker.stretches.end());
-    gaps_.insert(gaps_.end(), worker.gapStretches.begin(), worker.gapStretches.end());
-  }
   const auto isBefore = [](const auto& a, const auto& b) {
     return std::array{a.first, a.second} < std::array{b.first, b.second};
   };
+  std::vector<GapStretch> gaps;
+  for (Worker& worker : workers) {
+    std::move(worker.gapStretches.begin(), worker.gapStretches.end(), std::back_inserter(gaps));
+    worker.gapStretches.clear();
+    take(worker);
+  }
   std::stable_sort(stretches_.begin(), stretches_.end(), isBefore);
-  std::stable_sort(gaps_.begin(), gaps_.end(), isBefore);
-}
-
-// What is left of the two borders of a link, which run against each other.
-void StepLinker::addStretches(const WalkableMesh& earlier, const Border& from, const Border& to, bool isGap) {
-  const auto remainsOf = [&](const Border& old) {
-    const MeshVertex &a = earlier.vertices[old.from], &b = earlier.vertices[old.to];
-    std::vector<Index> numbers;
-    const Index origin = kernel_->mesh().triangles[old.face][0];
-    const auto isOn = [&](Index v) {
-      return kernel_->orientation(a.point, b.point, mesh_.vertices[v].point, origin, geometry_->fallbacks) == 0;
-    };
-    tree_.visitOverlapping(boundsOf(a, b), [&](Index i) {
-      if (borders_[i].face == old.face && isOn(borders_[i].from) && isOn(borders_[i].to)) numbers.push_back(i);
-    });
-    std::sort(numbers.begin(), numbers.end());
-    return numbers;
-  };
-  if (isGap) {
-    const std::vector<Index> others = remainsOf(to);
-    for (const Index first : remainsOf(from))
-      for (const Index second : others) {
-        const GapBorder e = gapBorderOf(borders_[first]), f = gapBorderOf(borders_[second]);
-        if (const auto frame = GapConditions::frameOf(e, f)) {
-          const double begin = std::max(frame->along(e.from.x, e.from.y), frame->along(f.to.x, f.to.y));
-          const double finish = std::min(frame->along(e.to.x, e.to.y), frame->along(f.from.x, f.from.y));
-          if (finish - begin > GapConditions::kShort) gaps_.push_back({first, second, {*frame, {begin, finish}, {}}});
-        }
-      }
-    return;
-  }
-  const MeshVertex &begin = earlier.vertices[from.from], &end = earlier.vertices[from.to];
-  const int axis = axisBetween(begin, end, *geometry_);
-  if (axis < 0) return;
-  const int direction = geometry_->compare(end, begin, axis);
-  const auto order = [&](const MeshVertex& a, const MeshVertex& b) {
-    return direction * geometry_->compare(a, b, axis);
-  };
-  const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
-  const std::vector<Index> others = remainsOf(to);
-  for (const Index first : remainsOf(from)) {
-    const Border& e = borders_[first];
-    if (order(vertex(e.from), vertex(e.to)) >= 0) continue;
-    for (const Index second : others) {
-      const Border& f = borders_[second];
-      if (order(vertex(f.to), vertex(f.from)) >= 0) continue;
-      MeshVertex low = begin, high = end;
-      for (const MeshVertex* p : {&vertex(e.from), &vertex(f.to)})
-        if (order(*p, low) > 0) low = *p;
-      for (const MeshVertex* p : {&vertex(e.to), &vertex(f.from)})
-        if (order(*p, high) < 0) high = *p;
-      if (order(low, high) < 0) stretches_.push_back({first, second, low, high});
-    }
-  }
+  std::stable_sort(gaps.begin(), gaps.end(), isBefore);
+  if (gaps_) gaps_->add(std::move(gaps));
 }
 
 void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
-  const Border &e = borders_[first], &f = borders_[second];
+  const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
   MeshGeometry& geometry = worker.geometry;
   if (geometry.orientation(e.from, e.to, f.from) != 0 || geometry.orientation(e.from, e.to, f.to) != 0) return;
+  const int axis = BorderSplits::axisBetween(splits_.vertex(e.from), splits_.vertex(e.to), geometry);
+  if (axis < 0) return;
+  const auto compare = [&](Index a, Index b) { return geometry.compare(a, b, axis); };
+  const int direction = compare(e.to, e.from);
+  if (compare(f.to, f.from) != -direction) return;  // walkable sides on the same side
+  const Index begin = direction * compare(e.from, f.to) >= 0 ? e.from : f.to;
+  const Index end = direction * compare(e.to, f.from) <= 0 ? e.to : f.from;
+  if (direction * compare(begin, end) >= 0) return;
+  addFree({first, second, splits_.vertex(begin), splits_.vertex(end)}, axis, direction, worker);
+}
+
+void StepLinker::addFree(const Stretch& whole, int axis, int direction, Worker& worker) const {
+  const MeshBorder &e = splits_.border(whole.first), &f = splits_.border(whole.second);
   SharedStretch stretch;
   stretch.faces = {e.face, f.face};
-  stretch.axis = axisBetween(mesh_.vertices[e.from], mesh_.vertices[e.to], geometry);
-  if (stretch.axis < 0) return;
-  const auto compare = [&](Index a, Index b) { return geometry.compare(a, b, stretch.axis); };
-  stretch.direction = compare(e.to, e.from);
-  if (compare(f.to, f.from) != -stretch.direction) return;  // walkable sides on the same side
-  const Index begin = stretch.direction * compare(e.from, f.to) >= 0 ? e.from : f.to;
-  const Index end = stretch.direction * compare(e.to, f.from) <= 0 ? e.to : f.from;
-  if (stretch.direction * compare(begin, end) >= 0) return;
-  stretch.begin = mesh_.vertices[begin];
-  stretch.end = mesh_.vertices[end];
-  const auto lines = [&] {
-    std::vector<KnownLine> known = linesOf(e, geometry);
-    const std::vector<KnownLine> others = linesOf(f, geometry);
-    known.insert(known.end(), others.begin(), others.end());
-    return known;
-  };
-  const Tree::Bounds own = boundsOf(mesh_.vertices[e.from], mesh_.vertices[e.to]);
-  const Tree::Bounds other = boundsOf(mesh_.vertices[f.from], mesh_.vertices[f.to]);
+  stretch.begin = whole.begin;
+  stretch.end = whole.end;
+  stretch.axis = axis;
+  stretch.direction = direction;
+  const Bounds own = BorderSplits::boundsOf(splits_.vertex(e.from), splits_.vertex(e.to));
+  const Bounds other = BorderSplits::boundsOf(splits_.vertex(f.from), splits_.vertex(f.to));
   for (int k = 0; k < 3; ++k) {
     stretch.box.lower[k] = k < 2 ? std::max(own.lower[k], other.lower[k]) : std::min(own.lower[k], other.lower[k]);
     stretch.box.upper[k] = k < 2 ? std::min(own.upper[k], other.upper[k]) : std::max(own.upper[k], other.upper[k]);
   }
-  for (const auto& [from, to] : worker.conditions.find(stretch, lines, geometry))
-    worker.stretches.push_back({first, second, from, to});
-}
-
-// What its vertices were made of, the edges of its triangle's face, and the lines that cut that face.
-std::vector<KnownLine> StepLinker::linesOf(const Border& border, MeshGeometry& geometry) const {
-  const SourceMesh& source = kernel_->mesh();
-  const PlanPoint &a = mesh_.vertices[border.from].point, &b = mesh_.vertices[border.to].point;
-  std::vector<KnownLine> lines;
-  const auto edgeLine = [&](Index u, Index v) {
-    return PlanLine{PlanLine::Edge, std::min(source.planIds[u], source.planIds[v]),
-                    std::max(source.planIds[u], source.planIds[v])};
+  const auto lines = [&] {
+    std::vector<KnownLine> known = splits_.linesOf(e, worker.geometry);
+    const std::vector<KnownLine> others = splits_.linesOf(f, worker.geometry);
+    known.insert(known.end(), others.begin(), others.end());
+    return known;
   };
-  const auto tryLine = [&](const PlanLine& line, Index face) {
-    const Index origin = source.triangles[border.face][0];
-    const auto isOn = [&](const PlanPoint& p) { return kernel_->side(line, face, p, origin, geometry.fallbacks) == 0; };
-    if (isOn(a) && isOn(b)) lines.push_back({line, face});
+  for (const auto& [from, to] : worker.conditions.find(stretch, lines, worker.geometry))
+    worker.stretches.push_back({whole.first, whole.second, from, to});
+}
+
+// Borders on the line of the earlier one, at its height.
+std::vector<Index> StepLinker::remainsOf(const WalkableMesh& earlier, const MeshBorder& old) {
+  const PlanKernel& kernel = *splits_.kernel();
+  const MeshVertex &a = earlier.vertices[old.from], &b = earlier.vertices[old.to];
+  const Index origin = kernel.mesh().triangles[old.face][0];
+  const auto isOn = [&](Index number, Index face) {
+    const PlanPoint& point = splits_.vertex(number).point;
+    return kernel.orientation(a.point, b.point, point, origin, fallbacks_) == 0 &&
+           (face == old.face || kernel.compareHeight(point, face, old.face, fallbacks_) == 0);
   };
-  if (a.kind() == PlanPoint::Source && b.kind() == PlanPoint::Source) {
-    lines.push_back({edgeLine(a.planId(), b.planId()), -1});
-    return lines;
-  }
-  for (const PlanPoint* p : {&a, &b}) {
-    if (p->kind() == PlanPoint::EdgePlane) tryLine(edgeLine(p->edgeBegin(), p->edgeEnd()), -1);
-    if (p->kind() != PlanPoint::Crossing) continue;
-    for (const PlanLine& line : {p->firstLine(), p->secondLine()})
-      tryLine(line, line.kind == PlanLine::Trace ? p->face() : -1);
-  }
-  const auto& f = source.triangles[border.face];
-  for (int k = 0; k < 3; ++k) tryLine(edgeLine(f[k], f[next(k)]), -1);
-  if (!lines.empty() || !state_.cuts) return lines;
-  for (const PlanLine& line : (*state_.cuts)[border.face].lines)
-    tryLine(line, line.kind == PlanLine::Trace ? border.face : -1);
-  return lines;
+  std::vector<Index> numbers;
+  splits_.tree().visitOverlapping(BorderSplits::boundsOf(a, b), [&](Index i) {
+    const MeshBorder& border = splits_.border(i);
+    if (isOn(border.from, border.face) && isOn(border.to, border.face)) numbers.push_back(i);
+  });
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
 }
 
-bool StepLinker::insertSplit(Index edge, const MeshVertex& place) {
-  const Index side = topology_->sidesOf(edge)[0];
-  const TriangleCorners corners(mesh_.triangles);
-  const MeshVertex &from = mesh_.vertices[corners.beginOf(side)], &to = mesh_.vertices[corners.endOf(side)];
-  const AlongLine isBefore(from, to, geometry_);
-  if (!isBefore(from, place) || !isBefore(place, to)) return false;
-  return splits_.try_emplace(edge, isBefore).first->second.insert(place).second;
-}
-
-std::vector<MeshVertex> StepLinker::splitsBetween(Index edge, const MeshVertex& a, const MeshVertex& b) const {
-  const auto found = splits_.find(edge);
-  if (found == splits_.end()) return {};
-  const Splits& splits = found->second;
-  const auto [low, high] = std::minmax(a, b, splits.key_comp());
-  return {splits.upper_bound(low), splits.lower_bound(high)};
+void StepLinker::addRemains(const WalkableMesh& earlier, const MeshBorder& from, const MeshBorder& to, bool isGap,
+                            Worker* worker) {
+  MeshGeometry& geometry = splits_.geometry();
+  const MeshVertex &begin = earlier.vertices[from.from], &end = earlier.vertices[from.to];
+  const int axis = BorderSplits::axisBetween(begin, end, geometry);
+  if (axis < 0 || BorderSplits::axisBetween(earlier.vertices[to.from], earlier.vertices[to.to], geometry) < 0) return;
+  const std::vector<Index> own = remainsOf(earlier, from), others = remainsOf(earlier, to);
+  const int direction = geometry.compare(end, begin, axis);
+  const auto order = [&](const MeshVertex& a, const MeshVertex& b) { return direction * geometry.compare(a, b, axis); };
+  for (const Index first : own)
+    for (const Index second : others) {
+      if (isGap) {
+        gaps_->add(gaps_->findAgain(first, second, worker != nullptr ? &worker->gaps : nullptr));
+        continue;
+      }
+      const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
+      if (order(splits_.vertex(e.from), splits_.vertex(e.to)) >= 0 ||
+          order(splits_.vertex(f.to), splits_.vertex(f.from)) >= 0)
+        continue;
+      Stretch stretch{first, second, begin, end};
+      for (const Index p : {e.from, f.to})
+        if (order(splits_.vertex(p), stretch.begin) > 0) stretch.begin = splits_.vertex(p);
+      for (const Index p : {e.to, f.from})
+        if (order(splits_.vertex(p), stretch.end) < 0) stretch.end = splits_.vertex(p);
+      if (order(stretch.begin, stretch.end) >= 0) continue;
+      if (worker != nullptr)
+        addFree(stretch, axis, direction, *worker);
+      else
+        stretches_.push_back(stretch);
+    }
 }
 
 // Both borders of a stretch end with it, and get all vertices that either has inside it, until nothing changes. No
 // place comes in that was not there: so it ends.
 void StepLinker::splitAtSteps() {
-  for (const Stretch& s : stretches_)
-    for (const Index border : {s.first, s.second})
-      for (const MeshVertex* end : {&s.begin, &s.end}) insertSplit(borders_[border].edge, *end);
-  for (bool isChanged = true; isChanged;) {
-    isChanged = false;
+  std::vector<Index> changed;
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    const Stretch& s = stretches_[i];
+    for (const Index number : {s.first, s.second}) {
+      const Index edge = splits_.border(number).edge;
+      stretchesAt_[edge].push_back(i);
+      for (const MeshVertex* end : {&s.begin, &s.end})
+        if (splits_.insert(edge, *end)) changed.push_back(edge);
+    }
+  }
+  spreadSplits(changed);
+}
+
+// From edges that got vertices to all that must have them, too.
+void StepLinker::spreadSplits(const std::vector<Index>& changed) {
+  std::vector<Index> open;
+  std::unordered_set<Index> isOpen;
+  const auto push = [&](Index edge) {
+    if (isOpen.insert(edge).second) open.push_back(edge);
+  };
+  for (const Index edge : changed) push(edge);
+  while (!open.empty()) {
     context_.checkCancelled();
-    for (const Stretch& s : stretches_) {
-      const Index first = borders_[s.first].edge, second = borders_[s.second].edge;
-      if (first == second) continue;
-      for (const auto& [own, other] : {std::array{first, second}, std::array{second, first}})
-        for (const MeshVertex& split : splitsBetween(own, s.begin, s.end))
-          isChanged = insertSplit(other, split) || isChanged;
+    const Index own = open.back();
+    open.pop_back();
+    isOpen.erase(own);
+    const auto found = stretchesAt_.find(own);
+    if (found == stretchesAt_.end()) continue;
+    for (const std::size_t i : found->second) {
+      const Stretch& s = stretches_[i];
+      const Index first = splits_.border(s.first).edge, second = splits_.border(s.second).edge;
+      const Index other = own == first ? second : first;
+      if (other == own) continue;
+      for (const MeshVertex& place : splits_.between(own, s.begin, s.end))
+        if (splits_.insert(other, place)) push(other);
     }
   }
 }
 
-void StepLinker::splitEdges() {
-  splitAtSteps();
-  if (!gaps_.empty()) splitAtGaps();
-}
-
-std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
-  splitEdges();
-  context_.checkCancelled();
-  auto result = std::make_shared<WalkableMesh>();
-  result->layerCount = mesh_.layerCount;
-  result->vertices = mesh_.vertices;
-  // New vertices of each edge, in the direction of its first side and in the other one.
-  std::vector<Index> edges;
-  for (const auto& [edge, places] : splits_) edges.push_back(edge);
-  std::sort(edges.begin(), edges.end());
-  std::unordered_map<Index, std::array<std::vector<Index>, 2>> inside;
-  std::vector<EdgeVertices> on;  // of triangles that are split
-  std::vector<Index> slotOf(mesh_.triangles.size(), -1);
-  const TriangleCorners corners(mesh_.triangles);
-  for (const Index edge : edges) {
-    const auto sides = topology_->sidesOf(edge);
-    auto& [forward, backward] = inside[edge];
-    for (const MeshVertex& place : splits_.at(edge)) {
-      forward.push_back(static_cast<Index>(result->vertices.size()));
-      result->vertices.push_back(liftedVertex(*kernel_, mesh_.triangles[sides[0] / 3].face, place.point));
-    }
-    backward.assign(forward.rbegin(), forward.rend());
-    for (const Index side : sides) {
-      Index& slot = slotOf[side / 3];
-      if (slot < 0) {
-        slot = static_cast<Index>(on.size());
-        on.emplace_back();
-      }
-      on[slot][side % 3] = corners.beginOf(side) == corners.beginOf(sides[0]) ? &forward : &backward;
-    }
-  }
-  result->triangles.reserve(mesh_.triangles.size() + 2 * edges.size());
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (slotOf[t] < 0)
-      result->triangles.push_back(mesh_.triangles[t]);
-    else
-      splitTriangle(mesh_.triangles[t], on[slotOf[t]], result->triangles);
-    if (!mesh_.layers.empty()) result->layers.resize(result->triangles.size(), mesh_.layers[t]);
-  }
-
-  // New vertices between the ends of a border, in its own direction; null when there are none.
-  const auto verticesInside = [&](const Border& border) -> const std::vector<Index>* {
-    const auto found = inside.find(border.edge);
-    if (found == inside.end()) return nullptr;
-    const bool isForward = border.from == corners.beginOf(topology_->sidesOf(border.edge)[0]);
-    return &found->second[isForward ? 0 : 1];
-  };
-  const auto verticesOf = [&](const Border& border) {
-    std::vector<Index> chain{border.from};
-    if (const std::vector<Index>* between = verticesInside(border))
-      chain.insert(chain.end(), between->begin(), between->end());
-    chain.push_back(border.to);
-    return chain;
-  };
-  // Those from one place to another, in the border's own direction.
-  const auto chainOf = [&](const Border& border, const MeshVertex& a, const MeshVertex& b) {
-    const AlongLine isBefore(a, b, geometry_);
-    const auto isWithin = [&](Index v) {
-      return !isBefore(result->vertices[v], a) && !isBefore(b, result->vertices[v]);
+void StepLinker::addStepLinks(std::vector<MeshLink>& links) {
+  // The vertices of a border from one place to another, in its own direction.
+  const auto chainOf = [&](const MeshBorder& border, const MeshVertex& a, const MeshVertex& b) {
+    MeshGeometry& geometry = splits_.geometry();
+    const int axis = BorderSplits::axisBetween(a, b, geometry), direction = geometry.compare(b, a, axis);
+    const auto order = [&](std::size_t i, const MeshVertex& place) {
+      return direction * geometry.compare(splits_.chainVertex(border, i), place, axis);
     };
-    std::vector<Index> chain;
-    if (isWithin(border.from)) chain.push_back(border.from);
-    if (const std::vector<Index>* between = verticesInside(border)) {
-      const auto first = std::partition_point(between->begin(), between->end(),
-                                              [&](Index v) { return isBefore(result->vertices[v], a); });
-      chain.insert(chain.end(), first, std::partition_point(first, between->end(), [&](Index v) {
-                     return !isBefore(b, result->vertices[v]);
-                   }));
+    std::size_t low = 0, high = splits_.chainLength(border);
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      if (order(middle, a) >= 0)
+        high = middle;
+      else
+        low = middle + 1;
     }
-    if (isWithin(border.to)) chain.push_back(border.to);
+    std::vector<Index> chain;
+    for (; low < splits_.chainLength(border) && order(low, b) <= 0; ++low)
+      chain.push_back(splits_.chainNumber(border, low));
     return chain;
   };
   for (const Stretch& s : stretches_) {
-    const std::vector<Index> from = chainOf(borders_[s.first], s.begin, s.end);
-    const std::vector<Index> to = chainOf(borders_[s.second], s.end, s.begin);
+    context_.checkCancelled();
+    const std::vector<Index> from = chainOf(splits_.border(s.first), s.begin, s.end);
+    const std::vector<Index> to = chainOf(splits_.border(s.second), s.end, s.begin);
     for (std::size_t i = 0; i + 1 < from.size(); ++i) {
       const std::size_t j = to.size() - 1 - i;
       MeshLink link{{from[i], from[i + 1]}, {to[j - 1], to[j]}};
       if (link.to < link.from) std::swap(link.from, link.to);
-      result->links.push_back(link);
+      links.push_back(link);
     }
   }
-  for (const GapStretch& gap : gaps_) {
-    context_.checkCancelled();
-    if (!gap.isDropped) addGapLinks(*result, gap, verticesOf(borders_[gap.first]), verticesOf(borders_[gap.second]));
+}
+
+std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
+  splitAtSteps();
+  if (gaps_ && !gaps_->isEmpty()) gaps_->split([&](const std::vector<Index>& changed) { spreadSplits(changed); });
+  context_.checkCancelled();
+  std::shared_ptr<WalkableMesh> result = splits_.makeMesh();
+  addStepLinks(result->links);
+  if (gaps_) {
+    const std::vector<MeshLink> links = gaps_->links();
+    result->links.insert(result->links.end(), links.begin(), links.end());
+    undecided_ += gaps_->undecided();
+    fallbacks_ += gaps_->fallbacks();
   }
   std::sort(result->links.begin(), result->links.end());
   result->links.erase(std::unique(result->links.begin(), result->links.end()), result->links.end());
-  fallbacks_ += geometry_->fallbacks;
+  splits_.replaceKernel(splits_.kernel());  // counts what its geometry fell back on
+  fallbacks_ += splits_.fallbacks();
   return result;
 }
 

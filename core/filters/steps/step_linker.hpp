@@ -2,87 +2,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <unordered_map>
 #include <vector>
 
-#include "core/assembly/walkable_state.hpp"
-#include "core/base/box_tree.hpp"
-#include "core/filters/steps/gap_conditions.hpp"
+#include "core/filters/steps/border_splits.hpp"
+#include "core/filters/steps/gap_linker.hpp"
 #include "core/filters/steps/step_conditions.hpp"
-#include "footfall/run_context.hpp"
 
 namespace footfall::detail {
 
 /// The mesh of a state with steps linked: both borders of a link get vertices where it ends, and wherever the other one
-/// has one, so that links are pairs of whole edges. Across a gap the other one's place is where a line at a right angle
-/// to the bisector of both borders meets it; such lines lead through places of the plan, which the kernel gets.
+/// has one, so that links are pairs of whole edges.
 class StepLinker {
  public:
-  /// The state must have a mesh.
+  /// The state must have a mesh, and its kernel the levels of what is asked about.
   StepLinker(const WalkableState& state, RunContext& context);
 
-  /// The state's kernel must have the levels of `step` and `height`; `gap` is at least 0 (environment units).
+  /// Links what can be stepped over, and what the state's mesh links already. `gap` is at least 0 (environment units).
   std::shared_ptr<const WalkableMesh> link(double step, double height, double gap);
-  /// Links what `earlier` links, where there is still a border. Its vertices are those of the state's kernel.
-  std::shared_ptr<const WalkableMesh> relink(const WalkableMesh& earlier);
+
+  /// An agent's step and height, levels of the kernel.
+  struct Limits {
+    double step = 0, height = 0;
+  };
+  /// Links what `earlier` links, where there is still a border on both sides; with limits, where nothing is in the way
+  /// by them. The vertices of `earlier` are those of the state's kernel.
+  std::shared_ptr<const WalkableMesh> relink(const WalkableMesh& earlier, const std::optional<Limits>& limits);
 
   /// The state's, or one that knows further places of the plan: that of the mesh that was made.
-  [[nodiscard]] const std::shared_ptr<const PlanKernel>& kernel() const { return kernel_; }
+  [[nodiscard]] const std::shared_ptr<const PlanKernel>& kernel() const { return splits_.kernel(); }
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
   /// Pairs of borders, and pieces of gaps, of which it is not known where the link ends: they are not linked.
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
 
  private:
-  /// A side of a triangle that cannot be crossed.
-  struct Border {
-    Index side = -1, edge = -1;  ///< edge of the topology
-    Index from = -1, to = -1;    ///< vertices
-    Index face = -1;
-  };
   /// Two borders, and the stretch of line, in the direction of the first one, over which one steps.
   struct Stretch {
     Index first = -1, second = -1;
     MeshVertex begin, end;
   };
-
-  /// Two borders, the second one to the right of the first, and the piece of the gap between them that is free.
-  struct GapStretch {
-    Index first = -1, second = -1;
-    GapPiece piece;
-    std::array<bool, 2> isDrawnIn{};  ///< its ends, from where an obstacle touched them
-    bool isDropped = false;
-  };
-  /// A place at which an edge is to be split, and the line across it that says where.
-  struct Cut {
-    Index border = -1;
-    std::array<Vec3, 2> line;
-  };
-  /// Of a gap on one of its borders, low and high.
-  using Corners = std::array<const MeshVertex*, 2>;
-  struct Cuts {
-    std::vector<Cut> list;
-    std::unordered_map<Index, std::vector<Vec3>> places;  ///< where they cut each edge
-  };
-
-  /// Orders places on one line of the plan along it.
-  class AlongLine {
-   public:
-    /// The line from one place to another one, which differ in the plan; `geometry` must outlive this.
-    AlongLine(const MeshVertex& from, const MeshVertex& to, std::optional<MeshGeometry>& geometry);
-    bool operator()(const MeshVertex& a, const MeshVertex& b) const {
-      return direction_ * (*geometry_)->compare(a, b, axis_) < 0;
-    }
-
-   private:
-    std::optional<MeshGeometry>* geometry_;
-    int axis_, direction_;
-  };
-  using Splits = std::set<MeshVertex, AlongLine>;
-
   /// What pairs of borders are tried with; one for each thread.
   struct Worker {
     MeshGeometry geometry;
@@ -92,49 +53,27 @@ class StepLinker {
     std::vector<GapStretch> gapStretches;
   };
 
-  void findBorders();
-  void buildTree();
-  void findStretches(double step, double height, double gap);
-  void addStretches(const WalkableMesh& earlier, const Border& from, const Border& to, bool isGap);
+  [[nodiscard]] Worker makeWorker(const Limits& limits, double gap) const;
+  void findStretches(const Limits& limits, double gap);
   void tryPair(Index first, Index second, Worker& worker) const;
-  void tryGap(Index first, Index second, Worker& worker) const;
-  [[nodiscard]] GapBorder gapBorderOf(const Border& border) const;
-  [[nodiscard]] std::vector<KnownLine> linesOf(const Border& border, MeshGeometry& geometry) const;
-  void splitEdges();
+  /// The places of a stretch that can be stepped over, as stretches of their own.
+  void addFree(const Stretch& whole, int axis, int direction, Worker& worker) const;
+  void take(Worker& worker);
+  /// What is left of the two borders of a link, which run against each other. `worker` may be null: nothing is asked.
+  void addRemains(const WalkableMesh& earlier, const MeshBorder& from, const MeshBorder& to, bool isGap,
+                  Worker* worker);
+  [[nodiscard]] std::vector<Index> remainsOf(const WalkableMesh& earlier, const MeshBorder& old);
   void splitAtSteps();
-  void splitAtGaps();
-  void spreadSplits(Index edge);
-  void planCuts(Cuts& cuts);
-  void planCut(GapStretch& stretch, Index border, double along, Cuts& cuts);
-  void makeCuts(const std::vector<Cut>& cuts);
-  /// Proves of all gaps what the cuts made of them; draws in ends that an obstacle reaches. False when one was.
-  bool proveGaps();
-  [[nodiscard]] bool isProven(const GapStretch& stretch, int& end, bool& isOverlap);
-  [[nodiscard]] bool isWider(const MeshVertex& a, const MeshVertex& b) const;
-  [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
-  /// The vertex of a border, or of its splits, at a place along a frame; null when there is none.
-  [[nodiscard]] const MeshVertex* vertexAt(const Border& border, const GapFrame& frame, double along) const;
-  void addGapLinks(WalkableMesh& result, const GapStretch& stretch, const std::vector<Index>& from,
-                   const std::vector<Index>& to);
-  /// False when there was a vertex already.
-  bool insertSplit(Index edge, const MeshVertex& place);
-  /// The splits of an edge strictly between two places of its line.
-  [[nodiscard]] std::vector<MeshVertex> splitsBetween(Index edge, const MeshVertex& a, const MeshVertex& b) const;
+  void spreadSplits(const std::vector<Index>& changed);
+  void addStepLinks(std::vector<MeshLink>& links);
   [[nodiscard]] std::shared_ptr<const WalkableMesh> makeMesh();
 
   const WalkableState& state_;
-  std::shared_ptr<const PlanKernel> kernel_;
-  const WalkableMesh& mesh_;
   RunContext& context_;
-  std::shared_ptr<const Adjacency> topology_;
-  std::vector<Border> borders_;
-  BoxTree<3> tree_;  ///< of the borders
+  BorderSplits splits_;
+  std::optional<GapLinker> gaps_;
   std::vector<Stretch> stretches_;
-  std::vector<GapStretch> gaps_;
-  double gap_ = 0;                            ///< how wide they may be
-  std::unordered_map<Index, Splits> splits_;  ///< of edges, in the direction of their first sides
-  std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges, once they are asked for
-  std::optional<MeshGeometry> geometry_;
+  std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges
   ExactFallbacks fallbacks_;
   std::size_t undecided_ = 0;
 };

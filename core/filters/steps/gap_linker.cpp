@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filters/steps/gap_linker.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/base/geometry.hpp"
+#include "core/mesh/lifted_vertex.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kUnit = GapConditions::kUnit;
+constexpr double kSnap = GapConditions::kSnap;
+/// Places of two borders that are nearer along a gap are across from each other. Each is that near to where it is due,
+/// so together they use up what GapConditions left, and no more.
+constexpr double kAcross = GapConditions::kSlack / 2;
+/// Each line that cuts a border goes on so far behind it, so that rounding its ends hardly turns it.
+constexpr double kArm = 0x1p20;
+/// Coordinates of places are below that.
+constexpr double kMostCoordinate = 0x1p36;
+/// Splits bring forth others on the borders across. Where gaps are wide beside edges, and many borders face each other
+/// at all angles, there is no end to that; what is not matched then is not linked, and counted.
+constexpr int kRounds = 4;
+/// So far an end is drawn in from where an obstacle touches it: by more than GapConditions left to be compared exactly.
+constexpr double kDrawnIn = 4 * GapConditions::kSlack;
+constexpr std::size_t kBordersPerTask = 1024;
+
+Vec3 roundToUnit(const Vec3& p) {
+  return {std::nearbyint(p.x / kUnit) * kUnit, std::nearbyint(p.y / kUnit) * kUnit, p.z};
+}
+bool isNear(const Vec3& a, const Vec3& b) { return std::fabs(a.x - b.x) <= kSnap && std::fabs(a.y - b.y) <= kSnap; }
+double longerOf(const GapBorder& line, const Vec3& place) {
+  return std::fabs(line.to.x - line.from.x) >= std::fabs(line.to.y - line.from.y) ? place.x : place.y;
+}
+
+}  // namespace
+
+GapLinker::GapLinker(BorderSplits& splits, double gap, RunContext& context)
+    : splits_(splits), context_(context), gap_(gap), lines_(splits.borders().size()) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines_.size(), kBordersPerTask), [&](const auto& range) {
+    context_.checkCancelled();
+    for (std::size_t i = range.begin(); i != range.end(); ++i) lines_[i] = lineOf(splits_.borders()[i]);
+  });
+}
+
+Vec3 GapLinker::placeOf(const MeshVertex& v) const {
+  if (v.error < 2 * kUnit) return {v.x, v.y, v.z};
+  const PlanKernel& kernel = *splits_.kernel();
+  const int scale = kernel.mesh().grid.scaleExponent();
+  const Vec3 place = kernel.roundedPosition(v.point, v.face);
+  return {std::ldexp(place.x, scale), std::ldexp(place.y, scale), std::ldexp(place.z, scale)};
+}
+
+GapBorder GapLinker::lineOf(const MeshBorder& border) const {
+  const SourceMesh& source = splits_.kernel()->mesh();
+  GapBorder result{placeOf(splits_.vertex(border.from)), placeOf(splits_.vertex(border.to)), {}};
+  const auto& normal = source.normals[border.face];
+  const auto isZero = [](const ErrorDouble& x) { return x.value == 0 && x.error == 0; };
+  if (isZero(normal[0]) && isZero(normal[1])) result.level = source.scaled[source.triangles[border.face][0]].z;
+  return result;
+}
+
+std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions& conditions,
+                                        MeshGeometry& geometry) const {
+  std::vector<GapStretch> found;
+  const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
+  if (e.edge == f.edge) return found;
+  std::optional<GapPiece> piece = conditions.findNear(lines_[first], lines_[second]);
+  if (!piece) return found;
+  // Where they coincide, there is no gap.
+  const int from = geometry.orientation(e.from, e.to, f.from), to = geometry.orientation(e.from, e.to, f.to);
+  if (from == 0 && to == 0) return found;
+  for (GapPiece& free : conditions.findFree(lines_[first], lines_[second], *piece))
+    found.push_back({first, second, std::move(free), {}, false});
+  return found;
+}
+
+std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, GapConditions* conditions) const {
+  std::vector<GapStretch> found;
+  const GapBorder &e = lines_[first], &f = lines_[second];
+  const std::optional<GapFrame> frame = GapConditions::frameOf(e, f);
+  if (!frame) return found;
+  const double begin = std::max(frame->along(e.from.x, e.from.y), frame->along(f.to.x, f.to.y));
+  const double end = std::min(frame->along(e.to.x, e.to.y), frame->along(f.from.x, f.from.y));
+  if (!(end - begin > GapConditions::kShort)) return found;
+  const GapPiece whole{*frame, {begin, end}, {}};
+  if (conditions == nullptr) return {{first, second, whole, {}, false}};
+  for (GapPiece& free : conditions->findFree(e, f, whole))
+    found.push_back({first, second, std::move(free), {}, false});
+  return found;
+}
+
+void GapLinker::add(std::vector<GapStretch> stretches) {
+  std::move(stretches.begin(), stretches.end(), std::back_inserter(gaps_));
+}
+
+double GapLinker::alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i) const {
+  const Vec3 place = placeOf(splits_.chainVertex(border, i));
+  return frame.along(place.x, place.y);
+}
+
+GapLinker::ChainPart GapLinker::partOf(Index number, const GapFrame& frame, double low, double high) const {
+  const MeshBorder& border = splits_.border(number);
+  const std::size_t count = splits_.chainLength(border);
+  const bool isAscending = alongOf(border, frame, 0) < alongOf(border, frame, count - 1);
+  const auto firstWhere = [&](const auto& holds) {
+    std::size_t begin = 0, end = count;
+    while (begin < end) {
+      const std::size_t middle = begin + (end - begin) / 2;
+      if (holds(alongOf(border, frame, middle)))
+        end = middle;
+      else
+        begin = middle + 1;
+    }
+    return begin;
+  };
+  if (isAscending)
+    return {firstWhere([&](double along) { return along >= low; }),
+            firstWhere([&](double along) { return along > high; })};
+  return {firstWhere([&](double along) { return along <= high; }),
+          firstWhere([&](double along) { return along < low; })};
+}
+
+const MeshVertex* GapLinker::vertexAt(Index number, const GapFrame& frame, double along) const {
+  const MeshBorder& border = splits_.border(number);
+  const ChainPart part = partOf(number, frame, along - kAcross, along + kAcross);
+  const MeshVertex* best = nullptr;
+  double least = 0;
+  for (std::size_t i = part.begin; i < part.end; ++i) {
+    const double distance = std::fabs(alongOf(border, frame, i) - along);
+    if (best != nullptr && distance >= least) continue;
+    best = &splits_.chainVertex(border, i);
+    least = distance;
+  }
+  return best;
+}
+
+void GapLinker::planCut(GapStretch& stretch, Index number, double along, Cuts& cuts) {
+  const GapFrame& frame = stretch.piece.frame;
+  if (vertexAt(number, frame, along) != nullptr) return;
+  const GapBorder& line = lines_[number];
+  const double begin = frame.along(line.from.x, line.from.y), end = frame.along(line.to.x, line.to.y);
+  const double t = (along - begin) / (end - begin);
+  const double across = frame.across(line.from.x, line.from.y) * (1 - t) + frame.across(line.to.x, line.to.y) * t;
+  const Vec3 place = frame.place(along, across);
+  auto& planned = cuts.places[splits_.border(number).edge];
+  const double key = longerOf(line, place);
+  for (auto it = planned.lower_bound(key - kSnap); it != planned.end() && it->first <= key + kSnap; ++it)
+    if (isNear(place, it->second)) return;
+  const Cut cut{number,
+                {roundToUnit(frame.place(along, across - kArm)), roundToUnit(frame.place(along, across + kArm))}};
+  for (const Vec3& p : cut.line)
+    if (!(std::max(std::fabs(p.x), std::fabs(p.y)) < kMostCoordinate)) stretch.isDropped = true;
+  if (stretch.isDropped) {
+    ++undecided_;
+    return;
+  }
+  planned.emplace(key, place);
+  cuts.list.push_back(cut);
+}
+
+// The ends of all gaps, and what lies across from each vertex within one.
+void GapLinker::planCuts(Cuts& cuts) {
+  for (GapStretch& stretch : gaps_) {
+    context_.checkCancelled();
+    const auto [low, high] = stretch.piece.ends;
+    for (const double end : {low, high})
+      for (const Index border : {stretch.first, stretch.second})
+        if (!stretch.isDropped) planCut(stretch, border, end, cuts);
+    for (const auto& [own, other] :
+         {std::array{stretch.first, stretch.second}, std::array{stretch.second, stretch.first}}) {
+      const MeshBorder& border = splits_.border(own);
+      const ChainPart part = partOf(own, stretch.piece.frame, low + kAcross, high - kAcross);
+      const std::size_t last = std::min(part.end, splits_.chainLength(border) - 1);
+      for (std::size_t i = std::max<std::size_t>(part.begin, 1); i < last && !stretch.isDropped; ++i)
+        planCut(stretch, other, alongOf(border, stretch.piece.frame, i), cuts);
+    }
+  }
+}
+
+void GapLinker::makeCuts(const std::vector<Cut>& cuts, const Spread& spread) {
+  if (cuts.empty()) return;
+  const PlanKernel& before = *splits_.kernel();
+  std::vector<Vec3> places;
+  const double anywhere = before.mesh().scaled.front().z;
+  for (const Cut& cut : cuts)
+    for (const Vec3& p : cut.line) places.push_back({p.x, p.y, anywhere});
+  auto mesh = std::make_shared<SourceMesh>(before.mesh());
+  if (!mesh->withoutPlaces) mesh->withoutPlaces = before.sharedMesh();
+  const std::vector<Index> ids = addPlanPlaces(*mesh, places);
+  splits_.replaceKernel(std::make_shared<PlanKernel>(std::move(mesh), before.heights(), before.borders()));
+  std::vector<Index> changed;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    context_.checkCancelled();
+    const MeshBorder& border = splits_.border(cuts[i].border);
+    const Index a = ids[2 * i], b = ids[2 * i + 1];
+    const std::vector<KnownLine> lines = splits_.linesOf(border, splits_.geometry());
+    if (a == b || lines.empty()) continue;
+    const auto& [line, face] = lines.front();
+    const PlanLine across{PlanLine::Edge, std::min(a, b), std::max(a, b)};
+    const PlanPoint point = PlanPoint::crossing(line, across, line.kind == PlanLine::Trace ? face : -1);
+    if (splits_.insert(border.edge, liftedVertex(*splits_.kernel(), border.face, point))) changed.push_back(border.edge);
+  }
+  spread(changed);
+}
+
+// Whether an obstacle meets the quadrangle p[0] q[0] q[1] p[1] at nothing but points of the side from p[end] to q[end]:
+// the line of that side parts them, or the line of one of the obstacle's edges, on which neither both p nor both q lie.
+bool GapLinker::isOutside(Index obstacle, const Corners& p, const Corners& q, int end) {
+  const PlanKernel& kernel = *splits_.kernel();
+  const SourceMesh& source = kernel.mesh();
+  const auto& corners = source.triangles[obstacle];
+  const Index origin = source.triangles[p[0]->face][0];
+  const auto turn = [&](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+    return kernel.orientation(a, b, c, origin, fallbacks_);
+  };
+  const auto pointOf = [&](Index v) { return PlanPoint::source(source.planIds[v]); };
+  const int outer = end == 0 ? -1 : 1;
+  if (std::ranges::all_of(corners,
+                          [&](Index v) { return outer * turn(p[end]->point, q[end]->point, pointOf(v)) >= 0; }))
+    return true;
+  for (int k = 0; k < 3; ++k) {
+    const PlanPoint a = pointOf(corners[k]), b = pointOf(corners[next(k)]);
+    if (a == b) continue;
+    const std::array<int, 2> onP{turn(a, b, p[0]->point), turn(a, b, p[1]->point)};
+    const std::array<int, 2> onQ{turn(a, b, q[0]->point), turn(a, b, q[1]->point)};
+    if ((onP[0] == 0 && onP[1] == 0) || (onQ[0] == 0 && onQ[1] == 0)) continue;
+    for (const int side : {1, -1}) {  // that of the quadrangle
+      if (side * source.facing[obstacle] > 0) continue;
+      if (side * onP[0] >= 0 && side * onP[1] >= 0 && side * onQ[0] >= 0 && side * onQ[1] >= 0) return true;
+    }
+  }
+  return false;
+}
+
+bool GapLinker::isWider(const MeshVertex& a, const MeshVertex& b) const {
+  const PlanKernel& kernel = *splits_.kernel();
+  const auto p = kernel.exactPosition(a.point, a.face), q = kernel.exactPosition(b.point, b.face);
+  const mpq_class x = p[0] - q[0], y = p[1] - q[1], gap(gap_);
+  return x * x + y * y > gap * gap;
+}
+
+// Its corners are those of a convex quadrangle, or of a triangle where both borders meet at an end; all obstacles are
+// beyond it.
+GapLinker::Proof GapLinker::prove(const GapStretch& stretch) {
+  const GapPiece& piece = stretch.piece;
+  Corners p{}, q{};  // low and high, on the first border and on the second one
+  for (const int i : {0, 1}) {
+    p[i] = vertexAt(stretch.first, piece.frame, piece.ends[i]);
+    q[i] = vertexAt(stretch.second, piece.frame, piece.ends[i]);
+    if (p[i] == nullptr || q[i] == nullptr) return {Fault::Unknown, -1};
+  }
+  const PlanKernel& kernel = *splits_.kernel();
+  const Index origin = kernel.mesh().triangles[p[0]->face][0];
+  const auto turn = [&](const MeshVertex* a, const MeshVertex* b, const MeshVertex* c) {
+    return kernel.orientation(a->point, b->point, c->point, origin, fallbacks_);
+  };
+  const std::array turns{turn(p[1], p[0], q[0]), turn(p[0], q[0], q[1]), turn(q[0], q[1], p[1]),
+                         turn(q[1], p[1], p[0])};
+  if (std::ranges::any_of(turns, [](int sign) { return sign < 0; }) || std::ranges::count(turns, 0) > 2) {
+    for (const int i : {1, 0}) {  // only where they meet, in places that are nearly one?
+      const Vec3 a = placeOf(*p[i]), b = placeOf(*q[i]);
+      if (!stretch.isDrawnIn[i] && std::max(std::fabs(a.x - b.x), std::fabs(a.y - b.y)) <= 2 * kAcross)
+        return {Fault::Meets, i};
+    }
+    return {Fault::Overlaps, -1};
+  }
+  if (piece.isAsWide)
+    for (const int i : {0, 1})
+      if (isWider(*p[i], *q[i])) return {Fault::IsTooWide, i};
+  for (const int i : {0, 1})
+    for (const Index obstacle : piece.touching[i])
+      if (!stretch.isDrawnIn[i] && !isOutside(obstacle, p, q, i)) return {Fault::IsTouched, i};
+  return {};
+}
+
+bool GapLinker::drawIn(GapStretch& stretch, const Proof& proof) const {
+  if (proof.end < 0) return false;
+  GapPiece& piece = stretch.piece;
+  const int end = proof.end;
+  if (proof.fault == Fault::IsTooWide) {  // to where it is as wide as GapConditions tells apart from the gap
+    const auto widthAt = [&](int i) {
+      const Vec3 p = placeOf(*vertexAt(stretch.first, piece.frame, piece.ends[i]));
+      const Vec3 q = placeOf(*vertexAt(stretch.second, piece.frame, piece.ends[i]));
+      return std::sqrt((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y));
+    };
+    const double most = std::ldexp(gap_, splits_.kernel()->mesh().grid.scaleExponent()) - GapConditions::kSlack;
+    const double own = widthAt(end), other = widthAt(1 - end);
+    if (!(other < most) || !(own > most)) return false;
+    piece.ends[end] += (piece.ends[1 - end] - piece.ends[end]) * ((own - most) / (own - other));
+    piece.isAsWide = false;
+  } else {
+    stretch.isDrawnIn[end] = true;
+    piece.ends[end] += (end == 0 ? 1 : -1) * kDrawnIn;
+  }
+  return piece.ends[1] - piece.ends[0] > GapConditions::kShort;
+}
+
+bool GapLinker::proveAll() {
+  bool isChanged = false;
+  for (GapStretch& stretch : gaps_) {
+    context_.checkCancelled();
+    if (stretch.isDropped) continue;
+    const Proof proof = prove(stretch);
+    if (proof.fault == Fault::None) continue;
+    if (drawIn(stretch, proof)) {
+      isChanged = true;
+      continue;
+    }
+    stretch.isDropped = true;
+    undecided_ += proof.fault == Fault::Overlaps || proof.fault == Fault::Meets ? 0 : 1;
+  }
+  return isChanged;
+}
+
+void GapLinker::split(const Spread& spread) {
+  for (int round = 0; round < kRounds; ++round) {
+    context_.checkCancelled();
+    Cuts cuts;
+    planCuts(cuts);
+    if (cuts.list.empty() && !proveAll()) return;
+    makeCuts(cuts.list, spread);
+  }
+  while (proveAll()) context_.checkCancelled();  // what is still drawn in then has no vertices there, and goes
+}
+
+// Both in their own directions. Of the vertices within the gap, those that lie across from each other are paired;
+// between two such pairs without another vertex there is a link.
+void GapLinker::addLinks(const GapStretch& stretch, std::vector<MeshLink>& links) {
+  struct Place {
+    Index vertex = -1;
+    double along = 0;
+  };
+  const auto placesOf = [&](Index number) {
+    const MeshBorder& border = splits_.border(number);
+    const GapPiece& piece = stretch.piece;
+    const ChainPart part = partOf(number, piece.frame, piece.ends[0] - kAcross, piece.ends[1] + kAcross);
+    std::vector<Place> places;
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      places.push_back({splits_.chainNumber(border, i), alongOf(border, piece.frame, i)});
+    return places;
+  };
+  const std::vector<Place> first = placesOf(stretch.first);
+  std::vector<Place> second = placesOf(stretch.second);
+  std::reverse(second.begin(), second.end());
+  std::size_t i = 0, j = 0;
+  std::optional<std::array<std::size_t, 2>> last;
+  while (i < first.size() && j < second.size()) {
+    const double distance = first[i].along - second[j].along;
+    if (std::fabs(distance) > 2 * kAcross) {
+      ++(distance < 0 ? i : j);
+      continue;
+    }
+    if (last && (*last)[0] + 1 == i && (*last)[1] + 1 == j) {
+      MeshLink link{{first[i - 1].vertex, first[i].vertex}, {second[j].vertex, second[j - 1].vertex}, true};
+      if (link.to < link.from) std::swap(link.from, link.to);
+      links.push_back(link);
+    } else if (last) {
+      ++undecided_;
+    }
+    last = {i++, j++};
+  }
+}
+
+std::vector<MeshLink> GapLinker::links() {
+  std::vector<MeshLink> links;
+  for (const GapStretch& gap : gaps_) {
+    context_.checkCancelled();
+    if (!gap.isDropped) addLinks(gap, links);
+  }
+  return links;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,103 @@
+// Finding where an agent steps across a gap between two borders, and giving both vertices there.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "core/filters/steps/border_splits.hpp"
+#include "core/filters/steps/gap_conditions.hpp"
+
+namespace footfall::detail {
+
+/// Two borders, the second one to the right of the first, and the piece of the gap between them that is free.
+struct GapStretch {
+  Index first = -1, second = -1;
+  GapPiece piece;
+  std::array<bool, 2> isDrawnIn{};  ///< its ends, from where an obstacle touched them
+  bool isDropped = false;
+};
+
+/// Splits the borders beside gaps so that a link is a pair of whole edges: the place across from a vertex is where a
+/// line at a right angle to the bisector of both borders meets the other one; such lines lead through places of the
+/// plan, which the kernel gets. What the cuts made of a gap is then proven: the area between its ends is free.
+class GapLinker {
+ public:
+  /// `gap`: the widest, in environment units. `splits` must outlive this.
+  GapLinker(BorderSplits& splits, double gap, RunContext& context);
+
+  /// The free pieces between two borders, in their order. Changes nothing: may be called by several threads, with
+  /// conditions and geometry of their own.
+  std::vector<GapStretch> find(Index first, Index second, GapConditions& conditions, MeshGeometry& geometry) const;
+  /// The same of a gap that was stepped over, between what is left of its borders: the stretch along which both lie.
+  /// Nothing but obstacles is asked about, and they only where there are conditions.
+  std::vector<GapStretch> findAgain(Index first, Index second, GapConditions* conditions) const;
+
+  /// What to link; before split().
+  void add(std::vector<GapStretch> stretches);
+  [[nodiscard]] bool isEmpty() const { return gaps_.empty(); }
+  /// Called with the edges that got vertices.
+  using Spread = std::function<void(const std::vector<Index>& changed)>;
+  /// Puts vertices on the borders until those of each gap lie across from each other.
+  void split(const Spread& spread);
+  /// The links, by the vertices of the mesh that `splits` made.
+  [[nodiscard]] std::vector<MeshLink> links();
+
+  /// Pieces of gaps of which it is not known where the link ends: they are not linked.
+  [[nodiscard]] std::size_t undecided() const { return undecided_; }
+  [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
+
+ private:
+  /// A place at which an edge is to be split, and the line across it that says where.
+  struct Cut {
+    Index border = -1;
+    std::array<Vec3, 2> line;
+  };
+  struct Cuts {
+    std::vector<Cut> list;
+    std::unordered_map<Index, std::multimap<double, Vec3>> places;  ///< of each edge, by its longer coordinate
+  };
+  /// Vertices of a border, of its first one (of `from`) and up: those that lie along a part of a frame.
+  struct ChainPart {
+    std::size_t begin = 0, end = 0;
+  };
+  /// Of a gap on one of its borders, low and high.
+  using Corners = std::array<const MeshVertex*, 2>;
+  /// What is wrong with a gap, and at which of its ends.
+  enum class Fault { None, Unknown, Overlaps, Meets, IsTouched, IsTooWide };
+  struct Proof {
+    Fault fault = Fault::None;
+    int end = -1;
+  };
+
+  [[nodiscard]] Vec3 placeOf(const MeshVertex& v) const;
+  [[nodiscard]] GapBorder lineOf(const MeshBorder& border) const;
+  [[nodiscard]] double alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i) const;
+  [[nodiscard]] ChainPart partOf(Index border, const GapFrame& frame, double low, double high) const;
+  /// The vertex of a border at a place along a frame; null when there is none.
+  [[nodiscard]] const MeshVertex* vertexAt(Index border, const GapFrame& frame, double along) const;
+  void planCuts(Cuts& cuts);
+  void planCut(GapStretch& stretch, Index border, double along, Cuts& cuts);
+  void makeCuts(const std::vector<Cut>& cuts, const Spread& spread);
+  /// Proves of all gaps what the cuts made of them; draws ends in. False when none was.
+  bool proveAll();
+  [[nodiscard]] Proof prove(const GapStretch& stretch);
+  /// Draws in the end at which a gap failed. False when nothing is left.
+  [[nodiscard]] bool drawIn(GapStretch& stretch, const Proof& proof) const;
+  [[nodiscard]] bool isWider(const MeshVertex& a, const MeshVertex& b) const;
+  [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
+  void addLinks(const GapStretch& stretch, std::vector<MeshLink>& links);
+
+  BorderSplits& splits_;
+  RunContext& context_;
+  double gap_ = 0;
+  std::vector<GapBorder> lines_;  ///< of all borders
+  std::vector<GapStretch> gaps_;
+  ExactFallbacks fallbacks_;
+  std::size_t undecided_ = 0;
+};
+
+}  // namespace footfall::detail
