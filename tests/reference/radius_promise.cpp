@@ -15,6 +15,7 @@ RadiusTally& RadiusTally::operator+=(const RadiusTally& other) {
   near += other.near;
   far += other.far;
   between += other.between;
+  onNeedles += other.onNeedles;
   doubtful += other.doubtful;
   wrong += other.wrong;
   reports.insert(reports.end(), other.reports.begin(), other.reports.end());
@@ -77,7 +78,7 @@ SurfacePlace RadiusPromise::nearBorder(double which, double along, double how) c
 void RadiusPromise::lookAt(const SurfacePlace& place, RadiusTally& tally) const {
   constexpr double kRounding = 1e-9;  // what the doubles of the two products are off, beside coordinates of about 10
   if (before_.isNeedle(place.triangle)) {
-    ++tally.doubtful;
+    ++tally.onNeedles;
     return;
   }
   const bool isLeft = after_.find(place.x, place.y, before_.height(place), 1e-6).has_value();

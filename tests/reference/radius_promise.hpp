@@ -1,6 +1,5 @@
-// RadiusFilter's promise at random places: nothing nearer than the radius is left, nothing farther than its tolerance is
-// lost (design section 7). Slow, obvious, in doubles.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// RadiusFilter's promise at random places: nothing nearer than the radius is left, nothing farther than its tolerance
+// is lost (design section 7). Slow, obvious, in doubles. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <memory>
@@ -25,7 +24,8 @@ struct RadiusDistances {
 struct RadiusTally {
   std::size_t near = 0, far = 0;     ///< of which it is certain that they must go, or stay
   std::size_t between = 0;           ///< may go or stay
-  std::size_t doubtful = 0;          ///< walks from there came upon a needle
+  std::size_t onNeedles = 0;         ///< triangles so thin that doubles say nothing of them
+  std::size_t doubtful = 0;          ///< walks from there came upon one
   std::size_t wrong = 0;             ///< that should have gone and stayed, or the other way round
   std::vector<std::string> reports;  ///< about the first of these
   RadiusTally& operator+=(const RadiusTally& other);

@@ -52,9 +52,10 @@ CoverHeights heightsOver(const EdgeFrame& frame, const std::array<Vec3, 3>& corn
 
 /// The triangle is as high over the border as the step or lower, or as the clearance or higher, to within rounding: so
 /// are floors and slopes that end where the area ends. Of very steep ones doubles do not tell.
-bool isBesideToRounding(BorderKinds& kinds, const CoverAlong& cover) {
+bool isBesideToRounding(BorderKinds& kinds, Index triangle) {
+  if (kinds.kernel().mesh().facing[triangle] == 0) return false;
   const EdgeFrame& frame = kinds.frame();
-  const auto [n, atBegin, atEnd] = heightsOver(frame, kinds.cornersOf(cover.triangle));
+  const auto [n, atBegin, atEnd] = heightsOver(frame, kinds.cornersOf(triangle));
   if (std::fabs(n.z) < kLevel * std::max(std::fabs(n.x), std::fabs(n.y))) return false;
   return std::max(atBegin, atEnd) <= kinds.heightOf(kinds.stepLevel()) + frame.margin() ||
          std::min(atBegin, atEnd) >= kinds.heightOf(kinds.heightLevel()) - frame.margin();
@@ -98,6 +99,7 @@ std::vector<EdgePiece> nearWalls(BorderKinds& kinds) {
   kinds.visitNear({{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z) + lowest},
                    {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z) + highest}},
                   [&](Index t) {
+                    if (isBesideToRounding(kinds, t)) return;
                     if (const auto piece = frame.shadow(kinds.cornersOf(t), beside)) walls.push_back(*piece);
                   });
   return walls;
@@ -151,8 +153,11 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
     pieces.push_back({side, placeAt(at), placeAt(to), isLedge, at == 0 && to == 1 ? 0 : error});
     at = to;
   };
-  for (const EdgePiece& ledge : widened(without(without(kinds_.ledges([&](const CoverAlong& c) { return isBesideToRounding(kinds_, c); }), grazedWalls(kinds_)), nearWalls(kinds_)),
-                                        isLedgeInDoubt_ ? doubt : 0, 2 * doubt)) {
+  for (const EdgePiece& ledge : widened(
+           without(without(kinds_.ledges([&](const CoverAlong& c) { return isBesideToRounding(kinds_, c.triangle); }),
+                           grazedWalls(kinds_)),
+                   nearWalls(kinds_)),
+           isLedgeInDoubt_ ? doubt : 0, 2 * doubt)) {
     add(ledge.begin, false);
     add(ledge.end, true);
   }

@@ -32,7 +32,8 @@ class TestRadiusPromise : public QObject {
     for (const char* name : {"complex", "fortitude"})
       add(qPrintable(QString("%1 in units").arg(name)), QString("%1.obj").arg(name), 40);
     add("town", "town/town_model.gltf", 2);
-    for (const char* name : {"LargeBuilding", "TallBuilding", "SimpleWall"}) add(name, QString("ifc/%1.ifc").arg(name), 2);
+    for (const char* name : {"LargeBuilding", "TallBuilding", "SimpleWall"})
+      add(name, QString("ifc/%1.ifc").arg(name), 2);
     for (const char* name : {"house", "rooms", "villa", "arena", "docks", "tower"})
       add(name, QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2);
     // With distances of their own for walls and for ledges.
@@ -47,19 +48,17 @@ class TestRadiusPromise : public QObject {
     QFETCH(double, walls);
     QFETCH(double, ledges);
     const bool isShared = !file.startsWith('/');
-    if (isShared && sharedEnvironments().isEmpty())
-      QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
-    const auto environment =
-        importEnvironment((isShared ? sharedEnvironments() + "/" + file : file).toStdString());
+    if (isShared && sharedEnvironments().isEmpty()) QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
+    const auto environment = importEnvironment((isShared ? sharedEnvironments() + "/" + file : file).toStdString());
     std::mt19937 random(static_cast<unsigned>(seed()));
-    const RadiusTally tally = reference::lookAtRadius(
-        environment, minimalPipeline(height) + "\nStepFilter " + std::to_string(height / 5), {walls, ledges},
-        rounds(4000), random);
-    qInfo("%zu places nearer, %zu farther, %zu between, %zu near needles, %zu wrong", tally.near, tally.far,
-          tally.between, tally.doubtful, tally.wrong);
+    const RadiusTally tally =
+        reference::lookAtRadius(environment, minimalPipeline(height) + "\nStepFilter " + std::to_string(height / 5),
+                                {walls, ledges}, rounds(4000), random);
+    qInfo("%zu places nearer, %zu farther, %zu between, %zu on needles, %zu near them, %zu wrong", tally.near,
+          tally.far, tally.between, tally.onNeedles, tally.doubtful, tally.wrong);
     for (const std::string& report : tally.reports) qWarning("%s", report.c_str());
     QCOMPARE(tally.wrong, std::size_t{0});
-    QVERIFY(tally.near + tally.far > 20 * tally.doubtful);
+    QVERIFY(tally.near + tally.far > 10 * tally.doubtful);
     QVERIFY(tally.near > 0);
   }
 };
