@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kHair = 1e-7;    // of heights and shares
 constexpr double kBeside = 1e-6;  // how far to the right of the border is "beside"
+constexpr double kCloser = 1e-3;  // of that: what differs there has another limit than what doubles see
 
 /// Heights of a triangle straight over a place of the plan.
 struct HeightRange {
@@ -98,10 +99,10 @@ std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec
   std::sort(shares.begin(), shares.end());
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   const double outX = (b.y - a.y) / length, outY = -(b.x - a.x) / length;
-  const auto reaches = [&](double share, double more) {
+  const auto reaches = [&](double share, double more, double beside) {
     const double x = a.x + share * (b.x - a.x), y = a.y + share * (b.y - a.y), z = a.z + share * (b.z - a.z);
     return std::any_of(near.begin(), near.end(), [&](const std::array<Vec3, 3>& t) {
-      for (const double out : {0.0, kBeside}) {
+      for (const double out : {0.0, beside}) {
         const auto range = heightsAt(t, x + out * outX, y + out * outY, out == 0 ? 1e-9 : 0);
         if (range && range->highest > z + step - more && range->lowest < z + height + more) return true;
       }
@@ -113,8 +114,12 @@ std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec
     const double begin = shares[i - 1], end = shares[i], middle = begin + (end - begin) / 2;
     if (begin == end) continue;
     BorderKind kind = BorderKind::Doubtful;
-    if ((end - begin) * length > 10 * kBeside && reaches(middle, kHair) == reaches(middle, -kHair))
-      kind = reaches(middle, 0) ? BorderKind::Wall : BorderKind::Ledge;
+    const bool isWall = reaches(middle, 0, kBeside);
+    const auto isSure = [&](double beside) {
+      return reaches(middle, kHair, beside) == isWall && reaches(middle, -kHair, beside) == isWall;
+    };
+    if ((end - begin) * length > 10 * kBeside && isSure(kBeside) && isSure(kCloser * kBeside))
+      kind = isWall ? BorderKind::Wall : BorderKind::Ledge;
     if (!stretches.empty() && stretches.back().kind == kind)
       stretches.back().end = end;
     else

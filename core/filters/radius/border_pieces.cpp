@@ -34,22 +34,45 @@ std::vector<EdgePiece> widened(const std::vector<EdgePiece>& ledges, double more
   return result;
 }
 
+constexpr double kLevel = 0x1p-20;  // of slopes
+
+/// Of a triangle that is not vertical, its normal and how high its plane is over the ends of the border.
+struct CoverHeights {
+  Vec3 normal;
+  double atBegin = 0, atEnd = 0;
+};
+CoverHeights heightsOver(const EdgeFrame& frame, const std::array<Vec3, 3>& corners) {
+  const Vec3& p = corners[0];
+  const Vec3 n = cross(corners[1] - p, corners[2] - p);
+  const auto above = [&](const Vec3& place) {
+    return p.z - (n.x * (place.x - p.x) + n.y * (place.y - p.y)) / n.z - place.z;
+  };
+  return {n, above(frame.at(0)), above(frame.at(1))};
+}
+
+/// The triangle is as high over the border as the step or lower, or as the clearance or higher, to within rounding: so
+/// are floors and slopes that end where the area ends. Of very steep ones doubles do not tell.
+bool isBesideToRounding(BorderKinds& kinds, Index triangle) {
+  if (kinds.kernel().mesh().facing[triangle] == 0) return false;
+  const EdgeFrame& frame = kinds.frame();
+  const auto [n, atBegin, atEnd] = heightsOver(frame, kinds.cornersOf(triangle));
+  if (std::fabs(n.z) < kLevel * std::max(std::fabs(n.x), std::fabs(n.y))) return false;
+  return std::max(atBegin, atEnd) <= kinds.heightOf(kinds.stepLevel()) + frame.margin() ||
+         std::min(atBegin, atEnd) >= kinds.heightOf(kinds.heightLevel()) - frame.margin();
+}
+
 /// Where a triangle begins to be a wall right at the border: it is as high over it as the step and rises outwards, or
 /// as the clearance and falls. So are all borders that a slanting ceiling makes, to within rounding.
 std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
-  constexpr double kLevel = 0x1p-20;  // of slopes
   const EdgeFrame& frame = kinds.frame();
   const double step = kinds.heightOf(kinds.stepLevel()), height = kinds.heightOf(kinds.heightLevel());
   std::vector<EdgePiece> walls;
   for (const CoverAlong& cover : kinds.covers()) {
     if (!cover.isOutside) continue;
     const std::array<Vec3, 3> corners = kinds.cornersOf(cover.triangle);
-    const Vec3& p = corners[0];
-    const Vec3 n = cross(corners[1] - p, corners[2] - p);
-    const auto above = [&](const Vec3& place) {
-      return p.z - (n.x * (place.x - p.x) + n.y * (place.y - p.y)) / n.z - place.z;
-    };
-    const double atBegin = above(frame.at(0)), atEnd = above(frame.at(1));
+    const CoverHeights above = heightsOver(frame, corners);
+    const double atBegin = above.atBegin, atEnd = above.atEnd;
+    const Vec3 n = above.normal;
     const double rise = -(n.x * frame.outwards().x + n.y * frame.outwards().y) / n.z;
     const auto isAt = [&](double level) {
       return std::max(std::fabs(atBegin - level), std::fabs(atEnd - level)) <= frame.margin();
@@ -76,6 +99,7 @@ std::vector<EdgePiece> nearWalls(BorderKinds& kinds) {
   kinds.visitNear({{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z) + lowest},
                    {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z) + highest}},
                   [&](Index t) {
+                    if (isBesideToRounding(kinds, t)) return;
                     if (const auto piece = frame.shadow(kinds.cornersOf(t), beside)) walls.push_back(*piece);
                   });
   return walls;
@@ -129,8 +153,11 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
     pieces.push_back({side, placeAt(at), placeAt(to), isLedge, at == 0 && to == 1 ? 0 : error});
     at = to;
   };
-  for (const EdgePiece& ledge : widened(without(without(kinds_.ledges(), grazedWalls(kinds_)), nearWalls(kinds_)),
-                                        isLedgeInDoubt_ ? doubt : 0, 2 * doubt)) {
+  for (const EdgePiece& ledge : widened(
+           without(without(kinds_.ledges([&](const CoverAlong& c) { return isBesideToRounding(kinds_, c.triangle); }),
+                           grazedWalls(kinds_)),
+                   nearWalls(kinds_)),
+           isLedgeInDoubt_ ? doubt : 0, 2 * doubt)) {
     add(ledge.begin, false);
     add(ledge.end, true);
   }

@@ -83,18 +83,16 @@ void BorderKinds::addWall(Index triangle) {
     walls_.push_back(*piece);
 }
 
-std::vector<EdgePiece> BorderKinds::ledges() {
+std::vector<EdgePiece> BorderKinds::ledgesWithout(const std::vector<const CoverAlong*>& covers) const {
   EdgePieces pieces;
-  for (const CoverAlong& c : covers_) {
-    if (c.overStep.begin <= 0 && c.overStep.end <= 0) continue;
-    if (c.underHeight.begin >= 0 && c.underHeight.end >= 0) continue;
-    for (const SignAlong& sign : c.inside) pieces.add(sign);
-    pieces.add(c.overStep);
-    pieces.add(c.underHeight);
+  for (const CoverAlong* c : covers) {
+    for (const SignAlong& sign : c->inside) pieces.add(sign);
+    pieces.add(c->overStep);
+    pieces.add(c->underHeight);
   }
   return without(pieces.where([&](const EdgePiece& piece) {
-    return std::none_of(covers_.begin(), covers_.end(), [&](const CoverAlong& c) {
-      return c.overStep.on(piece) > 0 && c.underHeight.on(piece) < 0 && c.covers(piece);
+    return std::none_of(covers.begin(), covers.end(), [&](const CoverAlong* c) {
+      return c->overStep.on(piece) > 0 && c->underHeight.on(piece) < 0 && c->covers(piece);
     });
   }),
                  walls_);

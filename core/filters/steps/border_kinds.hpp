@@ -17,6 +17,10 @@ struct CoverAlong {
   bool isOutside = true;  ///< it has an inside in the limit on the far side, where all of `inside` are positive
   SignAlong overStep{}, underHeight{};  ///< over the border, raised by the step and by the height
 
+  /// Some of it is over the step, and some under the height.
+  [[nodiscard]] bool mayBeWall() const {
+    return (overStep.begin > 0 || overStep.end > 0) && (underHeight.begin < 0 || underHeight.end < 0);
+  }
   /// The border is under or over the triangle, its outline included.
   [[nodiscard]] bool covers(const EdgePiece& piece) const;
 };
@@ -37,7 +41,17 @@ class BorderKinds {
   void turnTo(const BorderEdge& edge, const Vec3& begin, const Vec3& end, double below);
 
   // Of the edge that it turned to:
-  [[nodiscard]] std::vector<EdgePiece> ledges();
+  [[nodiscard]] std::vector<EdgePiece> ledges() {
+    return ledges([](const CoverAlong&) { return false; });
+  }
+  /// The same without the covers that are left out.
+  template <class IsLeftOut>
+  [[nodiscard]] std::vector<EdgePiece> ledges(const IsLeftOut& isLeftOut) {
+    std::vector<const CoverAlong*> covers;
+    for (const CoverAlong& c : covers_)
+      if (c.mayBeWall() && !isLeftOut(c)) covers.push_back(&c);
+    return ledgesWithout(covers);
+  }
   [[nodiscard]] const std::vector<CoverAlong>& covers() const { return covers_; }
   [[nodiscard]] const BorderEdge& edge() const { return edge_; }
   [[nodiscard]] const EdgeFrame& frame() const { return frame_; }
@@ -66,6 +80,7 @@ class BorderKinds {
   void widen(Box& box) const;
   void addCover(Index triangle);
   void addWall(Index triangle);
+  [[nodiscard]] std::vector<EdgePiece> ledgesWithout(const std::vector<const CoverAlong*>& covers) const;
 
   const PlanKernel& kernel_;
   const std::vector<char>& removed_;

@@ -1,0 +1,67 @@
+// RadiusFilter's promise at random places: nothing nearer than the radius is left, nothing farther than its tolerance
+// is lost (design section 7). Slow, obvious, in doubles. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "footfall/environment.hpp"
+#include "tests/reference/border_distance.hpp"
+
+namespace footfall::reference {
+
+/// What an agent keeps away from walls and from ledges.
+struct RadiusDistances {
+  double walls = 0, ledges = 0;
+  double tolerance = 0.01;
+  [[nodiscard]] bool areEqual() const { return walls == ledges; }
+};
+
+/// How many places were looked at.
+struct RadiusTally {
+  std::size_t near = 0, far = 0;     ///< of which it is certain that they must go, or stay
+  std::size_t between = 0;           ///< may go or stay
+  std::size_t onNeedles = 0;         ///< triangles so thin that doubles say nothing of them
+  std::size_t doubtful = 0;          ///< walks from there came upon one
+  std::size_t wrong = 0;             ///< that should have gone and stayed, or the other way round
+  std::vector<std::string> reports;  ///< about the first of these
+  RadiusTally& operator+=(const RadiusTally& other);
+};
+
+/// Looks at places of the area before the filter: evenly strewn, and along its border.
+class RadiusPromise {
+ public:
+  RadiusPromise(const NavigationMesh& before, const NavigationMesh& after, const RadiusDistances& distances);
+
+  /// Tells walls from ledges, which must be done where the distances differ.
+  void divide(const Environment& environment, double step, double height) { before_.divide(environment, step, height); }
+
+  [[nodiscard]] RadiusTally look(int places, std::mt19937& random) const;
+
+ private:
+  struct Nearest {
+    std::optional<double> wall, ledge;
+    bool isDoubtful = false;
+  };
+  [[nodiscard]] SurfacePlace anywhere(double which, double u, double v) const;
+  [[nodiscard]] SurfacePlace inside(std::uint32_t t, double u, double v) const;
+  [[nodiscard]] SurfacePlace nearBorder(double which, double along, double how) const;
+  void lookAt(const SurfacePlace& place, RadiusTally& tally) const;
+  [[nodiscard]] Nearest nearestTo(const SurfacePlace& place, bool orDoubtful) const;
+  void tell(const char* what, const SurfacePlace& place, const Nearest& nearest, RadiusTally& tally) const;
+
+  const NavigationMesh& mesh_;
+  BorderDistance before_, after_;
+  RadiusDistances asked_;
+  double radius_;  ///< the larger one
+  std::vector<double> sums_;
+};
+
+/// The same behind a pipeline's text: with RadiusFilter against without. A mesh that no product may be counts as wrong.
+RadiusTally lookAtRadius(const std::shared_ptr<const Environment>& environment, const std::string& before,
+                         const RadiusDistances& distances, int places, std::mt19937& random);
+
+}  // namespace footfall::reference

@@ -1,0 +1,67 @@
+// RadiusFilter's promise on whole environments: at FOOTFALL_TEST_ROUNDS times 4,000 places of each.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <random>
+
+#include "footfall/io.hpp"
+#include "tests/reference/radius_promise.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/soup_generators.hpp"
+#include "tests/unit/environment_files.hpp"
+
+using namespace footfall;
+using namespace footfall::test;
+using reference::RadiusTally;
+
+class TestRadiusPromise : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void isKept_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<double>("height");
+    QTest::addColumn<double>("walls");
+    QTest::addColumn<double>("ledges");
+    const auto add = [](const char* name, const QString& file, double height) {
+      const double radius = 0.15 * height;  // 0.3 m for 2 m
+      QTest::newRow(name) << file << height << radius << radius;
+    };
+    for (const char* name : {"nav_test", "complex", "fortitude"}) add(name, QString("%1.obj").arg(name), 2);
+    add("level", "level.obj", 0.35);
+    for (const char* name : {"ot", "turbine", "dutility", "steelribs"}) add(name, QString("%1.obj").arg(name), 40);
+    for (const char* name : {"complex", "fortitude"})
+      add(qPrintable(QString("%1 in units").arg(name)), QString("%1.obj").arg(name), 40);
+    add("town", "town/town_model.gltf", 2);
+    for (const char* name : {"LargeBuilding", "TallBuilding", "SimpleWall"})
+      add(name, QString("ifc/%1.ifc").arg(name), 2);
+    for (const char* name : {"house", "rooms", "villa", "arena", "docks", "tower"})
+      add(name, QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2);
+    // With distances of their own for walls and for ledges.
+    for (const char* name : {"house", "villa"})
+      QTest::newRow(qPrintable(QString("%1, walls and ledges").arg(name)))
+          << QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name) << 2.0 << 0.3 << 0.1;
+    QTest::newRow("nav_test, walls alone") << "nav_test.obj" << 2.0 << 0.3 << 0.0;
+  }
+  void isKept() {
+    QFETCH(QString, file);
+    QFETCH(double, height);
+    QFETCH(double, walls);
+    QFETCH(double, ledges);
+    const bool isShared = !file.startsWith('/');
+    if (isShared && sharedEnvironments().isEmpty()) QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
+    const auto environment = importEnvironment((isShared ? sharedEnvironments() + "/" + file : file).toStdString());
+    std::mt19937 random(static_cast<unsigned>(seed()));
+    const RadiusTally tally =
+        reference::lookAtRadius(environment, minimalPipeline(height) + "\nStepFilter " + std::to_string(height / 5),
+                                {walls, ledges}, rounds(4000), random);
+    qInfo("%zu places nearer, %zu farther, %zu between, %zu on needles, %zu near them, %zu wrong", tally.near,
+          tally.far, tally.between, tally.onNeedles, tally.doubtful, tally.wrong);
+    for (const std::string& report : tally.reports) qWarning("%s", report.c_str());
+    QCOMPARE(tally.wrong, std::size_t{0});
+    QVERIFY(tally.near + tally.far > 10 * tally.doubtful);
+    QVERIFY(tally.near > 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestRadiusPromise)
+#include "test_radius_promise.moc"
