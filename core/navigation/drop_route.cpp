@@ -19,10 +19,12 @@ namespace {
 constexpr std::uint32_t kNone = SurfaceTopology::kNone;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kGoodEnough = 0.01;           // of the length that no way is shorter than
-constexpr std::size_t kMostPaths = 160;        // between drops
+constexpr std::size_t kMostWork = 200'000;     // nodes of the searches for paths between drops
+constexpr std::size_t kWorkOfPath = 64;        // what each path takes besides
 constexpr std::size_t kMostTries = 4'000'000;  // of one piece after another one
 constexpr std::size_t kTriesPerPoll = 4096;
-constexpr int kSweeps = 4;  // over the drops of a way, each of which is moved
+constexpr int kMends = 4;     // of a way, each of which looks for its bends again
+constexpr int kSweeps = 100;  // over the drops of a way, each of which is moved
 
 using Segment = std::array<Vec3, 2>;
 
@@ -84,11 +86,13 @@ class DropSearch {
       std::vector<std::uint32_t> chain;
       const double bound = shortestChain(best.planLength, chain);
       least = std::max(least, std::min(bound, best.planLength));
-      if (chain.empty() || paths_ >= kMostPaths) break;
+      if (chain.empty() || work_ >= kMostWork) break;
       const bool wasKnown = computeLegs(chain);
       DropRoute route = routeOf(chain);
-      if (!wasKnown) mend(route);
-      if (route.planLength < best.planLength) best = std::move(route);
+      if (route.planLength < best.planLength) {
+        mend(route);
+        best = std::move(route);
+      }
       if (wasKnown) halve(chain);
     }
     if (best.stops.empty()) return std::nullopt;
@@ -212,7 +216,7 @@ class DropSearch {
       const auto [whole, length, piece] = open.top();
       if (whole >= shortest) break;
       if (tries_ > kMostTries && shortest < kInfinity) {
-        paths_ = kMostPaths;  // no more after this one
+        work_ = kMostWork;  // no more after this one
         if (limit < kInfinity) return whole;
         break;
       }
@@ -241,8 +245,9 @@ class DropSearch {
   }
 
   RouteLeg leg(const RouteEnd& a, const RouteEnd& b) {
-    ++paths_;
-    return legBetween_(a, b);
+    const RouteLeg found = legBetween_(a, b);
+    work_ += kWorkOfPath + found.work;
+    return found;
   }
 
   /// Computes the paths between the middles of the pieces; true when all were known.
@@ -285,26 +290,37 @@ class DropSearch {
   /// Moves the places of a way along their drops while that makes it shorter.
   void mend(DropRoute& route) {
     DropRoute tried = route;
-    for (int sweep = 0; sweep < kSweeps && paths_ < kMostPaths; ++sweep) {
+    for (int i = 0; i < kMends && work_ < kMostWork; ++i) {
       const std::vector<RouteLeg> legs = legsOf(tried.stops);
       tried.planLength = 0;
       for (const RouteLeg& l : legs) tried.planLength += l.planLength;
       for (const DropStop& s : tried.stops) tried.planLength += planDistance(s.start, s.landing);
-      const bool isShorter = tried.planLength < route.planLength;
-      const bool isLast = tried.planLength > route.planLength * (1 - 1e-6);
-      if (isShorter) route = tried;
-      if (sweep > 0 && isLast) return;
-      for (std::size_t i = 0; i < tried.stops.size(); ++i) {
-        const std::uint32_t drop = tried.stops[i].drop;
-        // Without bends between two drops, the one before has moved already.
-        const bool comesStraight = i > 0 && legs[i].last == tried.stops[i - 1].landing;
-        const Vec3 from = comesStraight ? tried.stops[i - 1].landing : legs[i].last, to = legs[i + 1].first;
-        tried.stops[i] = stopAt(drop, leastOf([&](double t) {
-                                  const DropStop s = stopAt(drop, t);
-                                  return planDistance(from, s.start) + planDistance(s.start, s.landing) +
-                                         planDistance(s.landing, to);
-                                }));
+      const bool isLittle = i > 0 && tried.planLength > route.planLength * (1 - 1e-9);
+      if (tried.planLength < route.planLength) route = tried;
+      if (isLittle) return;
+      straighten(tried.stops, legs);
+    }
+  }
+
+  /// Puts places where the way between the bends of its legs is shortest.
+  void straighten(std::vector<DropStop>& stops, const std::vector<RouteLeg>& legs) const {
+    double before = kInfinity;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      double length = 0;
+      for (std::size_t i = 0; i < stops.size(); ++i) {
+        const std::uint32_t drop = stops[i].drop;
+        const Vec3 from = i > 0 && legs[i].isStraight ? stops[i - 1].landing : legs[i].last;
+        const Vec3 to = i + 1 < stops.size() && legs[i + 1].isStraight ? stops[i + 1].start : legs[i + 1].first;
+        const auto lengthAt = [&](double t) {
+          const DropStop s = stopAt(drop, t);
+          return planDistance(from, s.start) + planDistance(s.start, s.landing) + planDistance(s.landing, to);
+        };
+        const double t = leastOf(lengthAt);
+        stops[i] = stopAt(drop, t);
+        length += lengthAt(t);
       }
+      if (!(length < before * (1 - 1e-12))) return;
+      before = length;
     }
   }
 
@@ -341,7 +357,7 @@ class DropSearch {
   std::vector<std::vector<std::uint32_t>> startingIn_;  ///< pieces, for each part
   std::map<Pair, double> known_;                        ///< what no way between two pieces is shorter than
   std::map<Pair, double> middles_;                      ///< lengths of the paths between their middles
-  std::size_t paths_ = 0, tries_ = 0;
+  std::size_t work_ = 0, tries_ = 0;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 // Lengths are rounded; drops that start and end in one part are no part of any way, as nobody needs them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -39,6 +40,8 @@ struct DropRoute {
 struct RouteLeg {
   double planLength = 0;
   Vec3 first, last;  ///< its first bend, or its end; its last bend, or its start
+  bool isStraight = false;
+  std::size_t work = 0;  ///< nodes of the search
 };
 
 struct RouteEnd {
@@ -52,7 +55,8 @@ using LegFinder = std::function<RouteLeg(const RouteEnd& from, const RouteEnd& t
 std::vector<char> partsOverDrops(const NavigationMesh& mesh, const SurfaceTopology& topology, std::uint32_t part);
 
 /// The drops from a place in one part to a place in another one; nothing where no drops lead there. The way is at most
-/// 1 % longer than the shortest, or as good as some hundred paths between drops show; leastPlanLength says which.
+/// 1 % longer than the shortest, or as good as a limited number of paths between drops shows; leastPlanLength says
+/// which.
 std::optional<DropRoute> findDropRoute(const NavigationMesh& mesh, const SurfaceTopology& topology,
                                        const RouteEnd& from, const RouteEnd& to, const LegFinder& legBetween,
                                        Poll poll);

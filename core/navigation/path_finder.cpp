@@ -185,8 +185,8 @@ RouteLeg legBetween(const PathGround& ground, const RouteEnd& from, const RouteE
   leg.start = ground.places.nearestInside(from.place, from.triangle);
   leg.end = ground.places.nearestInside(to.place, to.triangle);
   addPath(ground, leg, poll);
-  if (leg.bends.empty()) return {leg.planLength, to.place, from.place};
-  return {leg.planLength, leg.points[leg.bends.front()], leg.points[leg.bends.back()]};
+  if (leg.bends.empty()) return {leg.planLength, to.place, from.place, true, leg.expanded};
+  return {leg.planLength, leg.points[leg.bends.front()], leg.points[leg.bends.back()], false, leg.expanded};
 }
 
 /// Puts the pieces of a path over drops together, one after the other.
