@@ -1,5 +1,7 @@
 // The part of StepLinker that links across gaps.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -49,10 +51,20 @@ GapBorder StepLinker::gapBorderOf(const Border& border) const {
   return result;
 }
 
+// Each border is tried with many others.
+void StepLinker::findGapBorders() {
+  constexpr std::size_t kBordersPerTask = 256;
+  gapBorders_.resize(borders_.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, borders_.size(), kBordersPerTask), [&](const auto& range) {
+    context_.checkCancelled();
+    for (std::size_t i = range.begin(); i != range.end(); ++i) gapBorders_[i] = gapBorderOf(borders_[i]);
+  });
+}
+
 void StepLinker::tryGap(Index first, Index second, Worker& worker) const {
   const Border &e = borders_[first], &f = borders_[second];
   if (e.edge == f.edge) return;
-  const GapBorder near = gapBorderOf(e), far = gapBorderOf(f);
+  const GapBorder &near = gapBorders_[first], &far = gapBorders_[second];
   std::optional<GapPiece> piece = worker.gaps.findNear(near, far);
   if (!piece) return;
   // Where they coincide, there is no gap.

@@ -99,6 +99,7 @@ void StepLinker::findStretches(double step, double height, double gap) {
   const int scale = kernel_->mesh().grid.scaleExponent();
   const double scaledStep = std::ldexp(step, scale), scaledHeight = std::ldexp(height, scale);
   const double scaledGap = std::ldexp(gap, scale);
+  if (gap > 0) findGapBorders();
   tbb::enumerable_thread_specific<Worker> workers([&] {
     return Worker{{*kernel_, mesh_.vertices},
                   {*kernel_, state_.removed, stepLevel, heightLevel},

@@ -82,6 +82,7 @@ class StepLinker {
   void addStretches(const WalkableMesh& earlier, const Border& from, const Border& to, bool isGap);
   void tryPair(Index first, Index second, Worker& worker) const;
   void tryGap(Index first, Index second, Worker& worker) const;
+  void findGapBorders();
   [[nodiscard]] GapBorder gapBorderOf(const Border& border) const;
   [[nodiscard]] std::vector<KnownLine> linesOf(const Border& border, MeshGeometry& geometry) const;
   void splitEdges();
@@ -112,7 +113,8 @@ class StepLinker {
   RunContext& context_;
   std::shared_ptr<const Adjacency> topology_;
   std::vector<Border> borders_;
-  BoxTree<3> tree_;  ///< of the borders
+  std::vector<GapBorder> gapBorders_;  ///< the same, once gaps are looked for
+  BoxTree<3> tree_;                    ///< of the borders
   std::vector<Stretch> stretches_;
   std::vector<GapStretch> gaps_;
   double gap_ = 0;                                                   ///< how wide they may be
