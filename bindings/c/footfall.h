@@ -165,9 +165,10 @@ typedef struct footfall_agent {
   double step;         /* metres, at least 0: how high it climbs at once; 0: it does not lift its feet */
   double gap;          /* metres, at least 0: how wide a gap it steps over, seen from above */
   double radius;       /* metres, at least 0: how far it stays away from walls and ledges; 0: it is a point */
+  double drop;         /* metres, at least 0: how deep it drops from a ledge, one way; 0: it drops nowhere */
 } footfall_agent;
 
-/* 45 degrees, 2 m, 1 square metre, steps of 0.4 m, gaps of 0.05 m, no radius. */
+/* 45 degrees, 2 m, 1 square metre, steps of 0.4 m, gaps of 0.05 m, no radius, no drops. */
 FOOTFALL_API footfall_agent footfall_default_agent(void);
 /* The pipeline for an agent (NULL: the default one) as text, one filter a line, in the environment's units. */
 FOOTFALL_API footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,
@@ -332,6 +333,8 @@ FOOTFALL_API footfall_points footfall_path_points(const footfall_path* path);
 FOOTFALL_API footfall_numbers footfall_path_triangles(const footfall_path* path);
 FOOTFALL_API double footfall_path_length(const footfall_path* path);
 FOOTFALL_API double footfall_path_plan_length(const footfall_path* path);
+/* What no way to the same end is shorter than in the plan: the plan length, or what is proven where drops are taken. */
+FOOTFALL_API double footfall_path_least_plan_length(const footfall_path* path);
 /* How often the path drops, one way down. */
 FOOTFALL_API size_t footfall_path_drop_count(const footfall_path* path);
 /* Why there is no path, in one line, in the frame of the environment's file; "" when there is one. */

@@ -129,6 +129,9 @@ footfall_numbers footfall_path_triangles(const footfall_path* path) {
 
 double footfall_path_length(const footfall_path* path) { return path == nullptr ? 0 : path->path.length; }
 
+double footfall_path_least_plan_length(const footfall_path* path) {
+  return path == nullptr ? 0 : path->path.leastPlanLength;
+}
 double footfall_path_plan_length(const footfall_path* path) { return path == nullptr ? 0 : path->path.planLength; }
 
 size_t footfall_path_drop_count(const footfall_path* path) { return path == nullptr ? 0 : path->path.drops.size(); }

@@ -10,8 +10,8 @@ namespace {
 constexpr const char* kTextName = "pipeline";  // in messages: "pipeline:LINE:COLUMN: ..."
 
 Agent agentOf(const footfall_agent* agent) {
-  return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area,
-                                            agent->step,      agent->gap,    agent->radius};
+  return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area, agent->step,
+                                            agent->gap,       agent->radius, agent->drop};
 }
 
 footfall_result* run(const footfall_environment& environment, Pipeline pipeline, footfall_cache* cache,
@@ -29,7 +29,7 @@ footfall_result* run(const footfall_environment& environment, Pipeline pipeline,
 
 footfall_agent footfall_default_agent(void) {
   const Agent agent;
-  return {agent.maxSlope, agent.height, agent.minimumArea, agent.step, agent.gap, agent.radius};
+  return {agent.maxSlope, agent.height, agent.minimumArea, agent.step, agent.gap, agent.radius, agent.drop};
 }
 
 footfall_status footfall_pipeline_for(const footfall_environment* environment, const footfall_agent* agent,

@@ -150,7 +150,10 @@ place within reach) or "not_connected".)")
           "length", [](const PathResult& p) { return p.length; }, "Of this path in space.")
       .def_property_readonly(
           "plan_length", [](const PathResult& p) { return p.planLength; },
-          "Seen from above: the shortest there is, up to rounding.")
+          "Seen from above: the shortest there is, up to rounding; over drops, see `least_plan_length`.")
+      .def_property_readonly(
+          "least_plan_length", [](const PathResult& p) { return p.leastPlanLength; },
+          "What no way to the same end is shorter than, seen from above: `plan_length`, or what is proven over drops.")
       .def_property_readonly(
           "layers", [](const PathResult& p) { return p.layers; },
           "Layers in the order in which the path passes them: a list of int.")

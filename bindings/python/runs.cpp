@@ -304,11 +304,11 @@ was finished. Raises InputError for a pipeline that is wrong, and RunError.)",
   define(
       module, "walkable_area",
       [](const py::object& vertices, const py::object& triangles, double slope, double height, double minimumArea,
-         double step, double gap, double radius, const std::string& up, double metresPerUnit, bool bothSides,
-         const py::object& obstacleOnly, int threads, const py::object& progress) {
+         double step, double gap, double radius, double drop, const std::string& up, double metresPerUnit,
+         bool bothSides, const py::object& obstacleOnly, int threads, const py::object& progress) {
         const auto environment = environmentFrom(vertices, triangles, {up, metresPerUnit, bothSides, obstacleOnly});
-        return run(environment, pipelineFor(*environment, {slope, height, minimumArea, step, gap, radius}), threads,
-                   nullptr, progress);
+        return run(environment, pipelineFor(*environment, {slope, height, minimumArea, step, gap, radius, drop}),
+                   threads, nullptr, progress);
       },
       R"(Return where an agent can walk on a triangle soup, exactly: a `WalkableArea`.
 
@@ -324,13 +324,14 @@ minimum_area: square metres: connected parts that are no larger are left out.
 step: metres, at least 0: how high it climbs at once, on stairs and kerbs; 0: it does not lift its feet.
 gap: metres, at least 0: how wide a gap it steps over, seen from above.
 radius: metres, at least 0: how far its middle stays away from walls and ledges; 0: it is a point.
+drop: metres, at least 0: how deep it drops from a ledge, one way; 0: it drops nowhere.
 up, metres_per_unit, both_sides, obstacle_only: as for `Environment`.
 threads, progress: as for `run`. Ctrl-C raises KeyboardInterrupt within some 50 ms.
 
 Raises InputError for arrays or numbers that are wrong, and RunError.)",
       py::arg("vertices"), py::arg("triangles"), py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(),
       py::arg("minimum_area") = 1.0, py::arg("step") = 0.4, py::arg("gap") = 0.05, py::arg("radius") = 0.0,
-      py::arg("up") = "z", py::arg("metres_per_unit") = 1.0, py::arg("both_sides") = false,
+      py::arg("drop") = 0.0, py::arg("up") = "z", py::arg("metres_per_unit") = 1.0, py::arg("both_sides") = false,
       py::arg("obstacle_only") = py::none(), py::arg("threads") = 0, py::arg("progress") = py::none());
 }
 

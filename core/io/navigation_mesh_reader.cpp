@@ -231,6 +231,12 @@ void completeSteps(const std::vector<StepFace>& faces, StepKind kind, Navigation
   }
 }
 
+/// As both kinds of glTF begin, and no OBJ.
+bool isGltf(std::string_view content) {
+  const std::size_t first = content.find_first_not_of(" \t\r\n");
+  return content.starts_with("glTF") || (first != std::string_view::npos && content[first] == '{');
+}
+
 void checkCount(const std::string& path, std::optional<std::uint64_t> stated, std::size_t found, Pattern counts) {
   if (!stated || *stated == found) return;
   failInput(path, 0, Text(counts, *stated, found), FOOTFALL_TEXT("it was cut off or changed by hand: export it again"));
@@ -267,6 +273,11 @@ void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
 NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpAxis> up, UpAxis usualUp,
                                       RunContext* context) {
   std::string text = readInputFile(path, context);
+  if (isGltf(text)) {
+    failInput(path, 0,
+              FOOTFALL_TEXT("glTF has numbers of 24 bits and no exact surfaces, and its steps and drops are not read"),
+              FOOTFALL_TEXT("export as OBJ, which holds all of it"));
+  }
   const StatedContent stated = readComments(text);
   std::vector<StepFace> steps, gaps;
   if (stated.isExport) {

@@ -1,11 +1,24 @@
-// Which drops lead from one part of a walkable area to another one.
+// Which drops lead from one part of a walkable area to another one, on the shortest way.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Branch and bound. A way over drops is a chain of stretches and a place on each. Stretches are cut into pieces; for
+// two pieces in turn, no way from any landing of the first to any start of the second is shorter than the straight line
+// between both segments in the plan, nor than the shortest path between their middles less half the length of each,
+// because one can walk along a piece. So Dijkstra's algorithm over pieces gives a length that no way is shorter than.
+// The paths along the chain that it finds are then computed, its pieces halved, and it is asked again, until the best
+// way found is not much longer than that length. Where along its drops the best way runs is mended on its own: between
+// the bends before and behind a drop, the length is a convex function of the place.
+//
+// Lengths are rounded; drops that start and end in one part are no part of any way, as nobody needs them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/navigation_mesh.hpp"
 
@@ -17,11 +30,35 @@ struct DropStop {
   Vec3 start, landing;
 };
 
-/// The drops from a place in one part to a place in another one; nothing where no drops lead there. Each part is
-/// entered once, where the sum of straight lines so far is least (Dijkstra's algorithm over parts), and each drop is
-/// left where it is nearest to the place of entry.
-std::optional<std::vector<DropStop>> findDropRoute(const NavigationMesh& mesh, const SurfaceTopology& topology,
-                                                   const Vec3& from, std::uint32_t fromTriangle, const Vec3& to,
-                                                   std::uint32_t toTriangle);
+struct DropRoute {
+  std::vector<DropStop> stops;
+  double planLength = 0;
+  double leastPlanLength = 0;  ///< what no way over drops is shorter than
+};
+
+/// The shortest path between two places of one part.
+struct RouteLeg {
+  double planLength = 0;
+  Vec3 first, last;  ///< its first bend, or its end; its last bend, or its start
+  bool isStraight = false;
+  std::size_t work = 0;  ///< nodes of the search
+};
+
+struct RouteEnd {
+  Vec3 place;
+  std::uint32_t triangle = 0;
+};
+
+using LegFinder = std::function<RouteLeg(const RouteEnd& from, const RouteEnd& to)>;
+
+/// For each part whether drops lead there from `part`, which is one of them.
+std::vector<char> partsOverDrops(const NavigationMesh& mesh, const SurfaceTopology& topology, std::uint32_t part);
+
+/// The drops from a place in one part to a place in another one; nothing where no drops lead there. The way is at most
+/// 1 % longer than the shortest, or as good as a limited number of paths between drops shows; leastPlanLength says
+/// which.
+std::optional<DropRoute> findDropRoute(const NavigationMesh& mesh, const SurfaceTopology& topology,
+                                       const RouteEnd& from, const RouteEnd& to, const LegFinder& legBetween,
+                                       Poll poll);
 
 }  // namespace footfall::detail

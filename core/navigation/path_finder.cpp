@@ -177,6 +177,18 @@ void addPath(const PathGround& ground, PathResult& result, Poll poll) {
   addFigures(mesh, result);
 }
 
+RouteEnd routeEnd(const SurfacePlace& place) { return {place.position, place.triangle}; }
+
+/// What the search over drops asks for.
+RouteLeg legBetween(const PathGround& ground, const RouteEnd& from, const RouteEnd& to, Poll poll) {
+  PathResult leg;
+  leg.start = ground.places.nearestInside(from.place, from.triangle);
+  leg.end = ground.places.nearestInside(to.place, to.triangle);
+  addPath(ground, leg, poll);
+  if (leg.bends.empty()) return {leg.planLength, to.place, from.place, true, leg.expanded};
+  return {leg.planLength, leg.points[leg.bends.front()], leg.points[leg.bends.back()], false, leg.expanded};
+}
+
 /// Puts the pieces of a path over drops together, one after the other.
 class RouteTracer {
  public:
@@ -299,21 +311,29 @@ PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, cons
   } else {
     result.status = PathStatus::Found;
   }
-  if (result.status == PathStatus::NotConnected && !inside_->mesh->drops.empty()) {
-    const auto routeBetween = [&](const SurfacePlace& a, const SurfacePlace& b) {
-      return findDropRoute(*inside_->mesh, topology, a.position, a.triangle, b.position, b.triangle);
-    };
-    if (const auto route = routeBetween(*result.start, *result.end)) {
-      result.status = PathStatus::Found;
-      RouteTracer tracer(*inside_, result, poll);
-      for (const DropStop& stop : *route) tracer.dropAt(stop);
-      tracer.walkTo(*result.end);
-      return result;
+  if (!result.reached()) {
+    const std::vector<char> reached = partsOverDrops(*inside_->mesh, topology, component);
+    if (result.status == PathStatus::NotConnected) {
+      const std::uint32_t other = topology.components[result.end->triangle];
+      if (reached[other] != 0) {
+        result.status = PathStatus::Found;
+      } else {
+        result.leadsBack = partsOverDrops(*inside_->mesh, topology, other)[component] != 0;
+      }
     }
-    result.leadsBack = routeBetween(*result.end, *result.start).has_value();
+    if (!result.reached()) result.end = places.nearest(to, &reached);
   }
-  if (!result.reached()) result.end = places.nearest(to, component);
+  const LegFinder finder = [&](const RouteEnd& a, const RouteEnd& b) { return legBetween(*inside_, a, b, poll); };
+  if (const auto route =
+          findDropRoute(*inside_->mesh, topology, routeEnd(*result.start), routeEnd(*result.end), finder, poll)) {
+    RouteTracer tracer(*inside_, result, poll);
+    for (const DropStop& stop : route->stops) tracer.dropAt(stop);
+    tracer.walkTo(*result.end);
+    result.leastPlanLength = std::min(route->leastPlanLength, result.planLength);
+    return result;
+  }
   addPath(*inside_, result, poll);
+  result.leastPlanLength = result.planLength;
   return result;
 }
 

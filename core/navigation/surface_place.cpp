@@ -107,12 +107,12 @@ std::optional<SurfacePlace> PlaceIndex::locate(const Vec3& p, double reach) cons
   return best;
 }
 
-std::optional<SurfacePlace> PlaceIndex::nearest(const Vec3& p, std::uint32_t component) const {
+std::optional<SurfacePlace> PlaceIndex::nearest(const Vec3& p, const std::vector<char>* components) const {
   std::optional<SurfacePlace> best;
   double least = kInfinity;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (topology_.components[t] == SurfaceTopology::kNone) continue;
-    if (component != SurfaceTopology::kNone && topology_.components[t] != component) continue;
+    if (components != nullptr && (*components)[topology_.components[t]] == 0) continue;
     const auto f = cornersOf(mesh_, t);
     // Farther along one axis than the best in space: most triangles end here.
     const auto [x0, x1] = std::minmax({f[0].x, f[1].x, f[2].x});

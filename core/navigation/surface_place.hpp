@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
@@ -22,10 +23,9 @@ class PlaceIndex {
   /// first triangle where two are equally near. Which triangles lie there is decided exactly.
   [[nodiscard]] std::optional<SurfacePlace> locate(const Vec3& p, double reach) const;
 
-  /// The nearest place in space, of one component or of all (kNone); nothing when there is no triangle. Looks at all
-  /// triangles (1 ms for 100,000).
-  [[nodiscard]] std::optional<SurfacePlace> nearest(const Vec3& p,
-                                                    std::uint32_t component = SurfaceTopology::kNone) const;
+  /// The nearest place in space; of those components for which `components` is not 0, where it is given. Nothing when
+  /// there is no such triangle. Looks at all triangles (1 ms for 100,000).
+  [[nodiscard]] std::optional<SurfacePlace> nearest(const Vec3& p, const std::vector<char>* components = nullptr) const;
 
   /// The place in a triangle that is nearest to `p`, or as good as nearest where rounding left it outside.
   [[nodiscard]] SurfacePlace nearestInside(const Vec3& p, std::uint32_t triangle) const;

@@ -15,6 +15,9 @@ namespace footfall {
 using namespace detail;
 namespace {
 
+/// Of a radius: who drops crosses the margin of the ledge and that of the floor below, each with its tolerance of 1 %.
+constexpr double kReachOverMargins = 2.1;
+
 // 2 m in units of 0.3 mm is 6666.66666667, not 6666.666666666667: defaults are for people to read.
 double roundForPeople(double value) {
   std::array<char, 32> buffer;
@@ -117,6 +120,13 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
     pipeline.steps.insert(place(FilterType::Area),
                           defaultStep(filterDescriptor(FilterType::Radius), environment.metresPerUnit));
     numbers.push_back({FilterType::Radius, 0, agent.radius});
+  }
+  if (agent.drop != 0) {
+    pipeline.steps.push_back(defaultStep(filterDescriptor(FilterType::Drop), environment.metresPerUnit));
+    numbers.push_back({FilterType::Drop, 0, agent.drop});
+    const double reach = kReachOverMargins * agent.radius;
+    if (reach > filterDescriptor(FilterType::Drop).parameters[1].defaultValue)
+      numbers.push_back({FilterType::Drop, 1, reach});
   }
   for (const auto& [type, index, value] : numbers) {
     const FilterDescriptor& filter = filterDescriptor(type);

@@ -173,6 +173,7 @@ std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path) {
   json["end"] = path.status == PathStatus::StartNotWalkable ? nullptr : placeJson(mesh, path.end, up);
   json["length"] = path.length;
   json["plan_length"] = path.planLength;
+  if (!path.drops.empty()) json["least_plan_length"] = path.leastPlanLength;
   json["steps"] = path.steps.size();
   json["gaps"] = path.gaps.size();
   json["drops"] = path.drops.size();

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "ui/agents/agent_edits.hpp"
+#include "ui/base/core_text.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/icon.hpp"
 #include "ui/base/number_field.hpp"
@@ -190,18 +191,26 @@ void AgentsPanel::follow() {
   compute_->setEnabled(!state.agents.empty());
   copy_->setEnabled(!state.agents.empty());
 
-  const std::vector<AgentSize> missing = sizesWithoutEffect(state);
-  QStringList names;
-  for (const AgentSize size : missing) names << labelOf(PipelineStep{&filterOf(size), {}, true, 0});
-  const bool tell = !state.agents.empty() && !missing.empty();
+  QStringList names, without;
+  for (const AgentSize size : sizesWithoutEffect(state)) {
+    const QString name = labelOf(PipelineStep{&filterOf(size), {}, true, 0});
+    if (const Text why = whyNoPlace(state, size); !why.empty())
+      without << tr("The filter '%1' has no place in the list: %2").arg(name, coreText(why));
+    else
+      names << name;
+  }
+  const bool tell = !state.agents.empty() && !names.empty();
   QString hint;
   if (state.agents.empty()) {
     hint = tr(
         "An agent is the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare "
         "what each can reach.");
-  } else if (tell) {
-    hint = tr("No filter '%1' is on: that size of the agents has no effect.")
-               .arg(names.join(tr("' and no filter '", "between two names of filters")));
+  } else {
+    if (tell) {
+      without.prepend(tr("No filter '%1' is on: that size of the agents has no effect.")
+                          .arg(names.join(tr("' and no filter '", "between two names of filters"))));
+    }
+    hint = without.join('\n');
   }
   hint_->setText(hint);
   hint_->setVisible(!hint.isEmpty());

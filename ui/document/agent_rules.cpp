@@ -32,17 +32,19 @@ Pipeline pipelineOf(const std::vector<FilterEntry>& filters) {
   return pipeline;
 }
 
-/// Behind all that would lose its links or drops, and in front of the filters that go by them.
-void insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
+/// Behind all that would lose its links or drops, and in front of the filters that go by them. Where it has no place,
+/// nothing changes, and what is wrong with it at the end is returned.
+Text insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
   for (auto at = filters.begin();; ++at) {
     std::vector<FilterEntry> with(filters.begin(), at);
     with.push_back(added);
     with.insert(with.end(), at, filters.end());
-    if (!findStructureError(pipelineOf(with))) {
+    const auto error = findStructureError(pipelineOf(with));
+    if (!error) {
       filters = std::move(with);
-      return;
+      return {};
     }
-    if (at == filters.end()) return;
+    if (at == filters.end()) return error->message;
   }
 }
 
@@ -172,7 +174,10 @@ void applyAgent(DocumentState& state, const std::function<int()>& newId) {
       });
     } else if (std::ranges::none_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &filter; })) {
       const FilterEntry added{newId(), defaultStep(filter, 1)};
-      size == AgentSize::Radius ? insertRadius(state.filters, added) : insertEarly(state.filters, added);
+      if (size == AgentSize::Radius)
+        insertRadius(state.filters, added);
+      else
+        (void)insertEarly(state.filters, added);  // the panel says where that cannot be: whyNoPlace()
     }
   }
   writeSizes(state);
@@ -210,6 +215,15 @@ std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state) {
       missing.push_back(size);
   }
   return missing;
+}
+
+Text whyNoPlace(const DocumentState& state, AgentSize size) {
+  const FilterDescriptor& filter = filterOf(size);
+  const bool isThere =
+      std::ranges::any_of(state.filters, [&](const FilterEntry& e) { return e.step.filter == &filter; });
+  if (isThere || !mayBeNone(size) || size == AgentSize::Radius) return {};
+  std::vector<FilterEntry> filters = state.filters;
+  return insertEarly(filters, {0, defaultStep(filter, 1)});
 }
 
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,

@@ -48,6 +48,9 @@ Pipeline pipelineFor(const DocumentState& state, int agent);
 /// Sizes that no filter that is switched on takes: there the agents have no effect. Steps, radii and drops, which
 /// switching between agents adds and removes, only where the active agent has some.
 std::vector<AgentSize> sizesWithoutEffect(const DocumentState& state);
+/// Why applyAgent() cannot put a filter for a size into the list: what is wrong with the list, or with the filter at
+/// its end. Empty where it can, and for sizes that have a filter, which may be off.
+Text whyNoPlace(const DocumentState& state, AgentSize size);
 
 /// Lengths in the environment's units stay the same in metres.
 std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fromMetresPerUnit,

@@ -111,6 +111,7 @@ class Environment:
         step: float = 0.4,
         gap: float = 0.05,
         radius: float = 0.0,
+        drop: float = 0.0,
     ) -> Pipeline: ...
 
 class EditableEnvironment:
@@ -188,6 +189,8 @@ class Path:
     def length(self) -> float: ...
     @property
     def plan_length(self) -> float: ...
+    @property
+    def least_plan_length(self) -> float: ...
     @property
     def layers(self) -> list[int]: ...
     @property
@@ -412,6 +415,7 @@ def walkable_area(
     step: float = 0.4,
     gap: float = 0.05,
     radius: float = 0.0,
+    drop: float = 0.0,
     up: str = "z",
     metres_per_unit: float = 1.0,
     both_sides: bool = False,

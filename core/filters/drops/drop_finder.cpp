@@ -145,10 +145,10 @@ void DropFinder::tryBorder(const Border& border, double reach, Worker& worker) c
   const Vec3 &begin = places_[border.from], &end = places_[border.to];
   if (begin.x == end.x && begin.y == end.y) return;
   BorderKinds& kinds = worker.kinds;
-  kinds.turnTo(edgeOf(border), begin, end, 0);
+  kinds.turnTo(edgeOf(border), begin, end);
   const std::vector<EdgePiece> ledges = kinds.ledges();
   if (ledges.empty()) return;
-  kinds.turnTo(edgeOf(border), begin, end, kinds.heightOf(levels_.depth));
+  kinds.lookBelow(kinds.heightOf(levels_.depth));
   dropStraight(border, ledges, worker);
   if (!(reach > 0)) return;
   Tree::Bounds query = boundsOf(border.from, border.to);
@@ -172,10 +172,12 @@ bool DropFinder::isLevel(Index face) const {
 double DropFinder::heightAt(Index face, const Vec3& place) const {
   const SourceMesh& source = kernel_.mesh();
   const auto& f = source.triangles[face];
-  const Vec3 &a = source.scaled[f[0]], &b = source.scaled[f[1]], &c = source.scaled[f[2]];
-  if (a.z == b.z && b.z == c.z) return a.z;
-  const Vec3 n = normalOf(a, b, c);
-  return a.z - (n.x * (place.x - a.x) + n.y * (place.y - a.y)) / n.z;
+  if (isLevel(face)) return source.scaled[f[0]].z;
+  const auto exact = [](const Vec3& p) { return std::array<mpq_class, 3>{p.x, p.y, p.z}; };
+  const auto a = exact(source.scaled[f[0]]);
+  const auto n = cross(exact(source.scaled[f[1]]) - a, exact(source.scaled[f[2]]) - a);
+  const auto d = exact(place) - a;
+  return nearestDouble(a[2] - (n[0] * d[0] + n[1] * d[1]) / n[2]);
 }
 
 void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>& ledges, Worker& worker) const {
@@ -201,17 +203,25 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
     context_.checkCancelled();
     Landing landing;
     if (!landingIn(t, landing)) return;
-    const Index face = mesh_.triangles[t].face;
+    const MeshTriangle& m = mesh_.triangles[t];
+    const Index face = m.face;
+    for (int k = 0; k < 3; ++k)
+      signs.locate(edge, mesh_.vertices[m.corners[k]], mesh_.vertices[m.corners[next(k)]], landing.inside[k]);
+    signs.locate(edge, landing.below);
+    signs.locate(edge, landing.deep);
     EdgePieces pieces;
     for (const SignAlong& sign : landing.inside) pieces.add(sign);
     pieces.add(landing.below);
     pieces.add(landing.deep);
     // What lies over the landing, below the head of who starts.
     std::vector<std::pair<const CoverAlong*, SignAlong>> over;
-    for (const CoverAlong& c : kinds.covers()) {
+    for (std::size_t i = 0; i < kinds.covers().size(); ++i) {
+      const CoverAlong& c = kinds.covers()[i];
       if (!c.isOutside || c.triangle == face || (c.underHeight.begin >= 0 && c.underHeight.end >= 0)) continue;
-      const SignAlong above = signs.height(edge, c.triangle, face, 0);
+      SignAlong above = signs.height(edge, c.triangle, face, 0);
       if (above.begin <= 0 && above.end <= 0) continue;
+      signs.locate(edge, above);
+      kinds.locate(i);
       over.emplace_back(&c, above);
       for (const SignAlong& sign : c.inside) pieces.add(sign);
       pieces.add(above);

@@ -57,7 +57,7 @@ class DropFinder {
   void dropAcross(const Border& border, const Border& other, const std::vector<EdgePiece>& ledges, double reach,
                   Worker& worker) const;
   [[nodiscard]] bool isLevel(Index face) const;
-  /// The height of a face's plane at a scaled place, rounded.
+  /// The height of a face's plane at a scaled place: the nearest double.
   [[nodiscard]] double heightAt(Index face, const Vec3& place) const;
 
   const WalkableState& state_;

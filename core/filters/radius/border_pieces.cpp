@@ -67,7 +67,8 @@ std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
   const EdgeFrame& frame = kinds.frame();
   const double step = kinds.heightOf(kinds.stepLevel()), height = kinds.heightOf(kinds.heightLevel());
   std::vector<EdgePiece> walls;
-  for (const CoverAlong& cover : kinds.covers()) {
+  for (std::size_t i = 0; i < kinds.covers().size(); ++i) {
+    const CoverAlong& cover = kinds.covers()[i];
     if (!cover.isOutside) continue;
     const std::array<Vec3, 3> corners = kinds.cornersOf(cover.triangle);
     const CoverHeights above = heightsOver(frame, corners);
@@ -79,7 +80,7 @@ std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
     };
     if (!(isAt(height) && rise < -kLevel) && !(isAt(step) && rise > kLevel)) continue;
     EdgePieces pieces;
-    for (const SignAlong& sign : cover.inside) pieces.add(sign);
+    for (const SignAlong& sign : kinds.locate(i).inside) pieces.add(sign);
     const std::vector<EdgePiece> covered = pieces.where([&](const EdgePiece& piece) { return cover.covers(piece); });
     walls.insert(walls.end(), covered.begin(), covered.end());
   }
@@ -144,7 +145,7 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
     pieces.push_back({side, begin, end, !isLedgeInDoubt_});
     return;
   }
-  kinds_.turnTo({a, b, surface_.face(side)}, {begin.x, begin.y, a.z}, {end.x, end.y, b.z}, 0);
+  kinds_.turnTo({a, b, surface_.face(side)}, {begin.x, begin.y, a.z}, {end.x, end.y, b.z});
   const double error = kDoubt * kinds_.frame().margin(), doubt = error / kinds_.frame().length();
   double at = 0;
   const auto placeAt = [&](double t) { return t == 0 ? begin : t == 1 ? end : begin + t * (end - begin); };

@@ -35,21 +35,47 @@ void BorderKinds::widen(Box& box) const {
   }
 }
 
-void BorderKinds::turnTo(const BorderEdge& edge, const Vec3& begin, const Vec3& end, double below) {
+void BorderKinds::turnTo(const BorderEdge& edge, const Vec3& begin, const Vec3& end) {
   edge_ = edge;
   frame_ = EdgeFrame(begin, end, largest_);
   covers_.clear();
   walls_.clear();
-  const Box box{{std::min(begin.x, end.x), std::min(begin.y, end.y), std::min(begin.z, end.z) - below},
-                {std::max(begin.x, end.x), std::max(begin.y, end.y), std::max(begin.z, end.z) + heightOf(height_)}};
-  visitNear(box, [&](Index t) {
+  near_ = {{std::min(begin.x, end.x), std::min(begin.y, end.y), std::min(begin.z, end.z)},
+           {std::max(begin.x, end.x), std::max(begin.y, end.y), std::max(begin.z, end.z) + heightOf(height_)}};
+  visitNear(near_, [&](Index t) {
     if (kernel_.mesh().facing[t] == 0)
       addWall(t);
     else
       addCover(t);
   });
+  sortCovers();
+}
+
+void BorderKinds::sortCovers() {
   std::sort(covers_.begin(), covers_.end(),
             [](const CoverAlong& a, const CoverAlong& b) { return a.triangle < b.triangle; });
+}
+
+void BorderKinds::lookBelow(double below) {
+  Box box = near_;
+  box.lower[2] -= below;
+  const std::size_t known = covers_.size();
+  visitNear(box, [&](Index t) {
+    if (kernel_.mesh().facing[t] == 0) return;
+    const auto last = covers_.begin() + static_cast<std::ptrdiff_t>(known);
+    const auto found = std::lower_bound(covers_.begin(), last, t,
+                                        [](const CoverAlong& c, Index triangle) { return c.triangle < triangle; });
+    if (found == last || found->triangle != t) addCover(t);
+  });
+  sortCovers();
+}
+
+const CoverAlong& BorderKinds::locate(std::size_t cover) {
+  CoverAlong& c = covers_[cover];
+  for (SignAlong& sign : c.inside) signs_.locate(edge_, sign);
+  signs_.locate(edge_, c.overStep);
+  signs_.locate(edge_, c.underHeight);
+  return c;
 }
 
 void BorderKinds::addCover(Index triangle) {
@@ -83,15 +109,18 @@ void BorderKinds::addWall(Index triangle) {
     walls_.push_back(*piece);
 }
 
-std::vector<EdgePiece> BorderKinds::ledgesWithout(const std::vector<const CoverAlong*>& covers) const {
+std::vector<EdgePiece> BorderKinds::ledgesWithout(const std::vector<std::size_t>& covers) {
   EdgePieces pieces;
-  for (const CoverAlong* c : covers) {
-    for (const SignAlong& sign : c->inside) pieces.add(sign);
-    pieces.add(c->overStep);
-    pieces.add(c->underHeight);
+  std::vector<const CoverAlong*> within;
+  for (const std::size_t i : covers) {
+    const CoverAlong& c = locate(i);
+    within.push_back(&c);
+    for (const SignAlong& sign : c.inside) pieces.add(sign);
+    pieces.add(c.overStep);
+    pieces.add(c.underHeight);
   }
   return without(pieces.where([&](const EdgePiece& piece) {
-    return std::none_of(covers.begin(), covers.end(), [&](const CoverAlong* c) {
+    return std::none_of(within.begin(), within.end(), [&](const CoverAlong* c) {
       return c->overStep.on(piece) > 0 && c->underHeight.on(piece) < 0 && c->covers(piece);
     });
   }),

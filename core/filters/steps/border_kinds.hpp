@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "core/filters/steps/edge_region.hpp"
@@ -10,7 +11,8 @@
 
 namespace footfall::detail {
 
-/// A triangle of the environment, which is not vertical, near an edge of the border.
+/// A triangle of the environment, which is not vertical, near an edge of the border. Where its signs change is known by
+/// BorderKinds::locate().
 struct CoverAlong {
   Index triangle = -1;
   std::array<SignAlong, 3> inside{};  ///< of its sides; zero where the edge lies along one of them
@@ -36,23 +38,28 @@ class BorderKinds {
   /// out of the environment. All must outlive it. Not for sharing between threads.
   BorderKinds(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height);
 
-  /// Turns to an edge, and looks at what is near it, from `below` (scaled, at least 0) under its lowest point on. Its
-  /// ends must differ in the plan. `begin` and `end` are its rounded ends, scaled.
-  void turnTo(const BorderEdge& edge, const Vec3& begin, const Vec3& end, double below);
+  /// Turns to an edge, and looks at what is near it, from its lowest point on. Its ends must differ in the plan.
+  /// `begin` and `end` are its rounded ends, scaled.
+  void turnTo(const BorderEdge& edge, const Vec3& begin, const Vec3& end);
 
   // Of the edge that it turned to:
   [[nodiscard]] std::vector<EdgePiece> ledges() {
     return ledges([](const CoverAlong&) { return false; });
   }
-  /// The same without the covers that are left out.
+  /// The same without the covers that are left out, of which only the signs at both ends are looked at.
   template <class IsLeftOut>
   [[nodiscard]] std::vector<EdgePiece> ledges(const IsLeftOut& isLeftOut) {
-    std::vector<const CoverAlong*> covers;
-    for (const CoverAlong& c : covers_)
-      if (c.mayBeWall() && !isLeftOut(c)) covers.push_back(&c);
+    std::vector<std::size_t> covers;
+    for (std::size_t i = 0; i < covers_.size(); ++i)
+      if (covers_[i].mayBeWall() && !isLeftOut(covers_[i])) covers.push_back(i);
     return ledgesWithout(covers);
   }
+  /// Looks at what is near it and lower as well, from `below` (scaled, at least 0) under its lowest point on. Only for
+  /// covers(), from then on.
+  void lookBelow(double below);
   [[nodiscard]] const std::vector<CoverAlong>& covers() const { return covers_; }
+  /// One of covers(), with all that its signs know.
+  const CoverAlong& locate(std::size_t cover);
   [[nodiscard]] const BorderEdge& edge() const { return edge_; }
   [[nodiscard]] const EdgeFrame& frame() const { return frame_; }
 
@@ -78,9 +85,10 @@ class BorderKinds {
 
  private:
   void widen(Box& box) const;
+  void sortCovers();
   void addCover(Index triangle);
   void addWall(Index triangle);
-  [[nodiscard]] std::vector<EdgePiece> ledgesWithout(const std::vector<const CoverAlong*>& covers) const;
+  [[nodiscard]] std::vector<EdgePiece> ledgesWithout(const std::vector<std::size_t>& covers);
 
   const PlanKernel& kernel_;
   const std::vector<char>& removed_;
@@ -89,6 +97,7 @@ class BorderKinds {
   EdgeSigns signs_;
   BorderEdge edge_;
   EdgeFrame frame_;
+  Box near_;  ///< of the edge and what is over it
   std::vector<CoverAlong> covers_;
   std::vector<EdgePiece> walls_;  ///< upright, along the edge
   std::vector<std::int32_t> stack_;

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "core/exact/face_geometry.hpp"
+#include "core/exact/plan_predicates.hpp"
+#include "core/exact/rounded_quotient.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -11,23 +13,30 @@ namespace {
 // More than the nearest double of a number up to 1 is off by.
 constexpr double kMargin = 0x1p-50;
 
-/// Where a linear function is zero that is `begin` at 0 and `end` at 1.
-void setZero(const mpq_class& begin, const mpq_class& end, SignAlong& sign) {
-  const double zero = nearestDouble(begin / (begin - end));
+IntegerView viewOf(const FixedInteger& x) { return x; }
+IntegerView viewOf(const mpz_class& x) {
+  const mpz_srcptr z = x.get_mpz_t();
+  return {mpz_limbs_read(z), z->_mp_size};
+}
+
+void setZero(double zero, SignAlong& sign) {
   sign.low = zero - kMargin;
   sign.high = zero + kMargin;
 }
 
-mpq_class valueOf(const std::array<mpz_class, 3>& line, const Homogeneous<mpz_class>& p) {
-  mpq_class value(line[0] * p[0] + line[1] * p[1] + line[2] * p[2], p[2]);
-  value.canonicalize();
-  return value;
+/// Where a linear function is zero, to the nearest double, that is value / weight at 0 and at 1. Of a line at points:
+/// with the widths of fixed_integer.hpp, value is below 2^(13D + 14) and weight below 2^(8D + 7); both products
+/// together are narrower than 21D + 23 bits, so FixedInteger holds them.
+template <class T>
+double zeroOf(const T& beginValue, const T& beginWeight, const T& endValue, const T& endWeight) {
+  const T begin = beginValue * endWeight;
+  const T difference = begin - T(endValue * beginWeight);
+  return roundedQuotient(viewOf(begin), viewOf(difference), 0);
 }
 
-using Place = std::array<mpq_class, 3>;
-
-mpq_class crossOf(const Place& a, const Place& b, const Place& p) {
-  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+template <class T>
+double zeroOf(const std::array<T, 3>& line, const Homogeneous<T>& begin, const Homogeneous<T>& end) {
+  return zeroOf<T>(lineAtPoint<T>(line, begin), begin[2], lineAtPoint<T>(line, end), end[2]);
 }
 
 }  // namespace
@@ -46,13 +55,29 @@ int EdgeSigns::sideAt(const PlanLine& line, Index face, const MeshVertex& p) {
 SignAlong EdgeSigns::ofLine(const BorderEdge& edge, const PlanLine& line, Index face) {
   SignAlong sign{sideAt(line, face, edge.begin), sideAt(line, face, edge.end)};
   sign.line = {line.kind, line.a, line.b, face};
-  if (sign.changes()) {
-    const Index origin = kernel_.mesh().triangles[edge.face][0];
-    const auto coefficients = kernel_.exactCoefficients(line, face, origin);
-    setZero(valueOf(coefficients, kernel_.exactHomogeneous(edge.begin.point, origin)),
-            valueOf(coefficients, kernel_.exactHomogeneous(edge.end.point, origin)), sign);
-  }
   return sign;
+}
+
+void EdgeSigns::locate(const BorderEdge& edge, SignAlong& sign) const {
+  if (!sign.changes() || sign.isLocated()) return;
+  const PlanLine line{sign.line[0], sign.line[1], sign.line[2]};
+  const Index face = sign.line[3], origin = kernel_.mesh().triangles[edge.face][0];
+  const PlanPoint &begin = edge.begin.point, &end = edge.end.point;
+  setZero(kernel_.fitsFixedIntegers()
+              ? zeroOf(kernel_.fixedCoefficients(line, face, origin), kernel_.fixedHomogeneous(begin, origin),
+                       kernel_.fixedHomogeneous(end, origin))
+              : zeroOf(kernel_.exactCoefficients(line, face, origin), kernel_.exactHomogeneous(begin, origin),
+                       kernel_.exactHomogeneous(end, origin)),
+          sign);
+}
+
+void EdgeSigns::locate(const BorderEdge& edge, const MeshVertex& from, const MeshVertex& to, SignAlong& sign) const {
+  if (!sign.changes() || sign.isLocated()) return;
+  const Index origin = kernel_.mesh().triangles[edge.face][0];
+  const auto placeOf = [&](const MeshVertex& v) { return kernel_.exactHomogeneous(v.point, origin); };
+  const Homogeneous<mpz_class> a = placeOf(from), b = placeOf(to), begin = placeOf(edge.begin), end = placeOf(edge.end);
+  setZero(zeroOf<mpz_class>(determinant<mpz_class>(a, b, begin), begin[2], determinant<mpz_class>(a, b, end), end[2]),
+          sign);
 }
 
 SignAlong EdgeSigns::inside(const BorderEdge& edge, Index triangle, int k) {
@@ -78,11 +103,6 @@ SignAlong EdgeSigns::leftOf(const BorderEdge& edge, const MeshVertex& from, cons
   SignAlong sign{at(edge.begin), at(edge.end)};
   constexpr Index kBetweenVertices = -2;  // no kind of line
   sign.line = {kBetweenVertices, std::min(name[0], name[1]), std::max(name[0], name[1]), -1};
-  if (sign.changes()) {
-    const auto placeOf = [&](const MeshVertex& v) { return kernel_.exactPosition(v.point, v.face); };
-    const Place a = placeOf(from), b = placeOf(to);
-    setZero(crossOf(a, b, placeOf(edge.begin)), crossOf(a, b, placeOf(edge.end)), sign);
-  }
   return sign;
 }
 

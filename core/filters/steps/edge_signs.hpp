@@ -3,11 +3,12 @@
 //
 // All decisions are exact signs at the two ends of an edge, which are exact points. Where a sign changes in between,
 // the place is computed exactly, rounded, and left out with a margin: so pieces end a little inside of what they stand
-// for.
+// for. That takes far longer than the signs, and most signs are looked at no more: so it has to be asked for.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
@@ -29,22 +30,25 @@ struct EdgePiece {
 };
 
 /// The sign of something linear at both ends of an edge; where they differ, it changes strictly between `low` and
-/// `high`.
+/// `high`, once EdgeSigns::locate() has found where.
 struct SignAlong {
   int begin = 0, end = 0;
-  double low = 0, high = 0;
+  double low = -1, high = -1;
   std::array<Index, 4> line{};  ///< what it is the sign of: equal ones change at the same place
 
   [[nodiscard]] bool changes() const { return begin * end < 0; }
+  [[nodiscard]] bool isLocated() const { return high >= 0; }
   [[nodiscard]] bool isZero() const { return begin == 0 && end == 0; }
-  /// On a piece in which it does not change.
+  /// On a piece in which it does not change; it must be located.
   [[nodiscard]] int on(const EdgePiece& piece) const {
+    assert(!changes() || isLocated());
     if (changes()) return piece.middle() < low ? begin : end;
     return begin != 0 ? begin : end;
   }
 };
 
-/// Finds signs along one edge after the other. Not for sharing between threads: it counts fall-backs.
+/// Finds signs along one edge after the other. None that it returns is located, but by locate(). Not for sharing
+/// between threads: it counts fall-backs.
 class EdgeSigns {
  public:
   explicit EdgeSigns(const PlanKernel& kernel) : kernel_(kernel) {}
@@ -57,6 +61,10 @@ class EdgeSigns {
   SignAlong height(const BorderEdge& edge, Index triangle, Index face, Index level) {
     return ofLine(edge, {PlanLine::Trace, triangle, level}, face);
   }
+  /// Finds where a sign changes that is not of leftOf(), if it changes and that is not known.
+  void locate(const BorderEdge& edge, SignAlong& sign) const;
+  /// The same for a sign of leftOf(), of the same vertices.
+  void locate(const BorderEdge& edge, const MeshVertex& from, const MeshVertex& to, SignAlong& sign) const;
   /// Positive on the left of the line from one vertex to another one; `name` tells lines apart.
   SignAlong leftOf(const BorderEdge& edge, const MeshVertex& from, const MeshVertex& to,
                    const std::array<Index, 2>& name);
@@ -76,7 +84,9 @@ class EdgeSigns {
 class EdgePieces {
  public:
   void clear() { zones_.clear(); }
+  /// A sign that changes must be located.
   void add(const SignAlong& sign) {
+    assert(!sign.changes() || sign.isLocated());
     if (sign.changes()) zones_.push_back({sign.low, sign.high, sign.line});
   }
   /// Those for which `holds(piece)`, in order. Neighbours are one where one line alone lies between them: then there is

@@ -19,13 +19,17 @@ struct Agent {
   double gap = 0.05;
   /// Metres, at least 0: how far its middle stays away from walls and ledges. 0: it is as thin as a point.
   double radius = 0;
+  /// Metres, at least 0: how deep it drops from a ledge, one way. 0: it drops nowhere.
+  double drop = 0;
   bool operator==(const Agent&) const = default;
 };
 
 /// The default pipeline with the numbers of `agent`, turned into the environment's units by its metresPerUnit: weld
 /// equal vertices, drop triangles without area, slope, clearance, steps (left out where it climbs none), radius
-/// (left out where it has none), area, simplification, layers. For the default agent it is defaultPipeline(). Throws
-/// InputError when a number is out of range.
+/// (left out where it has none), area, simplification, layers, drops (left out where it drops nowhere; they reach as
+/// far outwards as DropFilter does by default, and with a radius over its margins above and below: 2.1 times the
+/// radius, if that is more). For the default agent it is defaultPipeline(). Throws InputError when a number is out of
+/// range.
 Pipeline pipelineFor(const Environment& environment, const Agent& agent = {});
 
 }  // namespace footfall

@@ -98,7 +98,7 @@ struct PathResult {
   /// Where the path starts. When the start is not walkable, the nearest place that is; then there is no path.
   std::optional<SurfacePlace> start;
   /// Where the path ends: the target; or, when it cannot be reached, the place nearest to it (in space) among those
-  /// that can be reached from the start.
+  /// that can be reached from the start, over drops as well.
   std::optional<SurfacePlace> end;
   /// The walkable place at the target, where there is one: reached or not.
   std::optional<SurfacePlace> target;
@@ -118,10 +118,13 @@ struct PathResult {
   /// PathStatus::NotConnected: drops lead from the target to the start, and nothing leads back.
   bool leadsBack = false;
 
-  double planLength = 0;  ///< the shortest there is, up to rounding
-  double length = 0;      ///< of this path in space, heights of steps included
-  double climb = 0;       ///< all that it goes up, on slopes and steps
-  double descent = 0;     ///< all that it goes down
+  double planLength = 0;  ///< the shortest there is, up to rounding; over drops as near to it as `leastPlanLength` says
+  /// What no way to `end` is shorter than in the plan, up to rounding: `planLength` itself, or what is proven where
+  /// drops are taken.
+  double leastPlanLength = 0;
+  double length = 0;   ///< of this path in space, heights of steps included
+  double climb = 0;    ///< all that it goes up, on slopes and steps
+  double descent = 0;  ///< all that it goes down
   /// Layers in the order in which the path passes them; empty when the mesh has none.
   std::vector<std::uint32_t> layers;
   std::size_t connections = 0;   ///< how often it changes from one layer to another
@@ -157,8 +160,9 @@ class PathFinder {
   /// never means the floor beneath it; placeReach() gives that reach.
   ///
   /// Drops are taken only where nothing else leads to the target. Then each piece between two drops is the shortest one
-  /// there is, and the drops are those with the shortest sum of straight lines when each is entered where it is
-  /// nearest.
+  /// there is. Which drops are taken, and where along them, is found by halving their stretches until the path is
+  /// proven to be at most 1 % longer than the shortest, or until the search has taken too many steps:
+  /// PathResult::leastPlanLength tells which.
   ///
   /// Without drops the path has the same length the other way round, up to rounding. Throws InputError for coordinates
   /// that are not finite, and Cancelled.

@@ -173,7 +173,7 @@ static void testPipelines(void) {
   char* text = NULL;
   const footfall_agent standard = footfall_default_agent();
   CHECK(standard.max_slope == 45 && standard.height == 2 && standard.minimum_area == 1 && standard.step == 0.4 &&
-        standard.gap == 0.05 && standard.radius == 0);
+        standard.gap == 0.05 && standard.radius == 0 && standard.drop == 0);
   CHECK_OK(footfall_pipeline_for(level, &kAgent, &text));
   CHECK(text != NULL && strstr(text, "SlopeFilter 45\nVerticalClearanceFilter 1.8\nAreaFilter 1\n") != NULL);
   CHECK_OK(footfall_check_pipeline(text));
@@ -220,6 +220,11 @@ static void testPipelines(void) {
   climbs.radius = 0.3;
   CHECK_OK(footfall_pipeline_for(level, &climbs, &text));
   CHECK(strstr(text, "StepFilter 0.25\nRadiusFilter 0.3\nAreaFilter 1\n") != NULL);
+  footfall_free_text(text);
+  climbs.radius = 0;
+  climbs.drop = 1.25;
+  CHECK_OK(footfall_pipeline_for(level, &climbs, &text));
+  CHECK(strstr(text, "\nDropFilter 1.25\n") != NULL);
   footfall_free_text(text);
   footfall_agent wrong = kAgent;
   wrong.step = -1;
@@ -328,6 +333,7 @@ static void testPaths(void) {
   CHECK(footfall_path_found(path) == FOOTFALL_PATH_FOUND && footfall_path_failure(path)[0] == '\0');
   CHECK(fabs(footfall_path_length(path) - 2 * sqrt(2.0)) < 1e-12);
   CHECK(footfall_path_plan_length(path) == footfall_path_length(path));
+  CHECK(footfall_path_least_plan_length(path) == footfall_path_plan_length(path));
   CHECK(footfall_path_triangles(path).count + 1 == footfall_path_points(path).count);
   CHECK(memcmp(footfall_path_points(path).data, from, sizeof from) == 0);
   CHECK(footfall_path_barrier(path, &barrier) == 0);

@@ -70,6 +70,7 @@ class Pipelines(unittest.TestCase):
         self.assertEqual(feet.pipeline_for(gap=0.25)[4], ("StepFilter", 0.8, 0.5))
         self.assertNotIn("StepFilter", [step[0] for step in feet.pipeline_for(step=0)])
         self.assertIn("RadiusFilter", [step[0] for step in feet.pipeline_for(radius=0.3)])
+        self.assertEqual(feet.pipeline_for(drop=1.5)[-1], ("DropFilter", 3.0, 0.6))
 
     def test_filters_are_described(self):
         slope = {f.name: f for f in footfall.filters()}["SlopeFilter"]

@@ -95,7 +95,7 @@ class Help(unittest.TestCase):
         text = pydoc.plain(pydoc.render_doc(footfall))
         for wanted in [
             "walkable_area(vertices, triangles, slope=45.0, height=2.0, *, minimum_area=1.0, step=0.4, gap=0.05, "
-            "radius=0.0, up='z'",
+            "radius=0.0, drop=0.0, up='z'",
             "vertices: shape (n, 3), float64",
             "find_path(self, start, target, *, reach=None)",
             "slope: degrees, above 0 and below 90",

@@ -148,6 +148,35 @@ class TestDocument : public QObject {
     QCOMPARE(ids.size(), document.filters().size());
   }
 
+  // A list that is wrong elsewhere, or has no clearance, has no place for steps: that is told, and nothing else
+  // changes.
+  void whyAFilterHasNoPlace() {
+    Document document;
+    for (const char* text :
+         {"SlopeFilter 45\nAreaFilter 1\n", "Collapse\nSlopeFilter 45\nVerticalClearanceFilter 2\n"}) {
+      document.reset({}, {});
+      for (const PipelineStep& step : parsePipeline(QString(text).remove("Collapse\n").toStdString(), "test").steps)
+        document.addFilter(*step.filter, static_cast<int>(document.filters().size()));
+      if (QString(text).startsWith("Collapse")) document.addFilter(filterDescriptor(FilterType::Collapse), 0);
+      addAgent(document, {0, "Climber", 2, 45, 0.4, 0.05, 0.3, 1});
+      const auto has = [&](FilterType type) {
+        return std::ranges::any_of(document.filters(),
+                                   [&](const FilterEntry& e) { return e.step.filter->type == type; });
+      };
+      QVERIFY(!has(FilterType::Step) && !has(FilterType::Drop));
+      const std::string why = whyNoPlace(document.state(), AgentSize::Step).str();
+      QVERIFY2(!why.empty(), text);
+      QVERIFY2((why.find("Collapse") != std::string::npos) == QString(text).startsWith("Collapse"), why.c_str());
+      QVERIFY(!whyNoPlace(document.state(), AgentSize::Drop).empty());
+      QVERIFY(whyNoPlace(document.state(), AgentSize::Radius).empty());
+      QVERIFY(whyNoPlace(document.state(), AgentSize::Height).empty());
+    }
+    document.reset(parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\n", "test"), {});
+    addAgent(document, {0, "Climber", 2, 45, 0.4});
+    QVERIFY(whyNoPlace(document.state(), AgentSize::Step).empty());
+    QVERIFY(whyNoPlace(document.state(), AgentSize::Drop).empty());
+  }
+
   void agentsThatDrop() {
     Document document;
     document.reset(parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nSimplificationFilter\nAreaFilter 1\n"

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QToolButton>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/support/soup.hpp"
 #include "ui/base/command_palette.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/level/obstacle_features.hpp"
@@ -31,6 +33,23 @@ constexpr Vec3 kDoorway{8.875, 5.0, 0};
 constexpr Vec3 kLivingRoom{2, 5, 0};
 constexpr Vec3 kGallery{17, 8, 2.375};
 
+constexpr int kRisers = 12;
+constexpr double kRiser = 0.1875;
+
+/// A lower and an upper floor, and stairs 4 wide between them; Z up.
+QByteArray stairsObj() {
+  Soup soup = Soup().floor(0, 0, 5, 8, 0).box({5 + 0.375 * (kRisers - 1), 0, 0}, {15, 8, kRisers * kRiser});
+  for (int i = 1; i < kRisers; ++i) soup.box({5 + 0.375 * (i - 1), 2, 0}, {5 + 0.375 * i, 6, i * kRiser});
+  QByteArray text;
+  for (const std::array<Vec3, 3>& triangle : soup.triangles())
+    for (const Vec3& p : triangle)
+      text += "v " + QByteArray::number(p.x) + ' ' + QByteArray::number(p.y) + ' ' + QByteArray::number(p.z) + '\n';
+  for (std::size_t i = 0; i < soup.size(); ++i)
+    text += "f " + QByteArray::number(3 * i + 1) + ' ' + QByteArray::number(3 * i + 2) + ' ' +
+            QByteArray::number(3 * i + 3) + '\n';
+  return text;
+}
+
 }  // namespace
 
 class TestStories : public QObject {
@@ -42,6 +61,7 @@ class TestStories : public QObject {
   void cleanup();
   void aDoorwayIsClosed();
   void aCrateIsMoved();
+  void stairsAreClimbed();
   void severalAgents();
   void aBuildingIsLookedInto();
   void theEditorWelcomes();
@@ -239,6 +259,46 @@ void TestStories::aCrateIsMoved() {
   QTest::keyClick(&window_->view(), Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(waitUntilIdle(*window_));
   QTRY_COMPARE(regions(), openRegions + 1);
+}
+
+// With a step below the risers, each tread is a part of its own: the path ends at the first one. One click raises the
+// step, and the path goes up.
+void TestStories::stairsAreClimbed() {
+  const QString file = folder_.filePath(QStringLiteral("stairs.obj"));
+  writeFile(folder_, QStringLiteral("stairs.obj"), stairsObj());
+  QVERIFY(openZUp(*window_, file,
+                  "DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.1\nAreaFilter 1\n"
+                  "SimplificationFilter\nLayerSubdivisionFilter\n"));
+  const auto parts = [&] { return findComponents(*window_->controller().finishedRun()->result.mesh).list.size(); };
+  QCOMPARE(parts(), std::size_t{kRisers + 1});
+
+  auto* paths = window_->findChild<PathFeature*>();
+  QVERIFY(paths != nullptr);
+  QTest::keyClick(&window_->view(), Qt::Key_P);
+  clickAt({2, 4, 0});
+  clickAt({12, 4, kRisers * kRiser});
+  QTRY_VERIFY(paths->model().result() && paths->model().result()->separation);
+  QVERIFY(!paths->model().result()->reached());
+  panelOnly("panel.path");
+  auto* mend = window_->findChild<QPushButton*>(QStringLiteral("pathMend"));
+  QVERIFY(mend && mend->isVisible());
+  QVERIFY2(mend->text().contains(QStringLiteral("Raise Step to 0.1")), qPrintable(mend->text()));
+  picture(QStringLiteral("guide-stairs-apart"));
+
+  mend->click();
+  QVERIFY(waitUntilIdle(*window_));
+  const double step = window_->document().pipeline().steps[3].values[0];
+  QVERIFY(step >= kRiser && step < 1.1 * kRiser);
+  QTRY_VERIFY(paths->model().result() && paths->model().result()->reached());
+  QCOMPARE(paths->model().result()->steps.size(), std::size_t{kRisers});
+  QCOMPARE(paths->model().result()->climb, kRisers * kRiser);
+  QCOMPARE(parts(), std::size_t{1});
+  QVERIFY(!mend->isVisible());
+  picture(QStringLiteral("guide-stairs-climbed"));
+  // One edit, which undo takes back.
+  QTest::keyClick(&window_->view(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(waitUntilIdle(*window_));
+  QTRY_VERIFY(paths->model().result() && !paths->model().result()->reached());
 }
 
 void TestStories::severalAgents() {

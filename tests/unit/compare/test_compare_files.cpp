@@ -70,6 +70,20 @@ QByteArray hills(int n, int shift) {
 class TestCompareFiles : public QObject {
   Q_OBJECT
  private slots:
+  void gltfIsRefusedInOneLine() {
+    const QTemporaryDir folder;
+    for (const char* content : {"{\"asset\": {\"version\": \"2.0\"}}", "\n {}", "glTF\2"}) {
+      const std::string path = folder.filePath("a.glb").toStdString();
+      QFile file(QString::fromStdString(path));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(content);
+      file.close();
+      const QString told = message(path);
+      QVERIFY2(told.contains("glTF has numbers of 24 bits") && told.contains("export as OBJ"), qPrintable(told));
+      QVERIFY(!told.contains('\n'));
+    }
+  }
+
   void exportsReadBack_data();
   void exportsReadBack();
   void groupsAmongPolygons();

@@ -100,6 +100,27 @@ class TestWalkableArea : public QObject {
     QVERIFY(areaFor({}) == 16 && areaFor({.radius = 1}) < 4 && areaFor({.radius = 1}) > 3.9999);
   }
 
+  void theDropCounts() {
+    const auto dropStep = [](double metresPerUnit, const Agent& agent) {
+      return formatStep(pipelineFor(withScale(metresPerUnit), agent).steps.back());
+    };
+    QVERIFY(pipelineFor(withScale(1), {.drop = 0}) == defaultPipeline(withScale(1)));
+    QCOMPARE(dropStep(0.5, {.drop = 3}), std::string("DropFilter 6 0.6"));
+    // Over both margins, where that is farther than the default.
+    QCOMPARE(dropStep(1, {.radius = 0.125, .drop = 3}), std::string("DropFilter 3"));
+    QCOMPARE(dropStep(1, {.radius = 0.5, .drop = 3}), std::string("DropFilter 3 1.05"));
+    for (const double drop : {-0.1, kNaN, kInfinity}) {
+      const std::string message = messageOf([&] { (void)pipelineFor(withScale(1), {.drop = drop}); });
+      QVERIFY2(message.starts_with("agent: depth"), message.c_str());
+    }
+    const Environment level = *Soup().floor(0, 0, 4, 4, 1).floor(4, 0, 8, 4, 0).environment();
+    const auto dropsOf = [&](const Agent& agent) { return walkableArea(level, agent).drops.size(); };
+    QCOMPARE(dropsOf({}), std::size_t{0});
+    QCOMPARE(dropsOf({.drop = 0.9}), std::size_t{0});
+    QVERIFY(dropsOf({.drop = 1}) > 0);
+    QVERIFY(dropsOf({.radius = 0.25, .drop = 1}) > 0);
+  }
+
   // Two halves of a floor, one 0.25 m higher: a step of exactly that is climbed.
   void theStepCounts() {
     const Environment level = *Soup().floor(0, 0, 4, 4, 0).floor(4, 0, 8, 4, 0.25).environment();
