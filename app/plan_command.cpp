@@ -21,6 +21,8 @@ struct PlanCommandOptions {
   int threads = 0;
   std::string output;
   std::string scale, paper;  ///< empty: what fits
+  std::uint32_t part = 0;    ///< from 1; 0: all
+  std::string coordinateSystem;
   bool storeys = false, blackAndWhite = false;
   bool quiet = false;
 };
@@ -46,6 +48,8 @@ PlanOptions planOptions(const PlanCommandOptions& options) {
   if (options.blackAndWhite) plan.colours = PlanColours::BlackAndWhite;
   if (!options.scale.empty()) plan.scale = scaleFrom(options.scale);
   plan.paper = paperFrom(options.paper);
+  if (options.part > 0) plan.part = options.part - 1;
+  plan.coordinateSystem = options.coordinateSystem;
   return plan;
 }
 
@@ -62,8 +66,8 @@ std::string drawPlan(const PlanCommandOptions& options) {
   const RunResult run = session.run(environment, *pipeline, options.pipeline);
 
   session.begin("drawing");
-  const std::vector<Sheet> sheets = drawFloorPlan(*environment, *pipeline, *run.mesh, plan, session.context());
-  const std::vector<PlanFile> files = formatPlanFiles(sheets, options.output);
+  const std::vector<PlanFile> files =
+      makePlanFiles(*environment, *pipeline, *run.mesh, options.output, plan, session.context());
   std::string written;
   // Nothing is written unless all of it may be.
   for (const PlanFile& file : files) {
@@ -83,15 +87,17 @@ std::string drawPlan(const PlanCommandOptions& options) {
 
 void addPlanCommand(CLI::App& app) {
   const auto options = std::make_shared<PlanCommandOptions>();
-  CLI::App& command = *app.add_subcommand("plan", "Draw floor plans to scale");
+  CLI::App& command = *app.add_subcommand("plan", "Draw floor plans to scale, or write them as polygons");
   options->environment.addTo(command);
   options->pipeline.addTo(command, "A pipeline file", "One step of the pipeline; give it once for each step");
   addThreads(command, options->threads);
   command
-      .add_option("-o,--output", options->output,
-                  "Write all pages to this PDF, or each to an SVG file: plan-0.svg, plan-1.svg and so on")
+      .add_option(
+          "-o,--output", options->output,
+          "Write all pages to this PDF, or each to an SVG file: plan-0.svg, plan-1.svg and so on; or the walkable "
+          "area as polygons: one file of well-known text for each layer and plan-links.wkt, or one GeoJSON file")
       ->required()
-      ->type_name("PLAN.svg|PLAN.pdf");
+      ->type_name("PLAN.svg|.pdf|.wkt|.geojson");
   command.add_flag("--storeys", options->storeys, "A page for each storey in place of one for each layer");
   command
       .add_option("--plan-scale", options->scale, "Draw at this scale; the largest usual one that fits when left out")
@@ -102,6 +108,15 @@ void addPlanCommand(CLI::App& app) {
                   "the smallest that holds it")
       ->check(CLI::IsMember({"A4", "A3", "A2", "A1", "A0"}, CLI::ignore_case))
       ->type_name(kPaperNames);
+  command
+      .add_option("--part", options->part,
+                  "Of polygons, write this connected part alone; 1 is the largest, as `footfall run` lists them")
+      ->check(CLI::Range(1U, 0x7fffffffU))
+      ->type_name("N");
+  command
+      .add_option("--crs", options->coordinateSystem,
+                  "The coordinate system that GeoJSON is to name, where the environment is in one; nothing is moved")
+      ->type_name("EPSG:N");
   command.add_flag("--black-and-white", options->blackAndWhite, "Without colours, for printing");
   command.add_flag("--quiet", options->quiet, "No progress bar, and no list of files");
   command.callback([options] { print(drawPlan(*options)); });

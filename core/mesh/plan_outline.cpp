@@ -6,7 +6,9 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
+#include "core/base/box_tree.hpp"
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/vector.hpp"
 #include "core/exact/source_predicates.hpp"
@@ -16,6 +18,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 14;
+constexpr int kRounding = -40;  // as a power of two of the extent: what is nearer may be apart by rounding alone
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// A side of a triangle, with the triangle on its left.
@@ -51,8 +54,9 @@ std::vector<std::uint32_t> placesOf(const NavigationMesh& mesh) {
 
 class Outliner {
  public:
-  Outliner(const NavigationMesh& mesh, std::span<const std::uint32_t> triangles, EdgeRule rule, Poll poll)
-      : mesh_(mesh), triangles_(triangles), poll_(poll), parts_(triangles.size()) {
+  Outliner(const NavigationMesh& mesh, std::span<const std::uint32_t> triangles, EdgeRule rule, Poll poll,
+           std::span<const std::uint32_t> groups)
+      : mesh_(mesh), triangles_(triangles), groups_(groups), rule_(rule), poll_(poll), parts_(triangles.size()) {
     std::vector<std::uint32_t> places;
     if (rule == EdgeRule::SamePlace) places = placesOf(mesh);
     const auto placeOf = [&places](std::uint32_t v) { return places.empty() ? v : places[v]; };
@@ -69,12 +73,17 @@ class Outliner {
   }
 
   PlanOutline outline() {
+    for (const Vec3& p : mesh_.vertices) extent_ = std::max({extent_, std::abs(p.x), std::abs(p.y)});
     pairSides();
+    if (rule_ == EdgeRule::SamePlace && splitBorder()) {
+      sides_ = std::exchange(border_, {});
+      std::sort(sides_.begin(), sides_.end(), comesBefore);
+      pairSides();
+    }
     Index count = 0;
     const std::vector<Index> partOf = parts_.numbers(count);
     result_.parts.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < triangles_.size(); ++i) result_.parts[partOf[i]].triangles.push_back(triangles_[i]);
-    for (const Vec3& p : mesh_.vertices) extent_ = std::max({extent_, std::abs(p.x), std::abs(p.y)});
     traceRings(partOf);
     // Slivers alone give a part no outline.
     std::erase_if(result_.parts, [](const PlanPart& part) { return part.outer.empty(); });
@@ -102,7 +111,7 @@ class Outliner {
       for (std::size_t k = i + 1; k < edge.size(); ++k) {
         const Side &a = edge[i], &b = edge[k];
         const bool isSame = a.from == b.to && a.to == b.from;
-        if (a.fromPlace != b.toPlace || (withSameVertices && !isSame)) continue;
+        if (a.fromPlace != b.toPlace || (withSameVertices && !isSame) || groupOf(a) != groupOf(b)) continue;
         parts_.unite(static_cast<Index>(a.triangle), static_cast<Index>(b.triangle));
         if (!isSame && !isLinked(a)) result_.barriers.push_back({a.from, a.to});
         edge.erase(edge.begin() + static_cast<std::ptrdiff_t>(k));
@@ -110,6 +119,61 @@ class Outliner {
         break;
       }
     }
+  }
+
+  /// Cuts sides of the border at the places of others that lie on them: surfaces that are not joined share no vertices.
+  /// Whether there was any.
+  bool splitBorder() {
+    std::vector<Index> places;
+    for (const Side& side : border_) places.push_back(static_cast<Index>(side.fromPlace));
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    BoxTree<2> tree;
+    tree.build(
+        places,
+        [this](Index v) {
+          const Vec3& p = mesh_.vertices[static_cast<std::size_t>(v)];
+          return BoxTree<2>::Bounds{{p.x, p.y}, {p.x, p.y}};
+        },
+        poll_);
+    std::vector<Side> pieces;
+    std::vector<std::pair<double, std::uint32_t>> cuts;
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      if (i % kPolled == 0) poll_();
+      Side side = border_[i];
+      findCuts(side, tree, cuts);
+      for (const auto& [along, place] : cuts) {
+        Side piece = side;
+        piece.to = piece.toPlace = side.from = side.fromPlace = place;
+        pieces.push_back(piece);
+      }
+      pieces.push_back(side);
+    }
+    const bool isAny = pieces.size() > border_.size();
+    border_ = std::move(pieces);
+    return isAny;
+  }
+
+  /// The places between the ends of a side, in its direction.
+  void findCuts(const Side& side, const BoxTree<2>& tree, std::vector<std::pair<double, std::uint32_t>>& cuts) const {
+    cuts.clear();
+    const Vec3 &a = mesh_.vertices[side.fromPlace], &b = mesh_.vertices[side.toPlace];
+    const double near = std::ldexp(extent_, kRounding), dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+    const BoxTree<2>::Bounds box{{std::min(a.x, b.x) - near, std::min(a.y, b.y) - near},
+                                 {std::max(a.x, b.x) + near, std::max(a.y, b.y) + near}};
+    tree.visitOverlapping(box, [&](Index v) {
+      const auto place = static_cast<std::uint32_t>(v);
+      if (place == side.fromPlace || place == side.toPlace) return;
+      const double x = mesh_.vertices[place].x - a.x, y = mesh_.vertices[place].y - a.y;
+      const double along = (x * dx + y * dy) / length;
+      if (along > near && along < length - near && std::abs(dx * y - dy * x) <= near * length)
+        cuts.emplace_back(along, place);
+    });
+    std::sort(cuts.begin(), cuts.end());
+  }
+
+  [[nodiscard]] std::uint32_t groupOf(const Side& side) const {
+    return groups_.empty() ? 0 : groups_[triangles_[side.triangle]];
   }
 
   [[nodiscard]] bool isLinked(const Side& side) const {
@@ -204,11 +268,12 @@ class Outliner {
       const Vec3 d = mesh_.vertices[ring[(i + 1) % ring.size()]] - mesh_.vertices[ring[i]];
       around += std::hypot(d.x, d.y);
     }
-    return std::abs(doubleAreaOf(mesh_, ring)) <= std::ldexp(extent_ * around, -40);
+    return std::abs(doubleAreaOf(mesh_, ring)) <= std::ldexp(extent_ * around, kRounding);
   }
 
   const NavigationMesh& mesh_;
-  std::span<const std::uint32_t> triangles_;
+  std::span<const std::uint32_t> triangles_, groups_;
+  EdgeRule rule_;
   Poll poll_;
   DisjointSets parts_;
   std::vector<Side> sides_, border_;
@@ -222,8 +287,8 @@ class Outliner {
 }  // namespace
 
 PlanOutline outlineInPlan(const NavigationMesh& mesh, std::span<const std::uint32_t> triangles, EdgeRule rule,
-                          Poll poll) {
-  return Outliner(mesh, triangles, rule, poll).outline();
+                          Poll poll, std::span<const std::uint32_t> groups) {
+  return Outliner(mesh, triangles, rule, poll, groups).outline();
 }
 
 double doubleAreaOf(const NavigationMesh& mesh, const PlanRing& ring) {

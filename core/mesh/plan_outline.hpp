@@ -39,9 +39,11 @@ enum class EdgeRule {
 /// `triangles` are numbers of triangles of the mesh, ascending, which for EdgeRule::SamePlace do not overlap in the
 /// plan. Each ring passes a place at most once: an outline that touches itself becomes an outer ring and holes that
 /// touch it, and parts that touch in one point are two. Which way a ring goes on where several meet is decided exactly;
-/// what is smaller than rounding can tell (2^-40 of the extent, times its length) is left out. `poll` may throw.
+/// what is smaller than rounding can tell (2^-40 of the extent, times its length) is left out. By SamePlace, places
+/// that lie on a side of the border (within that) cut it, as surfaces that are not joined share no vertices. With
+/// `groups`, one for each triangle of the mesh, only triangles of the same group grow together. `poll` may throw.
 PlanOutline outlineInPlan(const NavigationMesh& mesh, std::span<const std::uint32_t> triangles, EdgeRule rule,
-                          Poll poll = {});
+                          Poll poll = {}, std::span<const std::uint32_t> groups = {});
 
 /// Twice the area inside a ring in the plan, negative for a clockwise one; rounded.
 double doubleAreaOf(const NavigationMesh& mesh, const PlanRing& ring);

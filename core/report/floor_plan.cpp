@@ -9,6 +9,8 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/number_text.hpp"
 #include "core/base/vector.hpp"
+#include "core/io/formats/geojson_export.hpp"
+#include "core/io/formats/wkt_export.hpp"
 #include "core/report/plan_drawing.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/path.hpp"
@@ -187,6 +189,25 @@ std::string figuresOf(const NavigationMesh& mesh, const PlanPage& page, double m
          areaText(area * metresPerUnit * metresPerUnit);
 }
 
+/// "plan-0.svg" for "plan.svg".
+std::string pathWith(const std::string& path, const std::string& suffix) {
+  const std::filesystem::path target(path);
+  std::filesystem::path other = target;
+  other.replace_filename(target.stem().string() + '-' + suffix + target.extension().string());
+  return other.string();
+}
+
+std::vector<PlanFile> makeWktFiles(const NavigationMesh& mesh, const std::string& path,
+                                   std::optional<std::uint32_t> part, Poll poll) {
+  const PlanPolygons polygons = makePlanPolygons(mesh, poll);
+  std::vector<PlanFile> files;
+  for (std::uint32_t layer = 0; layer < polygons.layerCount; ++layer)
+    files.push_back({polygons.layerCount == 1 ? path : pathWith(path, std::to_string(layer)),
+                     formatLayerWkt(mesh, polygons, layer, part)});
+  files.push_back({pathWith(path, "links"), formatLinksWkt(mesh, polygons)});
+  return files;
+}
+
 }  // namespace
 
 std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline& pipeline, const NavigationMesh& mesh,
@@ -229,20 +250,25 @@ PlanFormat planFormatOf(const std::string& path) {
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".svg") return PlanFormat::Svg;
   if (ending == ".pdf") return PlanFormat::Pdf;
-  throw InputError(FOOTFALL_TEXT("%1: a floor plan is an SVG or a PDF file; give a name that ends in .svg or .pdf"),
+  if (ending == ".wkt") return PlanFormat::Wkt;
+  if (ending == ".geojson") return PlanFormat::GeoJson;
+  throw InputError(FOOTFALL_TEXT("%1: no name of a floor plan; give one that ends in .svg, .pdf, .wkt or .geojson"),
                    path);
 }
 
-std::vector<PlanFile> formatPlanFiles(const std::vector<Sheet>& sheets, const std::string& path) {
-  if (planFormatOf(path) == PlanFormat::Pdf) return {{path, formatSheetsPdf(sheets)}};
+std::vector<PlanFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,
+                                    const NavigationMesh& mesh, const std::string& path, const PlanOptions& options,
+                                    Poll poll) {
+  const PlanFormat format = planFormatOf(path);
+  if (format == PlanFormat::GeoJson)
+    return {{path, formatGeoJson(mesh, {options.coordinateSystem, options.part}, poll)}};
+  if (format == PlanFormat::Wkt) return makeWktFiles(mesh, path, options.part, poll);
+  const std::vector<Sheet> sheets = drawFloorPlan(environment, pipeline, mesh, options, poll);
+  if (format == PlanFormat::Pdf) return {{path, formatSheetsPdf(sheets)}};
   if (sheets.size() == 1) return {{path, formatSheetSvg(sheets.front())}};
   std::vector<PlanFile> files;
-  const std::filesystem::path target(path);
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    std::filesystem::path page = target;
-    page.replace_filename(target.stem().string() + '-' + std::to_string(i) + target.extension().string());
-    files.push_back({page.string(), formatSheetSvg(sheets[i])});
-  }
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    files.push_back({pathWith(path, std::to_string(i)), formatSheetSvg(sheets[i])});
   return files;
 }
 

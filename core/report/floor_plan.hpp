@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ struct PlanOptions {
   std::optional<double> scale;
   /// Empty: A4, or A3 where A4 would be smaller than 1:100; with a scale the smallest that holds it.
   std::optional<Paper> paper;
+  std::optional<std::uint32_t> part;  ///< WKT and GeoJSON: this connected part alone, from 0
+  std::string coordinateSystem = {};  ///< GeoJSON: "EPSG:25832"; empty: none is named
 };
 
 /// "A4" to "A0", in either case; empty for anything else.
@@ -47,8 +50,9 @@ inline constexpr const char* kPaperNames = "A4|A3|A2|A1|A0";
 std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline& pipeline, const NavigationMesh& mesh,
                                  const PlanOptions& options = {}, Poll poll = {});
 
-/// Whether a name ends in .svg or .pdf, in either case. Throws InputError for another ending.
-enum class PlanFormat { Svg, Pdf };
+/// What a plan is written as.
+enum class PlanFormat { Svg, Pdf, Wkt, GeoJson };
+/// By the ending of a name, in either case. Throws InputError for one that is no plan.
 PlanFormat planFormatOf(const std::string& path);
 
 /// A file to write.
@@ -56,8 +60,11 @@ struct PlanFile {
   std::string path, bytes;
 };
 
-/// One PDF with all pages, or an SVG file for each: "plan.svg" where there is a single one, else "plan-0.svg" and so
-/// on.
-std::vector<PlanFile> formatPlanFiles(const std::vector<Sheet>& sheets, const std::string& path);
+/// The files of a plan, by the ending of `path`: one PDF with all pages, an SVG file for each ("plan-0.svg", or
+/// "plan.svg" where there is a single one), well-known text for each layer in the same way and "plan-links.wkt"
+/// (core/io/formats/wkt_export.hpp), or one GeoJSON file (geojson_export.hpp). Throws as drawFloorPlan() does.
+std::vector<PlanFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,
+                                    const NavigationMesh& mesh, const std::string& path,
+                                    const PlanOptions& options = {}, Poll poll = {});
 
 }  // namespace footfall::detail
