@@ -20,6 +20,7 @@ void runCommandLine(int argc, const char* const* argv) {
   addInfoCommand(app);
   addCellsCommand(app);
   addPathCommand(app);
+  addPlanCommand(app);
   addCompareCommand(app);
   addFiltersCommand(app);
   try {

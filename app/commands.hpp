@@ -21,6 +21,8 @@ void addCellsCommand(CLI::App& app);
 /// `footfall path`: the shortest path between two places. Where the target cannot be reached, the path leads to the
 /// nearest place that can, and is reported and written as well, before that is an error.
 void addPathCommand(CLI::App& app);
+/// `footfall plan`: floor plans as SVG or PDF.
+void addPlanCommand(CLI::App& app);
 /// `footfall compare`: how two navigation meshes differ.
 void addCompareCommand(CLI::App& app);
 /// `footfall filters`: the reference of filters.

@@ -11,7 +11,8 @@ packages=(
   # building
   ca-certificates ccache cmake dpkg-dev g++ git make ninja-build
   # the core
-  libassimp-dev zlib1g-dev libminizip-dev libcgal-dev libcli11-dev libgmp-dev libmpfr-dev libtbb-dev nlohmann-json3-dev
+  libassimp-dev zlib1g-dev libminizip-dev libcgal-dev libcli11-dev libgmp-dev libhpdf-dev libmpfr-dev libtbb-dev
+  nlohmann-json3-dev
   # the editor; fonts, because a bare system has none and Qt then draws empty boxes
   fonts-dejavu-core libegl-dev libgl-dev libgl1-mesa-dri libglu1-mesa-dev libopengl-dev libqcustomplot-dev
   libqt6opengl6-dev qmake6 qt6-base-dev qt6-base-dev-tools qt6-l10n-tools qt6-qpa-plugins qt6-svg-dev

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/command_session.hpp"
+#include "app/commands.hpp"
+#include "core/io/export.hpp"
+#include "core/report/floor_plan.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/pipeline.hpp"
+
+namespace footfall::app {
+using namespace detail;
+namespace {
+
+struct PlanCommandOptions {
+  EnvironmentOptions environment;
+  PipelineOptions pipeline;
+  int threads = 0;
+  std::string output;
+  std::string scale, paper;  ///< empty: what fits
+  std::uint32_t part = 0;    ///< from 1; 0: all
+  std::string coordinateSystem;
+  bool storeys = false, blackAndWhite = false;
+  bool quiet = false;
+};
+
+/// "100" or "1:100".
+double scaleFrom(const std::string& text) {
+  const std::string digits = text.starts_with("1:") ? text.substr(2) : text;
+  std::size_t read = 0;
+  double scale = 0;
+  try {
+    scale = std::stod(digits, &read);
+  } catch (const std::exception&) {
+    read = 0;
+  }
+  if (read == 0 || read != digits.size() || !std::isfinite(scale) || scale < 1)
+    throw InputError("--plan-scale: must be like 1:100 or 100, and 1 at least");
+  return scale;
+}
+
+PlanOptions planOptions(const PlanCommandOptions& options) {
+  PlanOptions plan;
+  if (options.storeys) plan.pages = PlanPages::Storeys;
+  if (options.blackAndWhite) plan.colours = PlanColours::BlackAndWhite;
+  if (!options.scale.empty()) plan.scale = scaleFrom(options.scale);
+  plan.paper = paperFrom(options.paper);
+  if (options.part > 0) plan.part = options.part - 1;
+  plan.coordinateSystem = options.coordinateSystem;
+  return plan;
+}
+
+/// Returns what was written, for stdout.
+std::string drawPlan(const PlanCommandOptions& options) {
+  planFormatOf(options.output);
+  const PlanOptions plan = planOptions(options);
+  WriteTargets targets = targetsBeside(options.environment, options.pipeline);
+  targets.add(options.output, FOOTFALL_TEXT("the floor plan"));
+  std::optional<Pipeline> pipeline = options.pipeline.given();
+  CommandSession session(options.threads, options.quiet);
+  const std::shared_ptr<const Environment> environment = session.load(options.environment);
+  if (!pipeline) pipeline = defaultPipeline(*environment);
+  const RunResult run = session.run(environment, *pipeline, options.pipeline);
+
+  session.begin("drawing");
+  const std::vector<PlanFile> files =
+      makePlanFiles(*environment, *pipeline, *run.mesh, options.output, plan, session.context());
+  std::string written;
+  // Nothing is written unless all of it may be.
+  for (const PlanFile& file : files) {
+    targets.check(file.path);
+    checkWritable(file.path);
+  }
+  for (const PlanFile& file : files) {
+    session.context().checkCancelled();
+    writeFileSafely(file.path, file.bytes);
+    written += file.path + '\n';
+  }
+  session.end();
+  return options.quiet ? std::string() : written;
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& app) {
+  const auto options = std::make_shared<PlanCommandOptions>();
+  CLI::App& command = *app.add_subcommand("plan", "Draw floor plans to scale, or write them as polygons");
+  options->environment.addTo(command);
+  options->pipeline.addTo(command, "A pipeline file", "One step of the pipeline; give it once for each step");
+  addThreads(command, options->threads);
+  command
+      .add_option(
+          "-o,--output", options->output,
+          "Write all pages to this PDF, or each to an SVG file: plan-0.svg, plan-1.svg and so on; or the walkable "
+          "area as polygons: one file of well-known text for each layer and plan-links.wkt, or one GeoJSON file")
+      ->required()
+      ->type_name("PLAN.svg|.pdf|.wkt|.geojson");
+  command.add_flag("--storeys", options->storeys, "A page for each storey in place of one for each layer");
+  command
+      .add_option("--plan-scale", options->scale, "Draw at this scale; the largest usual one that fits when left out")
+      ->type_name("1:N");
+  command
+      .add_option("--paper", options->paper,
+                  "The size of the paper; when left out A4, or A3 where A4 is too small for 1:100, and with a scale "
+                  "the smallest that holds it")
+      ->check(CLI::IsMember({"A4", "A3", "A2", "A1", "A0"}, CLI::ignore_case))
+      ->type_name(kPaperNames);
+  command
+      .add_option("--part", options->part,
+                  "Of polygons, write this connected part alone; 1 is the largest, as `footfall run` lists them")
+      ->check(CLI::Range(1U, 0x7fffffffU))
+      ->type_name("N");
+  command
+      .add_option("--crs", options->coordinateSystem,
+                  "The coordinate system that GeoJSON is to name, where the environment is in one; nothing is moved")
+      ->type_name("EPSG:N");
+  command.add_flag("--black-and-white", options->blackAndWhite, "Without colours, for printing");
+  command.add_flag("--quiet", options->quiet, "No progress bar, and no list of files");
+  command.callback([options] { print(drawPlan(*options)); });
+}
+
+}  // namespace footfall::app

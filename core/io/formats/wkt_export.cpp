@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/formats/wkt_export.hpp"
+
+#include <vector>
+
+#include "core/base/number_text.hpp"
+
+namespace footfall::detail {
+namespace {
+
+class WktWriter {
+ public:
+  explicit WktWriter(const NavigationMesh& mesh) : mesh_(mesh) {}
+
+  void layer(const PlanPolygons& polygons, std::uint32_t layer, std::optional<std::uint32_t> part) {
+    std::vector<const PlanPart*> chosen;
+    for (const PlanPolygon& polygon : polygons.polygons)
+      if (polygon.layer == layer && polygon.part == part.value_or(polygon.part)) chosen.push_back(&polygon.outline);
+    if (chosen.empty()) text += "POLYGON EMPTY";
+    if (chosen.size() == 1) polygon(*chosen.front());
+    if (chosen.size() < 2) return;
+    text += "GEOMETRYCOLLECTION (";
+    list(chosen, [this](const PlanPart* outline) { polygon(*outline); });
+    text += ')';
+  }
+
+  /// Without those that have no length in the plan.
+  void lines(const std::vector<std::array<Vec3, 2>>& all) {
+    std::vector<std::array<Vec3, 2>> some;
+    for (const auto& line : all)
+      if (line[0].x != line[1].x || line[0].y != line[1].y) some.push_back(line);
+    text += some.empty() ? "MULTILINESTRING EMPTY" : "MULTILINESTRING (";
+    list(some, [this](const std::array<Vec3, 2>& line) {
+      text += '(';
+      list(line, [this](const Vec3& p) { place(p); });
+      text += ')';
+    });
+    if (!some.empty()) text += ')';
+  }
+
+  void links(const PlanPolygons& polygons) {
+    const auto edgesOf = [this](const auto& edges) {
+      std::vector<std::array<Vec3, 2>> found;
+      for (const auto& edge : edges) found.push_back({mesh_.vertices[edge[0]], mesh_.vertices[edge[1]]});
+      return found;
+    };
+    std::vector<std::array<Vec3, 2>> steps, gaps, drops;
+    for (const StepLink& link : mesh_.links)
+      (link.kind == StepKind::Gap ? gaps : steps)
+          .push_back({mesh_.vertices[link.from[0]], mesh_.vertices[link.from[1]]});
+    for (const DropLink& drop : mesh_.drops) drops.push_back(drop.start);
+    list(std::array{edgesOf(mesh_.connections), steps, gaps, drops, edgesOf(polygons.barriers)},
+         [this](const auto& kind) { lines(kind); });
+  }
+
+  std::string text;
+
+ private:
+  template <class List, class Write>
+  void list(const List& all, Write write) {
+    bool isFirst = true;
+    for (const auto& one : all) {
+      if (!isFirst) text += ", ";
+      isFirst = false;
+      write(one);
+    }
+  }
+
+  void place(const Vec3& p) {
+    appendNumber(text, p.x * mesh_.frame.metresPerUnit);
+    text += ' ';
+    appendNumber(text, p.y * mesh_.frame.metresPerUnit);
+  }
+
+  void ring(const PlanRing& vertices) {
+    text += '(';
+    list(vertices, [this](std::uint32_t v) { place(mesh_.vertices[v]); });
+    text += ", ";
+    place(mesh_.vertices[vertices.front()]);
+    text += ')';
+  }
+
+  void polygon(const PlanPart& outline) {
+    text += "POLYGON (";
+    ring(outline.outer);
+    for (const PlanRing& hole : outline.holes) {
+      text += ", ";
+      ring(hole);
+    }
+    text += ')';
+  }
+
+  const NavigationMesh& mesh_;
+};
+
+}  // namespace
+
+std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
+                           std::optional<std::uint32_t> part) {
+  WktWriter writer(mesh);
+  writer.layer(polygons, layer, part);
+  return writer.text + '\n';
+}
+
+std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons) {
+  WktWriter writer(mesh);
+  writer.text = "GEOMETRYCOLLECTION (";
+  writer.links(polygons);
+  return writer.text + ")\n";
+}
+
+std::string formatWkt(const NavigationMesh& mesh, Poll poll) {
+  const PlanPolygons polygons = makePlanPolygons(mesh, poll);
+  WktWriter writer(mesh);
+  writer.text = "GEOMETRYCOLLECTION (";
+  for (std::uint32_t layer = 0; layer < polygons.layerCount; ++layer) {
+    writer.layer(polygons, layer, {});
+    writer.text += ", ";
+  }
+  writer.links(polygons);
+  return writer.text + ")\n";
+}
+
+}  // namespace footfall::detail

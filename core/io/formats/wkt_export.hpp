@@ -1,0 +1,30 @@
+// The walkable area as well-known text (OGC Simple Features), as JuPedSim and others take it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/io/formats/plan_polygons.hpp"
+
+namespace footfall::detail {
+
+// All coordinates are metres in the plan (X, Y of a Z-up frame): the environment's units times its metresPerUnit, which
+// changes nothing where that is 1. Numbers are the shortest that read back equal; outer rings are counter-clockwise.
+// Each text ends with a line break, and the same mesh gives the same bytes.
+
+/// The polygons of a layer: POLYGON where there is one, POLYGON EMPTY where there is none, else a GEOMETRYCOLLECTION of
+/// them; no MULTIPOLYGON, as that forbids the borders that neighbouring parts share. With `part` (from 0), only those
+/// of that connected part.
+std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
+                           std::optional<std::uint32_t> part = std::nullopt);
+
+/// A GEOMETRYCOLLECTION of five MULTILINESTRINGs, EMPTY where there is nothing: the edges where layers meet, those over
+/// which steps, gaps and drops lead, and the edges inside polygons that cannot be crossed.
+std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons);
+
+/// Everything in one GEOMETRYCOLLECTION: the layers, each as above, and then the five MULTILINESTRINGs.
+std::string formatWkt(const NavigationMesh& mesh, Poll poll = {});
+
+}  // namespace footfall::detail

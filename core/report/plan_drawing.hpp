@@ -1,0 +1,45 @@
+// One page of a floor plan: what is drawn in its window.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/plan_outline.hpp"
+#include "core/report/plan_layout.hpp"
+#include "core/report/plan_pages.hpp"
+#include "core/report/plan_stairs.hpp"
+
+namespace footfall::detail {
+
+/// What a page shows, for its legend.
+struct PlanContents {
+  bool walls = false, obstacleEdges = false, steps = false, gaps = false, drops = false, passages = false;
+};
+
+struct PlanStyle {
+  Rgb walkable, border, wall, wallLine, obstacleEdge, step, gap, drop, passage, text;
+};
+PlanStyle planStyle(PlanColours colours);
+
+struct PlanSubject {
+  const Environment& environment;
+  const NavigationMesh& mesh;
+  const NumberedParts& parts;
+  const std::vector<PlanFlight>& flights;
+  const std::vector<PlanPage>& pages;
+  WallCut cut;
+};
+
+/// Draws page `page` into `drawing`, from below to above: walls, walkable area, what is on it, words.
+PlanContents drawPlanPage(const PlanSubject& subject, std::size_t page, const PlanLayout& layout,
+                          const PlanStyle& style, std::vector<SheetShape>& drawing, Poll poll);
+
+/// An arrow from `from` to `to` with a head of `size` millimetres.
+void addArrow(std::vector<SheetShape>& drawing, const std::vector<SheetPoint>& way, double size,
+              const SheetStroke& stroke);
+
+/// "12.3 m²"
+std::string areaText(double squareMetres);
+
+}  // namespace footfall::detail
