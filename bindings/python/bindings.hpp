@@ -6,6 +6,7 @@
 
 namespace footfall::python {
 
+void bindAgents(pybind11::module_& module);
 void bindPipelines(pybind11::module_& module);
 void bindEnvironments(pybind11::module_& module);
 void bindRuns(pybind11::module_& module);

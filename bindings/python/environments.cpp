@@ -167,8 +167,8 @@ numbers of vertices that do not exist.)",
   define(
       environment, "pipeline_for",
       [](const Environment& level, double slope, double height, double minimumArea, double step, double gap,
-         double radius, double drop) {
-        return pipelineFor(level, {slope, height, minimumArea, step, gap, radius, drop});
+         double radius, double drop, const py::object& agent) {
+        return pipelineFor(level, agentFrom(agent, {slope, height, minimumArea, step, gap, radius, drop}));
       },
       R"(Return the `Pipeline` that computes where an agent can walk, in the units of this environment.
 
@@ -178,9 +178,13 @@ minimum_area: square metres: connected parts that are no larger are left out.
 step: metres, at least 0: how high it climbs at once, on stairs and kerbs; 0: it does not lift its feet.
 gap: metres, at least 0: how wide a gap it steps over, seen from above.
 radius: metres, at least 0: how far its middle stays away from walls and ledges; 0: it is a point.
-drop: metres, at least 0: how deep it drops from a ledge, one way; 0: it drops nowhere.)",
+drop: metres, at least 0: how deep it drops from a ledge, one way; 0: it drops nowhere.
+agent: an `Agent` in place of all these numbers, or None.
+
+Raises InputError for a number out of range.)",
       py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(), py::arg("minimum_area") = 1.0,
-      py::arg("step") = 0.4, py::arg("gap") = 0.05, py::arg("radius") = 0.0, py::arg("drop") = 0.0);
+      py::arg("step") = 0.4, py::arg("gap") = 0.05, py::arg("radius") = 0.0, py::arg("drop") = 0.0,
+      py::arg("agent") = py::none());
 
   define(
       environment, "with_roles",

@@ -19,6 +19,7 @@ PYBIND11_MODULE(_core, module) {
   auto& run = py::register_exception<footfall::RunError>(module, "RunError", PyExc_RuntimeError);
   run.doc() = "A result cannot be written, or memory or disk ran out.";
 
+  bindAgents(module);
   bindPipelines(module);
   bindEnvironments(module);
   bindRuns(module);

@@ -283,14 +283,15 @@ bytes: about how much memory they may take; 0: an eighth of the machine's.)",
       module, "run",
       [](std::shared_ptr<Environment> environment, const py::object& pipeline, int threads,
          std::shared_ptr<ResultCache> cache, const py::object& progress) {
-        Pipeline steps = pipeline.is_none() ? defaultPipeline(*environment) : pipelineFrom(pipeline);
+        const bool isAgent = pipeline.is_none() || py::isinstance<Agent>(pipeline);
+        Pipeline steps = isAgent ? pipelineFor(*environment, agentFrom(pipeline, {})) : pipelineFrom(pipeline);
         return run(std::move(environment), std::move(steps), threads, std::move(cache), progress);
       },
       R"(Run a pipeline over an environment and return a `WalkableArea`.
 
 environment: an `Environment`.
-pipeline: a `Pipeline`, its text, or a list of steps such as ("SlopeFilter", 45); None: the default, which is
-    Environment.pipeline_for() without arguments.
+pipeline: a `Pipeline`, its text, a list of steps such as ("SlopeFilter", 45), or an `Agent`, for
+    Environment.pipeline_for(agent=...); None: Agent().
 threads: how many may work, 0: as many as the machine has. The result does not depend on it.
 cache: a `ResultCache` that several runs share, or None.
 progress: called as progress(step, name, fraction), in the calling thread: a step's number from 0, its filter's
@@ -305,10 +306,11 @@ was finished. Raises InputError for a pipeline that is wrong, and RunError.)",
       module, "walkable_area",
       [](const py::object& vertices, const py::object& triangles, double slope, double height, double minimumArea,
          double step, double gap, double radius, double drop, const std::string& up, double metresPerUnit,
-         bool bothSides, const py::object& obstacleOnly, int threads, const py::object& progress) {
+         bool bothSides, const py::object& obstacleOnly, int threads, const py::object& progress,
+         const py::object& agent) {
         const auto environment = environmentFrom(vertices, triangles, {up, metresPerUnit, bothSides, obstacleOnly});
-        return run(environment, pipelineFor(*environment, {slope, height, minimumArea, step, gap, radius, drop}),
-                   threads, nullptr, progress);
+        const Agent walker = agentFrom(agent, {slope, height, minimumArea, step, gap, radius, drop});
+        return run(environment, pipelineFor(*environment, walker), threads, nullptr, progress);
       },
       R"(Return where an agent can walk on a triangle soup, exactly: a `WalkableArea`.
 
@@ -327,12 +329,14 @@ radius: metres, at least 0: how far its middle stays away from walls and ledges;
 drop: metres, at least 0: how deep it drops from a ledge, one way; 0: it drops nowhere.
 up, metres_per_unit, both_sides, obstacle_only: as for `Environment`.
 threads, progress: as for `run`. Ctrl-C raises KeyboardInterrupt within some 50 ms.
+agent: an `Agent` in place of slope, height, minimum_area, step, gap, radius and drop, or None.
 
 Raises InputError for arrays or numbers that are wrong, and RunError.)",
       py::arg("vertices"), py::arg("triangles"), py::arg("slope") = 45.0, py::arg("height") = 2.0, py::kw_only(),
       py::arg("minimum_area") = 1.0, py::arg("step") = 0.4, py::arg("gap") = 0.05, py::arg("radius") = 0.0,
       py::arg("drop") = 0.0, py::arg("up") = "z", py::arg("metres_per_unit") = 1.0, py::arg("both_sides") = false,
-      py::arg("obstacle_only") = py::none(), py::arg("threads") = 0, py::arg("progress") = py::none());
+      py::arg("obstacle_only") = py::none(), py::arg("threads") = 0, py::arg("progress") = py::none(),
+      py::arg("agent") = py::none());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "footfall/agent.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/navigation_mesh.hpp"
@@ -44,6 +45,10 @@ struct Area : Mesh {
 
 /// A pipeline from its text, or from a sequence of steps: "SlopeFilter 45" or ("SlopeFilter", 45). Throws InputError.
 Pipeline pipelineFrom(const py::object& given);
+
+/// The agent that is given, a footfall.Agent; for None one of `numbers`, which must be the defaults otherwise. Throws
+/// InputError.
+Agent agentFrom(const py::object& agent, const Agent& numbers);
 
 /// The up axis of a name such as "z" or "-y"; nothing for None. Throws InputError for anything else.
 std::optional<UpAxis> upAxisFrom(const std::optional<std::string>& name);

@@ -42,6 +42,32 @@ double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit
   return checkValue(parameter, value).empty() ? value : parameter.defaultValue;
 }
 
+/// A number of an agent, in metres or degrees, and the filter's parameter that it becomes.
+struct AgentNumber {
+  FilterType type{};
+  std::size_t parameter = 0;
+  double value = 0;
+};
+
+// Those of filters that the agent's pipeline has.
+std::vector<AgentNumber> numbersOf(const Agent& agent) {
+  std::vector<AgentNumber> numbers{{FilterType::Slope, 0, agent.maxSlope},
+                                   {FilterType::VerticalClearance, 0, agent.height},
+                                   {FilterType::Area, 0, agent.minimumArea}};
+  if (agent.step != 0) {
+    numbers.push_back({FilterType::Step, 0, agent.step});
+    numbers.push_back({FilterType::Step, 1, agent.gap});
+  }
+  if (agent.radius != 0) numbers.push_back({FilterType::Radius, 0, agent.radius});
+  if (agent.drop != 0) {
+    numbers.push_back({FilterType::Drop, 0, agent.drop});
+    const double reach = kReachOverMargins * agent.radius;
+    if (reach > filterDescriptor(FilterType::Drop).parameters[1].defaultValue)
+      numbers.push_back({FilterType::Drop, 1, reach});
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::string formatStep(const PipelineStep& step) {
@@ -98,50 +124,37 @@ Pipeline defaultPipeline(const Environment& environment) {
 }
 
 Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
+  checkAgent(agent);
   Pipeline pipeline = defaultPipeline(environment);
   const auto place = [&](FilterType type) {
     return std::ranges::find(pipeline.steps, &filterDescriptor(type), &PipelineStep::filter);
   };
-  struct Number {
-    FilterType type{};
-    std::size_t parameter = 0;
-    double value = 0;
-  };
-  std::vector<Number> numbers{{FilterType::Slope, 0, agent.maxSlope},
-                              {FilterType::VerticalClearance, 0, agent.height},
-                              {FilterType::Area, 0, agent.minimumArea}};
-  if (agent.step == 0) {
-    pipeline.steps.erase(place(FilterType::Step));
-  } else {
-    numbers.push_back({FilterType::Step, 0, agent.step});
-    numbers.push_back({FilterType::Step, 1, agent.gap});
-  }
+  if (agent.step == 0) pipeline.steps.erase(place(FilterType::Step));
   if (agent.radius != 0) {
     pipeline.steps.insert(place(FilterType::Area),
                           defaultStep(filterDescriptor(FilterType::Radius), environment.metresPerUnit));
-    numbers.push_back({FilterType::Radius, 0, agent.radius});
   }
-  if (agent.drop != 0) {
+  if (agent.drop != 0)
     pipeline.steps.push_back(defaultStep(filterDescriptor(FilterType::Drop), environment.metresPerUnit));
-    numbers.push_back({FilterType::Drop, 0, agent.drop});
-    const double reach = kReachOverMargins * agent.radius;
-    if (reach > filterDescriptor(FilterType::Drop).parameters[1].defaultValue)
-      numbers.push_back({FilterType::Drop, 1, reach});
-  }
-  for (const auto& [type, index, value] : numbers) {
-    const FilterDescriptor& filter = filterDescriptor(type);
-    const ParameterDescriptor& parameter = filter.parameters[index];
-    if (const Text wrong = checkValue(parameter, value); !wrong.empty())
-      throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);
-    std::vector<double>& values = place(type)->values;
-    double& written = values[index];
-    written = inUnits(parameter, value, environment.metresPerUnit);
+  for (const AgentNumber& number : numbersOf(agent)) {
+    const FilterDescriptor& filter = filterDescriptor(number.type);
+    const ParameterDescriptor& parameter = filter.parameters[number.parameter];
+    std::vector<double>& values = place(number.type)->values;
+    double& written = values[number.parameter];
+    written = inUnits(parameter, number.value, environment.metresPerUnit);
     if (const Text wrong = checkValue(parameter, written); !wrong.empty())
       throw InputError(FOOTFALL_TEXT("agent, in the environment's units: %1"), wrong);
     for (std::size_t i = 0; i < filter.parameters.size(); ++i)
-      if (filter.parameters[i].follows == static_cast<int>(index)) values[i] = written;
+      if (filter.parameters[i].follows == static_cast<int>(number.parameter)) values[i] = written;
   }
   return pipeline;
+}
+
+void checkAgent(const Agent& agent) {
+  for (const AgentNumber& number : numbersOf(agent)) {
+    const Text wrong = checkValue(filterDescriptor(number.type).parameters[number.parameter], number.value);
+    if (!wrong.empty()) throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);
+  }
 }
 
 }  // namespace footfall

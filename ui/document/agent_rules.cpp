@@ -6,9 +6,11 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #include "core/pipeline/block_structure.hpp"
+#include "footfall/agent.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -235,60 +237,39 @@ std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fr
   return agents;
 }
 
-// Steps: what is built for who walks or rolls.
-// - Stairs: Approved Document K to the Building Regulations 2010 of England (2013 edition), table 1.1: a riser of a
-//   private stair is at most 220 mm, the most that the codes looked at allow (190 mm for other stairs there).
-// - Wheels: 2010 ADA Standards for Accessible Design, 404.2.5: a threshold is at most 1/2 inch (13 mm); 405.2: a ramp
-//   is at most 1 in 12 (4.76 degrees).
-// - Robot: Boston Dynamics, "About Spot": 840 mm high standing, 500 mm wide, slopes up to 30 degrees, steps up to 300
-//   mm.
-// Gaps, seen from above:
-// - Wheels: 2010 ADA Standards, 302.3: an opening in the floor lets no sphere of 1/2 inch (13 mm) pass.
-// - Others: 50 mm, the default of StepFilter, for joints and floors that miss each other; no code allows people more.
-// Radii: half of what they are wide.
-// - People: Gordon et al., 1988 Anthropometric Survey of U.S. Army Personnel: men are 0.535 m broad at the shoulders
-//   (bideltoid breadth, 95th percentile). A child, a cart, a giant and a crawler are ours.
-// - Wheelchair: 2010 ADA Standards, 305.3: the clear floor space for one is 760 mm wide.
-// Defaults of others, which have no number for gaps (voxels close those narrower than a cell or two):
-// - Unity: the agent type Humanoid of a new project (ProjectSettings/NavMeshAreas.asset).
-// - Unreal: the supported agent and NavMeshResolutionParams of RecastNavMesh in BaseEngine.ini, and AgentRadius of
-//   ARecastNavMesh, in centimetres.
-// - Godot 4: agent_height, agent_radius, agent_max_slope and agent_max_climb of NavigationMesh.
-// - Recast: RecastDemo, Sample::resetCommonSettings().
-// Nobody drops by default: in Unity, which knows drops, objects are marked for them first.
+// The sizes have sources in core/pipeline/known_agents.cpp. Nobody drops by default: in Unity, which knows drops,
+// objects are marked for them first.
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
-  constexpr double kRiser = 0.22, kThreshold = 0.013, kOpening = 0.013, kJoint = 0.05, kShoulder = 0.27;
-  const auto preset = [metresPerUnit](const QString& name, double height, double degrees, double step, double gap,
-                                      double radius, const QString& help) {
+  const auto preset = [metresPerUnit](const char* known, const QString& name, const QString& help) {
     const auto units = [metresPerUnit](double metres) { return rounded(metres / metresPerUnit); };
-    return AgentPreset{{0, name.toStdString(), units(height), degrees, units(step), units(gap), units(radius), 0},
+    const Agent& agent = std::ranges::find(knownAgents(), std::string_view(known), &KnownAgent::name)->agent;
+    return AgentPreset{{0, name.toStdString(), units(agent.height), agent.maxSlope, units(agent.step), units(agent.gap),
+                        units(agent.radius), 0},
                        help};
   };
   return {
       preset(
-          tr("Human"), 2, 45, kRiser, kJoint, kShoulder,
+          "Human", tr("Human"),
           tr("2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m, shoulders: a radius of 0.27 m")),
-      preset(tr("Child"), 1.2, 45, kRiser, kJoint, 0.18,
+      preset("Child", tr("Child"),
              tr("1.2 m, slopes up to 45°, stairs: risers up to 0.22 m, gaps up to 0.05 m, a radius of 0.18 m")),
-      preset(tr("Wheelchair"), 1.5, 5, kThreshold, kOpening, 0.38,
+      preset("Wheelchair", tr("Wheelchair"),
              tr("1.5 m, slopes up to 5° (ramps of 1 in 12 are 4.76°), thresholds and gaps up to 0.013 m, a radius of "
                 "0.38 m")),
-      preset(tr("Cart"), 1.2, 10, kThreshold, kOpening, 0.3,
-             tr("1.2 m, slopes up to 10°, thresholds and gaps up to 0.013 m, a radius of 0.3 m")),
-      preset(tr("Giant"), 4, 45, 0.8, 0.1, 1,
-             tr("4 m, slopes up to 45°, steps up to 0.8 m, gaps up to 0.1 m, a radius of 1 m")),
-      preset(tr("Crawler"), 0.5, 60, 0.1, 0.02, 0.2,
+      preset("Cart", tr("Cart"), tr("1.2 m, slopes up to 10°, thresholds and gaps up to 0.013 m, a radius of 0.3 m")),
+      preset("Giant", tr("Giant"), tr("4 m, slopes up to 45°, steps up to 0.8 m, gaps up to 0.1 m, a radius of 1 m")),
+      preset("Crawler", tr("Crawler"),
              tr("0.5 m, slopes up to 60°, steps up to 0.1 m, gaps up to 0.02 m, a radius of 0.2 m")),
-      preset(tr("Robot"), 0.84, 30, 0.3, kJoint, 0.25,
+      preset("Robot", tr("Robot"),
              tr("A robot on four legs: 0.84 m, slopes up to 30°, steps up to 0.3 m, gaps up to 0.05 m, a radius of "
                 "0.25 m")),
-      preset(QStringLiteral("Unity"), 2, 45, 0.75, kJoint, 0.5,
+      preset("Unity", QStringLiteral("Unity"),
              tr("Unity's default: 2 m, slopes up to 45°, steps up to 0.75 m, a radius of 0.5 m")),
-      preset(QStringLiteral("Unreal"), 1.44, 44, 0.35, kJoint, 0.34,
+      preset("Unreal", QStringLiteral("Unreal"),
              tr("Unreal's default: 1.44 m, slopes up to 44°, steps up to 0.35 m, a radius of 0.34 m")),
-      preset(QStringLiteral("Godot"), 1.5, 45, 0.25, kJoint, 0.5,
+      preset("Godot", QStringLiteral("Godot"),
              tr("Godot's default: 1.5 m, slopes up to 45°, steps up to 0.25 m, a radius of 0.5 m")),
-      preset(QStringLiteral("Recast"), 2, 45, 0.9, kJoint, 0.6,
+      preset("Recast", QStringLiteral("Recast"),
              tr("The default of Recast's demo: 2 m, slopes up to 45°, steps up to 0.9 m, a radius of 0.6 m"))};
 }
 

@@ -10,6 +10,7 @@ From arrays:
 From files, with filters of your own:
 
     level = footfall.load("level.glb")
+    area = footfall.run(level, footfall.Agent(slope=30, height=1.8, radius=0.3))
     area = footfall.run(level, [("SlopeFilter", 40), ("VerticalClearanceFilter", 1.8), ("AreaFilter", 2)])
     area.save("walkable.obj")
     print(area.why((3, 4, 0)))                       # why is this place walkable, or why not?
@@ -34,6 +35,7 @@ import functools
 
 from . import _core
 from ._core import (
+    Agent,
     BorderLink,
     ComparedPart,
     Comparison,
@@ -53,6 +55,7 @@ from ._core import (
     RunError,
     WalkableArea,
     __version__,
+    agents,
     compare,
     filters,
     importable_extensions,
@@ -64,6 +67,7 @@ from ._core import (
 )
 
 __all__ = [
+    "Agent",
     "BorderLink",
     "ComparedPart",
     "Comparison",
@@ -82,6 +86,7 @@ __all__ = [
     "ResultCache",
     "RunError",
     "WalkableArea",
+    "agents",
     "compare",
     "filters",
     "importable_extensions",

@@ -58,6 +58,33 @@ class Filter:
     @property
     def is_local(self) -> bool: ...
 
+class Agent:
+    def __init__(
+        self,
+        slope: float = 45.0,
+        height: float = 2.0,
+        step: float = 0.4,
+        gap: float = 0.05,
+        radius: float = 0.0,
+        drop: float = 0.0,
+        *,
+        minimum_area: float = 1.0,
+    ) -> None: ...
+    @property
+    def slope(self) -> float: ...
+    @property
+    def height(self) -> float: ...
+    @property
+    def step(self) -> float: ...
+    @property
+    def gap(self) -> float: ...
+    @property
+    def radius(self) -> float: ...
+    @property
+    def drop(self) -> float: ...
+    @property
+    def minimum_area(self) -> float: ...
+
 class Pipeline:
     def __init__(self, steps: _Steps) -> None: ...
     def __len__(self) -> int: ...
@@ -112,6 +139,7 @@ class Environment:
         gap: float = 0.05,
         radius: float = 0.0,
         drop: float = 0.0,
+        agent: Optional[Agent] = None,
     ) -> Pipeline: ...
 
 class EditableEnvironment:
@@ -396,10 +424,11 @@ def load(
 def importable_extensions() -> list[str]: ...
 def read_mesh(path: Union[str, PathLike[str]], *, up: Optional[str] = None) -> NavigationMesh: ...
 def read_pipeline(path: Union[str, PathLike[str]]) -> Pipeline: ...
+def agents() -> dict[str, Agent]: ...
 def filters() -> list[Filter]: ...
 def run(
     environment: Environment,
-    pipeline: Optional[_Steps] = None,
+    pipeline: Optional[Union[_Steps, Agent]] = None,
     *,
     threads: int = 0,
     cache: Optional[ResultCache] = None,
@@ -422,6 +451,7 @@ def walkable_area(
     obstacle_only: Optional[ArrayLike] = None,
     threads: int = 0,
     progress: _Progress = None,
+    agent: Optional[Agent] = None,
 ) -> WalkableArea: ...
 def compare(
     a: NavigationMesh,

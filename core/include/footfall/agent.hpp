@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
 
@@ -31,5 +34,18 @@ struct Agent {
 /// radius, if that is more). For the default agent it is defaultPipeline(). Throws InputError when a number is out of
 /// range.
 Pipeline pipelineFor(const Environment& environment, const Agent& agent = {});
+
+/// Throws InputError when a number is out of range, whatever the environment.
+void checkAgent(const Agent& agent);
+
+struct KnownAgent {
+  std::string_view name;
+  Agent agent;
+};
+
+/// Sizes of people and things that walk or roll ("Human", "Child", "Wheelchair", "Cart", "Giant", "Crawler", "Robot"),
+/// and the defaults of other navigation tools ("Unity", "Unreal", "Godot", "Recast"), which use no minimum area and no
+/// gap: those are Footfall's. core/pipeline/known_agents.cpp cites where the numbers come from.
+std::span<const KnownAgent> knownAgents();
 
 }  // namespace footfall

@@ -56,6 +56,44 @@ class Pipelines(unittest.TestCase):
         with self.assertRaisesRegex(footfall.InputError, "^missing.pipeline: "):
             footfall.read_pipeline("missing.pipeline")
 
+    def test_an_agent_in_place_of_its_numbers(self):
+        feet = footfall.Environment(*scenes.floor(), metres_per_unit=0.5)
+        agent = footfall.Agent(slope=30, height=1.5, step=0.25, gap=0.1, radius=0.3, minimum_area=2)
+        pipeline = feet.pipeline_for(slope=30, height=1.5, step=0.25, gap=0.1, radius=0.3, minimum_area=2)
+        self.assertEqual(feet.pipeline_for(agent=agent), pipeline)
+        self.assertEqual(footfall.run(feet, agent).pipeline, pipeline)
+        self.assertEqual(footfall.walkable_area(*scenes.floor(), metres_per_unit=0.5, agent=agent).pipeline, pipeline)
+        self.assertEqual(feet.pipeline_for(agent=footfall.Agent()), feet.pipeline_for())
+        for call in (lambda: feet.pipeline_for(height=3, agent=agent),
+                     lambda: footfall.walkable_area(*scenes.floor(), step=0.2, agent=agent)):
+            with self.assertRaisesRegex(footfall.InputError, "^agent: .* give either an agent or such numbers"):
+                call()
+        with self.assertRaisesRegex(footfall.InputError, "^agent: a str is none"):
+            feet.pipeline_for(agent="Human")
+
+    def test_agents_are_values(self):
+        agent = footfall.Agent(40, 1.5, 0.2, 0.1, 0.3)
+        self.assertEqual((agent.slope, agent.height, agent.step, agent.gap, agent.radius, agent.minimum_area),
+                         (40, 1.5, 0.2, 0.1, 0.3, 1))
+        self.assertEqual(eval(repr(agent)), agent)
+        self.assertEqual(pickle.loads(pickle.dumps(agent)), agent)
+        self.assertEqual(len({agent, footfall.Agent(40, 1.5, 0.2, 0.1, 0.3), footfall.Agent()}), 2)
+        with self.assertRaises(AttributeError):
+            agent.slope = 30
+        for name, value in [("slope", 90), ("slope", 0), ("height", 0), ("step", -1), ("gap", -1), ("radius", -0.1),
+                            ("minimum_area", float("nan"))]:
+            with self.subTest(name), self.assertRaisesRegex(footfall.InputError, "^agent: "):
+                footfall.Agent(**{name: value})
+
+    def test_known_agents(self):
+        known = footfall.agents()
+        self.assertEqual(known["Unity"], footfall.Agent(step=0.75, radius=0.5))
+        self.assertEqual(known["Wheelchair"].slope, 5)
+        level = footfall.Environment(*scenes.floor())
+        for name, agent in known.items():
+            with self.subTest(name):
+                self.assertGreater(footfall.run(level, agent).area, (10 - 2.03 * agent.radius) ** 2)
+
     def test_agents_are_in_metres(self):
         vertices, triangles = scenes.floor()
         feet = footfall.Environment(vertices, triangles, metres_per_unit=0.5)
