@@ -10,7 +10,10 @@ namespace footfall::app {
 using namespace detail;
 
 void EnvironmentOptions::addTo(CLI::App& command) {
-  command.add_option("ENV", path, "The environment: OBJ, glTF, FBX, PLY, STL or another mesh file")->required();
+  command
+      .add_option("ENV", path,
+                  "The environment: OBJ, glTF, FBX, PLY, STL, IFC or another mesh file, or a folder: all meshes in it")
+      ->required();
   addUpAxis(command, "--up", up, "The file's up axis; guessed from the format when left out");
   command.add_option("--scale", metresPerUnit, "Metres in one unit of the file; guessed when left out")
       ->type_name("METRES");

@@ -12,6 +12,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/io/folder_reader.hpp"
 #include "core/io/write_targets.hpp"
 
 namespace footfall::detail {
@@ -188,6 +189,15 @@ void scanPictures(const std::string& path, std::size_t most, Companions& compani
 }  // namespace
 
 std::vector<std::string> companionFiles(const std::string& environment) {
+  std::error_code error;
+  if (fs::is_directory(environment, error)) {
+    std::vector<std::string> files = meshesInFolder(environment);
+    for (std::size_t i = 0, count = files.size(); i < count; ++i) {
+      const std::vector<std::string> named = companionFiles(files[i]);
+      files.insert(files.end(), named.begin(), named.end());
+    }
+    return files;
+  }
   Companions companions(environment);
   const std::string ending = lowered(fs::path(environment).extension().string());
   if (ending == ".obj") {

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "core/base/counted_text.hpp"
 #include "core/environment/part_rules.hpp"
 #include "core/io/assimp_reader.hpp"
+#include "core/io/folder_reader.hpp"
 #include "core/io/ifc_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
@@ -59,11 +61,7 @@ FileFrame readIfc(const std::string& path, Environment& environment, RunContext*
   }
 }
 
-Environment readEnvironment(const std::string& path, const ImportOptions& options, RunContext* context) {
-  if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
-    throw InputError(
-        FOOTFALL_TEXT("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres"));
-  }
+Environment readFile(const std::string& path, const ImportOptions& options, RunContext* context) {
   checkInputFile(path);
   const std::string extension = lowerExtension(path);
   Environment environment;
@@ -104,6 +102,16 @@ Environment readEnvironment(const std::string& path, const ImportOptions& option
   if (environment.up != frame.up.value_or(environment.up))
     environment.storeys.clear();  // heights are along another axis
   return environment;
+}
+
+Environment readEnvironment(const std::string& path, const ImportOptions& options, RunContext* context) {
+  if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
+    throw InputError(
+        FOOTFALL_TEXT("scale: must be a positive number of metres per unit; give for example 0.01 for centimetres"));
+  }
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return readFile(path, options, context);
+  return readFolder(path, [&](const std::string& file) { return readFile(file, options, context); });
 }
 
 }  // namespace

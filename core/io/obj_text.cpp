@@ -29,7 +29,9 @@ void appendHeader(std::string& text, std::string_view title, const SourceFrame& 
                   std::string_view content) {
   appendComment(text, "", std::string(title) + " by Footfall " FOOTFALL_VERSION);
   // The name alone: the same file gives the same bytes wherever it lies.
-  std::string name = std::filesystem::path(frame.source).filename().string();
+  std::filesystem::path source = frame.source;
+  if (!source.has_filename()) source = source.parent_path();  // a folder
+  std::string name = source.filename().string();
   std::replace(name.begin(), name.end(), '\n', ' ');
   appendComment(text, "source: ", name);
   appendComment(text, "pipeline: ", header.pipeline);

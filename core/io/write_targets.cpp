@@ -20,6 +20,18 @@ bool exists(const std::string& path) {
   return fs::exists(path, error);
 }
 
+bool hasMeshEnding(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::vector<std::string> formats = importableExtensions();
+  return !ending.empty() && std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end();
+}
+
+std::string folderOf(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
 }  // namespace
 
 bool sameFile(const std::string& a, const std::string& b) {
@@ -54,7 +66,15 @@ void WriteTargets::check(const std::string& target) const {
   };
   for (const NamedFile& file : protected_)
     if (sameFile(target, file.path)) refuse(file.what);
-  if (target.empty() || !exists(target)) return;
+  if (target.empty()) return;
+  std::error_code error;
+  for (const NamedFile& file : protected_)
+    if (fs::is_directory(file.path, error) && hasMeshEnding(target) && sameFile(folderOf(target), file.path))
+      throw InputError(
+          FOOTFALL_TEXT("%1: would be a part of the environment, which is all meshes in its folder; give a file "
+                        "in another folder"),
+          target);
+  if (!exists(target)) return;
   for (const std::string& environment : unread_)
     for (const std::string& companion : companionFiles(environment))
       if (sameFile(target, companion)) refuse(FOOTFALL_TEXT("a file that the environment uses"));
@@ -75,8 +95,7 @@ void checkEnding(const std::string& target, const std::string& option, const std
   std::string ending = fs::path(target).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending.empty() || ending == allowed) return;
-  const std::vector<std::string> formats = importableExtensions();
-  if (ending == ".bin" || std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end())
+  if (ending == ".bin" || hasMeshEnding(target))
     throw InputError(FOOTFALL_TEXT("%1: %2 writes %3 files; give a name that ends so"), target, option, allowed);
 }
 

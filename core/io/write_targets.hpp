@@ -14,7 +14,8 @@ namespace footfall::detail {
 bool sameFile(const std::string& a, const std::string& b);
 
 /// The files that an environment's file names and that exist: material libraries and their textures (OBJ), buffers and
-/// images (glTF), textures (other formats, by their usual endings). Reads the file; empty when it cannot be read.
+/// images (glTF), textures (other formats, by their usual endings); of a folder all meshes in it and what they name.
+/// Reads the files; empty when they cannot be read.
 std::vector<std::string> companionFiles(const std::string& environment);
 
 /// One command, or one window: what it reads and what it is going to write.
@@ -27,7 +28,8 @@ class WriteTargets {
   /// The same where companionFiles() are known already.
   void protectEnvironment(const std::string& path, const std::vector<std::string>& companions);
 
-  /// Throws InputError when `target` is one of the protected files, whatever name leads to it. An empty name is none.
+  /// Throws InputError when `target` is one of the protected files, whatever name leads to it, or would be a mesh in an
+  /// environment that is a folder. An empty name is none.
   void check(const std::string& target) const;
   /// check() and checkWritable(), and throws InputError too when an earlier target of add() is the same file. `what` is
   /// what will be in it.

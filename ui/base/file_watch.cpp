@@ -8,12 +8,14 @@
 #include <QRegularExpression>
 #include <QUrl>
 
+#include "core/io/folder_reader.hpp"
+
 namespace footfall::ui {
 namespace {
 
 // Buffers are named near the beginning or the end of a .gltf file; between them may lie any amount of data.
 constexpr qint64 kSearched = qint64{1} << 20;
-constexpr int kMostCompanions = 64;
+constexpr int kMostCompanions = 64, kMostFiles = 1000;
 
 }  // namespace
 
@@ -50,6 +52,11 @@ FileWatch::Stamps FileWatch::stamps() const {
 
 QStringList FileWatch::companions() const {
   QStringList files;
+  if (QFileInfo(path_).isDir()) {  // what comes into it changes the folder itself
+    for (const std::string& mesh : detail::meshesInFolder(QFile::encodeName(path_).toStdString()))
+      if (files.size() < kMostFiles) files << QFile::decodeName(QByteArray::fromStdString(mesh));
+    return files;
+  }
   QFile file(path_);
   if (!path_.endsWith(QStringLiteral(".gltf"), Qt::CaseInsensitive) || !file.open(QIODevice::ReadOnly)) return files;
   QByteArray text = file.read(kSearched);

@@ -15,7 +15,8 @@ namespace footfall {
 
 /// Reads OBJ at double precision, and everything else that Assimp reads through Assimp (floats), node transforms
 /// applied, polygons triangulated. The environment is turned to Z up and keeps the file's units. Buildings (IFC) come
-/// through a converter where it is installed (docs/buildings.md), with Environment::usualRoles applied. Throws
+/// through a converter where it is installed (docs/buildings.md), with Environment::usualRoles applied. A folder is all
+/// meshes directly in it as one environment, each file a part. Throws
 /// InputError with one line that says file, place and what to do: missing, a directory, no permission, empty,
 /// truncated, not a mesh, no triangles, NaN or infinite coordinates, indices out of range. Throws Cancelled when
 /// `context` (may be null) was cancelled while reading. Any thread may call it.

@@ -306,7 +306,7 @@ class TestImport : public QObject {
     };
     QVERIFY(message(folder.path("none.obj")).contains("no such file"));
     QVERIFY(message("").contains("no such file"));
-    QVERIFY(message(folder.path("")).contains("is a folder"));
+    QVERIFY(message(folder.path("")).contains("a folder without meshes"));
     const std::string file = folder.write("a.xyzzy", "v 0 0 0\n");
     QVERIFY(message(file).contains("unknown extension '.xyzzy'"));
     QVERIFY(message(file + "/b.obj").contains("no such file"));
