@@ -30,6 +30,7 @@
 #include "ui/path/path_feature.hpp"
 #include "ui/run/result_summary.hpp"
 #include "ui/view/camera_tools.hpp"
+#include "ui/window/export_commands.hpp"
 #include "ui/window/palette_sources.hpp"
 
 namespace footfall::ui {
@@ -200,6 +201,7 @@ void EditorWindow::createFeatures() {
                                .writer = *writer_,
                                .messages = *messages_,
                                .log = log_});
+  addExportCommands(commands_, *exports_);
   closing_ = new WindowClosing(*this, document_, *sessions_, *exports_, *writer_, *status_);
 }
 

@@ -40,6 +40,7 @@ std::vector<ReportPicture> pngsOf(const std::vector<CaptionedImage>& images) {
 ResultExport::ResultExport(const Uses& uses) : QObject(&uses.window), uses_(uses) {
   // Later, when the whole editor has the result: pictures show what it makes of it.
   connect(&uses_.controller, &RunController::finished, this, &ResultExport::writeWaiting, Qt::QueuedConnection);
+  connect(&uses_.controller, &RunController::finished, this, &ResultExport::writeAfterRun, Qt::QueuedConnection);
   connect(&uses_.modes, &ViewModes::ready, this, &ResultExport::writeWaiting, Qt::QueuedConnection);
   connect(&uses_.controller, &RunController::cancelled, this, [this] {
     const QString files = takeWaiting();
@@ -48,7 +49,9 @@ ResultExport::ResultExport(const Uses& uses) : QObject(&uses.window), uses_(uses
                                tr("%1: not written, as the run was cancelled; export again").arg(files));
   });
   connect(&uses_.level, &LevelFile::opened, this, [this](Reading reading) {
-    const QString files = reading == Reading::Another ? takeWaiting() : QString();
+    if (reading != Reading::Another) return;
+    forgetLast();
+    const QString files = takeWaiting();
     if (files.isEmpty()) return;
     uses_.messages.showErrorOf(
         MessageSubject::Writing,
@@ -75,9 +78,42 @@ void ResultExport::showDialog() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::exportRequested, this, [this](const QString& path, const ExportSettings& chosen) {
     if (remembering_) rememberExport(chosen);
+    last_.emplace(path, chosen);
+    emit lastChanged();
     write(path, chosen);
   });
   dialog->open();
+}
+
+void ResultExport::exportAgain() {
+  if (last_)
+    write(last_->first, last_->second);
+  else
+    showDialog();
+}
+
+void ResultExport::setAfterRuns(bool on) {
+  if ((on && last_) == afterRuns_) return;
+  afterRuns_ = !afterRuns_;
+  written_.reset();
+  emit lastChanged();
+  writeAfterRun();
+}
+
+// Not twice the same result: runs that change nothing leave the file as it is.
+void ResultExport::writeAfterRun() {
+  if (!afterRuns_ || !uses_.controller.upToDate()) return;
+  const auto run = uses_.controller.finishedRun();
+  if (written_.lock() == run) return;
+  written_ = run;
+  write(last_->first, last_->second);
+}
+
+void ResultExport::forgetLast() {
+  last_.reset();
+  afterRuns_ = false;
+  written_.reset();
+  emit lastChanged();
 }
 
 void ResultExport::write(const QString& path) {

@@ -4,6 +4,8 @@
 
 #include <QObject>
 #include <QString>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,6 +53,14 @@ class ResultExport : public QObject {
   void write(const QString& path);
   void write(const QString& path, const ExportSettings& settings);
 
+  /// The last export that was asked for, to the same file; without one the dialog comes.
+  void exportAgain();
+  [[nodiscard]] bool hasLast() const { return last_.has_value(); }
+  /// Where an export was asked for, each result from now on is written to that file, the one that is there among them,
+  /// until another environment is opened.
+  void setAfterRuns(bool on);
+  [[nodiscard]] bool afterRuns() const { return afterRuns_; }
+
   /// The first file that waits for the run; empty: none.
   [[nodiscard]] QString waiting() const { return pending_.empty() ? QString() : pending_.front().first; }
   /// Gives them up; returns their names, with commas. dropped() follows where there were some.
@@ -59,6 +69,8 @@ class ResultExport : public QObject {
  signals:
   /// Files that waited are not written.
   void dropped();
+  /// hasLast() or afterRuns() is another.
+  void lastChanged();
 
  private:
   void writeNow(const QString& path, const ExportSettings& settings);
@@ -66,10 +78,15 @@ class ResultExport : public QObject {
   void writePicture(const QString& path, const ExportSettings& settings);
   void writeReport(const QString& path, bool pictures);
   void writeWaiting();
+  void writeAfterRun();
+  void forgetLast();
   [[nodiscard]] std::vector<ExportExtra> placedExtras() const;
 
   Uses uses_;
   bool remembering_ = true;
+  bool afterRuns_ = false;
+  std::optional<std::pair<QString, ExportSettings>> last_;
+  std::weak_ptr<const FinishedRun> written_;  ///< the result that was last written to it
   /// Written when the run under way is finished, and for pictures the view shows what belongs to it.
   std::vector<std::pair<QString, ExportSettings>> pending_;
 };

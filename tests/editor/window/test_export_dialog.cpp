@@ -55,6 +55,41 @@ class TestExportDialog : public QObject {
     QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), QStringList{"table.obj"});
   }
 
+  void againAndAfterEachRun() {
+    QAction *again = window_->commands().find("file.exportAgain"),
+            *live = window_->commands().find("file.exportAfterRuns");
+    QVERIFY(!again->isEnabled() && !live->isEnabled());
+    const QString path = folder_->filePath("again.obj");
+    const auto run = [&](const char* pipeline) {
+      window_->document().replacePipeline(parsePipeline(pipeline, "test"), "filters");
+      return waitUntilIdle(*window_);
+    };
+    openDialog();
+    const QByteArray first = accept("again.obj");
+    QVERIFY(!first.isEmpty());
+    QVERIFY(QFile::remove(path));
+    QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE(readFile(path), first);
+    // Each new result is written by itself, until that is switched off.
+    live->trigger();
+    QVERIFY(live->isChecked() && waitUntilIdle(*window_));
+    QVERIFY(run("SlopeFilter 45\nVerticalClearanceFilter 0.5\nLayerSubdivisionFilter\n"));
+    QTRY_VERIFY(readFile(path).contains("VerticalClearanceFilter 0.5"));
+    live->trigger();
+    QVERIFY(!live->isChecked());
+    const QByteArray second = readFile(path);
+    QVERIFY(run(kPipeline));
+    QTest::qWait(300);
+    QCOMPARE(readFile(path), second);
+    // What belonged to one level is not written over by the next.
+    live->trigger();
+    QTRY_COMPARE(readFile(path), first);
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "other.obj", floorObj()), kPipeline));
+    QVERIFY(!again->isEnabled() && !live->isEnabled() && !live->isChecked());
+    QTest::qWait(300);
+    QCOMPARE(readFile(path), first);
+  }
+
   void objWithOptions() {
     openDialog();
     for (const char* name : {"exportLayers", "exportConnections", "exportObstacleEdges"}) toggle(name);

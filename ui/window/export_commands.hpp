@@ -1,0 +1,13 @@
+// The commands "Export again" and "Export after each run".
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/base/commands.hpp"
+#include "ui/window/result_export.hpp"
+
+namespace footfall::ui {
+
+/// They stand with the other exports of the File menu, and can be used once something was exported.
+void addExportCommands(CommandRegistry& commands, ResultExport& exports);
+
+}  // namespace footfall::ui
