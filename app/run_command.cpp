@@ -6,10 +6,11 @@
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
+#include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/inspect/parameter_check.hpp"
 #include "core/io/export.hpp"
-#include "core/io/gltf_export.hpp"
+#include "core/io/formats/format_table.hpp"
 #include "core/report/html_report.hpp"
 #include "core/report/run_trace.hpp"
 #include "core/report/speed_up.hpp"
@@ -27,7 +28,7 @@ struct RunOptions {
   EnvironmentOptions environment;
   PipelineOptions pipeline;
   int threads = 0;
-  std::string output;  ///< .obj, .gltf or .glb; empty, as the next ones: not written
+  std::string output;  ///< in one of exportFormats(); empty, as the next ones: not written
   ExportOptions exported;
   std::string exportUp;
   std::string statistics, trace, report;
@@ -47,12 +48,37 @@ void addExportOptions(CLI::App& command, RunOptions& options) {
   leaveOut("--no-steps", exported.steps, "Leave out the faces of steps");
   leaveOut("--no-drops", exported.drops, "Leave out the lines of drops");
   addUpAxis(command, "--export-up", options.exportUp,
-            "Up axis of an OBJ export; the environment's when left out. glTF is always Y up");
+            "Up axis of an OBJ export; the environment's when left out. All other formats are Y up");
   command
       .add_option("--export-scale", exported.scale,
                   "Multiply the coordinates of the export; 1 (the default) keeps the environment's units, in which OBJ "
-                  "is exact. glTF is in metres before that")
+                  "is exact. All other formats are in metres before that")
       ->type_name("S");
+  command.add_option("--godot", exported.godot, "The version of Godot that is to read a .tres: 4 (the default) or 3")
+      ->check(CLI::IsMember({3, 4}))
+      ->type_name("VERSION");
+  command.add_flag("--navmesh-node", exported.navmeshNode,
+                   "Of glTF: one mesh, whose node is \"walkable-navmesh\", which Godot imports as a navigation region");
+}
+
+/// ".obj: OBJ, ...", a line for each format.
+std::string formatHelp() {
+  std::string help = "Write the walkable area to this file; its ending chooses the format:";
+  for (const FormatDescriptor& format : exportFormats())
+    help.append("\n").append(format.ending).append("  ").append(Text(format.name).str());
+  return help;
+}
+
+/// What is in the result and the file does not hold, in one line on stderr.
+void tellLosses(const NavigationMesh& mesh, const RunOptions& options, double error) {
+  const Text lost = lossesOf(exportFormatOf(options.output), mesh, options.exported);
+  std::string line = lost.empty() ? std::string() : "the format cannot hold " + lost.str();
+  // What nobody sees is not told: floats are a tenth of a millimetre apart at 1 km.
+  if (error > 0.0005) {
+    line += line.empty() ? "" : "; ";
+    line += formatted(error * 1000, "rounding to floats moved coordinates by up to %.3g mm");
+  }
+  if (!line.empty()) std::cerr << "footfall: note: " << options.output << ": " << line << '\n';
 }
 
 void checkTargets(const RunOptions& options) {
@@ -99,8 +125,10 @@ std::string runAndExport(const RunOptions& options) {
     const Stopwatch exporting;
     session.begin("exporting");
     context.checkCancelled();
-    save(*result.mesh, options.output, options.exported, makeExportHeader(*pipeline));
+    const double error = save(*result.mesh, options.output, options.exported, makeExportHeader(*pipeline));
     times.exportMs = exporting.wallMs();
+    session.end();
+    if (!options.quiet) tellLosses(*result.mesh, options, error);
   }
   times.totalMs = total.wallMs();
   if (options.speedUp) {
@@ -131,8 +159,7 @@ void addRunCommand(CLI::App& app) {
                           "One step, such as \"SlopeFilter 45\"; give it once for each step. Without steps and file "
                           "the default pipeline runs");
   addThreads(command, options->threads);
-  command.add_option("-o,--output", options->output, "Write the walkable area to this OBJ, glTF or GLB file")
-      ->type_name("OUT.obj|OUT.gltf|OUT.glb");
+  command.add_option("-o,--output", options->output, formatHelp())->type_name("OUT");
   addExportOptions(command, *options);
   command.add_option("--stats", options->statistics, "Write times, counts and components to this file")
       ->type_name("FILE.json");

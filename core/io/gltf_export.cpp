@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "core/base/palette.hpp"
+#include "core/base/vector.hpp"
 #include "core/io/base64.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
@@ -60,7 +60,8 @@ class GltfMaker {
   /// Adds a mesh of the elements (two or three corners each) over the vertices that they use, in the order of their
   /// first use.
   template <class Elements>
-  void add(const std::string& name, const Rgb& colour, const std::vector<Vec3>& vertices, const Elements& elements) {
+  void add(const std::string& name, const Rgb& colour, const std::vector<Vec3>& vertices, const Elements& elements,
+           Json extras = {}) {
     constexpr std::size_t kCorners = std::tuple_size_v<typename Elements::value_type>;
     if (elements.empty()) return;
     const std::size_t number = meshes_.size();
@@ -71,6 +72,7 @@ class GltfMaker {
     primitive["attributes"]["POSITION"] = accessors_.size();
     meshes_.push_back({{"name", name}, {"primitives", Json::array({std::move(primitive)})}});
     nodes_.push_back({{"name", name}, {"mesh", number}});
+    if (!extras.empty()) nodes_.back()["extras"] = std::move(extras);
     addMaterial(name, colour);
 
     std::vector<std::uint32_t> used, indices;
@@ -177,15 +179,54 @@ class GltfMaker {
   std::vector<Json> nodes_;
 };
 
-void addLayers(GltfMaker& maker, const NavigationMesh& mesh, bool byLayers) {
-  if (mesh.layers.empty() || !byLayers) {
-    maker.add("walkable", layerColour(0), mesh.vertices, mesh.triangles);
+/// What programs that go on computing would have to find out from the triangles: areas are in square metres.
+Json surfaceExtras(const NavigationMesh& mesh, const std::vector<Triangle>& triangles, double scale) {
+  double area = 0;
+  for (const Triangle& t : triangles) area += areaOf(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+  return {{"area", area * scale * scale}, {"triangles", triangles.size()}};
+}
+
+void addLayers(GltfMaker& maker, const NavigationMesh& mesh, const ExportOptions& options, double scale) {
+  if (mesh.layers.empty() || !options.layers || options.navmeshNode) {
+    // Godot makes a navigation region of what is so called.
+    maker.add(options.navmeshNode ? "walkable-navmesh" : "walkable", layerColour(0), mesh.vertices, mesh.triangles,
+              surfaceExtras(mesh, mesh.triangles, scale));
     return;
   }
   std::vector<std::vector<Triangle>> layers(mesh.layerCount);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) layers.at(mesh.layers[i]).push_back(mesh.triangles[i]);
-  for (std::size_t i = 0; i < layers.size(); ++i)
-    maker.add("layer_" + std::to_string(i), layerColour(i), mesh.vertices, layers[i]);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    Json extras{{"layer", i}};
+    extras.update(surfaceExtras(mesh, layers[i], scale));
+    maker.add("layer_" + std::to_string(i), layerColour(i), mesh.vertices, layers[i], std::move(extras));
+  }
+}
+
+/// Lists with one number for each link of a kind: which layers it joins, and how large it is in metres. `faces` says
+/// how many of the mesh's triangles are its own.
+Json stepExtras(const NavigationMesh& mesh, StepKind kind, double scale) {
+  Json extras{{"faces", Json::array()}, {"heights", Json::array()}};
+  if (kind == StepKind::Gap) extras["widths"] = Json::array();
+  for (const StepLink& link : mesh.links) {
+    if (link.kind != kind) continue;
+    extras["faces"].push_back((link.from[1] != link.to[0] ? 1 : 0) + (link.from[0] != link.to[1] ? 1 : 0));
+    extras["heights"].push_back(link.height * scale);
+    if (kind == StepKind::Gap) extras["widths"].push_back(link.width * scale);
+    if (mesh.layers.empty()) continue;
+    extras["layers"].push_back({mesh.layers[link.fromTriangle], mesh.layers[link.toTriangle]});
+  }
+  return extras;
+}
+
+/// The same of drops, which are two lines each.
+Json dropExtras(const NavigationMesh& mesh, double scale) {
+  Json extras{{"depths", Json::array()}};
+  for (const DropLink& drop : mesh.drops) {
+    extras["depths"].push_back(drop.depth * scale);
+    if (!mesh.layers.empty())
+      extras["layers"].push_back({mesh.layers[drop.fromTriangle], mesh.layers[drop.toTriangle]});
+  }
+  return extras;
 }
 
 /// Two for each, or one where both borders end in one vertex; without area where the borders are equally high.
@@ -200,16 +241,16 @@ std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links, StepKind
 }
 
 /// Lines from where an agent drops to where it lands, two for each.
-void addDrops(GltfMaker& maker, const std::vector<DropLink>& drops) {
+void addDrops(GltfMaker& maker, const NavigationMesh& mesh, double scale) {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 2>> lines;
-  for (const DropLink& drop : drops)
+  for (const DropLink& drop : mesh.drops)
     for (const std::size_t end : {0, 1}) {
       const auto number = static_cast<std::uint32_t>(vertices.size());
       vertices.insert(vertices.end(), {drop.start[end], drop.landing[end]});
       lines.push_back({number, number + 1});
     }
-  maker.add("drops", kDrops, vertices, lines);
+  maker.add("drops", kDrops, vertices, lines, dropExtras(mesh, scale));
 }
 
 /// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes, in
@@ -244,6 +285,16 @@ Json extrasOf(const SourceFrame& frame, const ExportHeader& header, double scale
   extras["agent"] = header.agent;
   extras["metres_per_unit_of_source"] = frame.metresPerUnit;
   extras["scale"] = scale;
+  // In metres and degrees; null where nothing was asked for.
+  const AgentNumbers& agent = header.numbers;
+  const double metres = frame.metresPerUnit * scale;
+  Json numbers;
+  numbers["max_slope"] = agent.maxSlope ? Json(*agent.maxSlope) : Json();
+  numbers["height"] = agent.height ? Json(*agent.height * metres) : Json();
+  numbers["step"] = agent.step * metres;
+  numbers["gap"] = agent.gap * metres;
+  numbers["radius"] = agent.radius * metres;
+  extras["agent_numbers"] = std::move(numbers);
   return extras;
 }
 
@@ -252,15 +303,18 @@ Json extrasOf(const SourceFrame& frame, const ExportHeader& header, double scale
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options,
                     std::span<const ExportExtra> extras) {
   checkScale(options, mesh);
-  GltfMaker maker(mesh.frame.metresPerUnit * options.scale);
-  addLayers(maker, mesh, options.layers);
+  const double scale = mesh.frame.metresPerUnit * options.scale;
+  GltfMaker maker(scale);
+  addLayers(maker, mesh, options, scale);
   if (options.connections) maker.add("connections", kConnections, mesh.vertices, mesh.connections);
   if (options.obstacleEdges) maker.add("obstacle_edges", kObstacleEdges, mesh.vertices, mesh.obstacleEdges);
   if (options.steps) {
-    maker.add("steps", kSteps, mesh.vertices, stepTriangles(mesh.links, StepKind::Step));
-    maker.add("gaps", kGaps, mesh.vertices, stepTriangles(mesh.links, StepKind::Gap));
+    maker.add("steps", kSteps, mesh.vertices, stepTriangles(mesh.links, StepKind::Step),
+              stepExtras(mesh, StepKind::Step, scale));
+    maker.add("gaps", kGaps, mesh.vertices, stepTriangles(mesh.links, StepKind::Gap),
+              stepExtras(mesh, StepKind::Gap, scale));
   }
-  if (options.drops) addDrops(maker, mesh.drops);
+  if (options.drops) addDrops(maker, mesh, scale);
   for (const ExportExtra& extra : extras)
     maker.add("placed_" + extra.name, kPlaced, extra.soup.vertices, extra.soup.triangles);
 
@@ -270,33 +324,4 @@ GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeade
   return {putTogether(std::move(json), maker.numbers(), kind), maker.largestError()};
 }
 
-ExportFormat exportFormatOf(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending.empty() || ending == ".obj") return ExportFormat::Obj;
-  if (ending == ".gltf") return ExportFormat::Gltf;
-  if (ending == ".glb") return ExportFormat::Glb;
-  throw InputError(
-      FOOTFALL_TEXT("%1: cannot be written in the format \"%2\"; give a name that ends in .obj, .gltf or .glb"), path,
-      ending.substr(1));
-}
-
 }  // namespace footfall::detail
-
-namespace footfall {
-
-double save(const NavigationMesh& mesh, const std::string& path, const ExportOptions& options,
-            const ExportHeader& header, std::span<const ExportExtra> extras) {
-  using namespace detail;
-  const ExportFormat format = exportFormatOf(path);
-  if (format == ExportFormat::Obj) {
-    writeFileSafely(path, formatObj(mesh, header, options, extras));
-    return 0;
-  }
-  const GltfFile file =
-      formatGltf(format == ExportFormat::Gltf ? GltfKind::Text : GltfKind::Binary, mesh, header, options, extras);
-  writeFileSafely(path, file.bytes);
-  return file.largestError;
-}
-
-}  // namespace footfall

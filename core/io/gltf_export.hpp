@@ -22,7 +22,9 @@ struct GltfFile {
 
 /// A mesh and a node for each layer ("layer_0", ...; "walkable" without layers) with the colours of the editor, seen
 /// from both sides; connections and obstacle edges as line primitives ("connections", "obstacle_edges"); extras as
-/// "placed_NAME". `asset.extras` says what the comments of an OBJ say.
+/// "placed_NAME". `asset.extras` says what the comments of an OBJ say, and the agent's numbers; extras of nodes have
+/// layer and area of surfaces, layers and heights of steps, gaps and drops. With ExportOptions::navmeshNode all layers
+/// are one mesh.
 ///
 /// As the format demands: Y up, metres (the scale of the mesh's file is applied, then that of `options`), and floats,
 /// which have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map coordinates) 3 cm. Nothing is
@@ -34,10 +36,5 @@ struct GltfFile {
 /// Throws InputError (checkScale(); coordinates that no float holds), or RunError for a .glb of more than 4 GB.
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header,
                     const ExportOptions& options = {}, std::span<const ExportExtra> extras = {});
-
-/// Which format a name asks for: ".obj" (or no ending), ".gltf", ".glb", in any case.
-enum class ExportFormat { Obj, Gltf, Glb };
-/// Throws InputError that names what can be written.
-ExportFormat exportFormatOf(const std::string& path);
 
 }  // namespace footfall::detail

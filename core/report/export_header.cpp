@@ -29,10 +29,36 @@ std::string describeAgent(const Pipeline& pipeline) {
   return slope + ", " + height + climbs;
 }
 
+AgentNumbers agentNumbers(const Pipeline& pipeline) {
+  AgentNumbers numbers;
+  for (const PipelineStep& step : pipeline.steps) {
+    if (!step.enabled || step.values.empty()) continue;
+    const double value = step.values[0];
+    switch (step.filter->type) {
+      case FilterType::Slope:
+        numbers.maxSlope = std::min(numbers.maxSlope.value_or(value), value);
+        break;
+      case FilterType::VerticalClearance:
+        numbers.height = std::max(numbers.height.value_or(value), value);
+        break;
+      case FilterType::Step:
+        numbers.step = std::max(numbers.step, value);
+        if (step.values.size() > 1) numbers.gap = std::max(numbers.gap, step.values[1]);
+        break;
+      case FilterType::Radius:
+        numbers.radius = std::max(numbers.radius, value);
+        break;
+      default:
+        break;
+    }
+  }
+  return numbers;
+}
+
 ExportHeader makeExportHeader(const Pipeline& pipeline) {
   Pipeline enabled = pipeline;
   std::erase_if(enabled.steps, [](const PipelineStep& step) { return !step.enabled; });
-  return {formatPipeline(enabled), describeAgent(enabled)};
+  return {formatPipeline(enabled), describeAgent(enabled), {}, agentNumbers(enabled)};
 }
 
 }  // namespace footfall

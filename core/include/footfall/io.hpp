@@ -36,6 +36,16 @@ struct ExportOptions {
   /// two: triangles much smaller than their coordinates can collapse.
   double scale = 1;
   bool drops = true;  ///< the lines from upper to lower
+  int godot = 4;      ///< of a .tres: the version of Godot that is to read it, 3 or 4
+  /// Of glTF: all triangles in one mesh whose node is "walkable-navmesh", which Godot imports as a navigation region.
+  bool navmeshNode = false;
+};
+
+/// The agent that a mesh was computed for, in the environment's units and degrees; empty: nothing was asked for.
+struct AgentNumbers {
+  std::optional<double> maxSlope, height;
+  double step = 0, gap = 0;  ///< what it climbs, and what it steps over in the plan
+  double radius = 0;
 };
 
 /// Comment lines at the top of an export; makeExportHeader() (footfall/report.hpp) makes those of a pipeline.
@@ -43,6 +53,8 @@ struct ExportHeader {
   std::string pipeline = {};  ///< formatPipeline(), one filter a line
   std::string agent = {};     ///< e.g. "slope 45 degrees, height 2"
   std::string note = {};      ///< anything else, such as that coordinates are scaled
+  /// For formats that have fields of their own for them (Detour, Godot, glTF's extras).
+  AgentNumbers numbers = {};
 };
 
 /// Something else to be seen beside the walkable area, such as an obstacle that was placed: a group of its own,
@@ -53,16 +65,19 @@ struct ExportExtra {
 };
 
 /// Writes a mesh as OBJ (a name that ends in .obj, or has no ending), as glTF (.gltf: one JSON file) or binary (.glb),
-/// in the frame and units of the file that its environment came from. It is written beside `path` and renamed, so that
-/// a failure or a kill leaves an earlier file as it was; the same mesh gives the same bytes. Each layer is a group
-/// (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one "walkable"; connections and obstacle edges are lines in
-/// "connections" and "obstacle_edges". Steps are faces in "steps", over the vertices of both borders: who reads them
-/// has the full connectivity; who does not has the surface alone. Drops are pairs of lines in "drops", from where an
-/// agent drops to where it lands, with vertices of their own.
+/// as a tile set of Detour (.bin) or as a NavigationMesh of Godot (.tres); docs/formats.md says what each of them
+/// keeps. OBJ is in the frame and units of the file that its environment came from, all others in metres and Y up. It
+/// is written beside `path` and renamed, so that a failure or a kill leaves an earlier file as it was; the same mesh
+/// gives the same bytes. Each layer is a group (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one "walkable";
+/// connections and obstacle edges are lines in "connections" and "obstacle_edges". Steps are faces in "steps", over the
+/// vertices of both borders: who reads them has the full connectivity; who does not has the surface alone. Drops are
+/// pairs of lines in "drops", from where an agent drops to where it lands, with vertices of their own.
 ///
-/// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ; glTF has floats. Throws
-/// InputError for another ending, a scale that is out of range or makes coordinates infinite, coordinates that no float
-/// holds; RunError for a read-only target, a full disk, a missing folder, a directory. Any thread may call it.
+/// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ; all others have floats.
+/// Throws InputError for another ending, a scale that is out of range or makes coordinates infinite, coordinates that
+/// no float holds, a mesh that the format cannot hold (Detour: too many polygons; extras), a Detour file where the
+/// library was built without Detour; RunError for a read-only target, a full disk, a missing folder, a directory. Any
+/// thread may call it.
 double save(const NavigationMesh& mesh, const std::string& path, const ExportOptions& options = {},
             const ExportHeader& header = {}, std::span<const ExportExtra> extras = {});
 

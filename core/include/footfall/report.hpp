@@ -24,7 +24,10 @@ namespace footfall {
 /// about steps where none are climbed.
 std::string describeAgent(const Pipeline& pipeline);
 
-/// The header of an export: the enabled steps and the agent.
+/// The same as numbers. Where a filter occurs more than once, the smallest slope and the largest of all others count.
+AgentNumbers agentNumbers(const Pipeline& pipeline);
+
+/// The header of an export: the enabled steps and the agent, in words and as numbers.
 ExportHeader makeExportHeader(const Pipeline& pipeline);
 
 // --- Runs

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/io/formats/format_table.hpp"
 #include "core/io/gltf_export.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/io.hpp"
@@ -249,7 +250,7 @@ class TestGltfExport : public QObject {
       QVERIFY(failure(readOnly).contains("no permission"));
       QCOMPARE(readAll(readOnly), QByteArray("old"));
     }
-    QVERIFY(messageOf<InputError>([] { exportFormatOf("a.fbx"); }).contains(".obj, .gltf or .glb"));
+    QVERIFY(messageOf<InputError>([] { exportFormatOf("a.fbx"); }).contains(".obj, .gltf, .glb, .bin or .tres"));
   }
 
   void theCommandLineHasTheOptions() {
@@ -274,7 +275,7 @@ class TestGltfExport : public QObject {
     }
     const Outcome unknown = run({QString::fromStdString(folder.path("out.fbx"))});
     QCOMPARE(unknown.exitCode, 2);
-    QVERIFY2(unknown.err.contains("give a name that ends in .obj, .gltf or .glb"), unknown.err.constData());
+    QVERIFY2(unknown.err.contains("give a name that ends in .obj, .gltf, .glb, .bin or .tres"), unknown.err.constData());
     QCOMPARE(run({out, "--export-scale", "0"}).exitCode, 2);
   }
 };

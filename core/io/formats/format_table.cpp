@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/formats/format_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/counted_text.hpp"
+#include "core/io/formats/detour_tiles.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::array kFormats{
+    FormatDescriptor{
+        .format = ExportFormat::Obj,
+        .ending = ".obj",
+        .name = FOOTFALL_TEXT("OBJ: the source's frame and units, doubles"),
+        .keeps = FOOTFALL_TEXT("everything, in doubles; footfall compare and other tools read it back"),
+        .loses = FOOTFALL_TEXT("nothing"),
+        .hasFrame = true,
+    },
+    FormatDescriptor{
+        .format = ExportFormat::Gltf,
+        .ending = ".gltf",
+        .name = FOOTFALL_TEXT("glTF: one JSON file, in metres, Y up"),
+        .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
+        .loses = FOOTFALL_TEXT("doubles"),
+    },
+    FormatDescriptor{
+        .format = ExportFormat::Glb,
+        .ending = ".glb",
+        .name = FOOTFALL_TEXT("GLB: binary glTF, in metres, Y up"),
+        .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
+        .loses = FOOTFALL_TEXT("doubles"),
+    },
+    FormatDescriptor{
+        .format = ExportFormat::Detour,
+        .ending = ".bin",
+        .name = FOOTFALL_TEXT("Detour: tile set of Recast's demo, in metres, Y up"),
+        .keeps =
+            FOOTFALL_TEXT("who can reach whom: convex polygons, heights, steps, drops, the agent; layers as areas"),
+        .loses = FOOTFALL_TEXT("doubles; more than 58 layers; placed obstacles"),
+        .hasLines = false,
+        .hasExtras = false,
+    },
+    FormatDescriptor{
+        .format = ExportFormat::Godot,
+        .ending = ".tres",
+        .name = FOOTFALL_TEXT("Godot: NavigationMesh, in metres, Y up"),
+        .keeps = FOOTFALL_TEXT("convex polygons, steps as polygons, the agent"),
+        .loses = FOOTFALL_TEXT("doubles, drops, layers, placed obstacles; what is smaller than a cell of Godot's map"),
+        .hasLayers = false,
+        .hasLines = false,
+        .hasDrops = false,
+        .hasExtras = false,
+    },
+};
+
+/// "3 drops, 2 obstacle edges"
+Text listed(const std::vector<Text>& parts) {
+  Text list = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) list = Text(Pattern{"%1, %2"}, list, parts[i]);
+  return list;
+}
+
+}  // namespace
+
+std::span<const FormatDescriptor> exportFormats() { return kFormats; }
+
+const FormatDescriptor& descriptorOf(ExportFormat format) {
+  return *std::find_if(kFormats.begin(), kFormats.end(), [&](const auto& d) { return d.format == format; });
+}
+
+std::string exportEndings() {
+  std::string endings;
+  for (std::size_t i = 0; i < kFormats.size(); ++i) {
+    if (i > 0) endings += i + 1 < kFormats.size() ? ", " : " or ";
+    endings += kFormats[i].ending;
+  }
+  return endings;
+}
+
+ExportFormat exportFormatOf(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending.empty()) return ExportFormat::Obj;
+  for (const FormatDescriptor& format : kFormats)
+    if (ending == format.ending) return format.format;
+  throw InputError(FOOTFALL_TEXT("%1: cannot be written in the format \"%2\"; give a name that ends in %3"), path,
+                   ending.substr(1), exportEndings());
+}
+
+Text lossesOf(ExportFormat format, const NavigationMesh& mesh, const ExportOptions& options) {
+  const FormatDescriptor& descriptor = descriptorOf(format);
+  std::vector<Text> lost;
+  const auto add = [&](std::size_t count, bool isAsked, bool isKept, Pattern one, Pattern many) {
+    if (count > 0 && isAsked && !isKept) lost.push_back(countedText(count, one, many));
+  };
+  // One layer is no loss: everything is in it.
+  add(mesh.layerCount > 1 ? mesh.layerCount : 0, options.layers, descriptor.hasLayers, FOOTFALL_TEXT("1 layer"),
+      FOOTFALL_TEXT("%1 layers"));
+  add(mesh.drops.size(), options.drops, descriptor.hasDrops, FOOTFALL_TEXT("1 drop"), FOOTFALL_TEXT("%1 drops"));
+  constexpr std::uint32_t kAreas = kLastArea - kFirstLayerArea;
+  add(format == ExportFormat::Detour && mesh.layerCount > kAreas + 1 ? mesh.layerCount - kAreas : 0, options.layers,
+      false, FOOTFALL_TEXT("the area of 1 layer"), FOOTFALL_TEXT("the areas of %1 layers"));
+  return lost.empty() ? Text() : listed(lost);
+}
+
+}  // namespace footfall::detail

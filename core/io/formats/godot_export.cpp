@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/formats/godot_export.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/base/vector.hpp"
+#include "core/io/formats/convex_polygons.hpp"
+#include "core/io/formats/engine_mesh.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+/// In metres: what heights may be off where Godot divides a polygon into other triangles than it was made of.
+constexpr double kFlatness = 0.001;
+
+using Place = std::array<double, 3>;
+using Polygon = std::vector<std::uint32_t>;
+
+Place placeOf(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+/// The polygons of the surface and of the steps, over the vertices of `mesh` and some more.
+class GodotPolygons {
+ public:
+  explicit GodotPolygons(EngineMesh& mesh) : mesh_(mesh) {
+    const ConvexPolygons merged =
+        mergeTriangles(mesh.vertices, mesh.triangles, {}, {.maxCorners = 1000, .maxHeight = kFlatness});
+    for (const EngineLink& link : mesh.links)
+      if (isOnePlace(link)) joined_.insert(key(link.from[0], link.from[1]));
+    for (std::size_t i = 0; i < merged.size(); ++i) addSurface(merged, i);
+    for (const EngineLink& link : mesh.links) addStep(link);
+  }
+
+  [[nodiscard]] const std::vector<Polygon>& polygons() const { return polygons_; }
+
+ private:
+  using Key = std::pair<Place, Place>;
+
+  [[nodiscard]] Key key(std::uint32_t a, std::uint32_t b) const {
+    const Place p = placeOf(mesh_.vertices[a]), q = placeOf(mesh_.vertices[b]);
+    return p < q ? Key{p, q} : Key{q, p};
+  }
+  [[nodiscard]] bool isSamePlace(std::uint32_t a, std::uint32_t b) const {
+    return mesh_.vertices[a] == mesh_.vertices[b];
+  }
+  [[nodiscard]] bool isOnePlace(const EngineLink& link) const {
+    return isSamePlace(link.from[0], link.to[1]) && isSamePlace(link.from[1], link.to[0]);
+  }
+
+  /// An edge of the border at the place of an earlier one is the other side of an obstacle edge, unless one steps over
+  /// it.
+  void addSurface(const ConvexPolygons& merged, std::size_t polygon) {
+    Polygon corners;
+    const std::span<const std::uint32_t> given = merged.cornersOf(polygon);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const std::uint32_t a = given[k], b = given[(k + 1) % given.size()];
+      corners.push_back(a);
+      if (merged.neighbours[merged.first[polygon] + k] != kNoPolygon) continue;
+      const Key edge = key(a, b);
+      if (joined_.contains(edge)) continue;
+      const int earlier = borders_[edge]++;
+      if (earlier == 0) continue;
+      const double t = 1.0 / (1 + earlier);
+      const Vec3 middle = mesh_.vertices[a] + t * (mesh_.vertices[b] - mesh_.vertices[a]);
+      corners.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
+      mesh_.vertices.push_back(middle);
+    }
+    polygons_.push_back(std::move(corners));
+  }
+
+  /// Beyond the edge of the first border, back along the second one.
+  void addStep(const EngineLink& link) {
+    if (isOnePlace(link)) return;
+    Polygon corners;
+    for (const std::uint32_t v : {link.from[1], link.from[0], link.to[1], link.to[0]})
+      if (corners.empty() || !(isSamePlace(corners.back(), v) || isSamePlace(corners.front(), v))) corners.push_back(v);
+    if (corners.size() >= 3) polygons_.push_back(std::move(corners));
+  }
+
+  EngineMesh& mesh_;
+  std::set<Key> joined_;
+  std::map<Key, int> borders_;  ///< how many edges were at a place
+  std::vector<Polygon> polygons_;
+};
+
+void appendFloat(std::string& text, double value) {
+  std::array<char, 32> digits;
+  const auto number = static_cast<float>(value + 0.0);
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return text + '"';
+}
+
+}  // namespace
+
+GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options) {
+  if (options.godot != 3 && options.godot != 4)
+    throw InputError(FOOTFALL_TEXT("there is no format for Godot %1; choose 3 or 4"), options.godot);
+  const bool isThree = options.godot == 3;
+  EngineMesh engine = engineMesh(mesh, options);
+  const GodotPolygons made(engine);
+  GodotFile file;
+  file.largestError = engine.largestError;
+  file.polygons = made.polygons().size();
+
+  std::string& text = file.text;
+  text = isThree ? "[gd_resource type=\"NavigationMesh\" format=2]\n\n[resource]\n"
+                 : "[gd_resource type=\"NavigationMesh\" format=3]\n\n[resource]\n";
+  const std::string name = std::filesystem::path(mesh.frame.source).stem().string();
+  if (!name.empty()) text += "resource_name = " + quoted(name) + '\n';
+  text += isThree ? "vertices = PoolVector3Array(" : "vertices = PackedVector3Array(";
+  const char* separator = " ";
+  for (const Vec3& p : engine.vertices)
+    for (const double x : {p.x, p.z, -p.y}) {
+      text += std::exchange(separator, ", ");
+      appendFloat(text, x);
+    }
+  text += " )\npolygons = [";
+  separator = " ";
+  for (const Polygon& polygon : made.polygons()) {
+    text += std::exchange(separator, ", ");
+    text += isThree ? "PoolIntArray(" : "PackedInt32Array(";
+    const char* comma = " ";
+    for (auto corner = polygon.rbegin(); corner != polygon.rend(); ++corner)
+      text.append(std::exchange(comma, ", ")).append(std::to_string(*corner));
+    text += " )";
+  }
+  text += " ]\n";
+  const double scale = mesh.frame.metresPerUnit * options.scale;
+  const auto addNumber = [&](const char* part, double value) {
+    text.append(isThree ? "agent/" : "agent_").append(part).append(" = ");
+    const std::size_t start = text.size();
+    appendFloat(text, value);
+    if (text.find_first_of(".e", start) == std::string::npos) text += ".0";
+    text += '\n';
+  };
+  const AgentNumbers& agent = header.numbers;
+  if (agent.height) addNumber("height", *agent.height * scale);
+  addNumber("radius", agent.radius * scale);
+  addNumber("max_climb", agent.step * scale);
+  if (agent.maxSlope) addNumber("max_slope", *agent.maxSlope);
+  return file;
+}
+
+}  // namespace footfall::detail
