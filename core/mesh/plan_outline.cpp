@@ -76,6 +76,7 @@ class Outliner {
     for (const Vec3& p : mesh_.vertices) extent_ = std::max({extent_, std::abs(p.x), std::abs(p.y)});
     pairSides();
     if (rule_ == EdgeRule::SamePlace && splitBorder()) {
+      isCut_ = true;
       sides_ = std::exchange(border_, {});
       std::sort(sides_.begin(), sides_.end(), comesBefore);
       pairSides();
@@ -113,7 +114,7 @@ class Outliner {
         const bool isSame = a.from == b.to && a.to == b.from;
         if (a.fromPlace != b.toPlace || (withSameVertices && !isSame) || groupOf(a) != groupOf(b)) continue;
         parts_.unite(static_cast<Index>(a.triangle), static_cast<Index>(b.triangle));
-        if (!isSame && !isLinked(a)) result_.barriers.push_back({a.from, a.to});
+        if ((!isSame || isCut_) && !isLinked(a)) result_.barriers.push_back({a.from, a.to});
         edge.erase(edge.begin() + static_cast<std::ptrdiff_t>(k));
         edge.erase(edge.begin() + static_cast<std::ptrdiff_t>(i--));
         break;
@@ -250,16 +251,14 @@ class Outliner {
   }
 
   void addRing(PlanPart& part, PlanRing ring) const {
-    if (ring.size() < 3 || isSliver(ring)) return;
+    if (ring.size() < 2 || (rule_ == EdgeRule::SamePlace && isSliver(ring))) return;
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
     const double area = doubleAreaOf(mesh_, ring);
-    if (area < 0) {
+    // Of two that go round, as only folds by rounding make them, the larger one counts.
+    if (area <= 0)
       part.holes.push_back(std::move(ring));
-    } else if (part.outer.empty()) {
+    else if (part.outer.empty() || area > doubleAreaOf(mesh_, part.outer))
       part.outer = std::move(ring);
-    } else if (area > doubleAreaOf(mesh_, part.outer)) {
-      part.outer = std::move(ring);  // both at once only where rounding folded triangles over
-    }
   }
 
   [[nodiscard]] bool isSliver(const PlanRing& ring) const {
@@ -280,6 +279,7 @@ class Outliner {
   std::vector<char> isUsed_;
   std::vector<std::size_t> passed_;                   ///< where in the path a side leaves the place
   std::vector<std::array<std::uint32_t, 2>> linked_;  ///< edges over which a step leads
+  bool isCut_ = false;  ///< sides were cut at places, so that equal vertices say nothing any more
   double extent_ = 0;
   PlanOutline result_;
 };

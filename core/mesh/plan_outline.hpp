@@ -30,7 +30,7 @@ struct PlanOutline {
 
 /// What counts as one edge of two triangles.
 enum class EdgeRule {
-  Joined,  ///< the same two vertices: an agent crosses it
+  Joined,  ///< the same two vertices: an agent crosses it; a thin wall is a hole without an area
   /// The same two places in the plan, whatever the heights: treads of stairs and both sides of a thin wall grow
   /// together, and what cannot be crossed is in PlanOutline::barriers. For formats whose polygons have no slits.
   SamePlace

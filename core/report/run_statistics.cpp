@@ -8,6 +8,7 @@
 
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
+#include "core/base/vector.hpp"
 #include "core/environment/skipped_polygons.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/mesh/storey_names.hpp"
@@ -15,6 +16,7 @@
 #include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
+#include "footfall/version.hpp"
 
 namespace footfall {
 using namespace detail;
@@ -236,6 +238,22 @@ Json componentsJson(const Components& components) {
   return list;
 }
 
+Json layersJson(const NavigationMesh& mesh) {
+  std::vector<std::size_t> triangles(mesh.layerCount);
+  std::vector<double> areas(mesh.layerCount);
+  for (std::size_t t = 0; t < mesh.layers.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    ++triangles.at(mesh.layers[t]);
+    areas[mesh.layers[t]] += areaOf(mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]);
+  }
+  Json list = Json::array();
+  const std::vector<std::string> storeys = storeyNames(mesh);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    list.push_back(
+        {{"area", areas[i]}, {"triangles", triangles[i]}, {"storeys", storeys.empty() ? std::string() : storeys[i]}});
+  return list;
+}
+
 /// The largest parts, and what the others amount to; empty where there are none.
 std::string componentLines(const Components& components) {
   constexpr std::size_t kShown = 5;
@@ -294,6 +312,7 @@ std::string dropLine(const NavigationMesh& mesh, const Components& components) {
 
 std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
   Json json;
+  json["program"] = "Footfall " + std::string(version());
   json["environment"] = {{"source", environment.source},
                          {"triangles", environment.triangles.size()},
                          {"vertices", environment.vertices.size()},
@@ -326,10 +345,11 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["threads"] = result.threads;
   json["peak_rss_bytes"] = peakRssBytes();
   const NavigationMesh& mesh = *result.mesh;
+  json["vertices"] = mesh.vertices.size();
   json["triangles"] = mesh.triangles.size();
   json["area"] = result.summary.area;
   json["layers"] = mesh.layerCount;
-  json["layer_names"] = storeyNames(mesh);
+  json["layer_list"] = layersJson(mesh);
   json["connections"] = mesh.connections.size();
   const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
   json["links"] = mesh.links.size();

@@ -31,6 +31,7 @@
 #include "ui/run/result_summary.hpp"
 #include "ui/view/camera_tools.hpp"
 #include "ui/window/export_commands.hpp"
+#include "ui/window/floor_plans.hpp"
 #include "ui/window/palette_sources.hpp"
 
 namespace footfall::ui {
@@ -190,6 +191,7 @@ void EditorWindow::createFeatures() {
   new ObstacleFeatures(host, *view_, document_, file_, composer_, controller_);
   new SkippedFeature(host, *view_, file_, *import_);
   new CompareFeature(host, *view_, *overlays_, document_, file_, controller_);
+  new FloorPlans(host, file_, controller_, *writer_);
   new ParameterNotes(document_, file_, *messages_, this);
   exports_ = new ResultExport({.window = *this,
                                .document = document_,
