@@ -11,6 +11,7 @@
 #include "core/base/lexicographic_order.hpp"
 #include "core/base/parallel_ranges.hpp"
 #include "core/base/vector.hpp"
+#include "core/exact/plan_places.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall::detail {
@@ -219,6 +220,10 @@ SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vecto
 }
 
 std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled) {
+  return addPlanPlaces(mesh, scaled, {});
+}
+
+std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled, const Poll& poll) {
   using Place = std::pair<double, double>;
   const int scale = -mesh.grid.scaleExponent();
   const auto sorted = static_cast<std::ptrdiff_t>(mesh.vertices.size() - mesh.planPlaces);
@@ -228,6 +233,7 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled)
   std::vector<Index> ids;
   ids.reserve(scaled.size());
   for (const Vec3& given : scaled) {
+    if (ids.size() % kPerTask == 0) poll();
     const Vec3 p =
         withoutNegativeZeros({std::ldexp(given.x, scale), std::ldexp(given.y, scale), std::ldexp(given.z, scale)});
     const auto last = mesh.vertices.begin() + sorted;

@@ -3,15 +3,18 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <span>
 
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/exact/plan_places.hpp"
 #include "core/filters/face_cutter.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/radius/border_pieces.hpp"
 #include "core/filters/radius/margins.hpp"
+#include "core/filters/radius/thin_triangles.hpp"
 #include "core/filters/rounding/generation.hpp"
 #include "core/filters/steps/step_linker.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -20,6 +23,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kFacesPerTask = 8;
+constexpr std::size_t kMarginsPerPoll = 64;
 
 MeshLink linkOf(const StepLink& link) {
   const auto edge = [](const std::array<std::uint32_t, 2>& e) {
@@ -72,7 +76,7 @@ struct KernelWithMargins {
   std::vector<std::size_t> first;  ///< of each margin, and one more
 };
 
-KernelWithMargins addMargins(const PlanKernel& kernel, const std::vector<Margin>& margins) {
+KernelWithMargins addMargins(const PlanKernel& kernel, const std::vector<Margin>& margins, const Poll& poll) {
   std::vector<Vec3> places;
   KernelWithMargins result{nullptr, {}, {0}};
   const double anywhere = kernel.mesh().scaled.front().z;
@@ -81,7 +85,8 @@ KernelWithMargins addMargins(const PlanKernel& kernel, const std::vector<Margin>
     result.first.push_back(places.size());
   }
   auto mesh = std::make_shared<SourceMesh>(kernel.mesh());
-  result.planIds = addPlanPlaces(*mesh, places);
+  poll();
+  result.planIds = addPlanPlaces(*mesh, places, poll);
   result.kernel = std::make_shared<PlanKernel>(std::move(mesh), kernel.heights());
   return result;
 }
@@ -92,19 +97,18 @@ struct MarginsOfFaces {
   std::vector<std::vector<Index>> margins;
 };
 
-MarginsOfFaces groupByFaces(const std::vector<Margin>& margins) {
-  std::vector<std::array<Index, 2>> pairs;
-  for (std::size_t i = 0; i < margins.size(); ++i)
+MarginsOfFaces groupByFaces(const std::vector<Margin>& margins, std::size_t faceCount, const Poll& poll) {
+  std::vector<std::vector<Index>> ofFaces(faceCount);
+  for (std::size_t i = 0; i < margins.size(); ++i) {
+    if (i % kMarginsPerPoll == 0) poll();
     for (const Index face : margins[i].faces)
-      if (face >= 0) pairs.push_back({face, static_cast<Index>(i)});
-  std::sort(pairs.begin(), pairs.end());
+      if (face >= 0) ofFaces[face].push_back(static_cast<Index>(i));
+  }
   MarginsOfFaces result;
-  for (const auto& [face, margin] : pairs) {
-    if (result.faces.empty() || result.faces.back() != face) {
-      result.faces.push_back(face);
-      result.margins.emplace_back();
-    }
-    result.margins.back().push_back(margin);
+  for (std::size_t face = 0; face < faceCount; ++face) {
+    if (ofFaces[face].empty()) continue;
+    result.faces.push_back(static_cast<Index>(face));
+    result.margins.push_back(std::move(ofFaces[face]));
   }
   return result;
 }
@@ -119,8 +123,9 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   const FilterOutcome simplified = applySimplification(given, false, 0, {}, context);
   outcome.fallbacks += simplified.fallbacks;
   const StatePtr& before = simplified.state;
-  const auto product = makeNavigationMesh(before, context);
+  const auto product = std::make_shared<NavigationMesh>(*makeNavigationMesh(before, context));
   if (product->triangles.empty()) return outcome;
+  divideThinTriangles(*product, std::max(radius, ledges), context);
   std::vector<Index> faces;
   auto state = std::make_shared<WalkableState>(
       *startGeneration(*before, makeGenerationSoup(*before, *product, context, outcome.fallbacks), context, &faces));
@@ -132,9 +137,9 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   const std::vector<Margin> margins = findMargins(
       *state, {std::ldexp(radius, scale), std::ldexp(ledges, scale), tolerance}, context, outcome.fallbacks);
 
-  const KernelWithMargins known = addMargins(*state->kernel, margins);
+  const KernelWithMargins known = addMargins(*state->kernel, margins, context);
   state->kernel = known.kernel;
-  const MarginsOfFaces touched = groupByFaces(margins);
+  const MarginsOfFaces touched = groupByFaces(margins, state->walkable.size(), context);
   std::vector<FaceCuts> found(touched.faces.size());
   tbb::enumerable_thread_specific<std::unique_ptr<FaceCutter>> cutters;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), kFacesPerTask), [&](const auto& range) {

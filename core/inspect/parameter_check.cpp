@@ -64,6 +64,34 @@ Text stepText(const LevelMeasures& level, double step, double clearance) {
       Text::count((risers.triangles + 1) / 2), littleMore(risers.highest)};
 }
 
+Text heightText(const LevelMeasures& level, double height) {
+  const double longest = std::max({level.size.x, level.size.y, level.size.z});
+  if (height > longest && longest > 0)
+    return {FOOTFALL_TEXT("agents are %1 high, and the whole level is no larger than %2; check the scale"),
+            shortNumber(height), shortNumber(longest)};
+  double highest = 0;
+  for (const Doorway& doorway : level.doorways) highest = std::max(highest, doorway.height);
+  if (level.doorways.empty() || height <= highest) return {};
+  return {FOOTFALL_TEXT("agents are %1 high, and the highest doorway here is %2: nobody gets through one; give %2 or "
+                        "less"),
+          shortNumber(height), shortNumber(highest)};
+}
+
+Text radiusText(const LevelMeasures& level, double radius, double height) {
+  const double shortest = std::min(level.size.x, level.size.y);
+  if (2 * radius >= shortest && shortest > 0)
+    return {FOOTFALL_TEXT("agents are %1 wide, and the whole level is no wider than %2: nothing will be left; check "
+                          "the scale"),
+            shortNumber(2 * radius), shortNumber(shortest)};
+  double widest = 0;
+  for (const Doorway& doorway : level.doorways)
+    if (doorway.height >= height) widest = std::max(widest, doorway.width);
+  if (widest == 0 || 2 * radius < widest) return {};
+  return {FOOTFALL_TEXT("agents are %1 wide, and the widest doorway here is %2: nobody gets through one; give a radius "
+                        "below %3"),
+          shortNumber(2 * radius), shortNumber(widest), shortNumber(widest / 2)};
+}
+
 }  // namespace
 
 LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
@@ -94,6 +122,7 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
   poll();
   std::ranges::sort(measures.wallHeights);
   measures.size = {high.x - low.x, high.y - low.y, high.z - low.z};
+  measures.doorways = findDoorways(environment, poll);
   return measures;
 }
 
@@ -111,7 +140,6 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
                               shortNumber(metres), shortNumber(*other))});
     }
   }
-  const double longest = std::max({level.size.x, level.size.y, level.size.z});
   double clearance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
@@ -119,12 +147,10 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
     const double value = step.values[0];
     if (step.filter->type == FilterType::VerticalClearance) {
       clearance = value;
-      if (value > longest && longest > 0) {
-        notes.push_back(
-            {i, Text(FOOTFALL_TEXT("agents are %1 high, and the whole level is no larger than %2; check the "
-                                   "scale"),
-                     shortNumber(value), shortNumber(longest))});
-      }
+      if (Text text = heightText(level, value); !text.empty()) notes.push_back({i, std::move(text)});
+    } else if (step.filter->type == FilterType::Radius) {
+      const double height = std::isfinite(clearance) ? clearance : 0;
+      if (Text text = radiusText(level, value, height); !text.empty()) notes.push_back({i, std::move(text)});
     } else if (step.filter->type == FilterType::Step) {
       if (Text text = stepText(level, value, clearance); !text.empty()) notes.push_back({i, std::move(text)});
     } else if (step.filter->type == FilterType::Drop) {

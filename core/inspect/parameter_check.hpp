@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/poll.hpp"
+#include "core/inspect/doorways.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
 
@@ -16,11 +17,12 @@ namespace footfall::detail {
 struct LevelMeasures {
   Vec3 size;                        ///< of the box around its vertices, the height last
   std::vector<double> wallHeights;  ///< of upright triangles with a level side, ascending; two make a wall
+  std::vector<Doorway> doorways;    ///< findDoorways()
   double metresPerUnit = 1;
   bool scaleGuessed = false;
 };
 
-/// Rounded; takes time in proportion to the triangles.
+/// Rounded; takes time in proportion to the triangles, and sorts the walls.
 LevelMeasures measureLevel(const Environment& environment, const Poll& poll = {});
 
 struct ParameterNote {
@@ -32,7 +34,8 @@ struct ParameterNote {
 /// - a step that is a rounding, or at most a twentieth, below the most frequent riser: the most frequent height of
 /// walls
 ///   among those of at most half of the clearance. Risers of exactly the step are climbed, and nothing is said;
-/// - agents that are taller than the level is in any direction;
+/// - agents that are taller than the level is in any direction, or than each of its doorways;
+/// - a radius that no doorway under which the agents fit is wide enough for, or not even the level;
 /// - and a guessed scale that makes the level larger than levels are, or smaller.
 std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pipeline& pipeline);
 

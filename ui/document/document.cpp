@@ -34,6 +34,8 @@ class DocumentCommand : public QUndoCommand {
   void undo() override { document_.setState(before_); }
   void redo() override { document_.setState(after_); }
   [[nodiscard]] int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
+  [[nodiscard]] const QString& mergeKey() const { return mergeKey_; }
+  [[nodiscard]] const DocumentState& before() const { return before_; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto* next = static_cast<const DocumentCommand*>(other);  // same id, so the same class
     if (next->mergeKey_ != mergeKey_) return false;
@@ -78,6 +80,13 @@ void Document::push(DocumentState next, const QString& text, const QString& merg
   if (!activeAgent(next) || !followsAgent(next)) next.agent = 0;
   if (next == state_) return;
   undoStack_.push(new DocumentCommand(*this, std::move(next), text, mergeKey));  // the stack owns it
+}
+
+const DocumentState& Document::stateBefore(const QString& mergeKey) const {
+  const int last = undoStack_.index() - 1;
+  if (mergeKey.isEmpty() || last < 0 || undoStack_.isClean()) return state_;
+  const auto* command = static_cast<const DocumentCommand*>(undoStack_.command(last));  // the stack has no others
+  return command->mergeKey() == mergeKey ? command->before() : state_;
 }
 
 void Document::setState(const DocumentState& state) {
@@ -131,7 +140,10 @@ void Document::setEnabled(int id, bool enabled) {
 void Document::setValue(int id, std::size_t parameter, double value, int editSession) {
   const std::size_t index = indexOf(id);
   if (index == state_.filters.size() || parameter >= state_.filters[index].step.values.size()) return;
-  DocumentState next = state_;
+  const QString mergeKey =
+      editSession < 0 ? QString() : QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession);
+  // What follows a value does so from where the edit began: values on the way to the last one take nothing along.
+  DocumentState next = stateBefore(mergeKey);
   PipelineStep& step = next.filters[index].step;
   const double before = std::exchange(step.values[parameter], value);
   for (std::size_t i = 0; i < step.values.size(); ++i)
@@ -143,8 +155,7 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
     setSizeOf(*agent, *size, value);
     writeSizes(next);
   }
-  push(std::move(next), {},
-       editSession < 0 ? QString() : QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession));
+  push(std::move(next), {}, mergeKey);
 }
 
 bool Document::addParallelBlock() {

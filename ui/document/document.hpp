@@ -93,6 +93,8 @@ class Document : public QObject {
   friend class DocumentCommand;
   std::vector<FilterEntry> entriesOf(const Pipeline& pipeline);
   void push(DocumentState next, const QString& text, const QString& mergeKey = {});
+  /// Before the edit that one with this key would become one with.
+  [[nodiscard]] const DocumentState& stateBefore(const QString& mergeKey) const;
   void setState(const DocumentState& state);
   [[nodiscard]] std::size_t indexOf(int id) const;
 

@@ -13,6 +13,7 @@
 #include "footfall/errors.hpp"
 #include "footfall/up_axis.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/document/agent_rules.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -66,6 +67,7 @@ PipelineStep stepFrom(const Json& json) {
   PipelineStep step = defaultStep(*filter, 1);
   step.enabled = json.value("enabled", true);
   const Json parameters = json.value("parameters", Json::object());
+  std::vector<char> isGiven(filter->parameters.size(), 0);
   for (const auto& [key, value] : parameters.items()) {
     if (filter->repeats > 0 && key == filter->groups) {
       for (const Json& group : value)
@@ -83,7 +85,11 @@ PipelineStep stepFrom(const Json& json) {
       throw InputError(FOOTFALL_TEXT("%1 has no parameter '%2'; see 'footfall filters %1'"), name, key);
     }
     step.values[index] = valueFrom(*filter, filter->parameters[index], value);
+    isGiven[index] = 1;
   }
+  for (std::size_t i = 0; i < filter->parameters.size() - filter->repeats; ++i)
+    if (const int follows = filter->parameters[i].follows; isGiven[i] == 0 && follows >= 0)
+      step.values[i] = step.values[follows];
   return step;
 }
 
@@ -156,15 +162,27 @@ PlacedObstacle obstacleFrom(const Json& json) {
   return obstacle;
 }
 
-NamedAgent agentFrom(const Json& json) {
+/// What the filters that are on say of a size, or `otherwise` where none does.
+double sizeIn(const Pipeline& pipeline, AgentSize size, double otherwise) {
+  for (const PipelineStep& step : pipeline.steps)
+    for (std::size_t i = 0; step.enabled && i < step.values.size(); ++i)
+      if (agentSizeOf(*step.filter, i) == size) return step.values[i];
+  return otherwise;
+}
+
+/// Sizes that agents did not have when the session was saved were the filters' alone, whichever agent was active.
+NamedAgent agentFrom(const Json& json, const Pipeline& pipeline) {
+  const auto sizeOr = [&](const char* name, AgentSize size, double none) {
+    return json.contains(name) ? json.at(name).get<double>() : sizeIn(pipeline, size, none);
+  };
   NamedAgent agent{0,
                    json.at("name").get<std::string>(),
                    json.at("height").get<double>(),
                    json.at("max_slope").get<double>(),
-                   json.value("step", 0.0),  // sessions from before had none of these
-                   json.value("gap", filterDescriptor(FilterType::Step).parameters[1].defaultValue),
-                   json.value("radius", 0.0),
-                   json.value("drop", 0.0)};
+                   sizeOr("step", AgentSize::Step, 0),
+                   sizeOr("gap", AgentSize::Gap, parameterOf(AgentSize::Gap).defaultValue),
+                   sizeOr("radius", AgentSize::Radius, 0),
+                   sizeOr("drop", AgentSize::Drop, 0)};
   if (!(agent.height > 0 && std::isfinite(agent.height) && agent.maxSlope > 0 && agent.maxSlope < 90))
     throw InputError(FOOTFALL_TEXT("agents: '%1' needs a height above 0 and a slope between 0 and 90 degrees"),
                      agent.name);
@@ -189,7 +207,7 @@ void readLevel(const Json& json, Session& session) {
     session.obstacles.back().id = static_cast<std::uint32_t>(session.obstacles.size());
   }
   for (const Json& agent : json.value("agents", Json::array())) {
-    session.agents.push_back(agentFrom(agent));
+    session.agents.push_back(agentFrom(agent, session.pipeline));
     session.agents.back().id = static_cast<int>(session.agents.size());
   }
   const int agent = json.value("agent", 0);  // counts from 1

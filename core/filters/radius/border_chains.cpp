@@ -51,7 +51,11 @@ class PieceOrder {
         before_[p + 1] = static_cast<Index>(p);
         continue;
       }
-      surface.fanBehind(piece.side, fan);
+      if (surface.fanBehind(piece.side, fan)) {
+        behind_[p] = -1;
+        branches_.push_back(static_cast<Index>(p));
+        continue;
+      }
       const Index next = behind_[p] = firstOf[fan.back()];
       if (next < 0) continue;
       before_[next] = static_cast<Index>(p);
@@ -65,11 +69,13 @@ class PieceOrder {
 
   [[nodiscard]] Index behind(Index piece) const { return behind_[piece]; }
   [[nodiscard]] Index before(Index piece) const { return before_[piece]; }
+  /// Pieces behind which there are several ways on.
+  [[nodiscard]] const std::vector<Index>& branches() const { return branches_; }
   /// Whether the piece behind is of the same kind, and goes straight on.
   [[nodiscard]] bool isStraight(Index piece) const { return isStraight_[piece] != 0; }
 
  private:
-  std::vector<Index> behind_, before_;
+  std::vector<Index> behind_, before_, branches_;
   std::vector<char> isStraight_;
 };
 
@@ -111,6 +117,15 @@ std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const st
     const Index after = order.behind(lasts[c]), ahead = order.before(firsts[c]);
     chains[c].behind = after < 0 ? -1 : chainOf[after];
     chains[c].before = ahead < 0 ? -1 : chainOf[ahead];
+  }
+  for (const Index p : order.branches()) {
+    BorderChain place;
+    place.begin = place.end = pieces[p].end;
+    place.sides = {pieces[p].side};
+    place.isLedge = pieces[p].isLedge;
+    place.slack = kSlack + 2 * pieces[p].error;
+    finishChain(place, surface);
+    chains.push_back(std::move(place));
   }
   return chains;
 }

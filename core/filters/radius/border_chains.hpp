@@ -21,6 +21,9 @@ struct BorderChain {
   [[nodiscard]] double size() const { return isShort ? 0 : length(end - begin); }
 };
 
+/// Where the surface goes on in several ways behind a border, because floors overlap there, that place is a chain of
+/// its own with nothing before and behind it, and none has one behind.
+///
 /// In an order that depends on the surface alone. `pieces` are all of its border, by side and then along it.
 std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const std::vector<BorderPiece>& pieces);
 

@@ -73,7 +73,8 @@ struct Rays {
 /// Lists the triangles that beams reach. What may be reached is taken as reached.
 class Spread {
  public:
-  explicit Spread(const MarginSurface& surface) : surface_(surface) {}
+  /// Polls as it runs.
+  Spread(const MarginSurface& surface, const Poll& poll) : surface_(surface), poll_(poll) {}
 
   void start() { found_.clear(); }
   void start(const std::vector<Index>& known) { found_ = known; }
@@ -82,6 +83,7 @@ class Spread {
   void run(const View& view) {
     seen_.clear();
     while (!stack_.empty()) {
+      if ((++visited_ & 255) == 0) poll_();
       const Entry entry = stack_.back();
       stack_.pop_back();
       visit(entry, view);
@@ -127,6 +129,8 @@ class Spread {
   }
 
   const MarginSurface& surface_;
+  Poll poll_;
+  std::uint32_t visited_ = 0;
   std::vector<Entry> stack_;
   std::unordered_map<Index, std::array<double, 2>> seen_;  ///< of entered sides
   std::vector<Index> found_;                               ///< triangles

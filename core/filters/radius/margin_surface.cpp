@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <unordered_set>
 #include <utility>
 
 namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kVerticesPerTask = 4096;
+constexpr std::size_t kPolled = 4095;  // bits that are 0 when it is time to ask
 
 }  // namespace
 
@@ -26,6 +28,7 @@ double turnFrom(const PlanVector& base, const PlanVector& direction) {
 MarginSurface::MarginSurface(const WalkableState& state, RunContext& context)
     : mesh_(*state.mesh),
       corners_(mesh_.triangles),
+      poll_(context),
       places_(mesh_.vertices.size()),
       errors_(mesh_.vertices.size()),
       first_(mesh_.triangles.size() * 3 + 1) {
@@ -68,12 +71,26 @@ MarginSurface::MarginSurface(const WalkableState& state, RunContext& context)
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
-void MarginSurface::fanBehind(Index border, std::vector<Index>& fan) const {
-  constexpr std::size_t kMost = 1U << 20;  // a turn about one place, from storey to storey
+bool MarginSurface::fanBehind(Index border, std::vector<Index>& fan) const {
   fan.clear();
   for (Index side = nextSide(border);; side = nextSide(beyond(side)[0])) {
     fan.push_back(side);
-    if (isBorder(side) || fan.size() == kMost) return;
+    if ((fan.size() & kPolled) == 0) poll_();
+    const auto ways = beyond(side);
+    if (ways.empty()) return false;  // as beyond() holds both ways, nothing but the border leads back to the start
+    if (ways.size() == 1) continue;
+    addAllWays(fan);
+    return true;
+  }
+}
+
+// From the last side of the fan on.
+void MarginSurface::addAllWays(std::vector<Index>& fan) const {
+  std::unordered_set<Index> seen(fan.begin(), fan.end());
+  for (std::size_t i = fan.size() - 1; i < fan.size(); ++i) {
+    if ((i & kPolled) == 0) poll_();
+    for (const Index other : beyond(fan[i]))
+      if (const Index side = nextSide(other); seen.insert(side).second) fan.push_back(side);
   }
 }
 

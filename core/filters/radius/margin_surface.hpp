@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
+#include "core/base/poll.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {
@@ -58,12 +59,16 @@ class MarginSurface {
   static Index previousSide(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
   /// The sides that begin where `border` ends, around that place as far as the next border, which is the last of them;
-  /// for each but the last the next triangle is beyond it.
-  void fanBehind(Index border, std::vector<Index>& fan) const;
+  /// for each but the last the next triangle is beyond it. Returns whether there are several ways on, because floors
+  /// overlap: then these are the sides on all of them, each once, and the last one says nothing.
+  bool fanBehind(Index border, std::vector<Index>& fan) const;
 
  private:
+  void addAllWays(std::vector<Index>& fan) const;
+
   const WalkableMesh& mesh_;
   TriangleCorners corners_;
+  Poll poll_;
   std::vector<PlanVector> places_;
   std::vector<double> errors_;
   std::vector<Index> first_, beyond_;

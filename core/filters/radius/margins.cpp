@@ -60,12 +60,13 @@ class MarginFinder {
     corners_.resize(chains_.size());
     others_.resize(chains_.size());
     std::vector<std::vector<Margin>> found(chains_.size());
-    tbb::enumerable_thread_specific<Spread> spreads([&] { return Spread(surface_); });
+    tbb::enumerable_thread_specific<Spread> spreads([&] { return Spread(surface_, context_); });
     forChains([&](Index i) { reached_[i] = reachedBy(chains_[i], spreads.local()); });
     forChains([&](Index i) {
       if (chains_[i].behind >= 0) findCorner(i, chains_[i].behind);
     });
     forChains([&](Index i) { makeMargins(i, spreads.local(), found[i]); });
+    context_.checkCancelled();
     std::vector<Margin> margins;
     for (std::vector<Margin>& some : found)
       for (Margin& margin : some) margins.push_back(std::move(margin));
@@ -97,6 +98,7 @@ class MarginFinder {
   [[nodiscard]] double asked(const BorderChain& chain) const {
     double distance = chain.isLedge ? ledges_ : walls_;
     if (!chain.isShort) return distance;
+    if (chain.before < 0 && chain.behind < 0) return std::max(walls_, ledges_);
     for (const Index other : {chain.before, chain.behind})
       if (other >= 0) distance = std::max(distance, chains_[other].isLedge ? ledges_ : walls_);
     return distance;

@@ -121,6 +121,12 @@ class SoupBuilder {
 
   void addSourceTriangles(RunContext& context, ExactFallbacks& fallbacks) {
     std::vector<CoveredParts> divided = findCoveredParts(context, fallbacks);
+    constexpr auto kNone = static_cast<VertexNumber>(-1);
+    std::vector<VertexNumber> numbers(source_.vertices.size(), kNone);  // in the soup
+    const auto vertexOf = [&](Index v) {
+      if (numbers[v] == kNone) numbers[v] = addVertex(source_.vertices[v]);
+      return numbers[v];
+    };
     auto parts = divided.begin();
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t) {
       if (t % kPolled == 0) context.checkCancelled();
@@ -140,12 +146,9 @@ class SoupBuilder {
       const bool covered = cuts != nullptr && cuts->removed;
       if (floor && !covered && state_.mesh) continue;  // in the mesh
       const auto& f = source_.triangles[t];
-      addTriangle(
-          {addVertex(source_.vertices[f[0]]), addVertex(source_.vertices[f[1]]), addVertex(source_.vertices[f[2]])}, t,
-          floor && !covered);
+      addTriangle({vertexOf(f[0]), vertexOf(f[1]), vertexOf(f[2])}, t, floor && !covered);
     }
-    for (const auto& [a, b] : source_.obstacleEdges)
-      result_.soup.obstacleEdges.push_back({addVertex(source_.vertices[a]), addVertex(source_.vertices[b])});
+    for (const auto& [a, b] : source_.obstacleEdges) result_.soup.obstacleEdges.push_back({vertexOf(a), vertexOf(b)});
   }
 
   void addDropped(RunContext& context) {

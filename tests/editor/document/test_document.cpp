@@ -346,6 +346,61 @@ class TestDocument : public QObject {
     QCOMPARE(formatPipeline(document.pipeline()), std::string("SlopeFilter 45\n"));
   }
 
+  void agentsOfOldSessionsHaveTheFiltersSizes() {
+    const QTemporaryDir folder;
+    const QByteArray old(
+        "{\"footfall_session\": 1, \"pipeline\": ["
+        "{\"filter\": \"SlopeFilter\", \"parameters\": {\"max_slope\": 45}}, "
+        "{\"filter\": \"VerticalClearanceFilter\", \"parameters\": {\"height\": 2}}, "
+        "{\"filter\": \"StepFilter\", \"parameters\": {\"step\": 0.25, \"gap\": 0.125}}, "
+        "{\"filter\": \"RadiusFilter\", \"parameters\": {\"radius\": 0.75}}, "
+        "{\"filter\": \"DropFilter\", \"enabled\": false, \"parameters\": {\"depth\": 3}}], "
+        "\"agents\": [{\"name\": \"A\", \"height\": 2, \"max_slope\": 45}, "
+        "{\"name\": \"B\", \"height\": 2, \"max_slope\": 45, \"step\": 0, \"radius\": 0.5}], \"agent\": 1}");
+    const Session session = readSession(writeFile(folder, "old.footfall", old).toStdString());
+    QCOMPARE(session.agents,
+             (std::vector<NamedAgent>{{1, "A", 2, 45, 0.25, 0.125, 0.75, 0}, {2, "B", 2, 45, 0, 0.125, 0.5, 0}}));
+    QCOMPARE(session.pipeline.steps[3].values[1], 0.75);  // the ledges follow the radius
+    Document document;
+    DocumentState rest;
+    rest.agents = session.agents;
+    rest.agent = session.agent;
+    document.reset(session.pipeline, {}, rest);
+    QCOMPARE(document.state().agent, 1);
+    QCOMPARE(formatPipeline(document.pipeline()), formatPipeline(session.pipeline));
+    activateAgent(document, 2);
+    activateAgent(document, 1);
+    QCOMPARE(formatPipeline(document.pipeline()), formatPipeline(session.pipeline));
+  }
+
+  void draggingPastAValueLeavesIt() {
+    for (const bool withAgent : {false, true}) {
+      Document document;
+      document.reset(
+          parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nRadiusFilter 0.5 0.25\nRadiusFilter 0.5 0.25\n",
+                        "test"),
+          {});
+      if (withAgent) addAgent(document, agentOfFilters(document.state(), 1));
+      const auto values = [&](std::size_t row) -> const std::vector<double>& {
+        return document.filters()[row].step.values;
+      };
+      const int id = document.filters()[2].id, edits = document.undoStack()->count();
+      for (const double radius : {0.5, 0.375, 0.25, 0.125}) document.setValue(id, 0, radius, 1);
+      QCOMPARE(values(2), (std::vector<double>{0.125, 0.25, 0.01}));
+      QCOMPARE(values(3), (std::vector<double>{withAgent ? 0.125 : 0.5, 0.25, 0.01}));
+      QCOMPARE(document.undoStack()->count(), edits + 1);
+      // Left where both are the same, and dragged on: now they go together.
+      document.setValue(id, 0, 0.25, 1);
+      for (const double radius : {0.375, 0.75}) document.setValue(id, 0, radius, 2);
+      QCOMPARE(values(2), (std::vector<double>{0.75, 0.75, 0.01}));
+      document.undoStack()->undo();
+      QCOMPARE(values(2), (std::vector<double>{0.25, 0.25, 0.01}));
+      document.undoStack()->undo();
+      QCOMPARE(values(2), (std::vector<double>{0.5, 0.25, 0.01}));
+      QCOMPARE(document.state().agent != 0, withAgent);
+    }
+  }
+
   void badSessionsAreOneLineWithTheFile_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::newRow("empty") << QByteArray();

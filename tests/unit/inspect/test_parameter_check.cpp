@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "core/inspect/parameter_check.hpp"
+#include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
 
 using namespace footfall;
@@ -20,6 +21,26 @@ std::shared_ptr<Environment> stairs(int count, double rise) {
     if (i > 0) soup.wall(i, 0, i, 2, before, z);
     soup.wall(i, 2, i + 1, 2, z, z + 3);
     soup.wall(i, 0, i + 1, 0, z, z + 3);
+  }
+  return soup.environment();
+}
+
+/// Rooms of 8 x 8 in a row; a wall of 0.25 between two has a doorway, 3 from its begin, of this width and height.
+std::shared_ptr<Environment> rooms(const std::vector<std::array<double, 2>>& doorways) {
+  const double length = 8, thickness = 0.25;
+  double widest = 0, highest = 0;
+  for (const auto& [width, height] : doorways) widest = std::max(widest, width), highest = std::max(highest, height);
+  const double depth = std::max(8.0, 2 * widest), top = std::max(3.0, 2 * highest);
+  Soup soup;
+  soup.floor(0, 0, length + static_cast<double>(doorways.size()) * (length + thickness), depth, 0);
+  for (std::size_t i = 0; i < doorways.size(); ++i) {
+    const auto& [width, height] = doorways[i];
+    const double x = length + static_cast<double>(i) * (length + thickness), end = x + thickness;
+    soup.box({x, 0, 0}, {end, 3, top}).box({x, 3 + width, 0}, {end, depth, top});
+    soup.wall(x, 3, end, 3, 0, height).wall(x, 3 + width, end, 3 + width, 0, height);
+    soup.ceiling(x, 3, end, 3 + width, height)
+        .wall(x, 3, x, 3 + width, height, top)
+        .wall(end, 3, end, 3 + width, height, top);
   }
   return soup.environment();
 }
@@ -85,6 +106,60 @@ class TestParameterCheck : public QObject {
              QString("0: agents are 40 high, and the whole level is no larger than 30; check the scale"));
     QCOMPARE(notesOf(*room.environment(), "VerticalClearanceFilter 30\n"), QString());
     QCOMPARE(notesOf(*room.environment(), "#off VerticalClearanceFilter 40\n"), QString());
+  }
+
+  void doorwaysAreFound() {
+    const std::vector<Doorway> doorways = measureLevel(*rooms({{0.9, 2.1}, {1.25, 1.5}})).doorways;
+    QCOMPARE(doorways.size(), std::size_t{2});
+    QVERIFY(std::fabs(doorways[0].width - 0.9) < 1e-12 || std::fabs(doorways[1].width - 0.9) < 1e-12);
+    QCOMPARE(std::max(doorways[0].height, doorways[1].height), 2.1);
+    QCOMPARE(std::min(doorways[0].height, doorways[1].height), 1.5);
+    QVERIFY(measureLevel(*rooms({{0.9, 1.3}})).doorways.empty());  // a hatch
+    QVERIFY(measureLevel(*rooms({{5, 2.1}})).doorways.empty());    // a passage
+    const auto small = rooms({{90, 210}});
+    QVERIFY(measureLevel(*small).doorways.empty());
+    small->metresPerUnit = 0.01;
+    QCOMPARE(measureLevel(*small).doorways.size(), std::size_t{1});
+    // Undersides without jambs are none.
+    QVERIFY(measureLevel(*Soup().floor(0, 0, 9, 9, 0).ceiling(3, 3, 3.25, 4, 2.1).environment()).doorways.empty());
+  }
+
+  void agentsHigherThanEachDoorway() {
+    const auto level = rooms({{0.9, 2.1}, {1.25, 1.75}});
+    QCOMPARE(notesOf(*level, "VerticalClearanceFilter 2.1\n"), QString());
+    QCOMPARE(notesOf(*level, "VerticalClearanceFilter 2.25\n"),
+             QString("0: agents are 2.25 high, and the highest doorway here is 2.1: nobody gets through one; give 2.1 "
+                     "or less"));
+    QCOMPARE(notesOf(*rooms({}), "VerticalClearanceFilter 2.25\n"), QString());
+  }
+
+  void agentsWiderThanEachDoorway() {
+    const auto level = rooms({{0.875, 2.25}, {1.25, 1.75}});
+    const auto notes = [&](const char* text) { return notesOf(*level, text); };
+    QCOMPARE(notes("VerticalClearanceFilter 1.5\nRadiusFilter 0.6\n"), QString());
+    QCOMPARE(notes("VerticalClearanceFilter 1.5\nRadiusFilter 0.625\n"),  // a single point does not connect
+             QString("1: agents are 1.25 wide, and the widest doorway here is 1.25: nobody gets through one; give a "
+                     "radius below 0.625"));
+    QCOMPARE(notes("VerticalClearanceFilter 2\nRadiusFilter 0.5\n"),  // too high for the wide one
+             QString("1: agents are 1 wide, and the widest doorway here is 0.875: nobody gets through one; give a "
+                     "radius below 0.4375"));
+    QCOMPARE(notes("VerticalClearanceFilter 2\nRadiusFilter 0.4\n"), QString());
+    QCOMPARE(notes("VerticalClearanceFilter 2\n#off RadiusFilter 0.5\n"), QString());
+    // What is told comes true.
+    for (const double radius : {0.4, 0.4375}) {
+      const std::string pipeline = minimalPipeline(2) + "\nRadiusFilter " + std::to_string(radius) + "\nAreaFilter 1\n";
+      QCOMPARE(countParts(navigationMesh(runFilters(level, pipeline))),
+               radius < 0.43 ? std::size_t{2} : std::size_t{3});
+    }
+  }
+
+  void aRadiusLargerThanTheLevel() {
+    const auto room = Soup().floor(0, 0, 30, 4, 0).environment();
+    QCOMPARE(notesOf(*room, "VerticalClearanceFilter 2\nRadiusFilter 2\n"),
+             QString("1: agents are 4 wide, and the whole level is no wider than 4: nothing will be left; check the "
+                     "scale"));
+    QCOMPARE(area(navigationMesh(runFilters(room, minimalPipeline(2) + "\nRadiusFilter 2\n"))), 0.0);
+    QCOMPARE(notesOf(*room, "VerticalClearanceFilter 2\nRadiusFilter 1.9\n"), QString());
   }
 
   void dropsDeeperThanTheLevel() {
