@@ -10,6 +10,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/environment/scale_guess.hpp"
+#include "core/inspect/openings.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -64,6 +65,19 @@ Text stepText(const LevelMeasures& level, double step, double clearance) {
       Text::count((risers.triangles + 1) / 2), littleMore(risers.highest)};
 }
 
+/// What is much lower than the agents, or higher, is no door: a window, a beam.
+Text clearanceText(const LevelMeasures& level, double clearance) {
+  constexpr double kLowest = 0.75, kHighest = 1.5;  // of the clearance
+  constexpr std::ptrdiff_t kFewestLintels = 3;      // triangles: one door is an exception
+  const auto first = std::ranges::lower_bound(level.openings, kLowest * clearance);
+  const auto end = std::ranges::upper_bound(level.openings, kHighest * clearance);
+  if (end - first < kFewestLintels || *(end - 1) >= clearance) return {};
+  return {FOOTFALL_TEXT("agents are %1 high, and the highest of some %2 doors and other openings here is %3: none is "
+                        "passed"),
+          shortNumber(clearance), Text::count(static_cast<std::uint64_t>(end - first + 1) / 2),
+          shortNumber(*(end - 1))};
+}
+
 }  // namespace
 
 LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
@@ -93,6 +107,7 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
   }
   poll();
   std::ranges::sort(measures.wallHeights);
+  measures.openings = measureOpenings(environment, poll);
   measures.size = {high.x - low.x, high.y - low.y, high.z - low.z};
   return measures;
 }
@@ -124,6 +139,8 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
             {i, Text(FOOTFALL_TEXT("agents are %1 high, and the whole level is no larger than %2; check the "
                                    "scale"),
                      shortNumber(value), shortNumber(longest))});
+      } else if (Text text = clearanceText(level, value); !text.empty()) {
+        notes.push_back({i, std::move(text)});
       }
     } else if (step.filter->type == FilterType::Step) {
       if (Text text = stepText(level, value, clearance); !text.empty()) notes.push_back({i, std::move(text)});

@@ -16,6 +16,7 @@ namespace footfall::detail {
 struct LevelMeasures {
   Vec3 size;                        ///< of the box around its vertices, the height last
   std::vector<double> wallHeights;  ///< of upright triangles with a level side, ascending; two make a wall
+  std::vector<double> openings;     ///< heights under lintels, ascending; two make a door (measureOpenings())
   double metresPerUnit = 1;
   bool scaleGuessed = false;
 };
@@ -32,6 +33,7 @@ struct ParameterNote {
 /// - a step that is a rounding, or at most a twentieth, below the most frequent riser: the most frequent height of
 /// walls
 ///   among those of at most half of the clearance. Risers of exactly the step are climbed, and nothing is said;
+/// - agents that are a little taller than all that looks like a door;
 /// - agents that are taller than the level is in any direction;
 /// - and a guessed scale that makes the level larger than levels are, or smaller.
 std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pipeline& pipeline);

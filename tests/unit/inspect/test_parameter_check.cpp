@@ -58,6 +58,39 @@ class TestParameterCheck : public QObject {
     QCOMPARE(stepNoteOf(*stairs(9, 0.25), "0.1"), QString());  // not meant to climb them
   }
 
+  // Walls 0.25 thick and 3 high in a row, with doors of a height between them.
+  void doorsThatAreTooLowAreTold() {
+    const auto rooms = [](int doors, double height) {
+      Soup soup = Soup().floor(-1, -4, 40, 4, 0);
+      for (int i = 0; i < doors; ++i) {
+        const double x = 3 * i;
+        soup.box({x, -3, 0}, {x + 0.25, -0.5, 3})
+            .box({x, 0.5, 0}, {x + 0.25, 3, 3})
+            .box({x, -0.5, height}, {x + 0.25, 0.5, 3});
+      }
+      return soup.environment();
+    };
+    const auto notes = [](const std::shared_ptr<Environment>& level) {
+      return notesOf(*level, "VerticalClearanceFilter 2\n");
+    };
+    QCOMPARE(measureLevel(*rooms(3, 1.875)).openings, (std::vector<double>(6, 1.875)));
+    QCOMPARE(
+        notes(rooms(3, 1.875)),
+        QString(
+            "0: agents are 2 high, and the highest of some 3 doors and other openings here is 1.875: none is passed"));
+    QCOMPARE(notes(rooms(3, 2)), QString());      // exactly as high is passed
+    QCOMPARE(notes(rooms(1, 1.875)), QString());  // one door
+    QCOMPARE(notes(rooms(3, 1.25)), QString());   // windows, rather
+    Soup mixed;
+    mixed.floor(0, 0, 8, 8, 0);
+    for (const double z : {1.875, 1.875, 1.875, 2.125}) mixed.box({z, 1, z}, {z + 0.25, 2, 3});
+    QCOMPARE(notes(mixed.environment()), QString());  // one is high enough
+    // A table is none, nor is a wide ceiling.
+    QVERIFY(
+        measureLevel(*Soup().floor(0, 0, 8, 8, 0).box({1, 1, 0.75}, {2, 3, 0.8}).ceiling(0, 0, 8, 8, 2.5).environment())
+            .openings.empty());
+  }
+
   void roundedRisersAreTold() {
     const QString note = stepNoteOf(*stairs(12, 0.2), "0.2");
     QVERIFY2(note.startsWith("1: most risers here are 0.2 high, as the step is, and roundings make "),
