@@ -231,10 +231,11 @@ void completeSteps(const std::vector<StepFace>& faces, StepKind kind, Navigation
   }
 }
 
-/// As both kinds of glTF begin, and no OBJ.
+/// As both kinds of glTF are, and no OBJ.
 bool isGltf(std::string_view content) {
   const std::size_t first = content.find_first_not_of(" \t\r\n");
-  return content.starts_with("glTF") || (first != std::string_view::npos && content[first] == '{');
+  const bool isJson = first != std::string_view::npos && content[first] == '{';
+  return content.starts_with("glTF") || (isJson && content.find("\"asset\"") != std::string_view::npos);
 }
 
 void checkCount(const std::string& path, std::optional<std::uint64_t> stated, std::size_t found, Pattern counts) {

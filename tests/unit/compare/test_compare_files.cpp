@@ -72,7 +72,8 @@ class TestCompareFiles : public QObject {
  private slots:
   void gltfIsRefusedInOneLine() {
     const QTemporaryDir folder;
-    for (const char* content : {"{\"asset\": {\"version\": \"2.0\"}}", "\n {}", "glTF\2"}) {
+    for (const char* content :
+         {"{\"asset\": {\"version\": \"2.0\"}}", "\n {\"meshes\": [], \"asset\" : {}}", "glTF\2"}) {
       const std::string path = folder.filePath("a.glb").toStdString();
       QFile file(QString::fromStdString(path));
       QVERIFY(file.open(QIODevice::WriteOnly));
