@@ -16,6 +16,7 @@ From files, with filters of your own:
     print(area.why((3, 4, 0)))                       # why is this place walkable, or why not?
     print(area.find_path((3, 4, 0), (10, 2, 3)))     # the shortest path, or what keeps both places apart
     area.components()[0].area                        # the largest part that hangs together
+    footfall.plot(area).savefig("plan.png")          # a picture of each layer, by matplotlib
 
 Shapes and units. Vertices are float64 arrays of shape (n, 3), triangles integers of shape (m, 3): rows of the vertices,
 counter-clockwise seen from the front, which can be walked on. Inside, Z is up, whatever a file has, and coordinates stay
@@ -65,6 +66,7 @@ from ._core import (
     run,
     walkable_area,
 )
+from ._views import plot, trimesh_dict
 
 __all__ = [
     "Agent",
@@ -91,9 +93,11 @@ __all__ = [
     "filters",
     "importable_extensions",
     "load",
+    "plot",
     "read_mesh",
     "read_pipeline",
     "run",
+    "trimesh_dict",
     "walkable_area",
 ]
 
@@ -110,7 +114,7 @@ def _python_function(native):
 
 # Messages, help() and pickle name things as users import them.
 for _name in __all__:
-    getattr(_core, _name).__module__ = __name__
-    if not isinstance(globals()[_name], type):
+    globals()[_name].__module__ = __name__
+    if hasattr(_core, _name) and not isinstance(globals()[_name], type):
         globals()[_name] = _python_function(globals()[_name])
 del _core, _name
