@@ -175,12 +175,13 @@ FilterDescriptor step() {
           "between them, where an agent can lift its feet from one to the other: stairs, kerbs, thresholds, low walls "
           "without thickness, slits. The area stays as it is; for the filters that follow, what is linked is one "
           "region.",
-      .precondition = "A VerticalClearanceFilter comes before it; no filter that makes the area anew follows.",
+      .precondition = "A VerticalClearanceFilter comes before it.",
       .effect =
           "Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at "
           "most the step and nothing lies higher than the step above the lower one and within the clearance above the "
           "higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, "
-          "straight along the plan.",
+          "straight along the plan. Filters that follow keep links where they leave both borders; another StepFilter "
+          "adds to them.",
       .source = "ours",
       .parameters = {{
                          .name = "step",
@@ -205,7 +206,7 @@ FilterDescriptor step() {
                          .optional = true,
                      }},
       .kind = FilterKind::Filter,
-      .scope = Scope::Global,
+      .scope = Scope::Local,
   };
 }
 

@@ -89,7 +89,7 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
         countedText(state->kernel->mesh().vertices.size(), FOOTFALL_TEXT("1 position"), FOOTFALL_TEXT("%1 positions")));
     return outcome;
   }
-  GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
+  GenerationSoup soup = makeGenerationSoup(state, context, outcome.fallbacks);
   std::vector<Vec3>& vertices = soup.soup.vertices;
   std::vector<std::size_t> order(vertices.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -107,11 +107,9 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
   outcome.note = countedText(moved, FOOTFALL_TEXT("1 vertex merged"), FOOTFALL_TEXT("%1 vertices merged"));
   if (moved == 0) return outcome;
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = places[first[placeOf[i]]];
-  outcome.state = startGeneration(*state, soup, context);
-  if (state->mesh) {
-    outcome.state = withMesh(outcome.state, context, outcome.fallbacks);
-    if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
-  }
+  outcome.state = nextGeneration(*state, soup, true, context, outcome.fallbacks);
+  if (state->mesh && !state->mesh->layers.empty())
+    outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
   return outcome;
 }
 

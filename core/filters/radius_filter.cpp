@@ -16,7 +16,7 @@
 #include "core/filters/radius/margins.hpp"
 #include "core/filters/radius/thin_triangles.hpp"
 #include "core/filters/rounding/generation.hpp"
-#include "core/filters/steps/step_linker.hpp"
+#include "core/filters/steps/kept_links.hpp"
 #include "core/mesh/gap_bridges.hpp"
 
 namespace footfall::detail {
@@ -24,35 +24,6 @@ namespace {
 
 constexpr std::size_t kFacesPerTask = 8;
 constexpr std::size_t kMarginsPerPoll = 64;
-
-MeshLink linkOf(const StepLink& link) {
-  const auto edge = [](const std::array<std::uint32_t, 2>& e) {
-    return std::array{static_cast<Index>(e[0]), static_cast<Index>(e[1])};
-  };
-  return {edge(link.from), edge(link.to), link.kind == StepKind::Gap};
-}
-
-/// What is walkable when a generation starts: the product, in the generation's own numbers, each triangle a face.
-std::shared_ptr<WalkableMesh> makeFloors(const NavigationMesh& product, const SourceMesh& source,
-                                         const std::vector<Index>& faces, double error) {
-  auto mesh = std::make_shared<WalkableMesh>();
-  mesh->vertices.resize(product.vertices.size());
-  mesh->triangles.resize(product.triangles.size());
-  for (std::size_t v = 0; v < product.vertices.size(); ++v) {
-    const Index number = source.welded[v];
-    const Vec3& place = source.scaled[number];
-    mesh->vertices[v] = {PlanPoint::source(source.planIds[number]), -1, number, place.x, place.y, place.z, error};
-  }
-  for (std::size_t t = 0; t < product.triangles.size(); ++t) {
-    mesh->triangles[t].face = faces[t];
-    for (int k = 0; k < 3; ++k) {
-      mesh->triangles[t].corners[k] = static_cast<Index>(product.triangles[t][k]);
-      mesh->vertices[product.triangles[t][k]].face = faces[t];
-    }
-  }
-  for (const StepLink& link : product.links) mesh->links.push_back(linkOf(link));
-  return mesh;
-}
 
 /// The floors as RadiusFilter measures on them: with a bridge over each gap, which has no face.
 std::shared_ptr<const WalkableMesh> addBridges(const WalkableMesh& floors, const NavigationMesh& product) {
@@ -129,7 +100,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   std::vector<Index> faces;
   auto state = std::make_shared<WalkableState>(
       *startGeneration(*before, makeGenerationSoup(*before, *product, context, outcome.fallbacks), context, &faces));
-  const auto floors = makeFloors(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
+  const auto floors = floorsOf(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
   state->mesh = floors;
   state->mesh = addBridges(*floors, *product);
   if (radius != ledges) state->kernel = kernelForKinds(*state);
@@ -160,15 +131,9 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   for (std::size_t i = 0; i < found.size(); ++i) cuts->set(touched.faces[i], std::move(found[i]));
   state->cuts = std::move(cuts);
   state->mesh = assembleMesh(*state, context, outcome.fallbacks);
-  if (!floors->links.empty()) {
-    StepLinker linker(*state, context);
-    state->mesh = linker.relink(*floors, std::nullopt);
-    state->kernel = linker.kernel();
-    outcome.fallbacks += linker.fallbacks();
-  }
+  outcome.state = withLinks(state, *floors, false, context, outcome.fallbacks);
   if (state->mesh->triangles.empty())
     outcome.note = FOOTFALL_TEXT("nothing is left: no place is so far from all borders");
-  outcome.state = std::move(state);
   return outcome;
 }
 

@@ -12,23 +12,6 @@ Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
 
 namespace {
 
-// Those that make the walkable area anew, from the environment or from rounded places.
-bool losesLinks(const PipelineStep& step) {
-  switch (step.filter->type) {
-    case FilterType::Slope:
-    case FilterType::Radius:
-    case FilterType::Drop:
-    case FilterType::Reachable:
-    case FilterType::Area:
-    case FilterType::LayerSubdivision:
-      return false;
-    case FilterType::Simplification:
-      return step.values[0] != 0;
-    default:
-      return true;
-  }
-}
-
 // Those that keep a drop's edge and its landing, or take both away.
 bool keepsDrops(FilterType type) {
   return type == FilterType::Drop || type == FilterType::Reachable || type == FilterType::Area;
@@ -58,7 +41,6 @@ std::optional<StructureError> findDropError(const Pipeline& pipeline) {
 
 std::optional<StructureError> findStepError(const Pipeline& pipeline) {
   bool hasClearance = false;
-  std::optional<std::size_t> linked;  // the StepFilter that came last
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled) continue;
@@ -67,14 +49,6 @@ std::optional<StructureError> findStepError(const Pipeline& pipeline) {
       return StructureError{i, Text(FOOTFALL_TEXT("%1 has no seed; give the coordinates of a walkable place, or click "
                                                   "one in the editor"),
                                     step.filter->name)};
-    }
-    if (linked && losesLinks(step)) {
-      const Text name = step.filter->type == FilterType::Simplification
-                            ? Text(FOOTFALL_TEXT("%1 in its approximate form"), step.filter->name)
-                            : Text(Pattern{"%1"}, step.filter->name);
-      return StructureError{
-          i, Text(FOOTFALL_TEXT("%1 would lose the links of the StepFilter in %2; put it before that"), name,
-                  placeOfStep(pipeline, *linked))};
     }
     if (step.filter->type == FilterType::Radius && step.values[0] != step.values[1] && !hasClearance) {
       return StructureError{i, FOOTFALL_TEXT("RadiusFilter with a distance of its own to ledges asks how high an agent "
@@ -86,7 +60,6 @@ std::optional<StructureError> findStepError(const Pipeline& pipeline) {
       return StructureError{i, FOOTFALL_TEXT("StepFilter asks how high an agent is, and no filter before it says so; "
                                              "put a VerticalClearanceFilter before it")};
     }
-    linked = i;
   }
   return std::nullopt;
 }

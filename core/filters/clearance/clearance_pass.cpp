@@ -9,6 +9,7 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/filters/clearance/crowding.hpp"
 #include "core/filters/height_levels.hpp"
+#include "core/filters/steps/kept_links.hpp"
 
 namespace footfall::detail {
 ClearancePass::Worker::Worker(const ClearancePass& pass, RunContext& context)
@@ -160,7 +161,12 @@ FilterOutcome ClearancePass::finish(std::vector<char> walkable, std::vector<char
   result_->memory = memory_;
   if (result_->dropped)
     result_->mesh = withoutDropped(*result_->kernel, *result_->mesh, *result_->dropped, context_, outcome.fallbacks);
-  outcome.state = std::move(result_);
+  outcome.state = result_;
+  if (state_->mesh) {
+    const bool isHigher = result_->clearance > state_->clearance;
+    outcome.state = withLinks(outcome.state, *state_->mesh, isHigher, context_, outcome.fallbacks);
+  }
+  result_ = nullptr;
   return outcome;
 }
 

@@ -5,10 +5,14 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <cmath>
 #include <memory>
 
 #include "core/assembly/face_mesh.hpp"
+#include "core/assembly/mesh_assembly.hpp"
 #include "core/base/poll.hpp"
+#include "core/filters/steps/kept_links.hpp"
+#include "core/mesh/gap_bridges.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -27,13 +31,26 @@ class SoupBuilder {
     if (product != nullptr)
       addProduct(*product);
     else if (state_.mesh)
-      addWalkable(context);
-    addSourceTriangles(context, fallbacks);
-    if (state_.dropped) addDropped(context);
+      addWalkable(roundWalkable(context));
+    addOthers(context, fallbacks);
+    return std::move(result_);
+  }
+
+  GenerationSoup buildLinked(std::shared_ptr<const NavigationMesh> product, RunContext& context,
+                             ExactFallbacks& fallbacks) {
+    roundWalkable(context);  // for what it meets
+    addProduct(*product);
+    result_.product = std::move(product);
+    addOthers(context, fallbacks);
     return std::move(result_);
   }
 
  private:
+  void addOthers(RunContext& context, ExactFallbacks& fallbacks) {
+    addSourceTriangles(context, fallbacks);
+    if (state_.dropped) addDropped(context);
+  }
+
   VertexNumber addVertex(const Vec3& place) {
     result_.soup.vertices.push_back(place);
     return static_cast<VertexNumber>(result_.soup.vertices.size()) - 1;
@@ -49,7 +66,7 @@ class SoupBuilder {
     result_.walkable.assign(product.triangles.size(), 1);
   }
 
-  void addWalkable(RunContext& context) {
+  RoundedMesh roundWalkable(RunContext& context) {
     RoundedMesh rounded;
     std::vector<char> exact;
     rounded.vertices = roundVertices(*state_.kernel, state_.mesh->vertices, exact, context);
@@ -62,6 +79,10 @@ class SoupBuilder {
       topology = std::make_shared<Adjacency>(findEdges(rounded.triangles, rounded.vertices.size(), poll));
     settleBorders(rounded, *topology);
     markClosedSlivers(rounded, *topology, {}, context);
+    return rounded;
+  }
+
+  void addWalkable(const RoundedMesh& rounded) {
     for (const Vec3& v : rounded.vertices) addVertex(v);
     for (const MeshTriangle& t : rounded.triangles) {
       Triangle corners{};
@@ -166,8 +187,10 @@ class SoupBuilder {
 
 }  // namespace
 
-GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& context, ExactFallbacks& fallbacks) {
-  return SoupBuilder(state).build(nullptr, context, fallbacks);
+GenerationSoup makeGenerationSoup(const StatePtr& state, RunContext& context, ExactFallbacks& fallbacks) {
+  if (state->mesh && !state->mesh->links.empty())
+    return SoupBuilder(*state).buildLinked(makeNavigationMesh(state, context), context, fallbacks);
+  return SoupBuilder(*state).build(nullptr, context, fallbacks);
 }
 
 GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMesh& product, RunContext& context,
@@ -194,6 +217,28 @@ StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& sou
     state->walkable[t] = static_cast<char>(soup.walkable[order[t]] != 0 && mesh->facing[t] > 0);
   state->kernel = std::make_shared<PlanKernel>(std::move(mesh), std::vector<double>{});
   return state;
+}
+
+StatePtr nextGeneration(const WalkableState& earlier, const GenerationSoup& soup, bool isMoved, RunContext& context,
+                        ExactFallbacks& fallbacks) {
+  std::vector<Index> faces;
+  StatePtr state = startGeneration(earlier, soup, context, &faces);
+  if (!earlier.mesh) return state;
+  state = withMesh(state, context, fallbacks);
+  if (!soup.product) return state;
+  const auto floors = floorsOf(*soup.product, state->kernel->mesh(), faces, state->kernel->sign().slack);
+  if (isMoved) {
+    const std::vector<Vec3>& places = soup.soup.vertices;
+    const auto isAsBefore = [&](const StepLink& link) {
+      for (const int end : {0, 1})
+        if (std::fabs(places[link.from[end]].z - places[link.to[1 - end]].z) > link.height) return false;
+      return widthOf(link, places) <= link.width;
+    };
+    floors->links.clear();
+    for (const StepLink& link : soup.product->links)
+      if (isAsBefore(link)) floors->links.push_back(linkOf(link));
+  }
+  return withLinks(state, *floors, isMoved, context, fallbacks);
 }
 
 bool hasConstructedVertices(const WalkableState& state) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
@@ -18,11 +19,14 @@ struct GenerationSoup {
   SourceSoup soup;
   std::vector<char> walkable;  ///< for each triangle of the soup
   RoundingCases cases;         ///< what rounding met among the walkable triangles
+  /// The product of a state that has links; its triangles and vertices come first. Else null.
+  std::shared_ptr<const NavigationMesh> product;
 };
 
-/// Rounds the state's mesh (if it has one) and repairs it. Everything that is no floor (any more) is in the soup as an
+/// Rounds the state's mesh (if it has one) and repairs it; where there are links, its floors are those of the product,
+/// whose borders know what they are linked to. Everything that is no floor (any more) is in the soup as an
 /// obstacle: rejected triangles, covered parts of floors, and what AreaFilter took away.
-GenerationSoup makeGenerationSoup(const WalkableState& state, RunContext& context, ExactFallbacks& fallbacks);
+GenerationSoup makeGenerationSoup(const StatePtr& state, RunContext& context, ExactFallbacks& fallbacks);
 
 /// The same, with a product of the state as its floors: they come first, in the product's order.
 GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMesh& product, RunContext& context,
@@ -32,6 +36,12 @@ GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMe
 /// be null) receives for each triangle of the soup its number.
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
                          std::vector<Index>* faces = nullptr);
+
+/// The same with its mesh, if the earlier one has one, and the links of the soup's product. Where `isMoved`, the soup's
+/// vertices are no longer the product's: links stay that became neither wider nor higher, and only where nothing is in
+/// the way.
+StatePtr nextGeneration(const WalkableState& earlier, const GenerationSoup& soup, bool isMoved, RunContext& context,
+                        ExactFallbacks& fallbacks);
 
 /// True when the state has vertices that are not the environment's own.
 bool hasConstructedVertices(const WalkableState& state);

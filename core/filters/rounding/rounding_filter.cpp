@@ -14,8 +14,8 @@ FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
     outcome.note = FOOTFALL_TEXT("all vertices are exact already");
     return outcome;
   }
-  const GenerationSoup soup = makeGenerationSoup(*state, context, outcome.fallbacks);
-  outcome.state = withMesh(startGeneration(*state, soup, context), context, outcome.fallbacks);
+  const GenerationSoup soup = makeGenerationSoup(state, context, outcome.fallbacks);
+  outcome.state = nextGeneration(*state, soup, false, context, outcome.fallbacks);
   if (!state->mesh->layers.empty()) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
   const RoundingCases& c = soup.cases;
   outcome.note = Text(FOOTFALL_TEXT("case 1: %1, case 2: %2, case 3: %3, case 4: %4, case 5: %5"), Text::count(c.exact),

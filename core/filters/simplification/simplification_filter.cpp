@@ -58,12 +58,12 @@ FilterOutcome applySimplification(const StatePtr& given, bool approximate, doubl
   const bool layered = !state->mesh->layers.empty();
   state = simplify(state, {}, {}, context, outcome.fallbacks);  // what goes exactly need not be judged
   if (hasConstructedVertices(*state))
-    state = withMesh(startGeneration(*state, makeGenerationSoup(*state, context, outcome.fallbacks), context), context,
-                     outcome.fallbacks);
+    state = nextGeneration(*state, makeGenerationSoup(state, context, outcome.fallbacks), false, context,
+                           outcome.fallbacks);
   const double bound = tolerance * diagonal(state->kernel->mesh());
   state = simplify(state, {true, tolerance, bound}, {}, context, outcome.fallbacks);
-  outcome.state = withMesh(startGeneration(*state, makeGenerationSoup(*state, context, outcome.fallbacks), context),
-                           context, outcome.fallbacks);
+  outcome.state =
+      nextGeneration(*state, makeGenerationSoup(state, context, outcome.fallbacks), false, context, outcome.fallbacks);
   if (layered) outcome.state = applyLayerSubdivision(outcome.state, {}, context).state;
   return outcome;
 }

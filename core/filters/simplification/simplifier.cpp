@@ -188,7 +188,13 @@ void Simplifier::findInnerEdges() {
 
 std::vector<char> Simplifier::findCandidates() {
   const auto count = static_cast<Index>(mesh_.vertices.size());
-  if (approximate_.enabled) return std::vector<char>(count, 1);
+  std::vector<char> candidates = approximate_.enabled ? std::vector<char>(count, 1) : findStraight(count);
+  for (const MeshLink& link : given_.links)
+    for (const Index v : {link.from[0], link.from[1], link.to[0], link.to[1]}) candidates[v] = 0;
+  return candidates;
+}
+
+std::vector<char> Simplifier::findStraight(Index count) {
   std::vector<OutlineEnds> outline(count);
   for (const auto& block : outlines_) {
     context_.checkCancelled();
@@ -209,8 +215,6 @@ std::vector<char> Simplifier::findCandidates() {
     }
   });
   for (const MeshGeometry& geometry : geometries) fallbacks_ += geometry.fallbacks;
-  for (const MeshLink& link : given_.links)
-    for (const Index v : {link.from[0], link.from[1], link.to[0], link.to[1]}) candidates[v] = 0;
   return candidates;
 }
 

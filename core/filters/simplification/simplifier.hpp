@@ -72,9 +72,11 @@ class Simplifier {
   void findInnerEdges();
   [[nodiscard]] bool isInner(std::span<const Index> sides) const;
   [[nodiscard]] bool mayJoin(Index face, Index other);
-  /// Chooses vertices inside a region or in the middle of a straight piece of outline. Taking others away changes
-  /// neither: a straight piece stays straight when its ends move along it.
+  /// Chooses vertices that may go: any but ends of links, and exactly, only those of findStraight().
   std::vector<char> findCandidates();
+  /// Vertices inside a region or in the middle of a straight piece of outline. Taking others away changes neither: a
+  /// straight piece stays straight when its ends move along it.
+  std::vector<char> findStraight(Index count);
   Groups findGroups(const std::vector<char>& candidates) const;
   /// Whether the group is what an earlier one was.
   [[nodiscard]] bool isKnown(std::span<const Index> triangles, std::span<const Index> vertices,

@@ -107,9 +107,8 @@ bool BorderSplits::insert(Index edge, const MeshVertex& place) {
   }
   if (order(line, place, from) <= 0 || order(line, place, to) >= 0) return false;
   std::vector<MeshVertex>& places = line.places;
-  const auto at = std::lower_bound(places.begin(), places.end(), place, [&](const MeshVertex& s, const MeshVertex& p) {
-    return order(line, s, p) < 0;
-  });
+  const auto at = std::lower_bound(places.begin(), places.end(), place,
+                                   [&](const MeshVertex& s, const MeshVertex& p) { return order(line, s, p) < 0; });
   if (at != places.end() && order(line, place, *at) == 0) return false;
   places.insert(at, place);
   return true;

@@ -22,8 +22,8 @@ struct MeshBorder {
   Index face = -1;
 };
 
-/// Edges of borders with their new vertices, in the order of their lines, each place once. The mesh stays as it is until
-/// makeMesh() makes another one.
+/// Edges of borders with their new vertices, in the order of their lines, each place once. The mesh stays as it is
+/// until makeMesh() makes another one.
 class BorderSplits {
  public:
   /// The state must have a mesh; it must outlive this.
@@ -45,8 +45,8 @@ class BorderSplits {
   [[nodiscard]] MeshGeometry& geometry() { return *geometry_; }
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
-  /// What the border's vertices were made of, the edges of its triangle's face, and the lines that cut that face, as far
-  /// as the border lies on them.
+  /// What the border's vertices were made of, the edges of its triangle's face, and the lines that cut that face, as
+  /// far as the border lies on them.
   [[nodiscard]] std::vector<KnownLine> linesOf(const MeshBorder& border, MeshGeometry& geometry) const;
 
   /// Puts a vertex strictly between the ends of an edge, on whose line it must lie. False when there was one already.
@@ -65,15 +65,15 @@ class BorderSplits {
   /// The mesh with all new vertices, without links.
   std::shared_ptr<WalkableMesh> makeMesh();
 
-  /// A coordinate of the plan in which two vertices differ, the one in which they seem to differ most; -1 where they are
-  /// one point of the plan.
+  /// A coordinate of the plan in which two vertices differ, the one in which they seem to differ most; -1 where they
+  /// are one point of the plan.
   static int axisBetween(const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry);
 
  private:
   struct Line {
-    int axis = 0, direction = 1;      ///< the coordinate that grows (1) or falls (-1) along the edge
-    std::vector<MeshVertex> places;   ///< in its order
-    Index first = -1;                 ///< number of the first one, once the mesh is made
+    int axis = 0, direction = 1;     ///< the coordinate that grows (1) or falls (-1) along the edge
+    std::vector<MeshVertex> places;  ///< in its order
+    Index first = -1;                ///< number of the first one, once the mesh is made
   };
 
   void findBorders();

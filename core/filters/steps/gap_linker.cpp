@@ -45,7 +45,10 @@ GapLinker::GapLinker(BorderSplits& splits, double gap, RunContext& context)
     : splits_(splits), context_(context), gap_(gap), lines_(splits.borders().size()) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines_.size(), kBordersPerTask), [&](const auto& range) {
     context_.checkCancelled();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) lines_[i] = lineOf(splits_.borders()[i]);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const MeshBorder& border = splits_.borders()[i];
+      lines_[i] = lineOf(splits_.vertex(border.from), splits_.vertex(border.to), border.face);
+    }
   });
 }
 
@@ -57,12 +60,12 @@ Vec3 GapLinker::placeOf(const MeshVertex& v) const {
   return {std::ldexp(place.x, scale), std::ldexp(place.y, scale), std::ldexp(place.z, scale)};
 }
 
-GapBorder GapLinker::lineOf(const MeshBorder& border) const {
+GapBorder GapLinker::lineOf(const MeshVertex& from, const MeshVertex& to, Index face) const {
   const SourceMesh& source = splits_.kernel()->mesh();
-  GapBorder result{placeOf(splits_.vertex(border.from)), placeOf(splits_.vertex(border.to)), {}};
-  const auto& normal = source.normals[border.face];
+  GapBorder result{placeOf(from), placeOf(to), {}};
+  const auto& normal = source.normals[face];
   const auto isZero = [](const ErrorDouble& x) { return x.value == 0 && x.error == 0; };
-  if (isZero(normal[0]) && isZero(normal[1])) result.level = source.scaled[source.triangles[border.face][0]].z;
+  if (isZero(normal[0]) && isZero(normal[1])) result.level = source.scaled[source.triangles[face][0]].z;
   return result;
 }
 
@@ -81,17 +84,22 @@ std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions
   return found;
 }
 
-std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, GapConditions* conditions) const {
+std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, const std::array<GapBorder, 2>& edges,
+                                             GapConditions* conditions) const {
   std::vector<GapStretch> found;
   const GapBorder &e = lines_[first], &f = lines_[second];
   const std::optional<GapFrame> frame = GapConditions::frameOf(e, f);
   if (!frame) return found;
-  const double begin = std::max(frame->along(e.from.x, e.from.y), frame->along(f.to.x, f.to.y));
-  const double end = std::min(frame->along(e.to.x, e.to.y), frame->along(f.from.x, f.from.y));
+  const auto along = [&](const Vec3& place) { return frame->along(place.x, place.y); };
+  const double begin = std::max({along(e.from), along(f.to), along(edges[0].from), along(edges[1].to)});
+  const double end = std::min({along(e.to), along(f.from), along(edges[0].to), along(edges[1].from)});
   if (!(end - begin > GapConditions::kShort)) return found;
-  const GapPiece whole{*frame, {begin, end}, {}};
-  if (conditions == nullptr) return {{first, second, whole, {}, false}};
-  for (GapPiece& free : conditions->findFree(e, f, whole))
+  GapStretch whole{first, second, {*frame, {begin, end}, {}}, {}, false};
+  if (conditions == nullptr) {
+    found.push_back(std::move(whole));
+    return found;
+  }
+  for (GapPiece& free : conditions->findFree(e, f, whole.piece))
     found.push_back({first, second, std::move(free), {}, false});
   return found;
 }
@@ -100,12 +108,25 @@ void GapLinker::add(std::vector<GapStretch> stretches) {
   std::move(stretches.begin(), stretches.end(), std::back_inserter(gaps_));
 }
 
-double GapLinker::alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i) const {
-  const Vec3 place = placeOf(splits_.chainVertex(border, i));
+Vec3 GapLinker::chainPlace(const MeshBorder& border, std::size_t i) {
+  const std::vector<MeshVertex>& inside = splits_.of(border.edge);
+  const GapBorder& line = lines_[&border - splits_.borders().data()];
+  if (i == 0) return line.from;
+  if (i == inside.size() + 1) return line.to;
+  std::vector<Vec3>& places = places_[border.edge];
+  if (places.size() != inside.size()) {
+    places.clear();
+    for (const MeshVertex& v : inside) places.push_back(placeOf(v));
+  }
+  return places[&splits_.chainVertex(border, i) - inside.data()];
+}
+
+double GapLinker::alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i) {
+  const Vec3 place = chainPlace(border, i);
   return frame.along(place.x, place.y);
 }
 
-GapLinker::ChainPart GapLinker::partOf(Index number, const GapFrame& frame, double low, double high) const {
+GapLinker::ChainPart GapLinker::partOf(Index number, const GapFrame& frame, double low, double high) {
   const MeshBorder& border = splits_.border(number);
   const std::size_t count = splits_.chainLength(border);
   const bool isAscending = alongOf(border, frame, 0) < alongOf(border, frame, count - 1);
@@ -127,7 +148,7 @@ GapLinker::ChainPart GapLinker::partOf(Index number, const GapFrame& frame, doub
           firstWhere([&](double along) { return along < low; })};
 }
 
-const MeshVertex* GapLinker::vertexAt(Index number, const GapFrame& frame, double along) const {
+const MeshVertex* GapLinker::vertexAt(Index number, const GapFrame& frame, double along) {
   const MeshBorder& border = splits_.border(number);
   const ChainPart part = partOf(number, frame, along - kAcross, along + kAcross);
   const MeshVertex* best = nullptr;
@@ -205,7 +226,8 @@ void GapLinker::makeCuts(const std::vector<Cut>& cuts, const Spread& spread) {
     const auto& [line, face] = lines.front();
     const PlanLine across{PlanLine::Edge, std::min(a, b), std::max(a, b)};
     const PlanPoint point = PlanPoint::crossing(line, across, line.kind == PlanLine::Trace ? face : -1);
-    if (splits_.insert(border.edge, liftedVertex(*splits_.kernel(), border.face, point))) changed.push_back(border.edge);
+    if (splits_.insert(border.edge, liftedVertex(*splits_.kernel(), border.face, point)))
+      changed.push_back(border.edge);
   }
   spread(changed);
 }
@@ -280,7 +302,7 @@ GapLinker::Proof GapLinker::prove(const GapStretch& stretch) {
   return {};
 }
 
-bool GapLinker::drawIn(GapStretch& stretch, const Proof& proof) const {
+bool GapLinker::drawIn(GapStretch& stretch, const Proof& proof) {
   if (proof.end < 0) return false;
   GapPiece& piece = stretch.piece;
   const int end = proof.end;

@@ -32,9 +32,13 @@ class GapLinker {
   /// The free pieces between two borders, in their order. Changes nothing: may be called by several threads, with
   /// conditions and geometry of their own.
   std::vector<GapStretch> find(Index first, Index second, GapConditions& conditions, MeshGeometry& geometry) const;
-  /// The same of a gap that was stepped over, between what is left of its borders: the stretch along which both lie.
-  /// Nothing but obstacles is asked about, and they only where there are conditions.
-  std::vector<GapStretch> findAgain(Index first, Index second, GapConditions* conditions) const;
+  /// The same of a gap that was stepped over between two edges, and between what is left of their borders: the stretch
+  /// along which all four lie. Nothing but obstacles is asked about, and they only where there are conditions.
+  std::vector<GapStretch> findAgain(Index first, Index second, const std::array<GapBorder, 2>& edges,
+                                    GapConditions* conditions) const;
+  /// An edge with its ends as exact as they are needed.
+  [[nodiscard]] GapBorder lineOf(const MeshVertex& from, const MeshVertex& to, Index face) const;
+  [[nodiscard]] const GapBorder& lineOf(Index border) const { return lines_[border]; }
 
   /// What to link; before split().
   void add(std::vector<GapStretch> stretches);
@@ -74,11 +78,11 @@ class GapLinker {
   };
 
   [[nodiscard]] Vec3 placeOf(const MeshVertex& v) const;
-  [[nodiscard]] GapBorder lineOf(const MeshBorder& border) const;
-  [[nodiscard]] double alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i) const;
-  [[nodiscard]] ChainPart partOf(Index border, const GapFrame& frame, double low, double high) const;
+  [[nodiscard]] Vec3 chainPlace(const MeshBorder& border, std::size_t i);
+  [[nodiscard]] double alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i);
+  [[nodiscard]] ChainPart partOf(Index border, const GapFrame& frame, double low, double high);
   /// The vertex of a border at a place along a frame; null when there is none.
-  [[nodiscard]] const MeshVertex* vertexAt(Index border, const GapFrame& frame, double along) const;
+  [[nodiscard]] const MeshVertex* vertexAt(Index border, const GapFrame& frame, double along);
   void planCuts(Cuts& cuts);
   void planCut(GapStretch& stretch, Index border, double along, Cuts& cuts);
   void makeCuts(const std::vector<Cut>& cuts, const Spread& spread);
@@ -86,7 +90,7 @@ class GapLinker {
   bool proveAll();
   [[nodiscard]] Proof prove(const GapStretch& stretch);
   /// Draws in the end at which a gap failed. False when nothing is left.
-  [[nodiscard]] bool drawIn(GapStretch& stretch, const Proof& proof) const;
+  [[nodiscard]] bool drawIn(GapStretch& stretch, const Proof& proof);
   [[nodiscard]] bool isWider(const MeshVertex& a, const MeshVertex& b) const;
   [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
   void addLinks(const GapStretch& stretch, std::vector<MeshLink>& links);
@@ -94,7 +98,8 @@ class GapLinker {
   BorderSplits& splits_;
   RunContext& context_;
   double gap_ = 0;
-  std::vector<GapBorder> lines_;  ///< of all borders
+  std::vector<GapBorder> lines_;                         ///< of all borders
+  std::unordered_map<Index, std::vector<Vec3>> places_;  ///< of the new vertices of edges
   std::vector<GapStretch> gaps_;
   ExactFallbacks fallbacks_;
   std::size_t undecided_ = 0;

@@ -59,7 +59,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height,
     };
     const Index first = find(link.from), second = find(link.to);
     if (link.isGap)
-      gaps_->add(gaps_->findAgain(first, second, nullptr));
+      gaps_->add(gaps_->findAgain(first, second, {gaps_->lineOf(first), gaps_->lineOf(second)}, nullptr));
     else
       stretches_.push_back({first, second, splits_.vertex(link.from[0]), splits_.vertex(link.from[1])});
   }
@@ -194,7 +194,7 @@ void StepLinker::addRemains(const WalkableMesh& earlier, const MeshBorder& from,
   for (const Index first : own)
     for (const Index second : others) {
       if (isGap) {
-        gaps_->add(gaps_->findAgain(first, second, worker != nullptr ? &worker->gaps : nullptr));
+        addGap(first, second, earlier, {from, to}, worker);
         continue;
       }
       const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
@@ -212,6 +212,19 @@ void StepLinker::addRemains(const WalkableMesh& earlier, const MeshBorder& from,
       else
         stretches_.push_back(stretch);
     }
+}
+
+// Where they are still there, the vertices of the link are those that it had.
+void StepLinker::addGap(Index first, Index second, const WalkableMesh& earlier, const std::array<MeshBorder, 2>& edges,
+                        Worker* worker) {
+  std::array<GapBorder, 2> lines;
+  for (const int i : {0, 1})
+    lines[i] = gaps_->lineOf(earlier.vertices[edges[i].from], earlier.vertices[edges[i].to], edges[i].face);
+  std::vector<GapStretch> found = gaps_->findAgain(first, second, lines, worker != nullptr ? &worker->gaps : nullptr);
+  if (found.empty()) return;
+  for (const auto& [border, edge] : {std::pair(first, edges[0]), std::pair(second, edges[1])})
+    for (const Index v : {edge.from, edge.to}) splits_.insert(splits_.border(border).edge, earlier.vertices[v]);
+  gaps_->add(std::move(found));
 }
 
 // Both borders of a stretch end with it, and get all vertices that either has inside it, until nothing changes. No

@@ -62,6 +62,8 @@ class StepLinker {
   /// What is left of the two borders of a link, which run against each other. `worker` may be null: nothing is asked.
   void addRemains(const WalkableMesh& earlier, const MeshBorder& from, const MeshBorder& to, bool isGap,
                   Worker* worker);
+  void addGap(Index first, Index second, const WalkableMesh& earlier, const std::array<MeshBorder, 2>& edges,
+              Worker* worker);
   [[nodiscard]] std::vector<Index> remainsOf(const WalkableMesh& earlier, const MeshBorder& old);
   void splitAtSteps();
   void spreadSplits(const std::vector<Index>& changed);

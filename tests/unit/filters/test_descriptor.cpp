@@ -88,7 +88,7 @@ void TestDescriptor::scopesFollowTheDesign_data() {
   QTest::newRow("VerticalClearanceFilter") << true << true;
   QTest::newRow("RoundingFilter") << true << true;
   QTest::newRow("DuplicationFilter") << false << true;
-  QTest::newRow("StepFilter") << false << true;
+  QTest::newRow("StepFilter") << true << true;
   QTest::newRow("RadiusFilter") << false << true;
   QTest::newRow("ReachableFilter") << false << true;
   QTest::newRow("AreaFilter") << false << true;

@@ -50,7 +50,7 @@ std::string difference(const EnvironmentPtr& environment, const std::string& pip
     const StepStatistics &a = steps[i], &b = sequential.steps[i];
     if (a.name != b.name || a.out.triangles != b.out.triangles || a.out.area != b.out.area ||
         a.out.rejected != b.out.rejected || a.out.layers != b.out.layers ||
-        a.out.obstacleEdges != b.out.obstacleEdges || a.note != b.note)
+        a.out.obstacleEdges != b.out.obstacleEdges || a.out.links != b.out.links || a.note != b.note)
       return "what step " + std::to_string(i) + ", " + a.name + ", says";
   }
   return {};
@@ -81,6 +81,10 @@ const std::vector<std::string> kPipelines{
     "SimplificationFilter true 0.000001\nPEELFilter\n",
     "S\nVerticalClearanceFilter 1\nRoundingFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n",
     "S\nSlopeFilter 45\nCollapse\nS\nVerticalClearanceFilter 2\nCollapse\nLayerSubdivisionFilter\n",
+    "S\nSlopeFilter 45\nVerticalClearanceFilter 1\nStepFilter 0.4 0.3\nVerticalClearanceFilter 2\nSlopeFilter 40\n"
+    "Collapse\nAreaFilter 0.5\nSimplificationFilter\nLayerSubdivisionFilter\n",
+    "SlopeFilter 45\nS\nVerticalClearanceFilter 2\nStepFilter 1 0\nRoundingFilter\nStepFilter 0.4 0.3\nCollapse\n"
+    "AreaFilter 0.1\n",
     "S\nDegeneracyFilter\nSlopeFilter 30\nCollapse\n",
     "S\nCollapse\nVerticalClearanceFilter 2\n"};
 

@@ -56,9 +56,9 @@ Pipeline arbitraryPipeline() {
   std::vector<const FilterDescriptor*> plain, local, strategies;
   for (const FilterDescriptor& filter : filterDescriptors()) {
     // StepFilter and DropFilter have places where they cannot stand: below, test_step_filter and test_drop_filter
-    if (filter.kind == FilterKind::Filter && filter.type != FilterType::Step && filter.type != FilterType::Drop)
-      plain.push_back(&filter);
-    if (filter.kind == FilterKind::Filter && filter.scope == Scope::Local) local.push_back(&filter);
+    const bool isPlain = filter.type != FilterType::Step && filter.type != FilterType::Drop;
+    if (filter.kind == FilterKind::Filter && isPlain) plain.push_back(&filter);
+    if (filter.kind == FilterKind::Filter && isPlain && filter.scope == Scope::Local) local.push_back(&filter);
     if (filter.kind == FilterKind::Strategy) strategies.push_back(&filter);
   }
   Pipeline pipeline;
