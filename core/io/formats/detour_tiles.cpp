@@ -22,6 +22,8 @@ constexpr std::size_t kMaxTriangles = 120;
 constexpr double kShortestPortal = 0.0201;
 /// Bits that a reference has for tile and polygon; the others tell versions of a tile apart.
 constexpr int kReferenceBits = 22;
+/// With more of them there are too few bits for the polygons of each.
+constexpr std::size_t kMaxTiles = 4096;
 
 struct Grid {
   double x = 0, z = 0;  ///< where the first tile begins
@@ -329,11 +331,8 @@ DetourTiles detourTiles(const EngineMesh& mesh, const DetourLimits& limits) {
   DetourTiles result;
   if (mesh.triangles.empty()) return result;
   const Bounds bounds = boundsOf(mesh.vertices);
-  for (std::size_t count = 1;; count *= 2) {
+  for (std::size_t count = 1; count <= kMaxTiles; count *= 2) {
     const Grid grid = gridFor(mesh.vertices, bounds, count);
-    if (std::bit_width(static_cast<std::size_t>(grid.columns * grid.rows) - 1) + 1 > kReferenceBits)
-      throw InputError(
-          FOOTFALL_TEXT("the mesh has too many polygons for one file of Detour; simplify it, or export parts of it"));
     if (mesh.triangles.size() > 6 * limits.polygons * count) continue;  // polygons are rarely larger
     std::optional<std::vector<DetourTile>> tiles = TileMaker(mesh, grid, limits).make();
     if (!tiles) continue;
@@ -342,18 +341,15 @@ DetourTiles detourTiles(const EngineMesh& mesh, const DetourLimits& limits) {
       setBounds(tile, grid, marginOf(bounds));
       largest = std::max(largest, tile.polygonCount() + tile.jumpCount());
     }
-    if (std::bit_width(tiles->size() - 1) + std::bit_width(largest - 1) > kReferenceBits) {
-      if (count > 1u << 12)
-        throw InputError(
-            FOOTFALL_TEXT("the mesh has too many polygons for one file of Detour; simplify it, or export parts of it"));
-      continue;
-    }
+    if (std::bit_width(tiles->size() - 1) + std::bit_width(largest - 1) > kReferenceBits) continue;
     result.origin = {grid.lineX(0), static_cast<float>(bounds.low[1]), grid.lineZ(0)};
     result.width = grid.width;
     result.height = grid.height;
     result.tiles = std::move(*tiles);
     return result;
   }
+  throw InputError(
+      FOOTFALL_TEXT("the mesh has too many polygons for one file of Detour; simplify it, or export parts of it"));
 }
 
 }  // namespace footfall::detail

@@ -32,8 +32,11 @@ class GodotPolygons {
   explicit GodotPolygons(EngineMesh& mesh) : mesh_(mesh) {
     const ConvexPolygons merged =
         mergeTriangles(mesh.vertices, mesh.triangles, {}, {.maxCorners = 1000, .maxHeight = kFlatness});
-    for (const EngineLink& link : mesh.links)
+    for (const EngineLink& link : mesh.links) {
       if (isOnePlace(link)) joined_.insert(key(link.from[0], link.from[1]));
+      for (const Edge& edge : {link.from, link.to}) ++pieces_[edge].count;
+    }
+    for (auto& [edge, pieces] : pieces_) divide(edge, pieces);
     for (std::size_t i = 0; i < merged.size(); ++i) addSurface(merged, i);
     for (const EngineLink& link : mesh.links) addStep(link);
   }
@@ -42,6 +45,30 @@ class GodotPolygons {
 
  private:
   using Key = std::pair<Place, Place>;
+  using Edge = std::array<std::uint32_t, 2>;
+  /// Of an edge: one for each link, as Godot joins no more than two polygons on one.
+  struct Pieces {
+    std::size_t count = 0, used = 0;
+    std::vector<std::uint32_t> vertices;  ///< count + 1 from end to end
+  };
+
+  void divide(const Edge& edge, Pieces& pieces) {
+    pieces.vertices.push_back(edge[0]);
+    for (std::size_t i = 1; i < pieces.count; ++i)
+      pieces.vertices.push_back(placeOn(edge, static_cast<double>(i) / static_cast<double>(pieces.count)));
+    pieces.vertices.push_back(edge[1]);
+  }
+  /// A new vertex.
+  std::uint32_t placeOn(const Edge& edge, double t) {
+    const Vec3 a = mesh_.vertices[edge[0]], b = mesh_.vertices[edge[1]];
+    mesh_.vertices.push_back(a + t * (b - a));
+    return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+  }
+  Edge nextPiece(const Edge& edge) {
+    Pieces& pieces = pieces_.at(edge);
+    const std::size_t i = pieces.used++;
+    return {pieces.vertices[i], pieces.vertices[i + 1]};
+  }
 
   [[nodiscard]] Key key(std::uint32_t a, std::uint32_t b) const {
     const Place p = placeOf(mesh_.vertices[a]), q = placeOf(mesh_.vertices[b]);
@@ -63,28 +90,30 @@ class GodotPolygons {
       const std::uint32_t a = given[k], b = given[(k + 1) % given.size()];
       corners.push_back(a);
       if (merged.neighbours[merged.first[polygon] + k] != kNoPolygon) continue;
+      const auto pieces = pieces_.find({a, b});
+      if (pieces != pieces_.end() && pieces->second.count > 1) {
+        corners.insert(corners.end(), pieces->second.vertices.begin() + 1, pieces->second.vertices.end() - 1);
+        continue;
+      }
       const Key edge = key(a, b);
       if (joined_.contains(edge)) continue;
       const int earlier = borders_[edge]++;
-      if (earlier == 0) continue;
-      const double t = 1.0 / (1 + earlier);
-      const Vec3 middle = mesh_.vertices[a] + t * (mesh_.vertices[b] - mesh_.vertices[a]);
-      corners.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
-      mesh_.vertices.push_back(middle);
+      if (earlier > 0) corners.push_back(placeOn({a, b}, 1.0 / (1 + earlier)));
     }
     polygons_.push_back(std::move(corners));
   }
 
   /// Beyond the edge of the first border, back along the second one.
   void addStep(const EngineLink& link) {
-    if (isOnePlace(link)) return;
+    const Edge from = nextPiece(link.from), to = nextPiece(link.to);
     Polygon corners;
-    for (const std::uint32_t v : {link.from[1], link.from[0], link.to[1], link.to[0]})
+    for (const std::uint32_t v : {from[1], from[0], to[1], to[0]})
       if (corners.empty() || !(isSamePlace(corners.back(), v) || isSamePlace(corners.front(), v))) corners.push_back(v);
-    if (corners.size() >= 3) polygons_.push_back(std::move(corners));
+    if (corners.size() >= 3) polygons_.push_back(std::move(corners));  // else Godot joins both edges itself
   }
 
   EngineMesh& mesh_;
+  std::map<Edge, Pieces> pieces_;  ///< of edges with links
   std::set<Key> joined_;
   std::map<Key, int> borders_;  ///< how many edges were at a place
   std::vector<Polygon> polygons_;

@@ -21,7 +21,8 @@ struct GodotFile {
 /// corner.
 ///
 /// Godot joins edges whose ends are at the same places, by cells of its map, whatever their numbers. So a step or a gap
-/// is a polygon between both borders, and of the two sides of an obstacle edge one gets a corner in its middle, which
+/// is a polygon between both borders (an edge with several of them is divided, as Godot joins two polygons on an edge
+/// at most), and of the two sides of an obstacle edge one gets a corner in its middle, which
 /// keeps them apart. Agent: height, radius, step and slope, where they are known. Throws what engineMesh() throws, and
 /// InputError for another version.
 GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options = {});
