@@ -60,7 +60,7 @@ void findPath(const PathOptions& options) {
   if (path.status == PathStatus::NotConnected) {
     session.begin("looking for what keeps the parts apart");
     const SeparationFinder separations(finder, environment, agentHeight(*pipeline, environment->metresPerUnit),
-                                       agentStep(*pipeline), &context);
+                                       agentStep(*pipeline), &context, agentGap(*pipeline));
     addSeparation(path, separations, &context);
   }
   if (!options.output.empty() && path.hasPath())

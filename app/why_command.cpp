@@ -73,7 +73,7 @@ std::string explainPair(const WhyOptions& options) {
   if (path.status == PathStatus::NotConnected) {
     session.begin("looking for what keeps the parts apart");
     const SeparationFinder separations(finder, environment, agentHeight(*pipeline, environment->metresPerUnit),
-                                       agentStep(*pipeline), &context);
+                                       agentStep(*pipeline), &context, agentGap(*pipeline));
     addSeparation(path, separations, &context);
   }
   session.end();

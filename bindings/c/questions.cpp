@@ -107,7 +107,7 @@ footfall_status footfall_find_path(const footfall_path_finder* finder, const dou
     if (found->path.status == PathStatus::NotConnected) {
       const SeparationFinder separations(finder->finder, finder->environment,
                                          agentHeight(finder->pipeline, environment.metresPerUnit),
-                                         agentStep(finder->pipeline), contextOf(context));
+                                         agentStep(finder->pipeline), contextOf(context), agentGap(finder->pipeline));
       addSeparation(found->path, separations, contextOf(context));
     }
     found->failure = formatFailure(found->path, environment.up);

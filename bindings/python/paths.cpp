@@ -45,7 +45,7 @@ std::shared_ptr<const SeparationFinder> separationsOf(Area& area, const PathFind
     area.separations = interruptible(py::none(), [&](RunContext& context) {
       return std::make_shared<const SeparationFinder>(finder, area.environment,
                                                       agentHeight(area.pipeline, area.environment->metresPerUnit),
-                                                      agentStep(area.pipeline), &context);
+                                                      agentStep(area.pipeline), &context, agentGap(area.pipeline));
     });
   return area.separations;
 }

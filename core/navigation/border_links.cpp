@@ -132,9 +132,9 @@ BorderLink reversed(const BorderLink& link) {
   return other;
 }
 
-double excessOf(const BorderLink& link, double height, double step) {
+double excessOf(const BorderLink& link, double height, double step, double gap) {
   const double climbed = std::max(std::fabs(link.rise), link.kind == LinkKind::Obstacle ? link.obstacle : 0);
-  double excess = std::max({link.gap, climbed - step, 0.0});
+  double excess = std::max({link.gap - gap, climbed - step, 0.0});
   if (link.kind == LinkKind::LowCeiling) excess = std::max(excess, height - link.headroom);
   return excess;
 }

@@ -33,8 +33,8 @@ struct BorderEdge {
 std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
                                     const SurfaceParts& parts);
 
-/// What an agent of that height and step lacks at a place (BorderLink::excess).
-double excessOf(const BorderLink& link, double height, double step);
+/// What an agent of that height, step and gap lacks at a place (BorderLink::excess).
+double excessOf(const BorderLink& link, double height, double step, double gap = 0);
 
 /// The place on each border where the larger of the gap in the plan and of the rise beyond `step` is least, among: the
 /// ends of both, where they cross, and, where they run side by side, the middle and where they are level. Nothing where

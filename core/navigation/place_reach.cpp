@@ -10,11 +10,12 @@ namespace {
 
 constexpr double kUsualHeight = 2;  // metres
 
-/// Of the first parameters of all enabled filters of a type; 0 without any.
-double largestValue(const Pipeline& pipeline, FilterType type) {
+/// Of one parameter of all enabled filters of a type; 0 without any.
+double largestValue(const Pipeline& pipeline, FilterType type, std::size_t parameter = 0) {
   double largest = 0;
   for (const PipelineStep& step : pipeline.steps)
-    if (step.enabled && step.filter->type == type && !step.values.empty()) largest = std::max(largest, step.values[0]);
+    if (step.enabled && step.filter->type == type && step.values.size() > parameter)
+      largest = std::max(largest, step.values[parameter]);
   return largest;
 }
 
@@ -33,5 +34,6 @@ double agentHeight(const Pipeline& pipeline, double metresPerUnit) {
 }
 
 double agentStep(const Pipeline& pipeline) { return largestValue(pipeline, FilterType::Step); }
+double agentGap(const Pipeline& pipeline) { return largestValue(pipeline, FilterType::Step, 1); }
 
 }  // namespace footfall

@@ -2,9 +2,9 @@
 //
 // Parts (over edges and steps) are linked where their borders come near each other (border_links.hpp). Of all chains of
 // links from one part to the other, over any parts between, the result is the one whose largest link is least; the size
-// of a link is what the agent lacks there (excessOf()): the larger of the gap in the plan, of the height that is
-// climbed beyond its step, over what stands between, and of the height that a ceiling lacks. Walls, and points in which
-// parts touch, count only where nothing else leads across, and then by distance.
+// of a link is what the agent lacks there (excessOf()): the larger of the gap in the plan beyond what it steps over, of
+// the height that is climbed beyond its step, over what stands between, and of the height that a ceiling lacks. Walls,
+// and points in which parts touch, count only where nothing else leads across, and then by distance.
 //
 // Sizes are rounded, and so is the choice between links whose sizes differ by rounding; it does not depend on threads.
 // It is Kruskal's algorithm (a chain within a minimum spanning tree has the least largest link), over pairs of borders
@@ -42,6 +42,7 @@ struct SeparationGround {
   std::vector<BorderEdge> borders;
   TriangleTree tree;  ///< of the borders
   LinkObstacles obstacles;
+  double gap = 0;  ///< that the agent steps over
 };
 
 }  // namespace detail
@@ -52,12 +53,13 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What may lack no more than `most` towards a border.
-Box boxOf(const BorderEdge& e, double most, double step) {
+Box boxOf(const BorderEdge& e, double most, double step, double gap) {
   const auto low = [](double a, double b, double by) { return std::nextafter(std::min(a, b) - by, -kInfinity); };
   const auto high = [](double a, double b, double by) { return std::nextafter(std::max(a, b) + by, kInfinity); };
-  const double up = std::nextafter(most + step, kInfinity);
-  return {{low(e.from.x, e.to.x, most), low(e.from.y, e.to.y, most), low(e.from.z, e.to.z, up)},
-          {high(e.from.x, e.to.x, most), high(e.from.y, e.to.y, most), high(e.from.z, e.to.z, up)}};
+  const double up = std::nextafter(most + step, kInfinity),
+               out = gap > 0 ? std::nextafter(most + gap, kInfinity) : most;
+  return {{low(e.from.x, e.to.x, out), low(e.from.y, e.to.y, out), low(e.from.z, e.to.z, up)},
+          {high(e.from.x, e.to.x, out), high(e.from.y, e.to.y, out), high(e.from.z, e.to.z, up)}};
 }
 
 /// Two borders that may be linked, by their numbers; the first is the smaller one.
@@ -136,7 +138,7 @@ class SeparationSearch {
     return link;
   }
   [[nodiscard]] double excessOf(const BorderLink& link) const {
-    return detail::excessOf(link, ground_.obstacles.height(), ground_.obstacles.step());
+    return detail::excessOf(link, ground_.obstacles.height(), ground_.obstacles.step(), ground_.gap);
   }
 
   // --- Kruskal, as far as an agent is high
@@ -172,7 +174,7 @@ class SeparationSearch {
       std::vector<std::int32_t> stack;
       std::vector<Pair> found;
       for (std::size_t i = first; i < last; ++i) {
-        const Box around = boxOf(borders[i], band, ground_.obstacles.step());
+        const Box around = boxOf(borders[i], band, ground_.obstacles.step(), ground_.gap);
         ground_.tree.visitOverlapping(around, stack, [&](std::int32_t id) {
           const auto j = static_cast<std::size_t>(id);
           if (j <= i || sets[borders[i].component] == sets[borders[j].component]) return true;
@@ -245,7 +247,7 @@ class SeparationSearch {
     Box whole{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
     bool anyTarget = false;
     for (std::uint32_t i = 0; i < borders.size(); ++i) {
-      const Box box = boxOf(borders[i], 0, 0);
+      const Box box = boxOf(borders[i], 0, 0, 0);
       for (std::size_t k = 0; k < 3; ++k) {
         whole.lower[k] = std::min(whole.lower[k], box.lower[k]);
         whole.upper[k] = std::max(whole.upper[k], box.upper[k]);
@@ -273,7 +275,7 @@ class SeparationSearch {
 
   template <class Visit>
   void visitNear(std::uint32_t i, double reach, const Visit& visit) {
-    ground_.tree.visitOverlapping(boxOf(ground_.borders[i], reach, ground_.obstacles.step()), stack_,
+    ground_.tree.visitOverlapping(boxOf(ground_.borders[i], reach, ground_.obstacles.step(), ground_.gap), stack_,
                                   [&](std::int32_t id) {
                                     visit(static_cast<std::uint32_t>(id));
                                     return true;
@@ -315,6 +317,7 @@ class SeparationSearch {
     Separation separation;
     separation.height = ground_.obstacles.height();
     separation.step = ground_.obstacles.step();
+    separation.gap = ground_.gap;
     for (std::uint32_t here = to_; here != from_; here = separation.links.back().fromComponent)
       separation.links.push_back(finished(*reachedBy[here]));
     std::reverse(separation.links.begin(), separation.links.end());
@@ -366,7 +369,7 @@ TriangleTree treeOver(const std::vector<BorderEdge>& borders, Poll poll) {
   std::vector<std::int32_t> ids;
   boxes.reserve(borders.size());
   for (const BorderEdge& border : borders) {
-    boxes.push_back(boxOf(border, 0, 0));
+    boxes.push_back(boxOf(border, 0, 0, 0));
     ids.push_back(static_cast<std::int32_t>(ids.size()));
   }
   TriangleTree tree;
@@ -377,7 +380,7 @@ TriangleTree treeOver(const std::vector<BorderEdge>& borders, Poll poll) {
 }  // namespace
 
 SeparationFinder::SeparationFinder(const PathFinder& finder, std::shared_ptr<const Environment> environment,
-                                   double height, double step, const RunContext* context) {
+                                   double height, double step, const RunContext* context, double gap) {
   const Poll poll(context);
   const std::shared_ptr<const PathGround>& ground = finder.inside();
   SurfaceParts parts = findSurfaceParts(*ground->mesh, ground->topology);
@@ -385,7 +388,7 @@ SeparationFinder::SeparationFinder(const PathFinder& finder, std::shared_ptr<con
   TriangleTree tree = treeOver(borders, poll);
   inside_ = std::make_unique<const SeparationGround>(
       SeparationGround{ground, std::move(parts), std::move(borders), std::move(tree),
-                       LinkObstacles(std::move(environment), height, step, poll)});
+                       LinkObstacles(std::move(environment), height, step, poll), gap});
 }
 
 SeparationFinder::~SeparationFinder() = default;

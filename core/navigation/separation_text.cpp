@@ -48,7 +48,12 @@ Text lackText(const BorderLink& link, const Separation& separation, const std::f
     return {FOOTFALL_TEXT("%1, %2 too low"), what, length(separation.height - link.headroom)};
   if (separation.step == 0 || (link.kind != LinkKind::Open && link.kind != LinkKind::Obstacle)) return what;
   const double climbed = std::max(std::fabs(link.rise), link.kind == LinkKind::Obstacle ? link.obstacle : 0);
-  if (climbed > separation.step) return {FOOTFALL_TEXT("%1, %2 too high"), what, length(climbed - separation.step)};
+  const double wide = separation.gap > 0 ? link.gap - separation.gap : 0;
+  if (climbed > separation.step && climbed - separation.step >= wide)
+    return {FOOTFALL_TEXT("%1, %2 too high"), what, length(climbed - separation.step)};
+  if (wide > 0) return {FOOTFALL_TEXT("%1, %2 too wide"), what, length(wide)};
+  if (link.gap > 0 && wide < 0)
+    return {FOOTFALL_TEXT("%1; narrow and low enough, but StepFilter does not link it"), what};
   if (climbed > 0 && link.gap == 0) return {FOOTFALL_TEXT("%1; low enough, but StepFilter does not link it"), what};
   return what;
 }

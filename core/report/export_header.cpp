@@ -11,8 +11,7 @@ using namespace detail;
 std::string describeAgent(const Pipeline& pipeline) {
   std::string slope = "slope any";
   std::string height = "height any";
-  std::string climbs;
-  std::optional<double> smallestSlope, largestHeight;
+  std::optional<double> smallestSlope, largestHeight, largestStep, largestGap;
   for (const PipelineStep& step : pipeline.steps) {
     if (!step.enabled || step.values.empty()) continue;
     const ParameterDescriptor& parameter = step.filter->parameters.front();
@@ -23,9 +22,14 @@ std::string describeAgent(const Pipeline& pipeline) {
       largestHeight = std::max(largestHeight.value_or(step.values[0]), step.values[0]);
       height = "height " + formatValue(parameter, *largestHeight);
     } else if (step.filter->type == FilterType::Step) {
-      climbs = ", step " + formatValue(parameter, step.values[0]);
+      largestStep = std::max(largestStep.value_or(0), step.values[0]);
+      largestGap = std::max(largestGap.value_or(0), step.values[1]);
     }
   }
+  const std::vector<ParameterDescriptor>& lengths = filterDescriptor(FilterType::Step).parameters;
+  std::string climbs;
+  if (largestStep) climbs += ", step " + formatValue(lengths[0], *largestStep);
+  if (largestGap.value_or(0) > 0) climbs += ", gap " + formatValue(lengths[1], *largestGap);
   return slope + ", " + height + climbs;
 }
 

@@ -81,6 +81,7 @@ nlohmann::ordered_json separationJson(const std::optional<Separation>& separatio
   for (const BorderLink& link : separation->others) json["others"].push_back(linkJson(link, up));
   json["height"] = separation->height;
   json["step"] = separation->step;
+  json["gap"] = separation->gap;
   return json;
 }
 

@@ -106,7 +106,8 @@ void PathFeature::takeResult() {
   const auto run = controller_.finishedRun();
   if (run) {
     model_.setGround({run->result.mesh, placeReach(run->pipeline), run->environment,
-                      agentHeight(run->pipeline, run->environment->metresPerUnit), agentStep(run->pipeline)});
+                      agentHeight(run->pipeline, run->environment->metresPerUnit), agentStep(run->pipeline),
+                      agentGap(run->pipeline)});
   } else {
     model_.setGround({});
   }

@@ -34,7 +34,7 @@ struct PathModel::Finder {
     if (!ground.environment) return;
     if (!separations)
       separations = std::make_unique<SeparationFinder>(*finder, ground.environment, ground.agentHeight,
-                                                       ground.agentStep, &context);
+                                                       ground.agentStep, &context, ground.agentGap);
     addSeparation(result, *separations, &context);
     last = {partsOf(result), result.separation};
   }

@@ -28,7 +28,7 @@ class PathModel : public QObject {
     std::shared_ptr<const NavigationMesh> mesh;      ///< to walk on; null: none
     double reach = 0;                                ///< how far below a place it may lie (placeReach())
     std::shared_ptr<const Environment> environment;  ///< what stands between its parts
-    double agentHeight = 0, agentStep = 0;
+    double agentHeight = 0, agentStep = 0, agentGap = 0;
     bool operator==(const Ground&) const = default;
   };
   void setGround(Ground ground);

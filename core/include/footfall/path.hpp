@@ -45,9 +45,9 @@ struct BorderLink {
   double obstacle = 0;     ///< LinkKind::Obstacle: its height over the lower place
   double headroom = 0;     ///< LinkKind::LowCeiling: the free height over the higher place
   bool isInterval = true;  ///< the borders face each other, and do not only meet in a point
-  /// What the agent lacks here: the largest of the gap, of the height that is climbed beyond its step, and of the
-  /// height that a ceiling lacks. Walls, and what only touches in a point, are told by `kind` and add nothing to it. By
-  /// SeparationFinder.
+  /// What the agent lacks here: the largest of the gap beyond what it steps over, of the height that is climbed beyond
+  /// its step, and of the height that a ceiling lacks. Walls, and what only touches in a point, are told by `kind` and
+  /// add nothing to it. By SeparationFinder.
   double excess = 0;
   /// What stands there: the riser of a step, the obstacle, the ceiling, the wall. Indices into
   /// Environment::triangles, rising; in doubles. By SeparationFinder.
@@ -69,7 +69,7 @@ struct Separation {
   /// twice as much as barrier(), or a sixteenth of the agent's height. Places next to each other along the same borders
   /// are one. None where walls are between.
   std::vector<BorderLink> others = {};
-  double height = 0, step = 0;  ///< what the agent needs and climbs (SeparationFinder)
+  double height = 0, step = 0, gap = 0;  ///< what the agent needs, climbs and steps over (SeparationFinder)
 
   [[nodiscard]] const BorderLink& barrier() const { return links[largest]; }
 };
@@ -187,10 +187,10 @@ class PathFinder {
 /// for a result (60,000 triangles take some 30 ms), then asked from any thread.
 class SeparationFinder {
  public:
-  /// `environment` is what the finder's mesh was computed from, `height` (above 0) and `step` (at least 0) are the
-  /// agent's, in the environment's units (agentHeight(), agentStep()). Throws Cancelled.
+  /// `environment` is what the finder's mesh was computed from, `height` (above 0), `step` and `gap` (at least
+  /// 0) are the agent's, in the environment's units (agentHeight(), agentStep(), agentGap()). Throws Cancelled.
   SeparationFinder(const PathFinder& finder, std::shared_ptr<const Environment> environment, double height,
-                   double step = 0, const RunContext* context = nullptr);
+                   double step = 0, const RunContext* context = nullptr, double gap = 0);
   ~SeparationFinder();
   SeparationFinder(const SeparationFinder&) = delete;
   SeparationFinder& operator=(const SeparationFinder&) = delete;
@@ -219,5 +219,8 @@ double agentHeight(const Pipeline& pipeline, double metresPerUnit);
 
 /// The largest step that an enabled StepFilter allows, in the environment's units; 0 when there is no such filter.
 double agentStep(const Pipeline& pipeline);
+
+/// The widest gap that an enabled StepFilter allows, in the environment's units; 0 when there is no such filter.
+double agentGap(const Pipeline& pipeline);
 
 }  // namespace footfall

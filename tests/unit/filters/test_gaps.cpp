@@ -233,6 +233,33 @@ class TestGaps : public QObject {
     QVERIFY(gapCount(mesh) >= 1);
     QVERIFY(std::fabs(gapLength(mesh) - 0.125 / std::sin(std::atan(0.25) / 2)) < 1e-6);
     QCOMPARE(pathParts(mesh), 1U);
+    // The link that begins at the corner is a triangle: both edges begin there, and go along one of the borders each.
+    const auto from = [&](const std::array<std::uint32_t, 2>& edge, int end) { return mesh.vertices[edge[end]]; };
+    std::size_t triangles = 0;
+    for (const StepLink& link : mesh.links) {
+      const bool isFirst = from(link.from, 0).z == 0;
+      const auto &low = isFirst ? link.from : link.to, &high = isFirst ? link.to : link.from;
+      for (const int end : {0, 1}) {
+        const Vec3 p = from(low, end), q = from(high, 1 - end);
+        QVERIFY(p.x == 4 && p.z == 0 && std::fabs(q.x - 4 - q.y / 4) < 1e-14 && q.z == 0.1);
+        QVERIFY(std::fabs(p.y - std::hypot(q.x - 4, q.y)) < 1e-9);  // as far from the corner
+        if (p.y == 0 && q.y == 0) ++triangles;
+      }
+      QCOMPARE(bridgeOver(link, mesh.vertices).size(), std::size_t{from(low, 0).y == 0 ? 1U : 2U});
+    }
+    QCOMPARE(triangles, std::size_t{1});
+  }
+
+  void aWedgeBarelyTooWideIsLinkedAsFarAsItIsNot() {
+    // From 0.125 to 0.25, and a gap that is less than that by less than the conditions tell apart.
+    const Soup soup = Soup().floor(0, 0, 4, 4, 0).quad({4.125, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4.25, 4, 0});
+    const double angle = std::atan(1.0 / 32);
+    const double widest = 0.25 * std::cos(angle) / std::cos(angle / 2);  // across the bisector, at the first one's end
+    for (const double less : {-1e-14, 0.0, 1e-15, 3e-15, 1e-14, 1e-12}) {
+      const NavigationMesh mesh = linked(soup, 2, 0.25, widest - less);
+      QVERIFY2(gapLength(mesh) > 3.99, qPrintable(QString::number(less)));
+      for (const StepLink& link : mesh.links) QVERIFY(link.width <= (widest - less) * (1 + 1e-12));
+    }
   }
 
   void pathsLeadOverGaps() {

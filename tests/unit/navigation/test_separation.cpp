@@ -248,6 +248,23 @@ class TestSeparation : public QObject {
              qPrintable(QString("%1, %2, %3").arg(compared).arg(far).arg(others)));
   }
 
+  void gapsLackWhatIsBeyondTheWidestOne() {
+    const auto number = [](double x) { return QString::number(x, 'g', 6).toStdString(); };
+    const Level level(Soup().floor(0, 0, 4, 2, 0).floor(4.125, 0, 8, 2, 0.25), 0.375);
+    const auto last = static_cast<std::uint32_t>(level.mesh->triangles.size()) - 1;
+    const auto textAt = [&](double gap, double excess) {
+      const SeparationFinder separations(level.finder, level.environment, kHeight, 0.375, nullptr, gap);
+      const auto found = separations.find(0, last);
+      return found && found->gap == gap && found->barrier().excess == excess
+                 ? QString::fromStdString(lackText(found->barrier(), *found, number).str())
+                 : QString();
+    };
+    QCOMPARE(textAt(0, 0.125), QString("a gap of 0.125 and a step of 0.25 up"));
+    QCOMPARE(textAt(0.0625, 0.0625), QString("a gap of 0.125 and a step of 0.25 up, 0.0625 too wide"));
+    QCOMPARE(textAt(0.25, 0),
+             QString("a gap of 0.125 and a step of 0.25 up; narrow and low enough, but StepFilter does not link it"));
+  }
+
   void saysWhatIsMissing_data() {
     QTest::addColumn<QString>("expected");
     QTest::addColumn<double>("excess");
