@@ -77,8 +77,9 @@ bool MarginSurface::fanBehind(Index border, std::vector<Index>& fan) const {
     fan.push_back(side);
     if ((fan.size() & kPolled) == 0) poll_();
     const auto ways = beyond(side);
-    if (ways.empty()) return false;  // as beyond() holds both ways, nothing but the border leads back to the start
-    if (ways.size() == 1) continue;
+    if (ways.empty()) return false;
+    // While there is one way on and one back, nothing leads round in a circle.
+    if (ways.size() == 1 && beyond(ways[0]).size() == 1) continue;
     addAllWays(fan);
     return true;
   }
