@@ -4,8 +4,10 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <map>
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/lexicographic_order.hpp"
@@ -37,6 +39,16 @@ void forEachInOrder(std::size_t count, Poll poll, const Body& body) {
     for (std::size_t i = begin; i < std::min(count, begin + kPerTask); ++i) body(i);
   }
 }
+
+using Place = std::pair<double, double>;
+struct PlaceHash {
+  std::size_t operator()(const Place& p) const {
+    // The low bits of doubles on a grid are zero: the product brings the others down.
+    const std::uint64_t mixed = std::bit_cast<std::uint64_t>(p.first) * 0x9E3779B97F4A7C15U +
+                                (std::bit_cast<std::uint64_t>(p.second) ^ 0x5851F42D4C957F2DU) * 0xD1342543DE82EF95U;
+    return static_cast<std::size_t>((mixed ^ mixed >> 32) * 0x9E3779B97F4A7C15U >> 16);
+  }
+};
 
 double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -224,30 +236,30 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled)
 }
 
 std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled, const Poll& poll) {
-  using Place = std::pair<double, double>;
   const int scale = -mesh.grid.scaleExponent();
   const auto sorted = static_cast<std::ptrdiff_t>(mesh.vertices.size() - mesh.planPlaces);
-  std::map<Place, Index> added;
+  std::unordered_map<Place, Index, PlaceHash> known;
+  known.reserve(mesh.planPlaces + scaled.size());
   for (std::size_t v = mesh.vertices.size() - mesh.planPlaces; v < mesh.vertices.size(); ++v)
-    added.emplace(Place{mesh.vertices[v].x, mesh.vertices[v].y}, static_cast<Index>(v));
+    known.emplace(Place{mesh.vertices[v].x, mesh.vertices[v].y}, static_cast<Index>(v));
   std::vector<Index> ids;
   ids.reserve(scaled.size());
   for (const Vec3& given : scaled) {
     if (ids.size() % kPerTask == 0) poll();
     const Vec3 p =
         withoutNegativeZeros({std::ldexp(given.x, scale), std::ldexp(given.y, scale), std::ldexp(given.z, scale)});
-    const auto last = mesh.vertices.begin() + sorted;
-    const auto known = std::lower_bound(mesh.vertices.begin(), last, p, [](const Vec3& a, const Vec3& b) {
-      return Place{a.x, a.y} < Place{b.x, b.y};
-    });
-    if (known != last && known->x == p.x && known->y == p.y) {
-      ids.push_back(static_cast<Index>(known - mesh.vertices.begin()));
-      continue;
-    }
     const auto next = static_cast<Index>(mesh.vertices.size());
-    const auto [place, isNew] = added.emplace(Place{p.x, p.y}, next);
+    const auto [place, isNew] = known.emplace(Place{p.x, p.y}, next);
+    if (isNew) {
+      const auto last = mesh.vertices.begin() + sorted;
+      const auto first = std::lower_bound(mesh.vertices.begin(), last, p, [](const Vec3& a, const Vec3& b) {
+        return Place{a.x, a.y} < Place{b.x, b.y};
+      });
+      if (first != last && first->x == p.x && first->y == p.y)
+        place->second = static_cast<Index>(first - mesh.vertices.begin());
+    }
     ids.push_back(place->second);
-    if (!isNew) continue;
+    if (place->second != next) continue;
     mesh.vertices.push_back(p);
     mesh.scaled.push_back(withoutNegativeZeros(given));
     mesh.planIds.push_back(next);

@@ -13,6 +13,7 @@
 #include "core/filters/face_cutter.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/radius/border_pieces.hpp"
+#include "core/filters/radius/margin_choice.hpp"
 #include "core/filters/radius/margins.hpp"
 #include "core/filters/radius/thin_triangles.hpp"
 #include "core/filters/rounding/generation.hpp"
@@ -113,6 +114,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   const MarginsOfFaces touched = groupByFaces(margins, state->walkable.size(), context);
   std::vector<FaceCuts> found(touched.faces.size());
   tbb::enumerable_thread_specific<std::unique_ptr<FaceCutter>> cutters;
+  tbb::enumerable_thread_specific<MarginChoice> choices([&] { return MarginChoice(margins); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), kFacesPerTask), [&](const auto& range) {
     auto& cutter = cutters.local();
     if (!cutter) cutter = std::make_unique<FaceCutter>(*state->kernel, context);
@@ -120,7 +122,12 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       context.checkCancelled();
       polygons.clear();
-      for (const Index margin : touched.margins[i])
+      const auto& corners = state->kernel->mesh().triangles[touched.faces[i]];
+      const auto placeOf = [&](int k) {
+        const Vec3& p = state->kernel->mesh().scaled[corners[k]];
+        return PlanVector{p.x, p.y};
+      };
+      for (const Index margin : choices.local().neededOn({placeOf(0), placeOf(1), placeOf(2)}, touched.margins[i]))
         polygons.emplace_back(known.planIds.data() + known.first[margin],
                               known.first[margin + 1] - known.first[margin]);
       found[i] = cutter->cut(touched.faces[i], polygons);

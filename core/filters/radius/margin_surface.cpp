@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <unordered_set>
@@ -73,15 +74,21 @@ MarginSurface::MarginSurface(const WalkableState& state, RunContext& context)
 
 bool MarginSurface::fanBehind(Index border, std::vector<Index>& fan) const {
   fan.clear();
+  const auto hasOneWay = [&](Index side) {
+    int ways = 0;
+    for (const Index other : beyond(side)) ways += static_cast<int>(beginVertex(other) == endVertex(side));
+    return ways <= 1;  // of several links the first leads on: to the others' borders one comes by their ends alone
+  };
+  Index mark = -1;
   for (Index side = nextSide(border);; side = nextSide(beyond(side)[0])) {
     fan.push_back(side);
     if ((fan.size() & kPolled) == 0) poll_();
-    const auto ways = beyond(side);
-    if (ways.empty()) return false;  // as beyond() holds both ways, nothing but the border leads back to the start
-    if (ways.size() == 1) continue;
-    addAllWays(fan);
-    return true;
+    if (isBorder(side)) return false;
+    if (side == mark || !hasOneWay(side) || !hasOneWay(beyond(side)[0])) break;
+    if (std::has_single_bit(fan.size())) mark = side;  // what leads round in a circle comes to one of them again
   }
+  addAllWays(fan);
+  return true;
 }
 
 // From the last side of the fan on.

@@ -60,7 +60,7 @@ class MarginSurface {
 
   /// The sides that begin where `border` ends, around that place as far as the next border, which is the last of them;
   /// for each but the last the next triangle is beyond it. Returns whether there are several ways on, because floors
-  /// overlap: then these are the sides on all of them, each once, and the last one says nothing.
+  /// overlap: then these are the sides on all of them, and the last one says nothing.
   bool fanBehind(Index border, std::vector<Index>& fan) const;
 
  private:

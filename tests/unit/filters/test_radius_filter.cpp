@@ -335,6 +335,67 @@ class TestRadiusFilter : public QObject {
     }
   }
 
+  void moreRadiusNeverAddsPlaces() {
+    std::mt19937 random(static_cast<unsigned>(seed()) + 11);
+    int looked = 0;
+    for (int i = 0; i < rounds(40); ++i) {
+      std::vector<PartNumbers> parts(8);
+      for (PartNumbers& part : parts)
+        for (int& n : part) n = static_cast<int>(random() % 64);
+      const Soup soup = i % 2 == 0 ? buildingOf(parts) : turned(buildingOf(parts));
+      const std::string before = minimalPipeline(1.5) + "\nStepFilter 0.5\n";
+      NavigationMesh wider = navigationMesh(runFilters(soup.environment(), before));
+      for (const double r : {0.1, 0.102, 0.2, 0.4}) {  // round corners may lose a hundredth more
+        const NavigationMesh now = narrowed(soup, r, before);
+        const reference::BorderDistance places(wider);
+        for (const Triangle& t : now.triangles) {
+          const Vec3 &a = now.vertices[t[0]], &b = now.vertices[t[1]], &c = now.vertices[t[2]];
+          const Vec3 middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+          const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+          if (area < 1e-6) continue;  // the middle of a needle can lie beside it
+          ++looked;
+          QVERIFY2(places.find(middle.x, middle.y, middle.z, 1e-6), qPrintable(QString("%1, %2").arg(i).arg(r)));
+        }
+        wider = now;
+      }
+    }
+    QVERIFY(looked > 1000);
+  }
+
+  void turnedDoorwaysAreAsWideAsTwoRadii() {
+    for (const bool isThick : {false, true})
+      for (const double r : {0.3, 0.45, 0.7})
+        for (const double more : {-1e-6, isThick ? 1e-6 : 0.0202 * r}) {  // ends of walls are round, to a hundredth
+          const double low = 2 - r - more / 2, high = 2 + r + more / 2;
+          Soup rooms = Soup().floor(0, 0, 10, 4, 0);
+          if (isThick)
+            rooms.box({4.75, -1, 0}, {5.25, low, 3}).box({4.75, high, 0}, {5.25, 5, 3});
+          else
+            rooms.wall(5, -1, 5, low, 0, 3).wall(5, high, 5, 5, 0, 3);
+          // What is on top of a wall is no room.
+          const NavigationMesh left = narrowed(turned(rooms), r, minimalPipeline(2) + "\n", "AreaFilter 1\n");
+          QCOMPARE(components(left), more > 0 ? 1U : 2U);
+        }
+  }
+
+  void linksAndObstacleEdges() {
+    // Two floors, one a step above the other, and a wall without thickness across the step as far as the middle.
+    const Soup floors = Soup().floor(0, 0, 5, 4, 0).floor(5, 0, 10, 4, 0.25).wall(5, 0, 5, 4, 0, 0.25);
+    const std::string before = minimalPipeline(2) + "\nStepFilter 0.3\n";
+    QVERIFY(std::fabs(area(narrowed(floors, 0.5, before)) - 9 * 3) < 1e-11);
+    QCOMPARE(components(narrowed(floors, 0.5, before)), 1U);
+    const Soup walled = Soup(floors).wall(5, -1, 5, 2, 0, 3);
+    // To 4.5 and from 5.5 on there are margins of 0.5 as far as the wall's end, round which they are half a disc.
+    const double exact = 9 * 3 - 1.5 * 1 - std::numbers::pi / 8, lost = exact - area(narrowed(walled, 0.5, before));
+    QVERIFY(lost > -1e-9 && lost < 0.02 * std::numbers::pi / 8);
+    QCOMPARE(components(narrowed(walled, 0.5, before)), 1U);
+    QCOMPARE(components(narrowed(walled, 1.001, before)), 2U);  // the passage is 2 wide
+    // Through the middle of the upper floor, along the walk.
+    const Soup along = Soup(floors).wall(6, 2, 9, 2, 0, 3);
+    QCOMPARE(components(narrowed(along, 0.5, before)), 1U);
+    QVERIFY(std::fabs(area(narrowed(along, 0.5, before)) - (9 * 3 - 3 - std::numbers::pi / 4)) < 0.02);
+  }
+
   void liveEditsGiveTheSame() {
     const Soup level = Soup().floor(0, 0, 10, 6, 0).wall(5, -1, 5, 2, 0, 3).wall(5, 4, 5, 7, 0, 3);
     const std::string pipeline = minimalPipeline(2) + "\nStepFilter 0.3\n" + radius(0.4) +
