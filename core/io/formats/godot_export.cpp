@@ -125,6 +125,7 @@ class GodotPolygons {
   /// Beyond the edge of the first border, back along the second one.
   void addStep(const EngineLink& link) {
     const Edge from = nextPiece(link.from), to = nextPiece(link.to);
+    if (isSamePlace(from[0], from[1]) || isSamePlace(to[0], to[1])) return;  // shorter than floats tell
     Polygon corners{from[1], from[0]};
     keepApart(corners, {from[0], to[1]});
     corners.insert(corners.end(), {to[1], to[0]});
