@@ -114,12 +114,13 @@ void ExportDialog::createWidgets() {
   up_->setObjectName(QStringLiteral("exportUp"));
   up_->addItem(tr("As in the file"));
   for (const UpAxis up : kUpAxes) up_->addItem(tr("%1 up").arg(QString::fromStdString(shownName(up))));
-  up_->setToolTip(tr("Which axis points up in the export; glTF is always Y up"));
+  up_->setToolTip(tr("Which axis points up in the export; all formats but OBJ are always Y up"));
   scale_ = new NumberField(scaleDescriptor(), frameOptions_);
   scale_->setObjectName(QStringLiteral("exportScale"));
   scale_->setFixedWidth(96);
   scale_->setToolTip(
-      tr("Coordinates are multiplied with it. 1 keeps the file's units (metres in glTF), and OBJ exact; other scales "
+      tr("Coordinates are multiplied with it. 1 keeps the file's units (metres in all formats but OBJ), and OBJ exact; "
+         "other scales "
          "than powers of two round once more."));
   frame->addRow(tr("Up axis"), up_);
   frame->addRow(tr("Scale"), scale_);
