@@ -65,7 +65,10 @@ void addExportOptions(CLI::App& command, RunOptions& options) {
 std::string formatHelp() {
   std::string help = "Write the walkable area to this file; its ending chooses the format:";
   for (const FormatDescriptor& format : exportFormats())
-    help.append("\n").append(format.ending).append("  ").append(Text(format.name).str());
+    help.append(&format == &exportFormats().front() ? "\n" : ";\n")
+        .append(format.ending)
+        .append("  ")
+        .append(Text(format.name).str());
   return help;
 }
 

@@ -6,6 +6,8 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "ui/base/core_text.hpp"
+
 namespace footfall::ui {
 namespace {
 
@@ -16,36 +18,34 @@ struct ExportTexts {
 
 }  // namespace
 
-QString exportEnding(ExportKind kind) {
+const FormatDescriptor* meshFormat(ExportKind kind) {
   switch (kind) {
     case ExportKind::Obj:
-      return QStringLiteral("obj");
+      return &descriptorOf(ExportFormat::Obj);
     case ExportKind::Gltf:
-      return QStringLiteral("gltf");
+      return &descriptorOf(ExportFormat::Gltf);
     case ExportKind::Glb:
-      return QStringLiteral("glb");
+      return &descriptorOf(ExportFormat::Glb);
+    case ExportKind::Detour:
+      return &descriptorOf(ExportFormat::Detour);
+    case ExportKind::Godot:
+      return &descriptorOf(ExportFormat::Godot);
     case ExportKind::Png:
-      return QStringLiteral("png");
     case ExportKind::Html:
       break;
   }
-  return QStringLiteral("html");
+  return nullptr;
+}
+
+QString exportEnding(ExportKind kind) {
+  if (const FormatDescriptor* format = meshFormat(kind)) return QString::fromLatin1(format->ending).mid(1);
+  return kind == ExportKind::Png ? QStringLiteral("png") : QStringLiteral("html");
 }
 
 QString exportName(ExportKind kind) {
-  switch (kind) {
-    case ExportKind::Obj:
-      return ExportTexts::tr("Wavefront OBJ: exact, in the file's frame");
-    case ExportKind::Gltf:
-      return ExportTexts::tr("glTF, text: metres, Y up");
-    case ExportKind::Glb:
-      return ExportTexts::tr("glTF, binary: metres, Y up");
-    case ExportKind::Png:
-      return ExportTexts::tr("PNG: the view as a picture");
-    case ExportKind::Html:
-      break;
-  }
-  return ExportTexts::tr("HTML: a report with figures and pictures");
+  if (const FormatDescriptor* format = meshFormat(kind)) return coreText(Text(format->name));
+  return kind == ExportKind::Png ? ExportTexts::tr("PNG: the view as a picture")
+                                 : ExportTexts::tr("HTML: a report with figures and pictures");
 }
 
 ExportKind exportKindOf(const QString& path, ExportKind usual) {

@@ -8,13 +8,14 @@
 #include <array>
 
 #include "core/io/export.hpp"
+#include "core/io/formats/format_table.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
 
-enum class ExportKind { Obj, Gltf, Glb, Png, Html };
-inline constexpr std::array kExportKinds{ExportKind::Obj, ExportKind::Gltf, ExportKind::Glb, ExportKind::Png,
-                                         ExportKind::Html};
+enum class ExportKind { Obj, Gltf, Glb, Detour, Godot, Png, Html };
+inline constexpr std::array kExportKinds{ExportKind::Obj,   ExportKind::Gltf, ExportKind::Glb, ExportKind::Detour,
+                                         ExportKind::Godot, ExportKind::Png,  ExportKind::Html};
 
 struct ExportSettings {
   ExportKind kind = ExportKind::Obj;
@@ -24,6 +25,8 @@ struct ExportSettings {
   bool pictures = true;  ///< in the report
 };
 
+/// The format of the result itself; null for pictures and reports.
+const FormatDescriptor* meshFormat(ExportKind kind);
 /// Without its dot: "obj".
 QString exportEnding(ExportKind kind);
 QString exportName(ExportKind kind);

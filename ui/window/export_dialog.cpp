@@ -13,7 +13,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/io/gltf_export.hpp"
+#include "core/io/formats/save.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 #include "ui/base/core_text.hpp"
@@ -42,6 +42,13 @@ QCheckBox* addBox(QVBoxLayout* layout, const QString& id, const QString& text, c
   box->setToolTip(help);
   layout->addWidget(box);
   return box;
+}
+
+/// ".obj, .gltf" and so on.
+QString allEndings() {
+  QStringList endings;
+  for (const ExportKind kind : kExportKinds) endings << QLatin1Char('.') + exportEnding(kind);
+  return endings.join(QStringLiteral(", "));
 }
 
 QString counted(std::size_t count, const QString& one, const QString& many) {
@@ -107,12 +114,13 @@ void ExportDialog::createWidgets() {
   up_->setObjectName(QStringLiteral("exportUp"));
   up_->addItem(tr("As in the file"));
   for (const UpAxis up : kUpAxes) up_->addItem(tr("%1 up").arg(QString::fromStdString(shownName(up))));
-  up_->setToolTip(tr("Which axis points up in the export; glTF is always Y up"));
+  up_->setToolTip(tr("Which axis points up in the export; all formats but OBJ are always Y up"));
   scale_ = new NumberField(scaleDescriptor(), frameOptions_);
   scale_->setObjectName(QStringLiteral("exportScale"));
   scale_->setFixedWidth(96);
   scale_->setToolTip(
-      tr("Coordinates are multiplied with it. 1 keeps the file's units (metres in glTF), and OBJ exact; other scales "
+      tr("Coordinates are multiplied with it. 1 keeps the file's units (metres in all formats but OBJ), and OBJ exact; "
+         "other scales "
          "than powers of two round once more."));
   frame->addRow(tr("Up axis"), up_);
   frame->addRow(tr("Scale"), scale_);
@@ -210,7 +218,7 @@ ExportSettings ExportDialog::settings() const {
   if (kind() == ExportKind::Obj && up_->currentIndex() > 0)
     settings.options.up = kUpAxes[static_cast<std::size_t>(up_->currentIndex()) - 1];
   settings.options.scale = scale_->value();
-  settings.placed = placed_->isChecked();
+  settings.placed = placed_->isChecked() && (!meshFormat(kind()) || meshFormat(kind())->hasExtras);
   settings.pictureSize = pictureSize_->currentIndex();
   settings.pictures = pictures_->isChecked();
   return settings;
@@ -261,8 +269,8 @@ QString ExportDialog::problem() const {
   for (const QString& name : {path_->text().trimmed(), file})
     if (QFileInfo(name).isDir()) return tr("%1 is a folder; give the name of a file in it.").arg(name);
   if (info.suffix().toLower() != exportEnding(kind()))
-    return tr("\".%1\" is no format that can be written; the name must end in .obj, .gltf, .glb, .png or .html.")
-        .arg(info.suffix());
+    return tr("\".%1\" is no format that can be written; the name must end in one of %2.")
+        .arg(info.suffix(), allEndings());
   const QString refused = source_.refusal ? source_.refusal(file) : QString();
   if (!refused.isEmpty()) return refused;
   const QString unwritable = errorOf([&] { checkWritable(QFile::encodeName(file).toStdString()); });
@@ -281,28 +289,40 @@ QString ExportDialog::content() const {
     if (pictures_->isChecked()) parts << tr("three pictures");
     return tr("Figures of a result with %1.").arg(parts.join(QStringLiteral(", ")));
   }
-  if (layers_->isChecked()) parts << counted(mesh.layerCount, tr("layer"), tr("layers"));
-  if (connections_->isChecked()) parts << counted(mesh.connections.size(), tr("connection"), tr("connections"));
-  if (obstacleEdges_->isChecked())
+  const FormatDescriptor& format = *meshFormat(kind());
+  if (format.hasLayers && layers_->isChecked()) parts << counted(mesh.layerCount, tr("layer"), tr("layers"));
+  if (format.hasLines && connections_->isChecked())
+    parts << counted(mesh.connections.size(), tr("connection"), tr("connections"));
+  if (format.hasLines && obstacleEdges_->isChecked())
     parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"));
   const auto gaps = static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
   if (steps_->isChecked() && gaps < mesh.links.size())
     parts << counted(mesh.links.size() - gaps, tr("step"), tr("steps"));
   if (steps_->isChecked() && gaps > 0) parts << counted(gaps, tr("gap"), tr("gaps"));
-  if (drops_->isChecked() && !mesh.drops.empty()) parts << counted(mesh.drops.size(), tr("drop"), tr("drops"));
-  if (placed_->isChecked()) parts << counted(source_.placed.size(), tr("placed obstacle"), tr("placed obstacles"));
-  return parts.join(QStringLiteral(", ")) + QLatin1Char('.') +
+  if (format.hasDrops && drops_->isChecked() && !mesh.drops.empty())
+    parts << counted(mesh.drops.size(), tr("drop"), tr("drops"));
+  if (format.hasExtras && placed_->isChecked())
+    parts << counted(source_.placed.size(), tr("placed obstacle"), tr("placed obstacles"));
+  return parts.join(QStringLiteral(", ")) + QLatin1Char('.') + QLatin1Char('\n') +
+         tr("The format loses: %1.").arg(coreText(Text(format.loses))) +
          (source_.isUpToDate ? QString() : QLatin1Char('\n') + tr("The export waits for the run under way."));
 }
 
 void ExportDialog::refresh() {
-  const bool isMesh = kind() == ExportKind::Obj || kind() == ExportKind::Gltf || kind() == ExportKind::Glb;
+  const FormatDescriptor* format = meshFormat(kind());
+  const bool isMesh = format != nullptr;
+  if (format) {
+    layers_->setVisible(format->hasLayers);
+    for (QCheckBox* box : {connections_, obstacleEdges_}) box->setVisible(format->hasLines);
+    drops_->setVisible(format->hasDrops);
+    placed_->setVisible(format->hasExtras);
+  }
   auto* form = static_cast<QFormLayout*>(layout()->itemAt(0)->layout());
   form->setRowVisible(meshOptions_, isMesh);
   form->setRowVisible(frameOptions_, isMesh);
   form->setRowVisible(pictureOptions_, kind() == ExportKind::Png);
   form->setRowVisible(reportOptions_, kind() == ExportKind::Html);
-  up_->setEnabled(kind() == ExportKind::Obj);
+  up_->setEnabled(format && format->hasFrame);
   content_->setText(content());
   const QString why = problem();
   problem_->setText(why);
@@ -314,8 +334,7 @@ void ExportDialog::refresh() {
 void ExportDialog::estimate() {
   if (estimating_) estimating_->cancel();
   estimating_.reset();
-  const bool isMesh = kind() == ExportKind::Obj || kind() == ExportKind::Gltf || kind() == ExportKind::Glb;
-  if (!isMesh || !source_.run || !source_.isUpToDate || !scale_->problem().isEmpty()) {
+  if (!meshFormat(kind()) || !source_.run || !source_.isUpToDate || !scale_->problem().isEmpty()) {
     size_->clear();
     return;
   }
@@ -328,19 +347,12 @@ void ExportDialog::estimate() {
     try {
       const ExportHeader header = makeExportHeader(run->pipeline);
       const std::vector<ExportExtra> extras = all.placed ? placed : std::vector<ExportExtra>();
-      std::size_t size = 0;
-      double error = 0;
-      if (all.kind == ExportKind::Obj) {
-        size = formatObj(*run->result.mesh, header, all.options, extras).size();
-      } else {
-        const GltfFile file = formatGltf(all.kind == ExportKind::Gltf ? GltfKind::Text : GltfKind::Binary,
-                                         *run->result.mesh, header, all.options, extras);
-        size = file.bytes.size();
-        error = file.largestError;
-      }
-      text = tr("Size: %1").arg(numberLocale().formattedDataSize(static_cast<qint64>(size)));
-      if (error > 0)
-        text += QStringLiteral("; ") + tr("glTF has floats: coordinates move by up to %1 m").arg(shortText(error, 2));
+      const ExportBytes file =
+          formatExport(meshFormat(all.kind)->format, *run->result.mesh, header, all.options, extras);
+      text = tr("Size: %1").arg(numberLocale().formattedDataSize(static_cast<qint64>(file.bytes.size())));
+      if (file.largestError > 0)
+        text += QStringLiteral("; ") +
+                tr("The format has floats: coordinates move by up to %1 m").arg(shortText(file.largestError, 2));
     } catch (const std::exception& problem) {
       text = coreText(problem);
     }

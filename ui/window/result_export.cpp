@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/io/gltf_export.hpp"
+#include "core/io/formats/save.hpp"
 #include "core/report/html_report.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/report.hpp"
@@ -173,12 +173,9 @@ void ResultExport::writeMesh(const QString& path, const ExportSettings& settings
        extras = settings.placed ? placedExtras() : std::vector<ExportExtra>()] {
         const ExportHeader header = makeExportHeader(run->pipeline);
         const NavigationMesh& mesh = *run->result.mesh;
-        if (settings.kind == ExportKind::Obj) {
-          writeFileSafely(target, formatObj(mesh, header, settings.options, extras));
-        } else {
-          const GltfKind kind = settings.kind == ExportKind::Gltf ? GltfKind::Text : GltfKind::Binary;
-          writeFileSafely(target, formatGltf(kind, mesh, header, settings.options, extras).bytes);
-        }
+        const ExportBytes file =
+            formatExport(meshFormat(settings.kind)->format, mesh, header, settings.options, extras);
+        writeFileSafely(target, file.bytes);
       },
       path);
 }

@@ -18,7 +18,7 @@ constexpr std::array kFormats{
     FormatDescriptor{
         .format = ExportFormat::Obj,
         .ending = ".obj",
-        .name = FOOTFALL_TEXT("OBJ: the source's frame and units, doubles"),
+        .name = FOOTFALL_TEXT("Wavefront OBJ: exact, in the file's frame"),
         .keeps = FOOTFALL_TEXT("everything, in doubles; footfall compare and other tools read it back"),
         .loses = FOOTFALL_TEXT("nothing"),
         .hasFrame = true,
@@ -26,21 +26,21 @@ constexpr std::array kFormats{
     FormatDescriptor{
         .format = ExportFormat::Gltf,
         .ending = ".gltf",
-        .name = FOOTFALL_TEXT("glTF: one JSON file, in metres, Y up"),
+        .name = FOOTFALL_TEXT("glTF, text: metres, Y up"),
         .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
         .loses = FOOTFALL_TEXT("doubles"),
     },
     FormatDescriptor{
         .format = ExportFormat::Glb,
         .ending = ".glb",
-        .name = FOOTFALL_TEXT("GLB: binary glTF, in metres, Y up"),
+        .name = FOOTFALL_TEXT("glTF, binary: metres, Y up"),
         .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
         .loses = FOOTFALL_TEXT("doubles"),
     },
     FormatDescriptor{
         .format = ExportFormat::Detour,
         .ending = ".bin",
-        .name = FOOTFALL_TEXT("Detour: tile set of Recast's demo, in metres, Y up"),
+        .name = FOOTFALL_TEXT("Detour: tile set, metres, Y up"),
         .keeps =
             FOOTFALL_TEXT("who can reach whom: convex polygons, heights, steps, drops, the agent; layers as areas"),
         .loses = FOOTFALL_TEXT("doubles; more than 58 layers; placed obstacles"),
@@ -50,7 +50,7 @@ constexpr std::array kFormats{
     FormatDescriptor{
         .format = ExportFormat::Godot,
         .ending = ".tres",
-        .name = FOOTFALL_TEXT("Godot: NavigationMesh, in metres, Y up"),
+        .name = FOOTFALL_TEXT("Godot: NavigationMesh, metres, Y up"),
         .keeps = FOOTFALL_TEXT("convex polygons, steps as polygons, the agent"),
         .loses = FOOTFALL_TEXT("doubles, drops, layers, placed obstacles; what is smaller than a cell of Godot's map"),
         .hasLayers = false,

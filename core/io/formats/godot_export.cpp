@@ -92,24 +92,45 @@ class GodotPolygons {
       if (merged.neighbours[merged.first[polygon] + k] != kNoPolygon) continue;
       const auto pieces = pieces_.find({a, b});
       if (pieces != pieces_.end() && pieces->second.count > 1) {
-        corners.insert(corners.end(), pieces->second.vertices.begin() + 1, pieces->second.vertices.end() - 1);
+        const std::vector<std::uint32_t>& parts = pieces->second.vertices;
+        for (std::size_t i = 0; i + 1 < parts.size(); ++i) ++borders_[key(parts[i], parts[i + 1])];
+        corners.insert(corners.end(), parts.begin() + 1, parts.end() - 1);
         continue;
       }
-      const Key edge = key(a, b);
-      if (joined_.contains(edge)) continue;
-      const int earlier = borders_[edge]++;
-      if (earlier > 0) corners.push_back(placeOn({a, b}, 1.0 / (1 + earlier)));
+      if (joined_.contains(key(a, b))) {
+        ++borders_[key(a, b)];
+        continue;
+      }
+      keepApart(corners, {a, b});
     }
-    polygons_.push_back(std::move(corners));
+    addPolygon(corners);
+  }
+
+  /// Of the edges at one place, all but the first get a corner of their own, each another one.
+  void keepApart(Polygon& corners, const Edge& edge) {
+    if (isSamePlace(edge[0], edge[1])) return;
+    const int earlier = borders_[key(edge[0], edge[1])]++;
+    if (earlier > 0) corners.push_back(placeOn(edge, 1.0 / (1 + earlier)));
+  }
+
+  /// Without corners that are at one place as floats. What is left of a polygon with two corners is not needed: what
+  /// was beside it has edges at one place.
+  void addPolygon(const Polygon& corners) {
+    Polygon apart;
+    for (const std::uint32_t v : corners)
+      if (apart.empty() || !(isSamePlace(apart.back(), v) || isSamePlace(apart.front(), v))) apart.push_back(v);
+    if (apart.size() >= 3) polygons_.push_back(std::move(apart));
   }
 
   /// Beyond the edge of the first border, back along the second one.
   void addStep(const EngineLink& link) {
     const Edge from = nextPiece(link.from), to = nextPiece(link.to);
-    Polygon corners;
-    for (const std::uint32_t v : {from[1], from[0], to[1], to[0]})
-      if (corners.empty() || !(isSamePlace(corners.back(), v) || isSamePlace(corners.front(), v))) corners.push_back(v);
-    if (corners.size() >= 3) polygons_.push_back(std::move(corners));  // else Godot joins both edges itself
+    if (isSamePlace(from[0], from[1]) || isSamePlace(to[0], to[1])) return;  // shorter than floats tell
+    Polygon corners{from[1], from[0]};
+    keepApart(corners, {from[0], to[1]});
+    corners.insert(corners.end(), {to[1], to[0]});
+    keepApart(corners, {to[0], from[1]});
+    addPolygon(corners);
   }
 
   EngineMesh& mesh_;

@@ -133,11 +133,11 @@ class TestExportDialog : public QObject {
     ExportDialog* dialog = openDialog();
     box("exportFormat")->setFocus();
     QStringList endings;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 6; ++i) {
       QTest::keyClick(box("exportFormat"), Qt::Key_Down);
       endings << QFileInfo(dialog->path()).suffix();
     }
-    QCOMPARE(endings, (QStringList{"gltf", "glb", "png", "html"}));
+    QCOMPARE(endings, (QStringList{"gltf", "glb", "bin", "tres", "png", "html"}));
     QVERIFY(!box("exportPictureSize")->isVisible());
     shoot(*dialog, "export-html");
   }

@@ -126,6 +126,46 @@ class TestGltfExport : public QObject {
                 .contains("placed_my crate\n2"));
   }
 
+  void extrasSayWhatTheTrianglesDoNot() {
+    NavigationMesh mesh = framed(sample(), frame(UpAxis::Y, 0.5));
+    mesh.links = {{{0, 1}, {7, 6}, 0, 4, 0.25, 0.125, StepKind::Gap}};
+    mesh.drops.resize(1);
+    mesh.drops[0].fromTriangle = 2;
+    mesh.drops[0].depth = 3;
+    ExportHeader header;
+    header.numbers.height = 2;
+    header.numbers.step = 0.5;
+    ExportOptions options;
+    options.scale = 2;
+    const auto object = [&](double scale, bool navmeshNode) {
+      options.scale = scale;
+      options.navmeshNode = navmeshNode;
+      const GltfFile file = formatGltf(GltfKind::Text, mesh, header, options);
+      return QJsonDocument::fromJson(QByteArray::fromStdString(file.bytes)).object();
+    };
+    QMap<QString, QJsonObject> extras;
+    const QJsonObject json = object(1, false);
+    for (const auto& node : json["nodes"].toArray())
+      extras[node.toObject()["name"].toString()] = node.toObject()["extras"].toObject();
+    QCOMPARE(extras["layer_1"]["layer"].toInt(), 1);
+    QCOMPARE(extras["layer_1"]["triangles"].toInt(), 2);
+    QCOMPARE(extras["layer_1"]["area"].toDouble(), std::sqrt(5.0) * 2 / 4);
+    QCOMPARE(extras["gaps"]["faces"].toArray(), (QJsonArray{2}));
+    QCOMPARE(extras["gaps"]["heights"].toArray(), (QJsonArray{0.125}));
+    QCOMPARE(extras["gaps"]["widths"].toArray(), (QJsonArray{0.0625}));
+    QCOMPARE(extras["gaps"]["layers"].toArray(), (QJsonArray{QJsonArray{0, 0}}));
+    QCOMPARE(extras["drops"]["depths"].toArray(), (QJsonArray{1.5}));
+    QCOMPARE(extras["drops"]["layers"].toArray(), (QJsonArray{QJsonArray{1, 0}}));
+    const auto numbersOf = [](const QJsonObject& file) {
+      return file["asset"].toObject()["extras"].toObject()["agent_numbers"].toObject();
+    };
+    QCOMPARE(numbersOf(json)["height"].toDouble(), 1.0);
+    QCOMPARE(numbersOf(json)["step"].toDouble(), 0.25);
+    QVERIFY(numbersOf(json)["max_slope"].isNull());
+    QCOMPARE(numbersOf(object(2, false))["height"].toDouble(), 2.0);
+    QCOMPARE(names(object(1, true)["meshes"].toArray()).front(), QString("walkable-navmesh"));
+  }
+
   void gltfHasAMeshForEachLayer() {
     const QJsonObject json = gltf(framed(sample(), frame(UpAxis::Y)));
     QCOMPARE(names(json["meshes"].toArray()), (QStringList{"layer_0", "layer_1", "connections", "obstacle_edges"}));
@@ -275,7 +315,8 @@ class TestGltfExport : public QObject {
     }
     const Outcome unknown = run({QString::fromStdString(folder.path("out.fbx"))});
     QCOMPARE(unknown.exitCode, 2);
-    QVERIFY2(unknown.err.contains("give a name that ends in .obj, .gltf, .glb, .bin or .tres"), unknown.err.constData());
+    QVERIFY2(unknown.err.contains("give a name that ends in .obj, .gltf, .glb, .bin or .tres"),
+             unknown.err.constData());
     QCOMPARE(run({out, "--export-scale", "0"}).exitCode, 2);
   }
 };
