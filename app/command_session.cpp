@@ -8,14 +8,27 @@
 
 #include "core/base/worker_arena.hpp"
 #include "core/environment/part_rules.hpp"
+#include "core/io/ifc_reader.hpp"
 #include "core/io/import.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::app {
 using namespace detail;
+namespace {
+
+/// Nobody walks on the furniture of a building; rules by name come afterwards.
+std::vector<PartRule> usualRules(const Environment& environment) {
+  std::vector<PartRule> rules;
+  for (const EnvironmentPart& part : environment.parts)
+    if (isIfcFurniture(part.material)) rules.push_back({part.mesh, part.material, PartRole::ObstacleOnly});
+  return rules;
+}
+
+}  // namespace
 
 CommandSession::CommandSession(int threads, bool quiet)
     : threads_(threads),
+      quiet_(quiet),
       bar_(!quiet && isatty(STDERR_FILENO) != 0),
       context_([this](const RunEvent& event) { bar_.show(event); }),
       watcher_(context_) {
@@ -26,7 +39,11 @@ std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions
   begin("loading");
   const auto environment =
       onThreads(threads_, [&](int) { return importEnvironment(options.path, options.import(), &context_); });
-  std::vector<PartRule> rules;
+  if (const Text note = missingIfcConverter(options.path); !quiet_ && !note.empty()) {
+    end();
+    std::cerr << "footfall: note: " << options.path << ": " << note.str() << '\n';
+  }
+  std::vector<PartRule> rules = usualRules(*environment);
   const auto add = [&](const std::vector<std::string>& names, PartRole role, const char* option) {
     for (const std::string& name : names) {
       const std::vector<PartRule> named = rulesForName(*environment, name, role, option);

@@ -29,8 +29,9 @@ class CommandSession {
   /// Wipes the progress bar.
   void end() { bar_.clear(); }
 
-  /// Imports the environment and gives its parts their roles. InputError also when a name means nothing or nothing is
-  /// left.
+  /// Imports the environment and gives its parts their roles, furniture of buildings (IFC) that of an obstacle. Notes
+  /// on stderr, unless quiet, what a missing converter for such files costs. InputError also when a name means nothing
+  /// or nothing is left.
   std::shared_ptr<const Environment> load(const EnvironmentOptions& options);
   /// Runs the pipeline; errors name its file.
   RunResult run(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
@@ -38,6 +39,7 @@ class CommandSession {
 
  private:
   int threads_;
+  bool quiet_;
   std::optional<tbb::global_control> limit_;
   ProgressBar bar_;
   RunContext context_;

@@ -5,10 +5,12 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "core/base/counted_text.hpp"
 #include "core/io/assimp_reader.hpp"
+#include "core/io/ifc_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 #include "footfall/up_axis.hpp"
@@ -64,7 +66,9 @@ Environment load(const std::string& path, const ImportOptions& options, RunConte
                                   : Text(FOOTFALL_TEXT("unknown extension '.%1'"), extension),
                 FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
     }
-    frame = readWithAssimp(path, environment, context);
+    std::optional<FileFrame> converted;
+    if (extension == "ifc") converted = readIfc(path, environment, context);
+    frame = converted ? *converted : readWithAssimp(path, environment, context);
   }
   if (environment.triangles.empty()) {
     const SkippedElements& skipped = environment.skipped;
