@@ -268,6 +268,7 @@ class PageDrawer {
       }
       Sum& sum = sums[subject_.parts.ofTriangle[part.triangles.front()]];
       sum.area += area;
+      contents_.area += area;
       if (area > sum.largest) {
         sum.largest = area;
         sum.piece = &part;

@@ -173,7 +173,7 @@ class TestFloorPlan : public QObject {
     options.colours = PlanColours::Colour;
     const Sheet sheet = level.draw(options)[0];
     QVERIFY(!says(sheet, "thin wall"));
-    QVERIFY(says(sheet, "58.0 m\u00b2") && !says(sheet, "62.0"));
+    QVERIFY(says(sheet, "walkable 58.0 m\u00b2") && !says(sheet, "60.0"));
     // A wall that is no body stays a thin wall.
     QVERIFY(says(Level(Soup().floor(0, 0, 10, 6, 0).wall(3, 1, 3, 4, 0, 3)).draw()[0], "thin wall"));
   }
