@@ -8,7 +8,6 @@
 
 #include "core/base/counted_text.hpp"
 #include "core/base/number_text.hpp"
-#include "core/base/vector.hpp"
 #include "core/io/formats/geojson_export.hpp"
 #include "core/io/formats/wkt_export.hpp"
 #include "core/report/plan_drawing.hpp"
@@ -174,15 +173,14 @@ class TitleBlock {
 };
 
 /// "heights 0 m to 3.2 m, walkable 412 m²"
-std::string figuresOf(const NavigationMesh& mesh, const PlanPage& page, double metresPerUnit) {
-  double lower = std::numeric_limits<double>::infinity(), upper = -lower, area = 0;
+std::string figuresOf(const NavigationMesh& mesh, const PlanPage& page, double area, double metresPerUnit) {
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const std::uint32_t t : page.triangles) {
     const Triangle& corners = mesh.triangles[t];
     for (const std::uint32_t v : corners) {
       lower = std::min(lower, mesh.vertices[v].z);
       upper = std::max(upper, mesh.vertices[v].z);
     }
-    area += areaOf(mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]);
   }
   const std::string from = metresText(lower * metresPerUnit), to = metresText(upper * metresPerUnit);
   return (from == to ? "height " + from : "heights " + from + " to " + to) + "; walkable " +
@@ -237,9 +235,9 @@ std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline&
     std::string count =
         pages.size() == 1 ? std::string() : " (" + std::to_string(i + 1) + " of " + std::to_string(pages.size()) + ")";
     TitleBlock(layout, style, sheet)
-        .draw(
-            {name, page + count + "; " + figuresOf(mesh, pages[i], metres), "For an agent: " + describeAgent(pipeline)},
-            contents, metres, environment.up);
+        .draw({name, page + count + "; " + figuresOf(mesh, pages[i], contents.area, metres),
+               "For an agent: " + describeAgent(pipeline)},
+              contents, metres, environment.up);
     sheets.push_back(std::move(sheet));
   }
   return sheets;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "core/base/counted_text.hpp"
 #include "core/base/vector.hpp"
@@ -44,6 +46,7 @@ class PageDrawer {
   PlanContents draw() {
     drawWalls();
     outline_ = outlineInPlan(mesh_, page_.triangles, EdgeRule::Joined, poll_);
+    hideInsideOfWalls();
     drawWalkable();
     drawGaps();
     drawSteps();
@@ -80,11 +83,11 @@ class PageDrawer {
   // Below the walkable area, so that of what stands at its border the outer half is seen, and nothing that is cut
   // elsewhere, such as a flight of stairs, covers floors above it.
   void drawWalls() {
-    const PlanWalls walls = cutWalls(subject_.environment, mesh_, page_.triangles, subject_.cut, poll_);
+    PlanWalls walls = cutWalls(subject_.environment, mesh_, page_.triangles, subject_.cut, poll_);
     contents_.walls = !walls.solids.empty() || !walls.closedLines.empty() || !walls.openLines.empty();
-    for (const std::vector<PlanLineString>& solid : walls.solids) {
+    for (const PlanSolid& solid : walls.solids) {
       SheetPath path{{}, true, style_.wall, SheetStroke{style_.wallLine, kWallOutline}};
-      for (const PlanLineString& line : solid) path.lines.push_back(lineOf(line));
+      for (const PlanLineString& line : solid.lines) path.lines.push_back(lineOf(line));
       addPath(std::move(path));
     }
     SheetPath closed{{}, true, {}, SheetStroke{style_.wallLine, kWallLine}}, open{{}, false, {}, closed.stroke};
@@ -92,6 +95,33 @@ class PageDrawer {
     for (const PlanLineString& line : walls.openLines) open.lines.push_back(lineOf(line));
     addPath(std::move(closed));
     addPath(std::move(open));
+    solids_ = std::move(walls.solids);
+  }
+
+  /// Floors go on under walls that are bodies, and there is room for an agent in many. No plan shows that.
+  void hideInsideOfWalls() {
+    std::erase_if(outline_.parts, [this](const PlanPart& part) {
+      const bool isHidden =
+          std::all_of(part.triangles.begin(), part.triangles.end(), [this](std::uint32_t t) { return isInWall(t); });
+      if (!isHidden) return false;
+      for (std::size_t i = 0; i < part.outer.size(); ++i)
+        hiddenEdges_.insert(placesOf({part.outer[i], part.outer[(i + 1) % part.outer.size()]}));
+      return true;
+    });
+  }
+
+  [[nodiscard]] bool isInWall(std::uint32_t triangle) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const Vec3 middle = (1.0 / 3) * (mesh_.vertices[t[0]] + mesh_.vertices[t[1]] + mesh_.vertices[t[2]]);
+    return std::any_of(solids_.begin(), solids_.end(), [&](const PlanSolid& solid) {
+      return std::abs(solid.level - middle.z) < subject_.cut.tolerance && contains(solid, {middle.x, middle.y});
+    });
+  }
+
+  /// What is equal for the two sides of an obstacle edge.
+  [[nodiscard]] std::pair<PlanPlace, PlanPlace> placesOf(const std::array<std::uint32_t, 2>& edge) const {
+    const Vec3 &a = mesh_.vertices[edge[0]], &b = mesh_.vertices[edge[1]];
+    return std::minmax(PlanPlace{a.x, a.y}, PlanPlace{b.x, b.y});
   }
 
   void drawWalkable() {
@@ -144,7 +174,7 @@ class PageDrawer {
     for (const auto& edge : mesh_.obstacleEdges)
       if (std::binary_search(sides.begin(), sides.end(),
                              std::array{std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}))
-        edges.lines.push_back({at(edge[0]), at(edge[1])});
+        if (!hiddenEdges_.contains(placesOf(edge))) edges.lines.push_back({at(edge[0]), at(edge[1])});
     contents_.obstacleEdges = !edges.lines.empty();
     addPath(std::move(edges));
   }
@@ -238,6 +268,7 @@ class PageDrawer {
       }
       Sum& sum = sums[subject_.parts.ofTriangle[part.triangles.front()]];
       sum.area += area;
+      contents_.area += area;
       if (area > sum.largest) {
         sum.largest = area;
         sum.piece = &part;
@@ -280,6 +311,8 @@ class PageDrawer {
   Poll poll_;
   std::vector<char> isHere_;
   PlanOutline outline_;
+  std::vector<PlanSolid> solids_;
+  std::set<std::pair<PlanPlace, PlanPlace>> hiddenEdges_;
   PlanContents contents_;
 };
 

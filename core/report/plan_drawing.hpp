@@ -12,9 +12,10 @@
 
 namespace footfall::detail {
 
-/// What a page shows, for its legend.
+/// What a page shows, for what is written around it.
 struct PlanContents {
   bool walls = false, obstacleEdges = false, steps = false, gaps = false, drops = false, passages = false;
+  double area = 0;  ///< of the floors that are drawn; the square of the environment's unit
 };
 
 struct PlanStyle {

@@ -181,7 +181,7 @@ class Chains {
 };
 
 /// Sorts the closed lines into solids, their hollows, and what surrounds a space.
-void sortClosed(std::vector<PlanLineString> closed, PlanWalls& walls) {
+void sortClosed(std::vector<PlanLineString> closed, double level, PlanWalls& walls) {
   struct Solid {
     double area;
     std::vector<PlanLineString> lines;
@@ -206,7 +206,7 @@ void sortClosed(std::vector<PlanLineString> closed, PlanWalls& walls) {
     else
       walls.closedLines.push_back(std::move(hollow));
   }
-  for (Solid& solid : solids) walls.solids.push_back(std::move(solid.lines));
+  for (Solid& solid : solids) walls.solids.push_back({std::move(solid.lines), level});
 }
 
 class WallCutter {
@@ -264,7 +264,7 @@ class WallCutter {
     std::vector<PlanLineString> closed;
     for (PlanLineString& line : chains.closed)
       if (comesNear(line, true, level)) closed.push_back(std::move(line));
-    sortClosed(std::move(closed), walls);
+    sortClosed(std::move(closed), level, walls);
   }
 
   [[nodiscard]] bool comesNear(const PlanLineString& line, bool isClosed, double level) const {
@@ -298,6 +298,12 @@ class WallCutter {
 };
 
 }  // namespace
+
+bool contains(const PlanSolid& solid, const PlanPlace& place) {
+  bool isInside = false;
+  for (const PlanLineString& line : solid.lines) isInside = isInside != contains(line, place);
+  return isInside;
+}
 
 PlanWalls cutWalls(const Environment& environment, const NavigationMesh& mesh, std::span<const std::uint32_t> triangles,
                    const WallCut& cut, Poll poll) {

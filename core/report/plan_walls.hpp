@@ -16,10 +16,15 @@ namespace footfall::detail {
 using PlanPlace = std::array<double, 2>;  ///< x and y, in the environment's units
 using PlanLineString = std::vector<PlanPlace>;
 
+/// A wall with a thickness, as it is cut for the floors about as high as `level`.
+struct PlanSolid {
+  std::vector<PlanLineString> lines;  ///< its outline, counter-clockwise, and the hollows in it
+  double level = 0;
+};
+
 /// Closed lines have no last point that repeats the first.
 struct PlanWalls {
-  /// Walls with a thickness: each the outline of one, counter-clockwise, and the hollows in it.
-  std::vector<std::vector<PlanLineString>> solids;
+  std::vector<PlanSolid> solids;
   std::vector<PlanLineString> closedLines;  ///< surfaces round a space, such as the walls of a level seen from inside
   std::vector<PlanLineString> openLines;    ///< surfaces without a thickness or with open ends
 };
@@ -35,5 +40,8 @@ struct WallCut {
 /// given. Rounded; for pictures only. `poll` may throw.
 PlanWalls cutWalls(const Environment& environment, const NavigationMesh& mesh, std::span<const std::uint32_t> triangles,
                    const WallCut& cut, Poll poll = {});
+
+/// Whether a place is inside a solid.
+bool contains(const PlanSolid& solid, const PlanPlace& place);
 
 }  // namespace footfall::detail

@@ -159,10 +159,23 @@ class TestFloorPlan : public QObject {
     const PlanWalls walls = cutWalls(*level.environment, *level.mesh, allOf(*level.mesh), {});
     QVERIFY(walls.openLines.empty() && walls.closedLines.empty());
     double area = 0;
-    for (const auto& solid : walls.solids) area += areaOf(solid[0]);
+    for (const auto& solid : walls.solids) area += areaOf(solid.lines[0]);
     QVERIFY(std::abs(area - (1 + 2 * 10.4 * 0.2 + 2 * 6 * 0.2)) < 1e-9);
     // Nothing stands near a part of the floor that is farther away than the margin.
     QVERIFY(cutWalls(*level.environment, *level.mesh, {}, {}).solids.empty());
+  }
+
+  // The floor goes on under the pillar, which is high enough to stand in.
+  void insideOfWallsIsNoFloor() {
+    const Level level(Soup().floor(0, 0, 10, 6, 0).box({4, 2, 0}, {6, 3, 3}));
+    QVERIFY(level.mesh->obstacleEdges.size() >= 4);
+    PlanOptions options;
+    options.colours = PlanColours::Colour;
+    const Sheet sheet = level.draw(options)[0];
+    QVERIFY(!says(sheet, "thin wall"));
+    QVERIFY(says(sheet, "walkable 58.0 m\u00b2") && !says(sheet, "60.0"));
+    // A wall that is no body stays a thin wall.
+    QVERIFY(says(Level(Soup().floor(0, 0, 10, 6, 0).wall(3, 1, 3, 4, 0, 3)).draw()[0], "thin wall"));
   }
 
   void thinAndHollowWalls() {
