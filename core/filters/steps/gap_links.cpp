@@ -72,7 +72,7 @@ void StepLinker::tryGap(Index first, Index second, Worker& worker) const {
   const int from = geometry.orientation(e.from, e.to, f.from), to = geometry.orientation(e.from, e.to, f.to);
   if (from == 0 && to == 0) return;
   for (GapPiece& free : worker.gaps.findFree(near, far, *piece))
-    worker.gapStretches.push_back({first, second, std::move(free), {}, false});
+    worker.found.gaps.push_back({first, second, std::move(free), {}, false});
 }
 
 const MeshVertex* StepLinker::vertexAt(const Border& border, const GapFrame& frame, double along) const {

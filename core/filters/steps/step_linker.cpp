@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 
@@ -20,7 +21,7 @@ using Tree = BoxTree<3>;
 
 constexpr Index kBordersPerTask = 64;
 
-Tree::Bounds boundsOf(const MeshVertex& a, const MeshVertex& b) {
+Tree::Bounds boundsBetween(const MeshVertex& a, const MeshVertex& b) {
   Tree::Bounds bounds;
   const auto set = [&](int k, double p, double q) {
     const double margin = std::max(a.error, b.error) + std::max(std::fabs(p), std::fabs(q)) * 0x1p-50;
@@ -54,9 +55,10 @@ StepLinker::StepLinker(const WalkableState& state, RunContext& context)
   buildTree();
 }
 
-std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap) {
+std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap, StepMemory* memory) {
   gap_ = gap;
-  findStretches(step, height, gap);
+  if (memory != nullptr) *memory = {state_.mesh, step, height, gap, borders_, {}};
+  findStretches(step, height, gap, memory);
   return makeMesh();
 }
 
@@ -88,13 +90,15 @@ void StepLinker::buildTree() {
   std::vector<Index> all(borders_.size());
   std::iota(all.begin(), all.end(), 0);
   tree_.build(
-      all, [&](Index i) { return boundsOf(mesh_.vertices[borders_[i].from], mesh_.vertices[borders_[i].to]); },
-      context_);
+      all, [&](Index i) { return boundsOf(borders_[i]); }, context_);
 }
 
-void StepLinker::findStretches(double step, double height, double gap) {
+BoxTree<3>::Bounds StepLinker::boundsOf(const Border& border) const {
+  return boundsBetween(mesh_.vertices[border.from], mesh_.vertices[border.to]);
+}
+
+void StepLinker::findStretches(double step, double height, double gap, StepMemory* memory) {
   const auto count = static_cast<Index>(borders_.size());
-  const auto vertex = [&](Index v) -> const MeshVertex& { return mesh_.vertices[v]; };
   const Index stepLevel = kernel_->levelOf(step).value(), heightLevel = kernel_->levelOf(height).value();
   const int scale = kernel_->mesh().grid.scaleExponent();
   const double scaledStep = std::ldexp(step, scale), scaledHeight = std::ldexp(height, scale);
@@ -104,36 +108,47 @@ void StepLinker::findStretches(double step, double height, double gap) {
     return Worker{{*kernel_, mesh_.vertices},
                   {*kernel_, state_.removed, stepLevel, heightLevel},
                   {kernel_->mesh(), state_.removed, scaledStep, scaledHeight, scaledGap},
-                  {},
                   {}};
   });
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
     Worker& worker = workers.local();
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();
-      Tree::Bounds query = boundsOf(vertex(borders_[i].from), vertex(borders_[i].to));
+      Tree::Bounds query = boundsOf(borders_[i]);
       for (const int k : {0, 1, 2}) {
         query.lower[k] -= k < 2 ? scaledGap : scaledStep;
         query.upper[k] += k < 2 ? scaledGap : scaledStep;
       }
       tree_.visitOverlapping(query, [&](Index other) {
-        if (other <= i) return;
+        if (other <= i || isKnownPair(i, other)) return;
+        const std::size_t undecided = worker.conditions.undecided();
         tryPair(i, other, worker);
+        worker.found.undecided.insert(worker.found.undecided.end(), worker.conditions.undecided() - undecided,
+                                      {i, other});
         if (gap > 0) tryGap(i, other, worker);
       });
     }
   });
+  StepFindings found = std::move(known_);
+  const auto append = [](auto& all, auto& more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
   for (Worker& worker : workers) {
     fallbacks_ += worker.geometry.fallbacks;
-    undecided_ += worker.conditions.undecided();
-    stretches_.insert(stretches_.end(), worker.stretches.begin(), worker.stretches.end());
-    gaps_.insert(gaps_.end(), worker.gapStretches.begin(), worker.gapStretches.end());
+    append(found.stretches, worker.found.stretches);
+    append(found.gaps, worker.found.gaps);
+    append(found.undecided, worker.found.undecided);
   }
   const auto isBefore = [](const auto& a, const auto& b) {
     return std::array{a.first, a.second} < std::array{b.first, b.second};
   };
-  std::stable_sort(stretches_.begin(), stretches_.end(), isBefore);
-  std::stable_sort(gaps_.begin(), gaps_.end(), isBefore);
+  std::stable_sort(found.stretches.begin(), found.stretches.end(), isBefore);
+  std::stable_sort(found.gaps.begin(), found.gaps.end(), isBefore);
+  std::sort(found.undecided.begin(), found.undecided.end());
+  undecided_ = found.undecided.size();
+  if (memory != nullptr) memory->found = found;
+  stretches_ = std::move(found.stretches);
+  gaps_ = std::move(found.gaps);
 }
 
 // What is left of the two borders of a link, which run against each other.
@@ -145,7 +160,7 @@ void StepLinker::addStretches(const WalkableMesh& earlier, const Border& from, c
     const auto isOn = [&](Index v) {
       return kernel_->orientation(a.point, b.point, mesh_.vertices[v].point, origin, geometry_->fallbacks) == 0;
     };
-    tree_.visitOverlapping(boundsOf(a, b), [&](Index i) {
+    tree_.visitOverlapping(boundsBetween(a, b), [&](Index i) {
       if (borders_[i].face == old.face && isOn(borders_[i].from) && isOn(borders_[i].to)) numbers.push_back(i);
     });
     std::sort(numbers.begin(), numbers.end());
@@ -211,14 +226,13 @@ void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
     known.insert(known.end(), others.begin(), others.end());
     return known;
   };
-  const Tree::Bounds own = boundsOf(mesh_.vertices[e.from], mesh_.vertices[e.to]);
-  const Tree::Bounds other = boundsOf(mesh_.vertices[f.from], mesh_.vertices[f.to]);
+  const Tree::Bounds own = boundsOf(e), other = boundsOf(f);
   for (int k = 0; k < 3; ++k) {
     stretch.box.lower[k] = k < 2 ? std::max(own.lower[k], other.lower[k]) : std::min(own.lower[k], other.lower[k]);
     stretch.box.upper[k] = k < 2 ? std::min(own.upper[k], other.upper[k]) : std::max(own.upper[k], other.upper[k]);
   }
   for (const auto& [from, to] : worker.conditions.find(stretch, lines, geometry))
-    worker.stretches.push_back({first, second, from, to});
+    worker.found.stretches.push_back({first, second, from, to});
 }
 
 // What its vertices were made of, the edges of its triangle's face, and the lines that cut that face.

@@ -12,9 +12,12 @@
 #include "core/base/box_tree.hpp"
 #include "core/filters/steps/gap_conditions.hpp"
 #include "core/filters/steps/step_conditions.hpp"
+#include "core/filters/steps/step_memory.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {
+
+class EarlierResult;  // core/assembly/earlier_result.hpp
 
 /// The mesh of a state with steps linked: both borders of a link get vertices where it ends, and wherever the other one
 /// has one, so that links are pairs of whole edges. Across a gap the other one's place is where a line at a right angle
@@ -24,8 +27,12 @@ class StepLinker {
   /// The state must have a mesh.
   StepLinker(const WalkableState& state, RunContext& context);
 
+  /// Takes over what an earlier run of the same filter found between borders that are what they were. `before` is of
+  /// the state that `earlier` relates to; its step, height and gap are those of link(). Before link().
+  void reuse(const StepMemory& before, const EarlierResult& earlier);
   /// The state's kernel must have the levels of `step` and `height`; `gap` is at least 0 (environment units).
-  std::shared_ptr<const WalkableMesh> link(double step, double height, double gap);
+  /// `memory` (may be null) gets what reuse() needs.
+  std::shared_ptr<const WalkableMesh> link(double step, double height, double gap, StepMemory* memory = nullptr);
   /// Links what `earlier` links, where there is still a border. Its vertices are those of the state's kernel.
   std::shared_ptr<const WalkableMesh> relink(const WalkableMesh& earlier);
 
@@ -36,25 +43,8 @@ class StepLinker {
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
 
  private:
-  /// A side of a triangle that cannot be crossed.
-  struct Border {
-    Index side = -1, edge = -1;  ///< edge of the topology
-    Index from = -1, to = -1;    ///< vertices
-    Index face = -1;
-  };
-  /// Two borders, and the stretch of line, in the direction of the first one, over which one steps.
-  struct Stretch {
-    Index first = -1, second = -1;
-    MeshVertex begin, end;
-  };
-
-  /// Two borders, the second one to the right of the first, and the piece of the gap between them that is free.
-  struct GapStretch {
-    Index first = -1, second = -1;
-    GapPiece piece;
-    std::array<bool, 2> isDrawnIn{};  ///< its ends, from where an obstacle touched them
-    bool isDropped = false;
-  };
+  using Border = StepBorder;
+  using Stretch = StepStretch;
   /// A place at which an edge is to be split, and the line across it that says where.
   struct Cut {
     Index border = -1;
@@ -72,13 +62,18 @@ class StepLinker {
     MeshGeometry geometry;
     StepConditions conditions;
     GapConditions gaps;
-    std::vector<Stretch> stretches;
-    std::vector<GapStretch> gapStretches;
+    StepFindings found;
   };
 
   void findBorders();
   void buildTree();
-  void findStretches(double step, double height, double gap);
+  [[nodiscard]] BoxTree<3>::Bounds boundsOf(const Border& border) const;
+  /// Whether reuse() knows what is between two borders.
+  [[nodiscard]] bool isKnownPair(Index first, Index second) const {
+    return !numberBefore_.empty() && numberBefore_[first] >= 0 && numberBefore_[first] < numberBefore_[second] &&
+           first < second;
+  }
+  void findStretches(double step, double height, double gap, StepMemory* memory);
   void addStretches(const WalkableMesh& earlier, const Border& from, const Border& to, bool isGap);
   void tryPair(Index first, Index second, Worker& worker) const;
   void tryGap(Index first, Index second, Worker& worker) const;
@@ -115,6 +110,8 @@ class StepLinker {
   std::vector<Border> borders_;
   std::vector<GapBorder> gapBorders_;  ///< the same, once gaps are looked for
   BoxTree<3> tree_;                    ///< of the borders
+  std::vector<Index> numberBefore_;    ///< of borders, in an earlier run; -1: not known, or something changed
+  StepFindings known_;                 ///< from there
   std::vector<Stretch> stretches_;
   std::vector<GapStretch> gaps_;
   double gap_ = 0;                                                   ///< how wide they may be
