@@ -235,8 +235,8 @@ void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
     worker.found.stretches.push_back({first, second, from, to});
 }
 
-// What its vertices were made of, the edges of its triangle's face, and the lines that cut that face.
-std::vector<KnownLine> StepLinker::linesOf(const Border& border, MeshGeometry& geometry) const {
+// What its vertices were made of, and the edges of its triangle's face.
+std::vector<KnownLine> StepLinker::ownLinesOf(const Border& border, MeshGeometry& geometry) const {
   const SourceMesh& source = kernel_->mesh();
   const PlanPoint &a = mesh_.vertices[border.from].point, &b = mesh_.vertices[border.to].point;
   std::vector<KnownLine> lines;
@@ -261,9 +261,19 @@ std::vector<KnownLine> StepLinker::linesOf(const Border& border, MeshGeometry& g
   }
   const auto& f = source.triangles[border.face];
   for (int k = 0; k < 3; ++k) tryLine(edgeLine(f[k], f[next(k)]), -1);
+  return lines;
+}
+
+std::vector<KnownLine> StepLinker::linesOf(const Border& border, MeshGeometry& geometry) const {
+  std::vector<KnownLine> lines = ownLinesOf(border, geometry);
   if (!lines.empty() || !state_.cuts) return lines;
-  for (const PlanLine& line : (*state_.cuts)[border.face].lines)
-    tryLine(line, line.kind == PlanLine::Trace ? border.face : -1);
+  const PlanPoint &a = mesh_.vertices[border.from].point, &b = mesh_.vertices[border.to].point;
+  const Index origin = kernel_->mesh().triangles[border.face][0];
+  for (const PlanLine& line : (*state_.cuts)[border.face].lines) {
+    const Index face = line.kind == PlanLine::Trace ? border.face : -1;
+    const auto isOn = [&](const PlanPoint& p) { return kernel_->side(line, face, p, origin, geometry.fallbacks) == 0; };
+    if (isOn(a) && isOn(b)) lines.push_back({line, face});
+  }
   return lines;
 }
 

@@ -80,6 +80,8 @@ class StepLinker {
   void findGapBorders();
   [[nodiscard]] GapBorder gapBorderOf(const Border& border) const;
   [[nodiscard]] std::vector<KnownLine> linesOf(const Border& border, MeshGeometry& geometry) const;
+  /// The same without the lines that cut the face, which are not looked at where there is another one.
+  [[nodiscard]] std::vector<KnownLine> ownLinesOf(const Border& border, MeshGeometry& geometry) const;
   void splitEdges();
   void splitAtSteps();
   void splitAtGaps();

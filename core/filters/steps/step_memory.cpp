@@ -20,8 +20,8 @@ std::size_t bytesOf(const StepMemory& memory) {
   return bytes;
 }
 
-// What one borders finds with another one follows from both, from the lines that cut their faces, and from what stands
-// near them. Numbers rise, so that every choice by the smaller one stays what it was.
+// What one border finds with another one follows from both, from the lines that cut their faces where none of their own
+// is known, and from what stands near them. Numbers rise, so that every choice by the smaller one stays what it was.
 void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
   if (!earlier.sameHeights() || before.given->triangles.empty()) return;
   const MeshRelation relation = relateMeshes(earlier, *before.given, mesh_);
@@ -56,7 +56,8 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
     const StepBorder& border = borders_[i];
     const Index triangle = relation.triangleBefore[border.side / 3];
     const Index number = triangle < 0 ? -1 : borderAt[3 * triangle + border.side % 3];
-    if (number < 0 || !hasSameLines(border.face) || isTouched(border)) continue;
+    if (number < 0 || isTouched(border)) continue;
+    if (!hasSameLines(border.face) && ownLinesOf(border, *geometry_).empty()) continue;
     numberBefore_[i] = number;
     numberNow[number] = static_cast<Index>(i);
   }
