@@ -101,6 +101,23 @@ bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) cons
          renumbered(before.point) == now.point;
 }
 
+MeshVertex EarlierResult::vertexNow(const MeshVertex& before) const {
+  MeshVertex now = before;
+  if (!edit_) return now;
+  now.point = renumbered(before.point);
+  now.face = edit_->triangleOf[before.face];
+  if (before.source >= 0) now.source = edit_->vertexOf[before.source];
+  return now;
+}
+
+bool EarlierResult::hasSameLines(Index face, const CutTable& now) const {
+  const Index before = faceBefore(face);
+  if (before < 0) return false;
+  const auto &then = (*before_->cuts)[before].lines, &lines = now[face].lines;
+  return std::equal(then.begin(), then.end(), lines.begin(), lines.end(),
+                    [&](const PlanLine& a, const PlanLine& b) { return (edit_ ? renumbered(a) : a) == b; });
+}
+
 bool EarlierResult::isTouched(const Box& box) const {
   if (!edit_) return false;
   if (tree_) {

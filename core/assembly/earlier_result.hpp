@@ -33,6 +33,12 @@ class EarlierResult {
   [[nodiscard]] Index faceNow(Index before) const { return edit_ ? edit_->triangleOf[before] : before; }
   /// Whether two vertices of walkable meshes are the same: point, face, source and rounded place.
   [[nodiscard]] bool isSame(const MeshVertex& before, const MeshVertex& now) const;
+  /// Whether levels of heights mean what they meant.
+  [[nodiscard]] bool sameHeights() const { return sameHeights_; }
+  /// An earlier vertex of a mesh, in numbers of the present one: what it was made of must still be there.
+  [[nodiscard]] MeshVertex vertexNow(const MeshVertex& before) const;
+  /// Whether the lines that cut a face are those of the earlier state, in the same order. Both have cuts.
+  [[nodiscard]] bool hasSameLines(Index face, const CutTable& now) const;
   /// Whether a triangle that came or went may reach into the box.
   [[nodiscard]] bool isTouched(const Box& box) const;
 

@@ -16,6 +16,7 @@ namespace footfall::detail {
 
 struct AssemblyMemory;    // core/assembly/assembly_memory.hpp
 struct SimplifierMemory;  // core/filters/simplification/simplifier.hpp
+struct StepMemory;        // core/filters/steps/step_memory.hpp
 
 struct WalkableState {
   std::shared_ptr<const Environment> environment;
@@ -45,6 +46,8 @@ struct WalkableState {
   std::shared_ptr<const AssemblyMemory> memory;
   /// The same of the last SimplificationFilter.
   std::shared_ptr<const SimplifierMemory> simplifierMemory;
+  /// The same of the last StepFilter.
+  std::shared_ptr<const StepMemory> stepMemory;
   /// Pairs of triangles that the last LayerSubdivisionFilter found above one another; null unless it was to keep them.
   std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
 };

@@ -66,8 +66,9 @@ constexpr std::array kFilterFunctions = {
     FilterFunction{
         FilterType::VerticalClearance,
         [](const FilterCall& f) { return applyVerticalClearance(f.state, f.values[0], f.recall, f.context); }},
-    FilterFunction{FilterType::Step,
-                   [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.values[1], f.context); }},
+    FilterFunction{
+        FilterType::Step,
+        [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.values[1], f.recall, f.context); }},
     FilterFunction{
         FilterType::Radius,
         [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.values[1], f.values[2], f.context); }},

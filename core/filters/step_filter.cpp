@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/assembly/earlier_result.hpp"
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/filters/filter_registry.hpp"
@@ -11,7 +12,7 @@
 
 namespace footfall::detail {
 
-FilterOutcome applyStep(const StatePtr& given, double step, double gap, RunContext& context) {
+FilterOutcome applyStep(const StatePtr& given, double step, double gap, const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   auto state = std::make_shared<WalkableState>(*withMesh(given, context, outcome.fallbacks));
   if (state->clearance == 0) throw std::logic_error("StepFilter without a clearance before it");
@@ -22,8 +23,14 @@ FilterOutcome applyStep(const StatePtr& given, double step, double gap, RunConte
                             "scale and the largest coordinates"));
   state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, state->clearance), height);
   StepLinker linker(*state, context);
+  const StepMemory* before = recall.before ? recall.before->stepMemory.get() : nullptr;
+  if (before != nullptr && before->step == height && before->height == state->clearance && before->gap == gap) {
+    if (const auto earlier = EarlierResult::relate(recall.before, *state->kernel)) linker.reuse(*before, *earlier);
+  }
   state->step = std::max(state->step, height);
-  state->mesh = linker.link(height, state->clearance, gap);
+  const auto memory = recall.keep ? std::make_shared<StepMemory>() : nullptr;
+  state->mesh = linker.link(height, state->clearance, gap, memory.get());
+  state->stepMemory = memory;
   state->kernel = linker.kernel();
   state->topology = nullptr;
   outcome.fallbacks += linker.fallbacks();

@@ -5,6 +5,7 @@
 
 #include "core/assembly/assembly_memory.hpp"
 #include "core/filters/simplification/simplifier.hpp"
+#include "core/filters/steps/step_memory.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
 namespace footfall::detail {
@@ -56,6 +57,7 @@ std::size_t sizeOf(const WalkableState& state, CountedParts& counted) {
   add(state.topology, own);
   add(state.memory, own);
   add(state.simplifierMemory, own);
+  add(state.stepMemory, own);
   add(state.overlaps, own);
   add(state.cuts, [&](const CutTable&) { return cutsOf(state); });
   return bytes;

@@ -64,7 +64,7 @@ void BorderSplits::replaceKernel(std::shared_ptr<const PlanKernel> kernel) {
   geometry_.emplace(*kernel_, mesh_.vertices);
 }
 
-std::vector<KnownLine> BorderSplits::linesOf(const MeshBorder& border, MeshGeometry& geometry) const {
+std::vector<KnownLine> BorderSplits::ownLinesOf(const MeshBorder& border, MeshGeometry& geometry) const {
   const SourceMesh& source = kernel_->mesh();
   const PlanPoint &a = vertex(border.from).point, &b = vertex(border.to).point;
   std::vector<KnownLine> lines;
@@ -89,9 +89,19 @@ std::vector<KnownLine> BorderSplits::linesOf(const MeshBorder& border, MeshGeome
   }
   const auto& f = source.triangles[border.face];
   for (int k = 0; k < 3; ++k) tryLine(edgeLine(f[k], f[next(k)]), -1);
+  return lines;
+}
+
+std::vector<KnownLine> BorderSplits::linesOf(const MeshBorder& border, MeshGeometry& geometry) const {
+  std::vector<KnownLine> lines = ownLinesOf(border, geometry);
   if (!lines.empty() || !state_.cuts) return lines;
-  for (const PlanLine& line : (*state_.cuts)[border.face].lines)
-    tryLine(line, line.kind == PlanLine::Trace ? border.face : -1);
+  const PlanPoint &a = vertex(border.from).point, &b = vertex(border.to).point;
+  const Index origin = kernel_->mesh().triangles[border.face][0];
+  for (const PlanLine& line : (*state_.cuts)[border.face].lines) {
+    const Index face = line.kind == PlanLine::Trace ? border.face : -1;
+    const auto isOn = [&](const PlanPoint& p) { return kernel_->side(line, face, p, origin, geometry.fallbacks) == 0; };
+    if (isOn(a) && isOn(b)) lines.push_back({line, face});
+  }
   return lines;
 }
 

@@ -48,6 +48,8 @@ class BorderSplits {
   /// What the border's vertices were made of, the edges of its triangle's face, and the lines that cut that face, as
   /// far as the border lies on them.
   [[nodiscard]] std::vector<KnownLine> linesOf(const MeshBorder& border, MeshGeometry& geometry) const;
+  /// The same without the lines that cut the face, which are not looked at where there is another one.
+  [[nodiscard]] std::vector<KnownLine> ownLinesOf(const MeshBorder& border, MeshGeometry& geometry) const;
 
   /// Puts a vertex strictly between the ends of an edge, on whose line it must lie. False when there was one already.
   bool insert(Index edge, const MeshVertex& place);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <unordered_set>
 
@@ -31,23 +32,23 @@ StepLinker::Worker StepLinker::makeWorker(const Limits& limits, double gap) cons
   return {{kernel, splits_.mesh().vertices},
           {kernel, state_.removed, kernel.levelOf(limits.step).value(), kernel.levelOf(limits.height).value()},
           {kernel.mesh(), state_.removed, scaled(limits.step), scaled(limits.height), scaled(gap)},
-          {},
           {}};
 }
 
-void StepLinker::take(Worker& worker) {
-  fallbacks_ += worker.geometry.fallbacks;
-  undecided_ += worker.conditions.undecided();
-  stretches_.insert(stretches_.end(), worker.stretches.begin(), worker.stretches.end());
-  if (gaps_) gaps_->add(std::move(worker.gapStretches));
+Bounds StepLinker::boundsOf(const MeshBorder& border) const {
+  return BorderSplits::boundsOf(splits_.vertex(border.from), splits_.vertex(border.to));
 }
 
-std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap) {
+std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap, StepMemory* memory) {
   const WalkableMesh& mesh = splits_.mesh();
   const bool hasGaps =
       std::any_of(mesh.links.begin(), mesh.links.end(), [](const MeshLink& link) { return link.isGap; });
   if (gap > 0 || hasGaps) gaps_.emplace(splits_, gap, context_);
-  findStretches({step, height}, gap);
+  StepFindings found = findStretches({step, height}, gap);
+  if (memory != nullptr) *memory = {state_.mesh, step, height, gap, splits_.borders(), found};
+  undecided_ += found.undecided.size();
+  stretches_ = std::move(found.stretches);
+  if (gaps_) gaps_->add(std::move(found.gaps));
   std::unordered_map<Index, Index> borderOf;  // by its side
   for (std::size_t i = 0; i < splits_.borders().size() && !mesh.links.empty(); ++i)
     borderOf[splits_.borders()[i].side] = static_cast<Index>(i);
@@ -82,46 +83,55 @@ std::shared_ptr<const WalkableMesh> StepLinker::relink(const WalkableMesh& earli
     context_.checkCancelled();
     addRemains(earlier, borderOf(link.from), borderOf(link.to), link.isGap, worker ? &*worker : nullptr);
   }
-  if (worker) take(*worker);
+  if (worker) {
+    fallbacks_ += worker->geometry.fallbacks;
+    undecided_ += worker->conditions.undecided();
+    stretches_.insert(stretches_.end(), worker->found.stretches.begin(), worker->found.stretches.end());
+  }
   return makeMesh();
 }
 
-void StepLinker::findStretches(const Limits& limits, double gap) {
+StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
   const auto count = static_cast<Index>(splits_.borders().size());
   const int scale = splits_.kernel()->mesh().grid.scaleExponent();
   const double scaledStep = std::ldexp(limits.step, scale), scaledGap = std::ldexp(gap, scale);
+  const auto append = [](auto& all, auto&& more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
   tbb::enumerable_thread_specific<Worker> workers([&] { return makeWorker(limits, gap); });
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
     Worker& worker = workers.local();
+    StepFindings& found = worker.found;
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();
-      const MeshBorder& border = splits_.border(i);
-      Bounds query = BorderSplits::boundsOf(splits_.vertex(border.from), splits_.vertex(border.to));
+      Bounds query = boundsOf(splits_.border(i));
       for (const int k : {0, 1, 2}) {
         query.lower[k] -= k < 2 ? scaledGap : scaledStep;
         query.upper[k] += k < 2 ? scaledGap : scaledStep;
       }
       splits_.tree().visitOverlapping(query, [&](Index other) {
-        if (other <= i) return;
+        if (other <= i || isKnownPair(i, other)) return;
+        const std::size_t undecided = worker.conditions.undecided();
         tryPair(i, other, worker);
-        if (gap <= 0) return;
-        std::vector<GapStretch> found = gaps_->find(i, other, worker.gaps, worker.geometry);
-        std::move(found.begin(), found.end(), std::back_inserter(worker.gapStretches));
+        found.undecided.insert(found.undecided.end(), worker.conditions.undecided() - undecided, {i, other});
+        if (gap > 0) append(found.gaps, gaps_->find(i, other, worker.gaps, worker.geometry));
       });
     }
   });
+  StepFindings all = std::move(known_);
+  for (Worker& worker : workers) {
+    fallbacks_ += worker.geometry.fallbacks;
+    append(all.stretches, worker.found.stretches);
+    append(all.gaps, worker.found.gaps);
+    append(all.undecided, worker.found.undecided);
+  }
   const auto isBefore = [](const auto& a, const auto& b) {
     return std::array{a.first, a.second} < std::array{b.first, b.second};
   };
-  std::vector<GapStretch> gaps;
-  for (Worker& worker : workers) {
-    std::move(worker.gapStretches.begin(), worker.gapStretches.end(), std::back_inserter(gaps));
-    worker.gapStretches.clear();
-    take(worker);
-  }
-  std::stable_sort(stretches_.begin(), stretches_.end(), isBefore);
-  std::stable_sort(gaps.begin(), gaps.end(), isBefore);
-  if (gaps_) gaps_->add(std::move(gaps));
+  std::stable_sort(all.stretches.begin(), all.stretches.end(), isBefore);
+  std::stable_sort(all.gaps.begin(), all.gaps.end(), isBefore);
+  std::sort(all.undecided.begin(), all.undecided.end());
+  return all;
 }
 
 void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
@@ -147,8 +157,7 @@ void StepLinker::addFree(const Stretch& whole, int axis, int direction, Worker& 
   stretch.end = whole.end;
   stretch.axis = axis;
   stretch.direction = direction;
-  const Bounds own = BorderSplits::boundsOf(splits_.vertex(e.from), splits_.vertex(e.to));
-  const Bounds other = BorderSplits::boundsOf(splits_.vertex(f.from), splits_.vertex(f.to));
+  const Bounds own = boundsOf(e), other = boundsOf(f);
   for (int k = 0; k < 3; ++k) {
     stretch.box.lower[k] = k < 2 ? std::max(own.lower[k], other.lower[k]) : std::min(own.lower[k], other.lower[k]);
     stretch.box.upper[k] = k < 2 ? std::min(own.upper[k], other.upper[k]) : std::max(own.upper[k], other.upper[k]);
@@ -160,7 +169,7 @@ void StepLinker::addFree(const Stretch& whole, int axis, int direction, Worker& 
     return known;
   };
   for (const auto& [from, to] : worker.conditions.find(stretch, lines, worker.geometry))
-    worker.stretches.push_back({whole.first, whole.second, from, to});
+    worker.found.stretches.push_back({whole.first, whole.second, from, to});
 }
 
 // Borders on the line of the earlier one, at its height.

@@ -11,8 +11,11 @@
 #include "core/filters/steps/border_splits.hpp"
 #include "core/filters/steps/gap_linker.hpp"
 #include "core/filters/steps/step_conditions.hpp"
+#include "core/filters/steps/step_memory.hpp"
 
 namespace footfall::detail {
+
+class EarlierResult;  // core/assembly/earlier_result.hpp
 
 /// The mesh of a state with steps linked: both borders of a link get vertices where it ends, and wherever the other one
 /// has one, so that links are pairs of whole edges.
@@ -21,8 +24,13 @@ class StepLinker {
   /// The state must have a mesh, and its kernel the levels of what is asked about.
   StepLinker(const WalkableState& state, RunContext& context);
 
+  /// Takes over what an earlier run of the same filter found between borders that are what they were. `before` is of
+  /// the state that `earlier` relates to; its step, height and gap are those of link(). Before link().
+  void reuse(const StepMemory& before, const EarlierResult& earlier);
+
   /// Links what can be stepped over, and what the state's mesh links already. `gap` is at least 0 (environment units).
-  std::shared_ptr<const WalkableMesh> link(double step, double height, double gap);
+  /// `memory` (may be null) gets what reuse() needs.
+  std::shared_ptr<const WalkableMesh> link(double step, double height, double gap, StepMemory* memory = nullptr);
 
   /// An agent's step and height, levels of the kernel.
   struct Limits {
@@ -39,26 +47,27 @@ class StepLinker {
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
 
  private:
-  /// Two borders, and the stretch of line, in the direction of the first one, over which one steps.
-  struct Stretch {
-    Index first = -1, second = -1;
-    MeshVertex begin, end;
-  };
+  using Stretch = StepStretch;
   /// What pairs of borders are tried with; one for each thread.
   struct Worker {
     MeshGeometry geometry;
     StepConditions conditions;
     GapConditions gaps;
-    std::vector<Stretch> stretches;
-    std::vector<GapStretch> gapStretches;
+    StepFindings found;
   };
 
   [[nodiscard]] Worker makeWorker(const Limits& limits, double gap) const;
-  void findStretches(const Limits& limits, double gap);
+  [[nodiscard]] BoxTree<3>::Bounds boundsOf(const MeshBorder& border) const;
+  /// Whether reuse() knows what is between two borders.
+  [[nodiscard]] bool isKnownPair(Index first, Index second) const {
+    return !numberBefore_.empty() && numberBefore_[first] >= 0 && numberBefore_[first] < numberBefore_[second] &&
+           first < second;
+  }
+  /// Between all pairs of borders that are near each other, in their order.
+  [[nodiscard]] StepFindings findStretches(const Limits& limits, double gap);
   void tryPair(Index first, Index second, Worker& worker) const;
   /// The places of a stretch that can be stepped over, as stretches of their own.
   void addFree(const Stretch& whole, int axis, int direction, Worker& worker) const;
-  void take(Worker& worker);
   /// What is left of the two borders of a link, which run against each other. `worker` may be null: nothing is asked.
   void addRemains(const WalkableMesh& earlier, const MeshBorder& from, const MeshBorder& to, bool isGap,
                   Worker* worker);
@@ -74,6 +83,8 @@ class StepLinker {
   RunContext& context_;
   BorderSplits splits_;
   std::optional<GapLinker> gaps_;
+  std::vector<Index> numberBefore_;  ///< of borders, in an earlier run; -1: not known, or something changed
+  StepFindings known_;               ///< from there
   std::vector<Stretch> stretches_;
   std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges
   ExactFallbacks fallbacks_;

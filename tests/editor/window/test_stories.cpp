@@ -276,7 +276,7 @@ void TestStories::stairsAreClimbed() {
   QVERIFY(paths != nullptr);
   QTest::keyClick(&window_->view(), Qt::Key_P);
   clickAt({2, 4, 0});
-  clickAt({12, 4, kRisers * kRiser});
+  clickAt({9.75, 5.5, kRisers * kRiser});  // beside the height slider
   QTRY_VERIFY(paths->model().result() && paths->model().result()->separation);
   QVERIFY(!paths->model().result()->reached());
   panelOnly("panel.path");
