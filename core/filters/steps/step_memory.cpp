@@ -24,10 +24,14 @@ std::size_t bytesOf(const StepMemory& memory) {
 // is known, and from what stands near them. Numbers rise, so that every choice by the smaller one stays what it was.
 void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
   if (!earlier.sameHeights() || before.given->triangles.empty()) return;
+  // Gaps are kept as scaled doubles, and what doubles know of a place depends on the slack.
+  const PlanKernel &then = *earlier.state().kernel, &now = *splits_.kernel();
+  if (then.mesh().grid.scaleExponent() != now.mesh().grid.scaleExponent() || then.sign().slack != now.sign().slack)
+    return;
   const MeshRelation relation = relateMeshes(earlier, *before.given, splits_.mesh());
   std::vector<Index> borderAt(3 * before.given->triangles.size(), -1);
   for (std::size_t b = 0; b < before.borders.size(); ++b) borderAt[before.borders[b].side] = static_cast<Index>(b);
-  const int unscale = -splits_.kernel()->mesh().grid.scaleExponent();
+  const int unscale = -now.mesh().grid.scaleExponent();
   const auto isTouched = [&](const MeshBorder& border) {
     const BoxTree<3>::Bounds own = boundsOf(border);
     Box box;
