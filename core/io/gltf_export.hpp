@@ -24,12 +24,12 @@ struct GltfFile {
 /// from both sides; connections and obstacle edges as line primitives ("connections", "obstacle_edges"); extras as
 /// "placed_NAME". `asset.extras` says what the comments of an OBJ say.
 ///
-/// As the format demands: Y up, metres (the scale of the mesh's file is applied, then that of `options`), and floats,
-/// which have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map coordinates) 3 cm. Nothing is
-/// moved to the origin to hide that, as the result would no longer lie on its source: `largestError` tells. Triangles
-/// that become degenerate by it stay in the file. Vertices are shared by index within a layer exactly where an agent
-/// can cross; between layers, which are meshes of their own, the connections tell. For programs that go on computing,
-/// OBJ has it all, in doubles.
+/// Coordinates are as the format demands: Y up, metres (the scale of the mesh's file is applied, then that of
+/// `options`), and floats, which have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map
+/// coordinates) 3 cm. Nothing is moved to the origin to hide that, as the result would no longer lie on its source:
+/// `largestError` says how far. Triangles that become degenerate by it stay in the file. Vertices are shared by index
+/// within a layer exactly where an agent can cross; between layers, which are meshes of their own, the connections say
+/// it. For programs that go on computing, OBJ has it all, in doubles.
 ///
 /// Throws InputError (checkScale(); coordinates that no float holds), or RunError for a .glb of more than 4 GB.
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header,
@@ -37,7 +37,7 @@ GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeade
 
 /// Which format a name asks for: ".obj" (or no ending), ".gltf", ".glb", in any case.
 enum class ExportFormat { Obj, Gltf, Glb };
-/// Throws InputError that names what can be written.
+/// Throws InputError, which names the formats that can be written, for any other ending.
 ExportFormat exportFormatOf(const std::string& path);
 
 }  // namespace footfall::detail

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/counted_text.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/io/assimp_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
@@ -91,8 +92,7 @@ Environment load(const std::string& path, const ImportOptions& options, RunConte
 std::vector<std::string> importableExtensions() {
   std::vector<std::string> extensions = assimpExtensions();
   extensions.push_back("obj");
-  std::sort(extensions.begin(), extensions.end());
-  extensions.erase(std::unique(extensions.begin(), extensions.end()), extensions.end());
+  sortOnce(extensions);
   return extensions;
 }
 

@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// load(), to be shared.
+/// Reads an environment as load() does, to be shared.
 std::shared_ptr<const Environment> importEnvironment(const std::string& path, const ImportOptions& options = {},
                                                      RunContext* context = nullptr);
 

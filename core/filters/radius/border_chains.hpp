@@ -21,7 +21,8 @@ struct BorderChain {
   [[nodiscard]] double size() const { return isShort ? 0 : length(end - begin); }
 };
 
-/// In an order that depends on the surface alone. `pieces` are all of its border, by side and then along it.
+/// The chains of a border, in an order that depends on the surface alone. `pieces` are all of its border, by side and
+/// then along it.
 std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const std::vector<BorderPiece>& pieces);
 
 }  // namespace footfall::detail

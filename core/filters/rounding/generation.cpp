@@ -35,17 +35,20 @@ class SoupBuilder {
 
  private:
   VertexNumber addVertex(const Vec3& place) {
-    result_.soup.vertices.push_back(place);
-    return static_cast<VertexNumber>(result_.soup.vertices.size()) - 1;
+    result_.vertices.push_back(place);
+    return static_cast<VertexNumber>(result_.vertices.size()) - 1;
   }
   void addTriangle(const Triangle& t, Index face, bool walkable) {
-    result_.soup.triangles.push_back(t);
-    result_.soup.inputTriangles.push_back(source_.inputTriangles[face]);
+    result_.triangles.push_back(t);
+    result_.inputTriangles.push_back(source_.inputTriangles[face]);
     result_.walkable.push_back(static_cast<char>(walkable));
   }
 
   void addProduct(const NavigationMesh& product) {
-    result_.soup = {product.vertices, product.triangles, product.sourceTriangles, product.obstacleEdges};
+    result_.vertices = product.vertices;
+    result_.triangles = product.triangles;
+    result_.inputTriangles = product.sourceTriangles;
+    result_.obstacleEdges = product.obstacleEdges;
     result_.walkable.assign(product.triangles.size(), 1);
   }
 
@@ -68,7 +71,7 @@ class SoupBuilder {
       for (int k = 0; k < 3; ++k) corners[k] = static_cast<VertexNumber>(t.corners[k]);
       addTriangle(corners, t.face, true);
       for (int k = 0; k < 3; ++k)
-        if ((t.obstacleEdges >> k & 1) != 0) result_.soup.obstacleEdges.push_back({corners[k], corners[(k + 1) % 3]});
+        if ((t.obstacleEdges >> k & 1) != 0) result_.obstacleEdges.push_back({corners[k], corners[(k + 1) % 3]});
     }
   }
 
@@ -126,8 +129,8 @@ class SoupBuilder {
       if (t % kPolled == 0) context.checkCancelled();
       if (state_.removed[t] != 0) continue;
       if (parts != divided.end() && parts->face == t) {
-        const auto base = static_cast<VertexNumber>(result_.soup.vertices.size());
-        result_.soup.vertices.insert(result_.soup.vertices.end(), parts->places.begin(), parts->places.end());
+        const auto base = static_cast<VertexNumber>(result_.vertices.size());
+        result_.vertices.insert(result_.vertices.end(), parts->places.begin(), parts->places.end());
         for (const FaceMesh::Cell& c : parts->cells)
           addTriangle({base + static_cast<VertexNumber>(c.corners[0]), base + static_cast<VertexNumber>(c.corners[1]),
                        base + static_cast<VertexNumber>(c.corners[2])},
@@ -145,7 +148,7 @@ class SoupBuilder {
           floor && !covered);
     }
     for (const auto& [a, b] : source_.obstacleEdges)
-      result_.soup.obstacleEdges.push_back({addVertex(source_.vertices[a]), addVertex(source_.vertices[b])});
+      result_.obstacleEdges.push_back({addVertex(source_.vertices[a]), addVertex(source_.vertices[b])});
   }
 
   void addDropped(RunContext& context) {
@@ -175,7 +178,9 @@ GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMe
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
                          std::vector<Index>* faces) {
   std::vector<std::uint32_t> order;
-  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, context));
+  SoupView view(soup.vertices, soup.triangles, soup.inputTriangles);
+  view.obstacleEdges = soup.obstacleEdges;
+  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(view, earlier.environment->bothSides, &order, context));
   if (faces != nullptr) {
     faces->resize(order.size());
     for (std::size_t t = 0; t < order.size(); ++t) (*faces)[order[t]] = static_cast<Index>(t);

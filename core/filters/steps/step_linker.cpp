@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/geometry.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 #include "core/mesh/triangle_split.hpp"
 
@@ -382,8 +383,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
     context_.checkCancelled();
     if (!gap.isDropped) addGapLinks(*result, gap, verticesOf(borders_[gap.first]), verticesOf(borders_[gap.second]));
   }
-  std::sort(result->links.begin(), result->links.end());
-  result->links.erase(std::unique(result->links.begin(), result->links.end()), result->links.end());
+  sortOnce(result->links);
   fallbacks_ += geometry_->fallbacks;
   return result;
 }

@@ -61,7 +61,7 @@ class StepLinker {
     Index border = -1;
     std::array<Vec3, 2> line;
   };
-  /// Of a gap on one of its borders, low and high.
+  /// The vertices at the low and the high end of a gap on one of its borders.
   using Corners = std::array<const MeshVertex*, 2>;
   struct Cuts {
     std::vector<Cut> list;

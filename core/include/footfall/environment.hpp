@@ -36,7 +36,7 @@ struct SkippedPolygon {
   std::uint64_t line = 0;       ///< of the file, from 1; 0 where the format has no lines
   std::uint64_t face = 0;       ///< without a line: its number in the mesh, from 1
   std::string mesh;             ///< without a line: the mesh's name, which may be empty
-  /// Its distinct corners, two at most: where it is. Empty where it has none.
+  /// The distinct corners, two at most: where the polygon is. Empty where it has none.
   std::vector<Vec3> corners;
   bool operator==(const SkippedPolygon&) const = default;
 };
@@ -73,7 +73,7 @@ struct Environment {
   bool bothSides = false;  ///< both sides of every triangle are its upper side
   SkippedElements skipped;
   std::vector<EnvironmentPart> parts;      ///< in the order of their first triangles
-  std::vector<std::uint32_t> partOf;       ///< part of each triangle; empty when the file tells no parts apart
+  std::vector<std::uint32_t> partOf;       ///< part of each triangle; empty when the file divides nothing into parts
   std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
   /// What it was made of, when it is another environment with something changed; else null.
   std::shared_ptr<const EnvironmentEdit> edit;
