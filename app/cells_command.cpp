@@ -81,7 +81,7 @@ CutCounts exportCut(const CellsOptions& options, const Environment& environment,
                     const Pipeline& block, RunContext& context) {
   const Poll poll(context);
   const SourceMesh mesh =
-      makeSourceMesh(SourceSoupView(environment.vertices, environment.triangles), environment.bothSides, nullptr, poll);
+      makeSourceMesh(SoupView(environment.vertices, environment.triangles), environment.bothSides, nullptr, poll);
   const CutEnvironment cut = cutEnvironment(mesh, partition, {}, isRounding(block.steps[0]), poll);
   poll();
   writeCutObj(options.output, cut, partition.cells.size(), environment, makeExportHeader(block));

@@ -14,7 +14,7 @@ namespace footfall::detail {
 /// Which vertices lie on which outlines. Faces are known by their number, what belongs to them by its place among the
 /// face's own: nothing here depends on what other faces there are.
 struct JoinMemory {
-  /// Of all faces that were joined, in that order: the face, where its points begin, where its outlines begin.
+  /// One face that was joined: its number, where its points begin, and where its outlines begin.
   struct Entry {
     Index face = -1;
     Index firstPoint = 0;

@@ -24,7 +24,7 @@ using SameFilter = std::function<StatePtr(const StatePtr& state)>;
 
 /// The state without the regions r of its mesh for which keep[r] is 0; `region` has the number of each triangle's
 /// region (findRegions()). Links and drops stay where both of their sides do. `sameOf` is asked for the state before a
-/// simplification, where that is needed to tell which floors are left.
+/// simplification, where that is needed to know which floors are left.
 std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const std::vector<Index>& region,
                                                  const std::vector<char>& keep, const SameFilter& sameOf,
                                                  RunContext& context, ExactFallbacks& fallbacks);

@@ -42,7 +42,7 @@ class EarlierResult {
   /// Whether a triangle that came or went may reach into the box.
   [[nodiscard]] bool isTouched(const Box& box) const;
 
-  // Of what a clearance filter remembered.
+  // What a clearance filter remembered of a face.
 
   [[nodiscard]] std::shared_ptr<const FaceCuts> cuts(Index faceBefore, const CopyMemory& memory) const;
   [[nodiscard]] std::shared_ptr<const FaceMesh> mesh(Index faceBefore, const CopyMemory& memory) const;

@@ -62,8 +62,8 @@ FaceMesh FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
     if (!taken(i)) continue;
     FaceMesh::Cell cell;
     for (int k = 0; k < 3; ++k) {
-      cell.corners[k] = addPoint(cells[i].corners[k]);
-      const int edge = previous(k);  // opposite corner k - 1: from corner k to k + 1
+      const int edge = previous(k);  // so that a face without cuts keeps its first corner
+      cell.corners[k] = addPoint(cells[i].corners[edge]);
       const Index other = cells[i].neighbors[edge];
       const bool outline = other < 0 || !taken(other);
       if (outline) cell.outlineEdges |= static_cast<std::uint8_t>(1 << k);

@@ -17,7 +17,7 @@ struct CellSide {
 };
 
 /// Segments inside the cell are as in FaceCuts. Those that a border cut in two carry their obstacle: it has at most one
-/// segment on each line, so obstacle and line tell which pieces belong together.
+/// segment on each line, so pieces with the same obstacle and line belong together.
 struct FaceShare {
   struct Piece {
     Index obstacle = -1;

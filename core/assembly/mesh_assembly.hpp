@@ -18,7 +18,7 @@ namespace footfall::detail {
 std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, RunContext& context,
                                                  ExactFallbacks& fallbacks);
 
-// The two halves of it.
+// The two halves of assembleMesh().
 
 /// Triangulates what cuts leave of each floor, where they divide it. Takes from `earlier` (may be null) what is not in
 /// `changed` (ascending; all floors that differ). `meshes` has one entry for each face.
@@ -26,7 +26,7 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
                FaceMeshes& meshes, RunContext& context, ExactFallbacks& fallbacks);
 
 /// Joins floors: those that have no mesh are whole. `earlier` and `changed` as above; leaves in `memory` (may be null)
-/// what the next run can take, and lets go of the meshes otherwise.
+/// what the next run can copy, and drops the meshes otherwise.
 std::shared_ptr<const WalkableMesh> joinFaces(const WalkableState& state, const EarlierResult* earlier,
                                               const std::vector<Index>& changed,
                                               const std::shared_ptr<FaceMeshes>& meshes, AssemblyMemory* memory,

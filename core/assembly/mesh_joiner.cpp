@@ -117,7 +117,7 @@ void MeshJoiner::reuse(const EarlierResult& earlier, std::vector<Index> changed)
 }
 
 // Points and outlines of a face that did not change have the same places among the face's own as before.
-void MeshJoiner::takeOver() {
+void MeshJoiner::copyEarlier() {
   const JoinMemory& before = earlier_->state().memory->join;
   std::vector<Index> entryBefore(earlier_->state().walkable.size(), -1);
   for (std::size_t i = 0; i + 1 < before.entries.size(); ++i)
@@ -219,7 +219,7 @@ MeshJoiner::Twins MeshJoiner::findTwins(const std::vector<Index>& entries, RunCo
 }
 
 void MeshJoiner::findIncidences(RunContext& context) {
-  if (earlier_ != nullptr) takeOver();
+  if (earlier_ != nullptr) copyEarlier();
   const auto boxOf = [&](Index v) { return boxAround(vertices_[v]); };
   const std::vector<Index> entries = entriesToSearch();
   Twins twins;

@@ -35,13 +35,14 @@ class MeshJoiner {
   /// more afterwards. To be called once.
   void addFaces(std::span<const FaceToJoin> faces, RunContext& context);
 
-  /// What lies on what need not be found again between faces that are not in `changed` (ascending).
+  /// Copies from an earlier result which vertices lie on which outlines, between faces that are not in `changed`
+  /// (ascending).
   void reuse(const EarlierResult& earlier, std::vector<Index> changed);
 
   /// Joins everything that was added. To be called once.
   WalkableMesh join(RunContext& context);
 
-  /// How it was joined, for reuse().
+  /// Which vertices lie on which outlines, for reuse().
   JoinMemory takeMemory();
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
@@ -76,7 +77,7 @@ class MeshJoiner {
   /// The entry to which the point at this place belongs.
   [[nodiscard]] std::size_t entryOfPoint(std::size_t place) const;
   [[nodiscard]] MeshVertex sourceVertex(Index source, Index face) const;
-  void takeOver();
+  void copyEarlier();
   /// The entries of faces that may meet a changed one; all of them when nothing is reused.
   [[nodiscard]] std::vector<Index> entriesToSearch() const;
   /// Calls visit(i) for every outline of the entries.
@@ -99,7 +100,7 @@ class MeshJoiner {
   JoinMemory memory_;
   const EarlierResult* earlier_ = nullptr;
   std::vector<Index> changed_;
-  std::vector<char> knownVertices_, knownOutlines_;  ///< their relations were taken over; empty: none
+  std::vector<char> knownVertices_, knownOutlines_;  ///< their relations were copied from earlier; empty: none
   ExactFallbacks fallbacks_;
 };
 

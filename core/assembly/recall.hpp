@@ -1,4 +1,4 @@
-// A state between filters as a handle, and what a run may take over from earlier ones.
+// A state between filters as a handle, and what a run may copy from earlier ones.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ struct Recall {
   /// What the same filter of the same pipeline gave, with other parameters or for the environment that this one is an
   /// edit of; or null.
   StatePtr before;
-  bool keep = false;  ///< later runs may ask: remember what they can take over
+  bool keep = false;  ///< whether to remember what later runs can copy
 };
 
 }  // namespace footfall::detail

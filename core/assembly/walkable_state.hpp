@@ -29,7 +29,7 @@ struct WalkableState {
   std::shared_ptr<const CutTable> cuts;
   /// The largest height that a clearance filter asked for, or one that stands for it; 0 before the first.
   double clearance = 0;
-  /// The same exactly as it was asked for.
+  /// The largest clearance exactly as it was asked for.
   double agentHeight = 0;
   /// The largest step that a StepFilter allowed; 0 before the first.
   double step = 0;
@@ -44,7 +44,7 @@ struct WalkableState {
   std::shared_ptr<const WalkableMesh> dropped;
   /// How the last clearance filter made its mesh, which later runs reuse; null unless the run was asked to keep it.
   std::shared_ptr<const AssemblyMemory> memory;
-  /// The same of the last SimplificationFilter.
+  /// What the last SimplificationFilter was made of, which later runs reuse; or null.
   std::shared_ptr<const SimplifierMemory> simplifierMemory;
   /// The same of the last StepFilter.
   std::shared_ptr<const StepMemory> stepMemory;

@@ -13,8 +13,8 @@ namespace footfall::detail {
 /// Drops a reference on another thread of the library's own, soon. Where that cannot be arranged it is dropped at once.
 void releaseInBackground(std::shared_ptr<const void> thing) noexcept;
 
-/// Holds references to things that may be large. When an exception passes, it drops in the background those that are
-/// the last; otherwise here. To be declared before all others that hold them.
+/// Holds references to things that may be large. When an exception passes, the references that are the last to a thing
+/// are dropped in the background, otherwise on this thread. To be declared before all others that hold the things.
 class ReleaseOnException {
  public:
   /// `isLarge`: whether freeing the things is worth another thread.
@@ -39,7 +39,7 @@ class ReleaseOnException {
   std::vector<std::shared_ptr<const void>> things_;
 };
 
-/// Of what has at least so many triangles, freeing is worth another thread.
+/// Freeing what was made of at least so many triangles is worth another thread.
 inline constexpr std::size_t kLargeRelease = 1 << 14;
 
 }  // namespace footfall::detail

@@ -174,7 +174,7 @@ class BoxTree {
     }
   }
 
-  /// Never infinite, so that nothing overlaps a box that is not used.
+  /// A number in the tree's frame as a float; never infinite, so that nothing overlaps a box that is not used.
   static float inFloats(double x) {
     constexpr double kLargest = std::numeric_limits<float>::max();
     return static_cast<float>(std::clamp(x, -kLargest, kLargest));

@@ -18,7 +18,7 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// Whether they were in two sets.
+  /// Makes one set of the sets of two elements. Returns whether they were two.
   bool unite(Index a, Index b) {
     a = find(a);
     b = find(b);

@@ -18,10 +18,10 @@ concept PollFunction = !std::same_as<std::remove_cvref_t<Function>, Poll> && std
 /// two pointers and refers to what it was made from, which must live as long as the poll is used.
 class Poll {
  public:
-  /// Never cancels.
+  /// A poll that never cancels.
   Poll() = default;
   Poll(const RunContext& context) : Poll(&context) {}
-  /// Never cancels without a context.
+  /// Asks a context; without one the poll never cancels.
   explicit Poll(const RunContext* context) : object_(context), call_(context != nullptr ? checkContext : nothing) {}
   /// Calls a function, which may throw what it likes.
   template <PollFunction Function>

@@ -17,14 +17,14 @@ inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y +
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// Never overflows where the length does not.
+/// The length of a vector; computing it never overflows where the length itself does not.
 inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
 
-/// Of a triangle: at a right angle to it, up where the corners are counter-clockwise from above, twice the area long.
+/// The normal of a triangle: up where the corners are counter-clockwise from above, twice the area long.
 inline Vec3 normalOf(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 inline double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) { return length(normalOf(a, b, c)) / 2; }
 
-/// For any numbers, also exact ones.
+/// The cross product for any kind of numbers, also exact ones.
 template <class T>
 std::array<T, 3> operator-(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return {T(a[0] - b[0]), T(a[1] - b[1]), T(a[2] - b[2])};

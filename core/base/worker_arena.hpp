@@ -9,7 +9,7 @@
 namespace footfall::detail {
 
 /// Calls `work(n)` where parallel loops use at most n threads: `threads`, or as many as the machine has when that is 0.
-/// More than the machine has are made. Exceptions pass through. Thread-safe.
+/// Where that is more than the machine has, more threads are made. Exceptions pass through. Thread-safe.
 void runOnThreads(int threads, const std::function<void(int)>& work);
 
 /// The same for work that returns something.

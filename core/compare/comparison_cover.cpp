@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/base/triangle_tree.hpp"
 
 namespace footfall::detail::comparison {
@@ -215,8 +216,7 @@ class Arrangement {
       for (std::size_t i = first; i < last; ++i) {
         if (i % 64 == 0) poll_();
         visitNear(boxes_[i], stack, [&](std::size_t j) { cutBy(i, j); });
-        std::sort(cuts_[i].begin(), cuts_[i].end());
-        cuts_[i].erase(std::unique(cuts_[i].begin(), cuts_[i].end()), cuts_[i].end());
+        sortOnce(cuts_[i]);
       }
     });
   }

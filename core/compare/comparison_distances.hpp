@@ -10,11 +10,11 @@
 
 namespace footfall::detail::comparison {
 
-/// From A to B and from B to A. `known[i]` is a bound that no point of triangle i exceeds, infinite where none is
-/// known, and 0 where the triangle lies in the other surface, exactly. Samples that lie exactly on the other surface
-/// have distance 0; others are computed in doubles. Further bounds come from subdividing: the distance to one triangle
-/// is convex, so over a piece it is largest at a corner. Pieces are halved until none can be farther than `error`
-/// beyond the farthest point found, or there have been too many.
+/// The distances from A to B and from B to A. `known[i]` is a bound that no point of triangle i exceeds, infinite where
+/// none is known, and 0 where the triangle lies in the other surface, exactly. Samples that lie exactly on the other
+/// surface have distance 0; others are computed in doubles. Further bounds come from subdividing: the distance to one
+/// triangle is convex, so over a piece it is largest at a corner. Pieces are halved until none can be farther than
+/// `error` beyond the farthest point found, or there have been too many.
 ///
 /// Both surfaces must have triangles. The same input gives the same bits, with any number of threads.
 std::array<SurfaceDistances, 2> measureDistances(const ComparedSurfaces& surfaces,

@@ -200,36 +200,10 @@ class CoveredPart {
   std::vector<std::array<mpz_class, 3>> normals_;
 };
 
-}  // namespace
-
-std::array<std::vector<SurfaceArea>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
-                                                      double height, RunContext& context) {
-  std::array<std::vector<SurfaceArea>, 2> uncovered;
-  CoveredPart part(surfaces, height, context);
-  for (std::size_t set = 0; set < 2; ++set) {
-    const Surface& surface = surfaces.surfaces[set];
-    uncovered[set].resize(surface.triangles.size());
-    std::vector<std::uint32_t> asked;
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-      if (difference.covered[set][i] == 0) asked.push_back(static_cast<std::uint32_t>(i));
-    if (asked.empty()) continue;
-    part.prepare(surfaces.surfaces[1 - set]);
-    forRanges(asked.size(), 16, [&](std::size_t first, std::size_t last) {
-      std::vector<std::int32_t> stack;
-      for (std::size_t i = first; i < last; ++i) {
-        context.checkCancelled();
-        const SurfaceArea& all = difference.triangleAreas[set][asked[i]];
-        const double share = part.uncoveredShare(surface.triangles[asked[i]], stack);
-        uncovered[set][asked[i]] = {share * all.surface, share * all.plan};
-      }
-    });
-  }
-  return uncovered;
-}
-
-std::array<std::vector<UncoveredPart>, 2> findUncoveredParts(const ComparedSurfaces& surfaces,
-                                                             const SetDifference& difference, double height,
-                                                             RunContext& context) {
+/// The parts of all triangles that `difference` does not know to be covered; their triangles only with `areDrawn`.
+std::array<std::vector<UncoveredPart>, 2> measureParts(const ComparedSurfaces& surfaces,
+                                                       const SetDifference& difference, double height, bool areDrawn,
+                                                       RunContext& context) {
   std::array<std::vector<UncoveredPart>, 2> uncovered;
   CoveredPart part(surfaces, height, context);
   for (std::size_t set = 0; set < 2; ++set) {
@@ -244,12 +218,34 @@ std::array<std::vector<UncoveredPart>, 2> findUncoveredParts(const ComparedSurfa
       for (std::size_t i = first; i < last; ++i) {
         context.checkCancelled();
         const SurfaceArea& all = difference.triangleAreas[set][parts[i].triangle];
-        const double share = part.uncoveredShare(surface.triangles[parts[i].triangle], stack, &parts[i].triangles);
+        const double share =
+            part.uncoveredShare(surface.triangles[parts[i].triangle], stack, areDrawn ? &parts[i].triangles : nullptr);
         parts[i].areas = {share * all.surface, share * all.plan};
       }
     });
-    std::erase_if(parts, [](const UncoveredPart& p) { return p.triangles.empty(); });
   }
+  return uncovered;
+}
+
+}  // namespace
+
+std::array<std::vector<SurfaceArea>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
+                                                      double height, RunContext& context) {
+  std::array<std::vector<SurfaceArea>, 2> uncovered;
+  const auto parts = measureParts(surfaces, difference, height, false, context);
+  for (std::size_t set = 0; set < 2; ++set) {
+    uncovered[set].resize(surfaces.surfaces[set].triangles.size());
+    for (const UncoveredPart& part : parts[set]) uncovered[set][part.triangle] = part.areas;
+  }
+  return uncovered;
+}
+
+std::array<std::vector<UncoveredPart>, 2> findUncoveredParts(const ComparedSurfaces& surfaces,
+                                                             const SetDifference& difference, double height,
+                                                             RunContext& context) {
+  auto uncovered = measureParts(surfaces, difference, height, true, context);
+  for (std::vector<UncoveredPart>& parts : uncovered)
+    std::erase_if(parts, [](const UncoveredPart& p) { return p.triangles.empty(); });
   return uncovered;
 }
 

@@ -19,7 +19,7 @@ namespace footfall::detail::comparison {
 std::array<std::vector<SurfaceArea>, 2> findUncovered(const ComparedSurfaces& surfaces, const SetDifference& difference,
                                                       double height, RunContext& context);
 
-/// Of one triangle, the part that findUncovered() measures.
+/// The part of one triangle that findUncovered() measures.
 struct UncoveredPart {
   std::uint32_t triangle = 0;  ///< of the surface
   SurfaceArea areas;

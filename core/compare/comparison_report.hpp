@@ -15,7 +15,7 @@ struct ComparisonTimes {
   double compareMs = 0;
 };
 
-/// For people to read.
+/// A comparison as a table for people.
 std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, const MeshComparison& comparison,
                              const ComparisonTimes& times);
 

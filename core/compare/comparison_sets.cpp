@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/sorted_list.hpp"
 
 namespace footfall::detail::comparison {
 namespace {
@@ -146,8 +147,7 @@ class SetSubtraction {
     std::vector<std::uint32_t> used;
     for (std::size_t i = group.first; i < group.last; ++i)
       used.insert(used.end(), triangleOf(planes_[i]).begin(), triangleOf(planes_[i]).end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    sortOnce(used);
     std::vector<CoverPoint> points;
     points.reserve(used.size());
     for (const std::uint32_t v : used) points.push_back({positions_.integers[v][x], positions_.integers[v][y]});

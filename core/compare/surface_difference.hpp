@@ -16,7 +16,7 @@ namespace footfall::detail {
 /// A part of the difference that hangs together: in a plane over more than a point, and over corners from plane to
 /// plane.
 struct DifferentRegion {
-  std::uint32_t mesh = 0;  ///< that has it: 0 or 1
+  std::uint32_t mesh = 0;  ///< the mesh that has it: 0 or 1
   double area = 0;         ///< of the surface, of its triangles: rounded
   Vec3 lower, upper;       ///< the box around it
 };

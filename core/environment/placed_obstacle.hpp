@@ -31,18 +31,19 @@ std::array<double, 2> directionOf(double degrees);
 /// as the corners of soups are.
 Vec3 placeOn(const PlacedObstacle& obstacle, const Vec3& local);
 
-/// Its surface: closed, facing outward, 12 triangles for a box, 8 for a ramp, 92 for a cylinder (24 sides; an ellipse
-/// where its extents differ). Turns by multiples of 90 degrees leave boxes and ramps parallel to the axes to the last
-/// bit, and bottoms and tops lie at exactly base.z and base.z + size.z: what stands on a floor touches it. Other turns
-/// are rounded to a 16 millionth of the smaller extent, so that they need few digits.
-/// Throws InputError for an extent that is not above 0 or a number that is not finite.
+/// The surface of an obstacle: closed, facing outward, 12 triangles for a box, 8 for a ramp, 92 for a cylinder (24
+/// sides; an ellipse where its extents differ). Turns by multiples of 90 degrees leave boxes and ramps parallel to the
+/// axes to the last bit, and bottoms and tops lie at exactly base.z and base.z + size.z: what stands on a floor touches
+/// it. Other turns are rounded to a 16 millionth of the smaller extent, so that they need few digits. Throws InputError
+/// for an extent that is not above 0 or a number that is not finite.
 TriangleSoup soupOf(const PlacedObstacle& obstacle);
 
-/// The same with faces inside, which look down and are at most `spacing` apart: a hollow obstacle that is higher than
-/// the clearance would have a walkable floor within. At most 64 of them, farther apart where that does not suffice.
+/// The surface with faces inside, which look down and are at most `spacing` apart: a hollow obstacle that is higher
+/// than the clearance would have a walkable floor within. At most 64 of them, farther apart where that does not
+/// suffice.
 TriangleSoup solidSoupOf(const PlacedObstacle& obstacle, double spacing);
 
-/// The surfaces of all of them in one soup, for exports.
+/// The surfaces of all obstacles in one soup, for exports.
 TriangleSoup obstaclesSoup(const std::vector<PlacedObstacle>& obstacles);
 
 }  // namespace footfall::detail

@@ -13,7 +13,7 @@ namespace footfall::detail {
 /// or nothing where none is.
 std::optional<double> betterScale(const Vec3& size, double metresPerUnit);
 
-/// Whether it is too high, rather than too long or too short, by that scale.
+/// Whether a level of this size is too high, rather than too long or too short, by that scale.
 bool isTooHigh(const Vec3& size, double metresPerUnit);
 
 }  // namespace footfall::detail

@@ -68,7 +68,7 @@ class FaceGeometry {
   };
   Index borderCrossing(PlanLine l, PlanLine m);
   const Homogeneous<ErrorDouble>& homogeneous(Index point);
-  /// Their numbers in exact_.
+  /// The number of a point's, or of a line's, exact coordinates in exact_.
   Index exact(Index point);
   Index exactLine(Index line);
   [[nodiscard]] bool areKnownCollinear(Index a, Index b, Index c) const;

@@ -19,6 +19,10 @@ int neighborSlot(const FaceTriangulation::Cell& cell, Index neighbor) {
   return cell.neighbors[0] == neighbor ? 0 : cell.neighbors[1] == neighbor ? 1 : 2;
 }
 
+/// The corners of the first cell; FaceGeometry: those of the face are the points 0, 1, 2. In which order edges are
+/// tried follows from it, and so do the triangles of results.
+constexpr std::array<Index, 3> kFirstCorners{1, 2, 0};
+
 [[noreturn]] void fail(const char* what) {
   throw std::logic_error(std::string("the triangulation of a floor triangle is inconsistent: ") + what);
 }
@@ -51,15 +55,15 @@ void FaceTriangulation::start() {
   growTables();
   Cell cell;
   for (int k = 0; k < 3; ++k) {
-    cell.corners[k] = k;  // FaceGeometry: the face's corners are the points 0, 1, 2
-    cell.lines[previous(k)] = k;
+    cell.corners[k] = kFirstCorners[k];
+    cell.lines[k] = kFirstCorners[k];  // the face's edge from that corner
     cellOf_[k] = 0;
     representative_[k] = k;
   }
   cells_.push_back(cell);
 }
 
-void FaceTriangulation::markEdgeWall(int k) { cells_[0].walls[previous(k)] = 1; }
+void FaceTriangulation::markEdgeWall(int k) { cells_[0].walls[cornerOf(cells_[0], k)] = 1; }
 
 void FaceTriangulation::replaceNeighbor(Index cell, Index from, Index to) {
   if (cell < 0) return;
@@ -79,13 +83,13 @@ void FaceTriangulation::splitCell(Index cell, Index point) {
   cells_.resize(cells_.size() + 2);
   for (int i = 0; i < 3; ++i) {
     Cell part;
-    part.corners = {point, old.corners[next(i)], old.corners[previous(i)]};
+    part.corners = {old.corners[i], old.corners[next(i)], point};
     copyEdge(part, 0, old, i);
     part.neighbors[1] = ids[next(i)];
     part.neighbors[2] = ids[previous(i)];
     cells_[ids[i]] = part;
     if (i > 0) replaceNeighbor(old.neighbors[i], cell, ids[i]);
-    cellOf_[part.corners[1]] = ids[i];
+    cellOf_[part.corners[0]] = ids[i];
     stack_.push_back({ids[i], point});
   }
   cellOf_[point] = cell;
@@ -95,13 +99,13 @@ void FaceTriangulation::splitCell(Index cell, Index point) {
 Index FaceTriangulation::splitHalf(Index cell, int k, Index point) {
   const Cell old = cells_[cell];
   const auto second = static_cast<Index>(cells_.size());
-  const Index c = old.corners[k], a = old.corners[next(k)], b = old.corners[previous(k)];
+  const Index a = old.corners[k], b = old.corners[next(k)], c = old.corners[previous(k)];
   Cell x, y;
-  x.corners = {c, a, point};
+  x.corners = {a, point, c};
   copyEdge(x, 0, old, k);
   x.neighbors[1] = second;
   copyEdge(x, 2, old, previous(k));
-  y.corners = {c, point, b};
+  y.corners = {point, b, c};
   copyEdge(y, 0, old, k);
   copyEdge(y, 1, old, next(k));
   y.neighbors[2] = cell;
@@ -135,13 +139,13 @@ void FaceTriangulation::flip(Index cell, int k) {
   const Index other = x.neighbors[k];
   const Cell y = cells_[other];
   const int j = neighborSlot(y, cell);
-  const Index c = x.corners[k], a = x.corners[next(k)], b = x.corners[previous(k)], d = y.corners[j];
+  const Index a = x.corners[k], b = x.corners[next(k)], c = x.corners[previous(k)], d = y.corners[previous(j)];
   Cell p, q;
-  p.corners = {c, a, d};
+  p.corners = {a, d, c};
   copyEdge(p, 0, y, next(j));
   p.neighbors[1] = other;
   copyEdge(p, 2, x, previous(k));
-  q.corners = {c, d, b};
+  q.corners = {d, b, c};
   copyEdge(q, 0, y, previous(j));
   copyEdge(q, 1, x, next(k));
   q.neighbors[2] = cell;
@@ -161,8 +165,8 @@ bool FaceTriangulation::flipIfBetter(Index cell, int k) {
   const Cell& x = cells_[cell];
   const Index other = x.neighbors[k];
   if (other < 0 || x.lines[k] >= 0) return false;
-  const Index c = x.corners[k], a = x.corners[next(k)], b = x.corners[previous(k)];
-  const Index d = cells_[other].corners[neighborSlot(cells_[other], cell)];
+  const Index a = x.corners[k], b = x.corners[next(k)], c = x.corners[previous(k)];
+  const Index d = cells_[other].corners[previous(neighborSlot(cells_[other], cell))];
   const ApproximatePoint& pd = geometry_.approximate(d);
   const auto relative = [&](Index v) {
     const ApproximatePoint& p = geometry_.approximate(v);
@@ -182,8 +186,8 @@ void FaceTriangulation::legalize() {
     stack_.pop_back();
     if (flips >= kMostFlips) continue;
     const Cell& c = cells_[cell];
-    const int k = cornerOf(c, point);
-    if (c.corners[k] != point) continue;
+    const int corner = cornerOf(c, point), k = next(corner);
+    if (c.corners[corner] != point) continue;
     const Index other = c.neighbors[k];
     if (flipIfBetter(cell, k)) {
       ++flips;
@@ -207,7 +211,7 @@ Index FaceTriangulation::locate(Index point, int& zeros, int& k) {
       const int edge = (first + i) % 3;
       const Cell& c = cells_[current];
       if (last >= 0 && c.neighbors[edge] == last) continue;
-      const int s = geometry_.orientation(c.corners[next(edge)], c.corners[previous(edge)], point);
+      const int s = geometry_.orientation(c.corners[edge], c.corners[next(edge)], point);
       if (s < 0) {
         if (c.neighbors[edge] < 0) fail("a point outside the face");
         last = current;
@@ -219,7 +223,7 @@ Index FaceTriangulation::locate(Index point, int& zeros, int& k) {
     }
     if (moved) continue;
     if (zeros == 1) k = zero[0];
-    if (zeros == 2) k = 3 - zero[0] - zero[1];
+    if (zeros == 2) k = next(zero[0]) == zero[1] ? zero[1] : zero[0];  // where the second of both begins
     return current;
   }
 }
@@ -255,10 +259,10 @@ bool FaceTriangulation::findEdge(Index a, Index b, Index& cell, int& k) const {
       const Cell& c = cells_[cell];
       const int i = cornerOf(c, a);
       if (c.corners[next(i)] == b) {
-        k = previous(i);
+        k = i;
         return true;
       }
-      cell = c.neighbors[forward ? next(i) : previous(i)];
+      cell = c.neighbors[forward ? previous(i) : i];
     } while (cell >= 0 && cell != start);
     if (cell == start) return false;
   }
@@ -316,7 +320,7 @@ Index FaceTriangulation::advance(Index u, Index line, int direction) {
         entered = cell;
         break;
       }
-      cell = c.neighbors[forward ? next(i) : previous(i)];
+      cell = c.neighbors[forward ? previous(i) : i];
     } while (cell >= 0 && cell != start);
     if (entered >= 0 || cell == start) break;
   }
@@ -324,12 +328,12 @@ Index FaceTriangulation::advance(Index u, Index line, int direction) {
 
   std::vector<Edge> crossed;
   Index cell = entered;
-  int k = cornerOf(cells_[cell], u);
+  int k = next(cornerOf(cells_[cell], u));  // opposite u
   Index target = -1;
   while (target < 0) {
     poll();
     const Cell& c = cells_[cell];
-    const Index a = c.corners[next(k)], b = c.corners[previous(k)];
+    const Index a = c.corners[k], b = c.corners[next(k)];
     if (c.lines[k] >= 0) {
       const Index p = geometry_.crossing(line, c.lines[k]);
       growTables();
@@ -347,7 +351,7 @@ Index FaceTriangulation::advance(Index u, Index line, int direction) {
     const Index other = c.neighbors[k];
     if (other < 0) fail("a segment that leaves the face");
     const int j = neighborSlot(cells_[other], cell);
-    const Index apex = cells_[other].corners[j];
+    const Index apex = cells_[other].corners[previous(j)];
     const int s = sideOfSegment(line, direction, apex);
     if (s == 0) {
       target = apex;
@@ -372,8 +376,8 @@ void FaceTriangulation::flipAway(Index line, int direction, const std::vector<Ed
       if (!findEdge(e[0], e[1], cell, k)) fail("a lost edge");
     }
     const Index other = cells_[cell].neighbors[k];
-    const Index r = cells_[cell].corners[k];
-    const Index d = cells_[other].corners[neighborSlot(cells_[other], cell)];
+    const Index r = cells_[cell].corners[previous(k)];
+    const Index d = cells_[other].corners[previous(neighborSlot(cells_[other], cell))];
     if (geometry_.orientation(r, e[0], d) > 0 && geometry_.orientation(r, d, e[1]) > 0) {
       flip(cell, k);
       if (sideOfSegment(line, direction, r) * sideOfSegment(line, direction, d) < 0) queue.push_back({r, d});

@@ -17,7 +17,7 @@ namespace footfall::detail {
 
 class FaceTriangulation {
  public:
-  /// Edge k runs from corner k + 1 to corner k + 2, opposite corner k.
+  /// A triangle; edge k runs from corner k to corner k + 1.
   struct Cell {
     std::array<Index, 3> corners{};
     std::array<Index, 3> neighbors{-1, -1, -1};  ///< -1 outside the face

@@ -10,8 +10,8 @@
 
 namespace footfall::detail {
 
-/// Sorts points of the geometry, whose face has an area in the plan. Where rounded places are too close to tell, what
-/// the points are decides.
+/// Sorts points of the geometry, whose face has an area in the plan. Where rounded places are too close to be
+/// ordered, what the points were made of decides.
 void sortAlongCurve(const FaceGeometry& geometry, std::vector<Index>& points);
 
 }  // namespace footfall::detail

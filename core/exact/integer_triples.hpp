@@ -28,7 +28,7 @@ class IntegerTriples {
     return addViews(views);
   }
 
-  /// Good until the next one is added.
+  /// Views of a triple's numbers, good until the next triple is added.
   std::array<IntegerView, 3> operator[](std::int32_t number) const {
     const Triple& t = triples_[static_cast<std::size_t>(number)];
     std::array<IntegerView, 3> views;
@@ -40,7 +40,7 @@ class IntegerTriples {
     return views;
   }
 
-  /// The same as numbers of GMP.
+  /// A triple as numbers of GMP.
   [[nodiscard]] std::array<mpz_class, 3> wide(std::int32_t number) const {
     std::array<mpz_class, 3> result;
     const auto views = (*this)[number];

@@ -67,7 +67,7 @@ class PlanPoint {
   [[nodiscard]] Index face() const { return face_; }
 
   bool operator==(const PlanPoint&) const = default;
-  /// Some order.
+  /// An order without a geometric meaning, for tables.
   auto operator<=>(const PlanPoint&) const = default;
 
  private:

@@ -26,8 +26,8 @@ struct SortedTriangle {
 
 class Editor {
  public:
-  Editor(const SourceMesh& base, const EditedSoup& soup, Poll poll)
-      : base_(base), soup_(soup), poll_(poll), changes_(std::make_shared<SourceEdit>()) {}
+  Editor(const SourceMesh& base, const SoupEdit& edit, Poll poll)
+      : base_(base), edit_(edit), poll_(poll), changes_(std::make_shared<SourceEdit>()) {}
 
   std::shared_ptr<SourceMesh> run() {
     mergeVertices();
@@ -43,17 +43,17 @@ class Editor {
  private:
   void mergeVertices() {
     std::vector<char> used(base_.vertices.size(), 0);
-    for (const std::uint32_t v : soup_.keptVertices) used[base_.welded[v]] = 1;
-    const auto firstAdded = static_cast<std::uint32_t>(soup_.keptVertices.size());
-    std::vector<std::uint32_t> added(soup_.vertices.size() - firstAdded);
+    for (const std::uint32_t v : edit_.keptVertices) used[base_.welded[v]] = 1;
+    const auto firstAdded = static_cast<std::uint32_t>(edit_.keptVertices.size());
+    std::vector<std::uint32_t> added(edit_.soup.vertices.size() - firstAdded);
     std::iota(added.begin(), added.end(), firstAdded);
-    const auto place = [&](std::uint32_t v) { return withoutNegativeZeros(soup_.vertices[v]); };
+    const auto place = [&](std::uint32_t v) { return withoutNegativeZeros(edit_.soup.vertices[v]); };
     std::sort(added.begin(), added.end(),
               [&](std::uint32_t a, std::uint32_t b) { return isBefore(place(a), place(b)); });
 
     mesh_.vertices.reserve(base_.vertices.size() + added.size());
     mesh_.planIds.reserve(base_.vertices.size() + added.size());
-    mesh_.welded.resize(soup_.vertices.size());
+    mesh_.welded.resize(edit_.soup.vertices.size());
     changes_->vertexOf.assign(base_.vertices.size(), -1);
     changes_->planOf.assign(base_.vertices.size(), -1);
     const auto append = [&](const Vec3& v) {
@@ -78,17 +78,17 @@ class Editor {
       changes_->planOf[base_.planIds[v]] = mesh_.planIds[index];
     }
     while (next < added.size()) appendAdded();
-    for (std::size_t i = 0; i < soup_.keptVertices.size(); ++i)
-      mesh_.welded[i] = changes_->vertexOf[base_.welded[soup_.keptVertices[i]]];
+    for (std::size_t i = 0; i < edit_.keptVertices.size(); ++i)
+      mesh_.welded[i] = changes_->vertexOf[base_.welded[edit_.keptVertices[i]]];
   }
 
   void mergeTriangles() {
-    const std::size_t kept = soup_.keptTriangles.size(), count = soup_.triangles.size();
+    const std::size_t kept = edit_.keptTriangles.size(), count = edit_.soup.triangles.size();
     std::vector<Index> numberOf(base_.triangles.size(), -1);  // of an input triangle of the base, in this environment
-    for (std::size_t i = 0; i < kept; ++i) numberOf[soup_.keptTriangles[i]] = static_cast<Index>(i);
+    for (std::size_t i = 0; i < kept; ++i) numberOf[edit_.keptTriangles[i]] = static_cast<Index>(i);
     std::vector<SortedTriangle> added;
     for (std::size_t i = kept; i < count; ++i)
-      added.push_back({turnedTriangle(mesh_, soup_.triangles[i], soup_.bothSides), static_cast<std::uint32_t>(i)});
+      added.push_back({turnedTriangle(mesh_, edit_.soup.triangles[i], edit_.bothSides), static_cast<std::uint32_t>(i)});
     std::sort(added.begin(), added.end());
 
     // Where each comes from: a triangle of the base, or -1 - the place among those that were added.
@@ -179,7 +179,7 @@ class Editor {
   }
 
   const SourceMesh& base_;
-  const EditedSoup& soup_;
+  const SoupEdit& edit_;
   Poll poll_;
   std::shared_ptr<SourceEdit> changes_;
   SourceMesh mesh_;
@@ -187,10 +187,10 @@ class Editor {
 
 }  // namespace
 
-std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base, const EditedSoup& soup,
+std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base, const SoupEdit& edit,
                                                  Poll poll) {
   if (base->welded.empty() || !base->obstacleEdges.empty()) return nullptr;
-  Editor editor(*base, soup, poll);
+  Editor editor(*base, edit, poll);
   auto mesh = editor.run();
   if (mesh) editor.changes()->base = base;
   return mesh;

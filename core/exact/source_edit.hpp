@@ -23,19 +23,18 @@ struct SourceEdit {
   std::vector<Box> removed, added;    ///< of the triangles that went and came
 };
 
-/// A soup that was made of another one: what was kept comes first, in the order of the other one.
-struct EditedSoup {
-  std::span<const Vec3> vertices;
-  std::span<const Triangle> triangles;
+/// A soup of which the first vertices and triangles are some of another one, in the same order.
+struct SoupEdit {
+  SoupView soup;
   std::span<const std::uint32_t> keptVertices;   ///< numbers in the other one, ascending
   std::span<const std::uint32_t> keptTriangles;  ///< numbers in the other one, ascending
-  bool bothSides = false;
+  bool bothSides = false;                        ///< as for makeSourceMesh()
 };
 
-/// The mesh that makeSourceMesh() makes of `soup`, which is an edit of the soup that `base` was made of. Null when they
-/// do not fit together, or when the edit changes the scale of the grid. `poll` is called now and then and may throw to
-/// cancel.
-std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base, const EditedSoup& soup,
+/// The mesh that makeSourceMesh() makes of the edit's soup; the other soup is the one that `base` was made of. Null
+/// when they do not fit together, or when the edit changes the scale of the grid. `poll` is called now and then and may
+/// throw to cancel.
+std::shared_ptr<const SourceMesh> editSourceMesh(const std::shared_ptr<const SourceMesh>& base, const SoupEdit& edit,
                                                  Poll poll);
 
 }  // namespace footfall::detail

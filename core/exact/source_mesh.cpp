@@ -12,6 +12,7 @@
 
 #include "core/base/lexicographic_order.hpp"
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
 #include "core/exact/plan_places.hpp"
 #include "core/exact/source_predicates.hpp"
@@ -152,7 +153,7 @@ std::vector<std::uint32_t> orderOf(const std::vector<std::array<Index, 3>>& tria
 }
 
 // Turns the triangles of the soup to start at their smallest vertex, and sorts them; returns the order.
-std::vector<std::uint32_t> sortTriangles(const SourceSoupView& soup, bool bothSides, SourceMesh& mesh, Poll poll) {
+std::vector<std::uint32_t> sortTriangles(const SoupView& soup, bool bothSides, SourceMesh& mesh, Poll poll) {
   const std::size_t count = soup.triangles.size();
   std::vector<std::array<Index, 3>> turned(count);
   forEach(count, poll, [&](std::size_t i) { turned[i] = turnedTriangle(mesh, soup.triangles[i], bothSides); });
@@ -211,7 +212,7 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
          std::binary_search(obstacleEdges.begin(), obstacleEdges.end(), std::make_pair(std::min(a, b), std::max(a, b)));
 }
 
-SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order, Poll poll) {
+SourceMesh makeSourceMesh(const SoupView& soup, bool bothSides, std::vector<std::uint32_t>* order, Poll poll) {
   SourceMesh mesh;
   // One thread sorts for long, another has the time to clear memory.
   tbb::parallel_invoke([&] { mesh.welded = weldVertices(soup.vertices, mesh, poll); },
@@ -223,8 +224,7 @@ SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vecto
     const Index a = mesh.welded[u], b = mesh.welded[v];
     if (a != b) mesh.obstacleEdges.emplace_back(std::min(a, b), std::max(a, b));
   }
-  std::sort(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end());
-  mesh.obstacleEdges.erase(std::unique(mesh.obstacleEdges.begin(), mesh.obstacleEdges.end()), mesh.obstacleEdges.end());
+  sortOnce(mesh.obstacleEdges);
   classify(mesh, poll);
   buildTree(mesh, poll);
   poll();

@@ -47,18 +47,25 @@ struct SourceMesh {
 
   /// So many vertices at the end are no corners of triangles, only places of the plan (addPlanPlaces()).
   std::size_t planPlaces = 0;
-  /// The mesh without them, where another one of the same vertices and triangles may be compared with it; or null.
+  /// The mesh without those places, where another one of the same vertices and triangles may be compared with it; or
+  /// null.
   std::shared_ptr<const SourceMesh> withoutPlaces;
 
   [[nodiscard]] bool hasObstacleEdge(Index a, Index b) const;
 };
 
-/// A triangle soup to make a generation of.
-struct SourceSoup {
-  std::vector<Vec3> vertices;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> inputTriangles;                ///< for each triangle; empty: 0, 1, 2, ...
-  std::vector<std::array<std::uint32_t, 2>> obstacleEdges;  ///< vertex pairs
+/// Vertices and triangles over them that lie elsewhere, and what is known of them. What it shows must outlive it.
+struct SoupView {
+  std::span<const Vec3> vertices;
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> inputTriangles;  ///< for each triangle its number in the input; empty: 0, 1, 2, ...
+  std::span<const std::array<std::uint32_t, 2>> obstacleEdges = {};  ///< pairs of vertices on which obstacles stand
+
+  SoupView(std::span<const Vec3> givenVertices, std::span<const Triangle> givenTriangles,
+           std::span<const std::uint32_t> givenInputTriangles = {})
+      : vertices(givenVertices), triangles(givenTriangles), inputTriangles(givenInputTriangles) {}
+  SoupView(const TriangleSoup& soup)  // NOLINT(google-explicit-constructor)
+      : SoupView(soup.vertices, soup.triangles) {}
 };
 
 // The steps of makeSourceMesh() that an edit repeats for what is new.
@@ -84,26 +91,10 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled)
 /// Finds normal, facing and degeneracy of a triangle.
 void classifyTriangle(SourceMesh& mesh, Index triangle, const SignRule& sign);
 
-/// The same, where it lies already.
-struct SourceSoupView {
-  std::span<const Vec3> vertices;
-  std::span<const Triangle> triangles;
-  std::span<const std::uint32_t> inputTriangles;
-  std::span<const std::array<std::uint32_t, 2>> obstacleEdges;
-
-  SourceSoupView(std::span<const Vec3> givenVertices, std::span<const Triangle> givenTriangles)
-      : vertices(givenVertices), triangles(givenTriangles) {}
-  SourceSoupView(const SourceSoup& soup)  // NOLINT(google-explicit-constructor)
-      : vertices(soup.vertices),
-        triangles(soup.triangles),
-        inputTriangles(soup.inputTriangles),
-        obstacleEdges(soup.obstacleEdges) {}
-};
-
 /// Welds, sorts and classifies, in parallel where there is much to do. `bothSides` turns triangles that face down.
 /// `order` (may be null) receives for each triangle of the mesh its number in the soup. `poll` is called every few
 /// milliseconds, by any thread, and may throw to cancel.
-SourceMesh makeSourceMesh(const SourceSoupView& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
+SourceMesh makeSourceMesh(const SoupView& soup, bool bothSides, std::vector<std::uint32_t>* order = nullptr,
                           Poll poll = {});
 
 }  // namespace footfall::detail

@@ -1,4 +1,4 @@
-// The spatial index of one generation, which an edited environment takes over from the one it was made of.
+// The spatial index of one generation, which an edited environment shares with the one that it was made of.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ namespace footfall::detail {
 /// out. The order of the visits says nothing.
 class SourceTree {
  public:
-  /// As TriangleTree::build().
+  /// Builds the tree as TriangleTree::build() does.
   template <class BoxOf>
   void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf, Poll poll) {
     auto tree = std::make_shared<TriangleTree>();

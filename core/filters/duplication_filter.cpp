@@ -90,7 +90,7 @@ FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContex
     return outcome;
   }
   GenerationSoup soup = makeGenerationSoup(state, context, outcome.fallbacks);
-  std::vector<Vec3>& vertices = soup.soup.vertices;
+  std::vector<Vec3>& vertices = soup.vertices;
   std::vector<std::size_t> order(vertices.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto key = [&](std::size_t i) { return std::array{vertices[i].x, vertices[i].y, vertices[i].z}; };

@@ -8,7 +8,9 @@
 #include <tuple>
 #include <type_traits>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/geometry.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/exact/insertion_order.hpp"
 
 namespace footfall::detail {
@@ -200,14 +202,36 @@ void FaceCutter::cancelSegments() {
   segments_.resize(kept);
 }
 
-void FaceCutter::keepOutline(OpenGrid& grid) {
+OpenGrid::Outline FaceCutter::outlineOf(const FaceTriangulation::Cell& cell) const {
+  const auto& [a, b, c] = cell.corners;
+  return {geometry_.approximate(a), geometry_.approximate(b), geometry_.approximate(c)};
+}
+
+std::vector<char> FaceCutter::findOpen(const OpenGrid* openCells) const {
+  const auto& cells = triangulation_.cells();
+  const std::vector<int> winding = triangulation_.windingNumbers();
+  std::vector<char> isOpen(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) isOpen[i] = static_cast<char>(winding[i] == 0);
+  if (openCells == nullptr) return isOpen;
+  DisjointSets parts(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (const Index other : cells[i].neighbors)
+      if (other >= 0 && isOpen[i] != 0 && isOpen[other] != 0) parts.unite(static_cast<Index>(i), other);
+  std::vector<char> isReached(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (isOpen[i] != 0 && openCells->mayReach(outlineOf(cells[i]))) isReached[parts.find(static_cast<Index>(i))] = 1;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    isOpen[i] = static_cast<char>(isOpen[i] != 0 && isReached[parts.find(static_cast<Index>(i))] != 0);
+  return isOpen;
+}
+
+void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
   cancelSegments();
   triangulation_.start();
   std::vector<Index> points;
   points.reserve(2 * segments_.size());
   for (const CutSegment& s : segments_) points.insert(points.end(), {s.from, s.to});
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sortOnce(points);
   sortAlongCurve(geometry_, points);
   for (const Index p : points) triangulation_.insertPoint(p);
   for (const CutSegment& s : segments_)
@@ -215,19 +239,17 @@ void FaceCutter::keepOutline(OpenGrid& grid) {
                                  s.direction, s.winding, s.wall);
 
   const auto& cells = triangulation_.cells();
-  const std::vector<int> winding = triangulation_.windingNumbers();
+  const std::vector<char> open = findOpen(openCells);
   segments_.clear();
   grid.close();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if ((++polls_ & 255) == 0) poll_();
     const FaceTriangulation::Cell& c = cells[i];
-    const bool isOpen = winding[i] == 0;
-    if (isOpen)
-      grid.open({geometry_.approximate(c.corners[0]), geometry_.approximate(c.corners[1]),
-                 geometry_.approximate(c.corners[2])});
+    const bool isOpen = open[i] != 0;
+    if (isOpen) grid.open(outlineOf(c));
     for (int k = 0; k < 3; ++k) {
       const Index other = c.neighbors[k];
-      const bool isOpenBeyond = other >= 0 && winding[other] == 0;
+      const bool isOpenBeyond = other >= 0 && open[other] != 0;
       bool isWall = c.walls[k] != 0;
       if (isOpen) {  // Between open cells the one with the larger number has the wall, beside a covered one that.
         if (!isWall || (other >= 0 && !isOpenBeyond) || other > static_cast<Index>(i)) continue;
@@ -235,7 +257,7 @@ void FaceCutter::keepOutline(OpenGrid& grid) {
         if (other >= 0 && !isOpenBeyond) continue;
         isWall = isWall && isOpenBeyond;
       }
-      addSegment(c.corners[next(k)], c.corners[previous(k)], c.lines[k], geometry_.side(c.lines[k], c.corners[k]),
+      addSegment(c.corners[k], c.corners[next(k)], c.lines[k], geometry_.side(c.lines[k], c.corners[previous(k)]),
                  isOpen ? 0 : 1, isWall);
     }
   }

@@ -16,7 +16,7 @@
 
 namespace footfall::detail {
 
-/// One for each thread; reused from face to face.
+/// Cuts one face after another; one object for each thread.
 class FaceCutter {
  public:
   FaceCutter(const PlanKernel& kernel, Poll poll)
@@ -89,13 +89,15 @@ class FaceCutter {
   /// `cutFrom`, `cutTo`: a border of the cell made that end.
   void addSegment(Index from, Index to, Index line, int direction, int winding, bool wall, bool cutFrom = false,
                   bool cutTo = false);
-  /// Adds the segments of FaceCuts or of a FaceShare, and tells what its points and lines are called here.
+  /// Adds the segments of FaceCuts or of a FaceShare; `points` and `lines` receive the numbers of its points and lines
+  /// in the geometry.
   void addCuts(const FaceCuts& cuts, std::vector<Index>& points, std::vector<Index>& lines);
   void addCuts(const FaceShare& cuts, std::vector<Index>& points, std::vector<Index>& lines);
   void cancelSegments();
   /// Replaces the segments by the outline of all that they enclose, with the walls outside of it; opens in `grid` what
-  /// is outside and closes all else. Not for shares of cells.
-  void keepOutline(OpenGrid& grid);
+  /// is outside and closes all else. Not for shares of cells. Of what is outside, parts that do not reach `openCells`
+  /// (null: all do) count as enclosed; the segments must part them from the others.
+  void keepOutline(OpenGrid& grid, const OpenGrid* openCells = nullptr);
   [[nodiscard]] std::size_t segmentCount() const { return segments_.size(); }
   void collect(FaceCuts& cuts);
   void collect(FaceShare& cuts);
@@ -107,7 +109,7 @@ class FaceCutter {
   Index face_ = -1;
   std::uint8_t edgeWalls_ = 0;
 
-  // Of the cell whose share is being cut.
+  // The sides of the cell whose share is being cut, and what is known of them.
   std::span<const CellSide> sides_;
   std::vector<Index> sideLines_;
   std::vector<std::uint8_t> cellBorders_;  ///< for each point, bit i: it lies on side i
@@ -120,11 +122,14 @@ class FaceCutter {
   template <class Cuts>
   void collectAll(Cuts& cuts);
   void sortSegments();
+  [[nodiscard]] OpenGrid::Outline outlineOf(const FaceTriangulation::Cell& cell) const;
+  /// For each cell of the triangulation, whether it is outside of what keepOutline() encloses.
+  [[nodiscard]] std::vector<char> findOpen(const OpenGrid* openCells) const;
   [[nodiscard]] bool precedes(Index line, Index other) const;
 
   FaceTriangulation triangulation_;  ///< of what keepOutline() looks at
   bool started_ = false;
-  std::vector<std::span<const Index>> unsure_;  ///< polygons of which doubles do not tell how they lie to the face
+  std::vector<std::span<const Index>> unsure_;  ///< polygons of which doubles cannot decide how they lie to the face
   std::vector<CutSegment> segments_, sorted_;
   std::vector<Index> counts_;
   std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected

@@ -12,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// Whether a triangle that is a floor stays one; counts where doubles cannot tell.
+/// Whether a triangle that is a floor stays one; counts the cases that doubles cannot decide.
 using FaceTest = std::function<bool(Index face, ExactFallbacks& count)>;
 
 /// The test of DegeneracyFilter or SlopeFilter on the triangles of a kernel's mesh, which it keeps; empty for all other
@@ -30,7 +30,7 @@ class FloorFlags {
     if (flags_[face] == kUnknown) flags_[face] = static_cast<char>(passesAll(face));
     return flags_[face] != 0;
   }
-  /// The same, when all tests are known to have been passed, or one not to.
+  /// Sets the answer for a face whose tests were made elsewhere.
   void set(Index face, bool isFloor) { flags_[face] = static_cast<char>(isFloor); }
 
   ExactFallbacks fallbacks;

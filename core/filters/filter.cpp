@@ -24,8 +24,10 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
   std::shared_ptr<const SourceMesh> mesh;
   if (recall.before && environment->edit && recall.before->environment == environment->edit->base.lock())
     mesh = editSourceMesh(recall.before->kernel->sharedMesh(),
-                          {environment->vertices, environment->triangles, environment->edit->keptVertices,
-                           environment->edit->keptTriangles, environment->bothSides},
+                          {{environment->vertices, environment->triangles},
+                           environment->edit->keptVertices,
+                           environment->edit->keptTriangles,
+                           environment->bothSides},
                           poll);
   if (!mesh)
     mesh = std::make_shared<SourceMesh>(

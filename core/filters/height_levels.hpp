@@ -16,10 +16,10 @@ std::shared_ptr<const PlanKernel> kernelWithHeight(const std::shared_ptr<const P
 /// above it stands for all of them, and does not stretch the grid on which doubles can decide.
 double sufficientHeight(const SourceMesh& mesh, double height);
 
-/// Beside large coordinates a tiny height makes every number as wide as what lies between them. On slanted floors there
-/// is no height that makes no difference; but one below the coordinates' common step, and beyond the digits that
-/// decisions are quick with, is a slip of the hand or a wrong scale. Throws InputError `tooSmall` with the height, the
-/// largest coordinate and the least height that may be given.
+/// Refuses heights that are tiny beside the coordinates: they make every number as wide as what lies between the two.
+/// On slanted floors there is no height that makes no difference; but one below the coordinates' common step, and
+/// beyond the digits that decisions are quick with, is a slip of the hand or a wrong scale. Throws InputError
+/// `tooSmall` with the height, the largest coordinate and the least height that may be given.
 void checkHeight(const SourceMesh& mesh, double height, Pattern tooSmall);
 
 }  // namespace footfall::detail

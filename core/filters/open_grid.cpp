@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "core/exact/face_geometry.hpp"
 
@@ -179,6 +181,7 @@ OpenGrid::Row OpenGrid::cellsMet(const Slices& triangle, std::size_t row) const 
 
 void OpenGrid::close() {
   open_.fill(0);
+  openColumns_ = 0;
   opened_.clear();
   areAllListed_ = true;
 }
@@ -190,11 +193,13 @@ void OpenGrid::open(const Outline& outline) {
   const Slices triangle(outline);
   visitRows(triangle.lowest(), triangle.highest(), [&](std::size_t row) {
     open_[row] |= cellsMet(triangle, row);
+    openColumns_ |= open_[row];
     return false;
   });
 }
 
 void OpenGrid::cover(const Outline& outline) {
+  if (!mayMeet(outline)) return;
   const Slices triangle(outline);
   const Row columns = columnsMeeting(triangle.leftmost(), triangle.rightmost());
   visitRows(triangle.lowest(), triangle.highest(), [&](std::size_t row) {
@@ -203,9 +208,11 @@ void OpenGrid::cover(const Outline& outline) {
     open_[row] &= ~columnsWithin(inside.low, inside.high);
     return false;
   });
+  openColumns_ = std::accumulate(open_.begin(), open_.end(), Row{0}, std::bit_or<>());
 }
 
 bool OpenGrid::mayReach(const Outline& outline) const {
+  if (!mayMeet(outline)) return false;
   const Slices triangle(outline);
   const Row columns = columnsMeeting(triangle.leftmost(), triangle.rightmost());
   const auto meetsCell = [&](std::size_t row) {
@@ -215,6 +222,22 @@ bool OpenGrid::mayReach(const Outline& outline) const {
   return !areAllListed_ || std::any_of(opened_.begin(), opened_.end(), [&](const Outline& opened) {
     return !isBeside(opened, outline, slack_) && !isBeside(outline, opened, slack_);
   });
+}
+
+// By boxes; most of a crowd goes here.
+bool OpenGrid::mayMeet(const Outline& outline) const {
+  Interval columns, rows;
+  double error = 0, largest = 0;
+  for (const ApproximatePoint& p : outline) {
+    columns.include(p.x, p.x);
+    rows.include(p.y, p.y);
+    error = std::max(error, p.error);
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  }
+  if (error > 0) error += largest * 0x1p-50;
+  const Row met = columnsMeeting(columns.low - error, columns.high + error);
+  return (met & openColumns_) != 0 &&
+         visitRows(rows.low - error, rows.high + error, [&](std::size_t row) { return (open_[row] & met) != 0; });
 }
 
 bool OpenGrid::isClosed() const {

@@ -24,7 +24,7 @@ class OpenGrid {
  public:
   using Outline = std::array<ApproximatePoint, 3>;  ///< of a triangle; either way round
 
-  /// All that the face reaches is open.
+  /// Opens all cells that the face reaches.
   OpenGrid(const PlanKernel& kernel, Index face);
 
   /// Closes everything.
@@ -53,18 +53,21 @@ class OpenGrid {
   /// Calls visit(row) for each row that may have something in common with heights from low to high; until it is true.
   template <class Visit>
   bool visitRows(double low, double high, const Visit& visit) const;
+  /// Whether the box of a triangle meets an open cell.
+  [[nodiscard]] bool mayMeet(const Outline& triangle) const;
   [[nodiscard]] Row cellsMet(const Slices& triangle, std::size_t row) const;
 
   std::array<double, kCells + 1> x_{}, y_{};  ///< the borders of columns and rows
   double columnsPerUnit_ = 0, rowsPerUnit_ = 0;
   std::array<Row, kCells> open_{};
+  Row openColumns_ = 0;  ///< columns with an open cell
   /// What was opened since all was closed, while it is little: cells are coarse beside thin triangles.
   std::vector<Outline> opened_;
   bool areAllListed_ = true;
   double slack_;
 };
 
-/// Of a triangle of the source mesh, relative to a vertex.
+/// The outline of a source triangle, relative to a vertex.
 OpenGrid::Outline outlineInPlan(const PlanKernel& kernel, Index triangle, Index origin);
 
 }  // namespace footfall::detail

@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// Measures on the mesh of one state, in doubles. What is wall and what is ledge is told exactly. Immutable.
+/// Measures on the mesh of one state, in doubles. What is wall and what is ledge is decided exactly. Immutable.
 class BorderDistances {
  public:
   /// The state must have a mesh.

@@ -6,6 +6,7 @@
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "footfall/inspect.hpp"
@@ -92,8 +93,7 @@ Components findComponents(const NavigationMesh& mesh, const RunContext* context)
   }
   for (Component& component : found) {
     finishCentre(component, mesh);
-    std::sort(component.layers.begin(), component.layers.end());
-    component.layers.erase(std::unique(component.layers.begin(), component.layers.end()), component.layers.end());
+    sortOnce(component.layers);
   }
 
   std::vector<std::uint32_t> order(found.size()), rank(found.size());

@@ -1,4 +1,4 @@
-// What a pipeline's numbers will do to a level that nobody wants, told before the run.
+// Warnings before a run about numbers of the pipeline that do not fit the level.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,7 +22,7 @@ struct LevelMeasures {
   bool scaleGuessed = false;
 };
 
-/// Rounded; takes time in proportion to the triangles, and sorts the walls.
+/// Measures an environment, rounded, in time proportional to its triangles.
 LevelMeasures measureLevel(const Environment& environment, const Poll& poll = {});
 
 struct ParameterNote {
@@ -30,7 +30,7 @@ struct ParameterNote {
   Text text;                        ///< what will go wrong and what to do
 };
 
-/// Of the steps that are on:
+/// The notes on a pipeline's enabled steps:
 /// - a step that is a rounding, or at most a twentieth, below the most frequent riser: the most frequent height of
 /// walls
 ///   among those of at most half of the clearance. Risers of exactly the step are climbed, and nothing is said;

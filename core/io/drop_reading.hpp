@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// From where an agent drops to where it lands.
+/// A drop as a line: where the agent leaves the border, and where it lands.
 using DropLine = std::array<Vec3, 2>;
 
 /// Adds a drop for each two lines, with the edge of the border nearest to its starts, and the triangle nearest to its

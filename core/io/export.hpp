@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// Throws InputError for a scale that is not above 0 or not finite, or makes coordinates infinite.
+/// Checks a scale: throws InputError where it is not above 0 or not finite, or makes coordinates infinite.
 void checkScale(const ExportOptions& options, const NavigationMesh& mesh);
 
 /// The OBJ text, in the frame and units of the mesh's file unless `options` say otherwise; then its comments state the

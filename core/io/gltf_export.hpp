@@ -26,12 +26,12 @@ struct GltfFile {
 /// layer and area of surfaces, layers and heights of steps, gaps and drops. With ExportOptions::navmeshNode all layers
 /// are one mesh.
 ///
-/// As the format demands: Y up, metres (the scale of the mesh's file is applied, then that of `options`), and floats,
-/// which have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map coordinates) 3 cm. Nothing is
-/// moved to the origin to hide that, as the result would no longer lie on its source: `largestError` tells. Triangles
-/// that become degenerate by it stay in the file. Vertices are shared by index within a layer exactly where an agent
-/// can cross; between layers, which are meshes of their own, the connections tell. For programs that go on computing,
-/// OBJ has it all, in doubles.
+/// Coordinates are as the format demands: Y up, metres (the scale of the mesh's file is applied, then that of
+/// `options`), and floats, which have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map
+/// coordinates) 3 cm. Nothing is moved to the origin to hide that, as the result would no longer lie on its source:
+/// `largestError` says how far. Triangles that become degenerate by it stay in the file. Vertices are shared by index
+/// within a layer exactly where an agent can cross; between layers, which are meshes of their own, the connections say
+/// it. For programs that go on computing, OBJ has it all, in doubles.
 ///
 /// Throws InputError (checkScale(); coordinates that no float holds), or RunError for a .glb of more than 4 GB.
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header,

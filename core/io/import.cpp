@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/base/counted_text.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/environment/part_rules.hpp"
 #include "core/io/assimp_reader.hpp"
 #include "core/io/folder_reader.hpp"
@@ -131,8 +132,7 @@ Environment load(const std::string& path, const ImportOptions& options, RunConte
 std::vector<std::string> importableExtensions() {
   std::vector<std::string> extensions = assimpExtensions();
   extensions.push_back("obj");
-  std::sort(extensions.begin(), extensions.end());
-  extensions.erase(std::unique(extensions.begin(), extensions.end()), extensions.end());
+  sortOnce(extensions);
   return extensions;
 }
 

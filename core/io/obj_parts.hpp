@@ -38,12 +38,12 @@ class ObjPartChanges {
 /// Goes through the stretches of a file in their order and gives the triangles their parts.
 class ObjPartAssigner {
  public:
-  /// For an environment of so many triangles in all.
+  /// `triangles`: of the whole environment.
   ObjPartAssigner(Environment& environment, std::size_t triangles)
       : environment_(environment), list_(environment.parts) {
     environment.partOf.reserve(triangles);
   }
-  /// The changes of the next stretch, of so many triangles.
+  /// Takes the changes of the next stretch, which has so many triangles.
   void add(const ObjPartChanges& changes, std::size_t triangles);
   /// To be called after the last stretch.
   void finish() { dropUnnamedPart(environment_); }

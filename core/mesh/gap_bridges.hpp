@@ -13,7 +13,7 @@ namespace footfall::detail {
 /// edges meet at an end. None where the edges do not lie beside each other so, as those of a step do not.
 std::vector<Triangle> bridgeOver(const StepLink& link, std::span<const Vec3> vertices);
 
-/// Not less than any way over a link is long in the plan; 0 where its edges lie over each other.
+/// A bound of the lengths in the plan of all ways over a link; 0 where its edges lie over each other.
 double widthOf(const StepLink& link, std::span<const Vec3> vertices);
 
 /// The mesh with a bridge over each of its gaps, behind its own triangles. An edge gets one bridge, and none where a

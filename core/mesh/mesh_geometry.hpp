@@ -18,7 +18,7 @@ struct PlanTriangle {
 
 PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle);
 
-/// Not for sharing between threads: it counts fall-backs.
+/// Predicates on the vertices of a walkable mesh. Not for sharing between threads: it counts fall-backs.
 class MeshGeometry {
  public:
   MeshGeometry(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices)

@@ -41,7 +41,7 @@ struct SurfaceTopology {
   }
 };
 
-/// As fast as findEdges(). `poll` is called now and then and may throw.
+/// Finds neighbours, fans and components in the time of findEdges(). `poll` is called now and then and may throw.
 SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -10,7 +10,7 @@
 
 namespace footfall::detail {
 
-/// A view: the list must stay as it is while the view is used.
+/// A view of a list of triangles, which must stay as it is while the view is used.
 class TriangleCorners {
  public:
   TriangleCorners(const std::vector<MeshTriangle>& triangles)

@@ -29,7 +29,7 @@ struct BorderEdge {
   std::uint32_t component = 0;  ///< its part (SurfaceParts)
 };
 
-/// In the order of triangles and sides.
+/// The borders of a mesh, in the order of triangles and sides.
 std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
                                     const SurfaceParts& parts);
 
@@ -40,9 +40,10 @@ double excessOf(const BorderLink& link, double height, double step, double gap =
 /// ends of both, where they cross, and, where they run side by side, the middle and where they are level. Nothing where
 /// one lies over the other with both walkable sides on the same side.
 ///
-/// In doubles. Both places lie on the borders up to a few units in the last place, so the gap and the rise that are
-/// told are there, and what they ask for is enough, never too little by more than rounding; another place may ask for
-/// less. Whether borders touch in a point only is decided with kTiny of the coordinates: lengths below that are none.
+/// Computed in doubles. Both places lie on the borders up to a few units in the last place, so the gap and the rise
+/// that are returned are there, and what they ask for is enough, never too little by more than rounding; another place
+/// may ask for less. Whether borders touch in a point only is decided with kTiny of the coordinates: lengths below that
+/// are none.
 std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b, double step = 0);
 
 /// The place on a border that is nearest to another place in the plan.
@@ -51,7 +52,7 @@ Vec3 nearestPoint(const BorderEdge& border, const Vec3& place);
 /// same.
 std::optional<Vec3> besideOn(const BorderEdge& border, const Vec3& place, double step);
 
-/// The same from the other side.
+/// A link seen from its other border.
 BorderLink reversed(const BorderLink& link);
 
 }  // namespace footfall::detail

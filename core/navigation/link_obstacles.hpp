@@ -15,7 +15,7 @@
 
 namespace footfall::detail {
 
-/// Made once for an environment, then asked from any thread.
+/// An index of the triangles that can stand in the way. Made once for an environment, then used by any thread.
 class LinkObstacles {
  public:
   struct Way;
@@ -26,11 +26,12 @@ class LinkObstacles {
   /// Looks at what lies over the way between the two places of a link, from border `a` to border `b`: above the higher
   /// of both and above what is stepped over, and less than the agent's height above it. Sets the kind of an open link,
   /// and its obstacle or headroom. Returns whether the way leads from one walkable side to the other, and not only
-  /// along one of them. As a link must be more than one point, it is looked right beside the places, where less stands.
+  /// along one of them. A link must be more than one point, so the place right beside each counts where less stands
+  /// there.
   ///
-  /// In doubles, and from one side: what is told stands there, up to a few units in the last place, within kReach of
-  /// both borders; what stands nowhere on the two lines that are looked along, or reaches less than kMargin into the
-  /// agent, is not seen. So an obstacle is never invented, and a way that is told open may not be.
+  /// Computed in doubles, and from one side: what is found stands there, up to a few units in the last place, within
+  /// kReach of both borders; what stands nowhere on the two lines that are looked along, or reaches less than kMargin
+  /// into the agent, is not seen. So an obstacle is never invented, and a way that is called open may not be.
   bool lookAt(BorderLink& link, const BorderEdge& a, const BorderEdge& b, std::vector<std::int32_t>& stack) const;
 
   /// Fills in `triangles` of a link that was looked at.

@@ -11,7 +11,7 @@
 
 namespace footfall::detail {
 
-/// Reused from polygon to polygon by one thread.
+/// Triangulates one convex polygon after another, on one thread.
 ///
 /// Corners are cut off one by one, those first that make the shortest new side (rounded places only choose between
 /// right ways). When a corner goes, its neighbours become corners if they were points on a side, as the new side leaves

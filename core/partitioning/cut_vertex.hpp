@@ -46,9 +46,9 @@ class CutGeometry {
   /// Order of two different points of one edge, from its smaller vertex on.
   [[nodiscard]] bool isBefore(const CutVertex& p, const CutVertex& q) const;
 
-  /// In the environment's units.
+  /// The exact place of a vertex in the environment's units.
   [[nodiscard]] std::array<mpq_class, 3> exactPlace(const CutVertex& vertex) const;
-  /// The same, each coordinate rounded to the nearest double.
+  /// The place of a vertex, each coordinate rounded to the nearest double.
   [[nodiscard]] Vec3 roundedPlace(const CutVertex& vertex) const;
 
  private:

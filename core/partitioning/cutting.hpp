@@ -27,7 +27,7 @@ struct CutEnvironment {
   std::vector<CutVertex> vertices;     ///< those of the mesh under their own numbers, then cut points
   std::vector<Vec3> places;            ///< of the vertices, rounded to the nearest doubles
   std::vector<CutTriangle> triangles;  ///< by source triangle
-  /// With `round`: triangles that are left out because rounding brought corners of theirs together.
+  /// The number of triangles that `round` left out because rounding moved corners of theirs to one place.
   std::uint64_t closedTriangles = 0;
 };
 

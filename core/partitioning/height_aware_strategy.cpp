@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/sorted_list.hpp"
 #include "core/partitioning/floor_work.hpp"
 
 namespace footfall::detail {
@@ -193,8 +194,7 @@ class FloorTree {
     add(middle);
     const std::size_t next = items.placeOf(std::nextafter(middle, CellBounds::kInfinity));
     if (next < part.items.size()) add(items.keyAt(items.below(std::nextafter(middle, CellBounds::kInfinity))));
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+    sortOnce(places);
     return places;
   }
 

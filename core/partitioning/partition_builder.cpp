@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/base/sorted_list.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
@@ -45,8 +46,7 @@ class Numbering {
 
   void finish() {
     for (auto& borders : partition_.borders) {
-      std::sort(borders.begin(), borders.end());
-      borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+      sortOnce(borders);
     }
     for (Cell& cell : partition_.cells)
       for (int axis = 0; axis < 2; ++axis) {

@@ -37,9 +37,9 @@ struct PlanBox {
   }
 };
 
-/// Of a triangle.
+/// The box of a triangle in the plan.
 PlanBox planBoxOf(const SourceMesh& mesh, Index triangle);
-/// Of all triangles that are not removed.
+/// The box in the plan around all triangles that are not removed.
 PlanBox planBoxOf(const StrategyInput& input);
 
 /// Refuses parameters that make more cells than anyone can use.

@@ -1,7 +1,5 @@
 // RecursiveStrategy: a quad tree of rectangles that are cut in the middle (thesis 4.3.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <numeric>
 
 #include "core/partitioning/partition_builder.hpp"
@@ -9,8 +7,6 @@
 
 namespace footfall::detail {
 namespace {
-
-constexpr std::size_t kParallelSize = 2048;  ///< fewer pieces are not worth a second thread
 
 class QuadTree {
  public:
@@ -35,20 +31,10 @@ class QuadTree {
       return cut(tree, std::move(pieces), box, middle, axis - 1, depth);
     }
     cellLimit_.add(1);
-    tree.axis = axis;
-    tree.coordinate = middle[axis];
-    tree.below = std::make_unique<CutTree>();
-    tree.above = std::make_unique<CutTree>();
-    const bool isLarge = pieces.size() >= kParallelSize;
-    auto parts = pieces.split(axis, middle[axis], input_);
-    PlanBox lower = box, upper = box;
-    lower.upper[axis] = upper.lower[axis] = middle[axis];
-    const auto below = [&] { cut(*tree.below, std::move(parts[0]), lower, middle, axis - 1, depth); };
-    const auto above = [&] { cut(*tree.above, std::move(parts[1]), upper, middle, axis - 1, depth); };
-    if (isLarge)
-      tbb::parallel_invoke(below, above);
-    else
-      below(), above();
+    cutInTwo(tree, std::move(pieces), box, axis, middle[axis], input_,
+             [&](CutTree& half, TrianglePieces part, const PlanBox& halfBox) {
+               cut(half, std::move(part), halfBox, middle, axis - 1, depth);
+             });
   }
 
   const RecursionLimits& limits_;

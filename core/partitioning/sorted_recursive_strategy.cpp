@@ -1,7 +1,5 @@
 // SortedRecursiveStrategy: halves of equally many triangles, across x and y in turn (thesis 4.3.3).
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <algorithm>
 
 #include "core/partitioning/partition_builder.hpp"
@@ -9,8 +7,6 @@
 
 namespace footfall::detail {
 namespace {
-
-constexpr std::size_t kParallelSize = 2048;  ///< fewer pieces are not worth a second thread
 
 class SortedTree {
  public:
@@ -31,20 +27,10 @@ class SortedTree {
     if (*std::max_element(middle, ends.end()) <= cut || !box.isInside(axis, cut)) return;
     ends = {};
     cellLimit_.add(1);
-    tree.axis = axis;
-    tree.coordinate = cut;
-    tree.below = std::make_unique<CutTree>();
-    tree.above = std::make_unique<CutTree>();
-    const bool isLarge = pieces.size() >= kParallelSize;
-    auto parts = pieces.split(axis, cut, input_);
-    PlanBox lower = box, upper = box;
-    lower.upper[axis] = upper.lower[axis] = cut;
-    const auto below = [&] { grow(*tree.below, std::move(parts[0]), lower, depth + 1); };
-    const auto above = [&] { grow(*tree.above, std::move(parts[1]), upper, depth + 1); };
-    if (isLarge)
-      tbb::parallel_invoke(below, above);
-    else
-      below(), above();
+    cutInTwo(tree, std::move(pieces), box, axis, cut, input_,
+             [&](CutTree& half, TrianglePieces part, const PlanBox& halfBox) {
+               grow(half, std::move(part), halfBox, depth + 1);
+             });
   }
 
  private:

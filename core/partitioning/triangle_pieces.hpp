@@ -4,6 +4,8 @@
 // Only a count that chooses where to cut: rounded coordinates are good enough, and always finite.
 #pragma once
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <array>
 #include <memory>
 #include <span>
@@ -44,5 +46,27 @@ class TrianglePieces {
   std::vector<Part> parts_;
   std::vector<Point> corners_;
 };
+
+/// Cuts a node, whose pieces lie in `box`, and calls grow(tree, pieces, box) for either side: at the same time where
+/// there are many pieces.
+template <class Grow>
+void cutInTwo(CutTree& tree, TrianglePieces pieces, const PlanBox& box, int axis, double coordinate,
+              const StrategyInput& input, const Grow& grow) {
+  constexpr std::size_t kParallelSize = 2048;  // fewer pieces are not worth a second thread
+  tree.axis = axis;
+  tree.coordinate = coordinate;
+  tree.below = std::make_unique<CutTree>();
+  tree.above = std::make_unique<CutTree>();
+  const bool isLarge = pieces.size() >= kParallelSize;
+  auto parts = pieces.split(axis, coordinate, input);
+  PlanBox lower = box, upper = box;
+  lower.upper[axis] = upper.lower[axis] = coordinate;
+  const auto below = [&] { grow(*tree.below, std::move(parts[0]), lower); };
+  const auto above = [&] { grow(*tree.above, std::move(parts[1]), upper); };
+  if (isLarge)
+    tbb::parallel_invoke(below, above);
+  else
+    below(), above();
+}
 
 }  // namespace footfall::detail

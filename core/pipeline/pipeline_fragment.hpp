@@ -9,8 +9,8 @@
 
 namespace footfall::detail {
 
-/// As parsePipeline(), but a strategy without its Collapse (or the other way round) and a global filter between them
-/// are no errors here: whether they fit is known when the steps are in their place. Throws InputError
+/// Parses as parsePipeline() does, but a strategy without its Collapse (or the other way round) and a global filter
+/// between them are no errors here: whether they fit is known when the steps are in their place. Throws InputError
 /// "SOURCE:LINE:COLUMN: what; what to do".
 Pipeline parsePipelineFragment(std::string_view text, const std::string& source);
 

@@ -13,8 +13,8 @@
 
 namespace footfall::detail {
 
-/// What is known after the first steps of a pipeline. Complete in itself, so that it stays of use when the entries of
-/// shorter prefixes are gone.
+/// What is known after the first steps of a pipeline. An entry needs no other one, so that it stays of use when those
+/// of shorter prefixes are gone.
 struct CachedPrefix {
   StatePtr state;
   StateSummary summary;
@@ -40,7 +40,7 @@ class PrefixCache {
   /// Replaces an entry with the same environment and key; the least recently used goes when there are too many.
   void store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix);
   void clear();
-  /// Of all entries together, about.
+  /// The memory that all entries hold together, about.
   [[nodiscard]] std::size_t bytes();
 
  private:

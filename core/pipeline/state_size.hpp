@@ -10,7 +10,7 @@
 
 namespace footfall::detail {
 
-/// What was counted already: states share most of what they are made of.
+/// The parts of states that were counted already: states share most of what they are made of.
 using CountedParts = std::unordered_set<const void*>;
 
 /// Bytes, estimated from the lengths of the large lists in constant time; parts in `counted` are left out, and those

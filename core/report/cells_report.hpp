@@ -26,11 +26,11 @@ struct CellsReport {
   std::optional<CutCounts> cut;
 };
 
-/// For people: a row for each cell (its rectangle and heights in the file's frame and units, the floors and obstacles
-/// in it, the estimated cost), then the strategy, why it was picked, and how even the cells are.
+/// A table for people: a row for each cell (its rectangle and heights in the file's frame and units, the floors and
+/// obstacles in it, the estimated cost), then the strategy, why it was picked, and how even the cells are.
 std::string formatCells(const CellsReport& report);
 
-/// The same as JSON. Sides that are open are null.
+/// The table's numbers as JSON. Sides that are open are null.
 std::string formatCellsJson(const CellsReport& report);
 
 }  // namespace footfall::detail

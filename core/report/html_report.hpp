@@ -1,4 +1,4 @@
-// One HTML file that tells how a result was made and what it holds, to send to somebody.
+// A report of a run as one HTML file: how the result was made and what it holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

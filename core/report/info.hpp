@@ -1,4 +1,4 @@
-// What `footfall info` tells about an environment.
+// The numbers and lines that `footfall info` prints about an environment.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

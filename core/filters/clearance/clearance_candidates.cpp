@@ -7,7 +7,6 @@
 
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
-#include "core/filters/open_grid.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -55,6 +54,9 @@ void ClearanceCandidates::begin(Index face) {
   candidates_.clear();
   crowding_.emplace(mesh_, face);
   isCoverSought_ = areKnownToCover_ = false;
+  overlapInPlane_ = false;
+  mayLeaveOut_ = true;
+  openCells_.reset();
   box_ = clearanceBox(mesh_, face, height_);
   const auto& f = mesh_.triangles[face];
   const auto& n = mesh_.normals[face];
@@ -67,11 +69,13 @@ void ClearanceCandidates::begin(Index face) {
 std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face) {
   begin(face);
   search(box_);
+  findOpenCells();
   return candidates_;
 }
 
 std::span<const ClearanceCandidate> ClearanceCandidates::findWithin(Index face, const Box& box) {
   begin(face);
+  mayLeaveOut_ = false;
   Box part = box_;
   for (int axis = 0; axis < 2; ++axis) {
     part.lower[axis] = std::max(part.lower[axis], box.lower[axis]);
@@ -88,8 +92,10 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   begin(face);
   if (knownHeight < height_ && !isLevel_) {
     search(box_);
+    findOpenCells();
     return candidates_;
   }
+  mayLeaveOut_ = false;
   isCoverSought_ = true;  // what is found twice must not count twice
   for (const Index obstacle : known) consider(obstacle);
   if (knownHeight < height_) {
@@ -106,6 +112,7 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   crowding_.emplace(mesh_, face);
   for (const ClearanceCandidate& candidate : candidates_) crowding_->add(candidate.obstacle);
   areKnownToCover_ = crowding_->isCrowd() && proveCover();
+  findOpenCells();
   return candidates_;
 }
 
@@ -130,17 +137,40 @@ void ClearanceCandidates::consider(Index obstacle) {
   candidate.obstacle = obstacle;
   if (!findHeights(candidate)) return;
   if (candidate.coplanar) {
-    if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || !findOverlap(candidate)) return;
-    dependsOnFloors_ = true;
+    if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || isLeftOut(obstacle) || !findOverlap(candidate)) return;
+    dependsOnFloors_ = overlapInPlane_ = true;
     if (!isFloor_(obstacle)) return;
-  } else if (!findOverlap(candidate)) {
+  } else if (isLeftOut(obstacle) || !findOverlap(candidate)) {
     return;
   }
   candidates_.push_back(candidate);
   crowding_->add(obstacle);
-  if (isCoverSought_ || !crowding_->isCrowd()) return;
-  isCoverSought_ = true;
-  areKnownToCover_ = proveCover();
+  if (openCells_) closeCells(candidate);
+  if (!crowding_->isCrowd()) return;
+  if (!isCoverSought_) {
+    isCoverSought_ = true;
+    areKnownToCover_ = proveCover();
+  }
+  if (mayLeaveOut_) findOpenCells();
+}
+
+// What closes nothing that is still open need not be known: with it or without it the same cells are open in the end,
+// and what reaches those is never left out. Cuts that depend on floors are never found again from what is known, so
+// that nobody misses it later.
+bool ClearanceCandidates::isLeftOut(Index obstacle) const {
+  return openCells_ && mesh_.facing[obstacle] != 0 &&
+         !openCells_->mayReach(outlineInPlan(kernel_, obstacle, mesh_.triangles[face_][0]));
+}
+
+void ClearanceCandidates::findOpenCells() {
+  if (openCells_ || areKnownToCover_ || !overlapInPlane_ || !crowding_->isCrowd()) return;
+  openCells_.emplace(kernel_, face_);
+  for (const ClearanceCandidate& candidate : candidates_) closeCells(candidate);
+}
+
+void ClearanceCandidates::closeCells(const ClearanceCandidate& candidate) {
+  if (mesh_.facing[candidate.obstacle] != 0 && candidate.takesAll())
+    openCells_->cover(outlineInPlan(kernel_, candidate.obstacle, mesh_.triangles[face_][0]));
 }
 
 // In a deep crowd most floors are covered many times over, and a few obstacles tell. Cells are asked in an order that

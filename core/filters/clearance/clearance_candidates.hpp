@@ -12,6 +12,7 @@
 #include "core/base/poll.hpp"
 #include "core/exact/plan_kernel.hpp"
 #include "core/filters/clearance/crowding.hpp"
+#include "core/filters/open_grid.hpp"
 #include "footfall/statistics.hpp"
 
 namespace footfall::detail {
@@ -31,7 +32,7 @@ struct ClearanceCandidate {
   [[nodiscard]] bool takesAll() const;
 };
 
-/// One for each thread; reused from face to face.
+/// Searches above one face after another; one object for each thread.
 class ClearanceCandidates {
  public:
   /// `isFloor(t)`: triangle t takes part as a floor (coplanar floors are kept once). `level` is the clearance's level
@@ -39,7 +40,8 @@ class ClearanceCandidates {
   ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
   /// All triangles that reach into the clearance and overlap the face in the plan, and of those in its plane the floors
-  /// that come before it; in the order of the triangles. Not all when areKnownToCover(). Good until the next call.
+  /// that come before it; in the order of the triangles. Not all when areKnownToCover() or with openCells(). Good until
+  /// the next call.
   std::span<const ClearanceCandidate> find(Index face);
 
   /// The same, when all that may stand above the face in the plan within `knownHeight` is known.
@@ -49,10 +51,13 @@ class ClearanceCandidates {
   std::span<const ClearanceCandidate> findWithin(Index face, const Box& box);
 
   [[nodiscard]] std::span<const ClearanceCandidate> found() const { return candidates_; }
-  /// Whether they lie so deep that looking what covers what pays: the same whatever found them.
+  /// Whether the candidates lie so deep that looking what covers what pays. Depends on them alone, not on the search.
   [[nodiscard]] bool areCrowd() const { return crowding_->isCrowd(); }
-  /// Whether it was proven that they cover the whole face. The same whatever found them.
+  /// Whether the candidates were proven to cover the whole face. Depends on them alone, not on the search.
   [[nodiscard]] bool areKnownToCover() const { return areKnownToCover_; }
+  /// Of a crowd with floors in the face's own plane, the cells that no obstacle covers alone; else null. All obstacles
+  /// that reach an open cell were found, of the others only some. The cells depend on the environment alone.
+  [[nodiscard]] const OpenGrid* openCells() const { return openCells_ ? &*openCells_ : nullptr; }
   /// Whether some other triangle in the face's plane would be among them if it was a floor, or is because it is one.
   [[nodiscard]] bool dependsOnFloors() const { return dependsOnFloors_; }
 
@@ -74,6 +79,11 @@ class ClearanceCandidates {
   bool isSeparated(Index obstacle);
   /// Whether each cell of a grid over the face lies under one obstacle that takes all.
   bool proveCover();
+  /// Makes openCells() of the candidates when that is due.
+  void findOpenCells();
+  void closeCells(const ClearanceCandidate& candidate);
+  /// Whether a search need not look at the obstacle any closer.
+  [[nodiscard]] bool isLeftOut(Index obstacle) const;
 
   const PlanKernel& kernel_;
   const SourceMesh& mesh_;
@@ -95,6 +105,9 @@ class ClearanceCandidates {
   std::vector<ClearanceCandidate> candidates_;
   std::optional<Crowding> crowding_;
   bool isCoverSought_ = false, areKnownToCover_ = false;
+  bool overlapInPlane_ = false;  ///< some triangle in the face's plane comes before it and overlaps it
+  bool mayLeaveOut_ = true;
+  std::optional<OpenGrid> openCells_;
   std::vector<std::int32_t> stack_;
 };
 

@@ -167,11 +167,13 @@ std::vector<std::size_t> largestFirst(const SourceMesh& mesh, Index face,
 
 // Outlines of a crowd cross each other inside what is taken away anyway, as the square of its depth. So obstacles are
 // left out that a grid proves to lie where others stay, and of the rest never more are cut at once than a share of what
-// has been kept: of those only the outline goes on.
+// has been kept: of those only the outline goes on. In a crowd with floors in the face's own plane a search leaves out
+// what only lies where others stay: what nothing then covers, and reaches no open cell, is known to be covered.
 bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates) {
   constexpr std::size_t kAtOnce = 8;
   startGeometry();
-  OpenGrid grid(geometry_.kernel(), face_);
+  const OpenGrid* openCells = candidates_.openCells();
+  OpenGrid grid = openCells != nullptr ? *openCells : OpenGrid(geometry_.kernel(), face_);
   std::vector<std::size_t> order = largestFirst(mesh_, face_, candidates, poll_), kept;
   for (const bool whole : {true, false})
     for (const std::size_t i : order) {
@@ -182,7 +184,7 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
       const OpenGrid::Outline outline = outlineInPlan(geometry_.kernel(), candidate.obstacle, geometry_.origin());
       if (!(isWall && isWallOfEdge(candidate)) && !grid.mayReach(outline)) continue;
       kept.push_back(i);
-      if (whole) grid.cover(outline);
+      if (whole && openCells == nullptr) grid.cover(outline);
     }
   if (grid.isClosed()) return false;
 
@@ -190,7 +192,7 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
   std::size_t added = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const ClearanceCandidate& candidate = candidates[kept[i]];
-    if (tellCrowd && i % 64 == 0) tellCrowd(static_cast<double>(i) / static_cast<double>(kept.size()));
+    if (crowdProgress && i % 64 == 0) crowdProgress(static_cast<double>(i) / static_cast<double>(kept.size()));
     if (isReduced && !grid.mayReach(outlineInPlan(geometry_.kernel(), candidate.obstacle, geometry_.origin())))
       continue;
     if (!clipOne(candidate)) return false;
@@ -200,7 +202,9 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
     isReduced = true;
     added = 0;
   }
-  return true;
+  if (openCells == nullptr) return true;
+  keepOutline(grid, openCells);
+  return !grid.isClosed();
 }
 
 bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {

@@ -13,10 +13,10 @@
 
 namespace footfall::detail {
 
-/// One for each thread; reused from face to face.
+/// Clips one face after another; one object for each thread.
 class ClearanceClipper : private FaceCutter {
  public:
-  /// As ClearanceCandidates.
+  /// Takes what ClearanceCandidates takes.
   ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null).
@@ -36,8 +36,8 @@ class ClearanceClipper : private FaceCutter {
 
   [[nodiscard]] ExactFallbacks fallbacks() const;
 
-  /// Is called with the share of a crowd above a face that clip() has looked at, from 0 to 1; may be empty.
-  std::function<void(double)> tellCrowd;
+  /// Called with the share of a crowd above a face that clip() has looked at, from 0 to 1; may be empty.
+  std::function<void(double)> crowdProgress;
 
  private:
   /// False when one obstacle covers the whole face.

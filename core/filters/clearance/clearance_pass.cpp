@@ -7,6 +7,7 @@
 
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/filters/clearance/crowding.hpp"
 #include "core/filters/height_levels.hpp"
 #include "core/filters/steps/kept_links.hpp"
@@ -84,7 +85,7 @@ bool ClearancePass::mayBeCrowded(Index face) const {
   return crowded > 0;
 }
 
-void ClearancePass::clip(Index face, Worker& own, const std::function<void(double)>& tell) {
+void ClearancePass::clip(Index face, Worker& own, const std::function<void(double)>& progress) {
   const Index then = known_->before(face);
   if (then >= 0 && known_->sameClearance() && !known_->isTouched(face)) {
     cuts_->set(face, earlier_->cuts(then, own.copies_));
@@ -92,7 +93,7 @@ void ClearancePass::clip(Index face, Worker& own, const std::function<void(doubl
     return;
   }
   isChanged_[face] = 1;
-  own.clipper_.tellCrowd = tell;
+  own.clipper_.crowdProgress = progress;
   cuts_->set(face, known_->knowsAll(then)
                        ? own.clipper_.clip(face, known_->standing(then, own.copies_), known_->clearance())
                        : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr));
@@ -117,8 +118,7 @@ void ClearancePass::joinShares(Index face, std::span<const FaceShare> shares, Wo
   if (!memory_) return;
   std::vector<Index> found;
   for (const FaceShare& share : shares) found.insert(found.end(), share.candidates.begin(), share.candidates.end());
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortOnce(found);
   keepCandidates(face, std::move(found));
 }
 

@@ -24,7 +24,7 @@ namespace footfall::detail {
 /// Faces that are given to clip() or mesh() at the same time must be different ones.
 class ClearancePass {
  public:
-  /// What one thread works with.
+  /// The clipper, mesher and flags of one thread.
   class Worker {
    public:
     Worker(const ClearancePass& pass, RunContext& context);
@@ -47,13 +47,13 @@ class ClearancePass {
   /// The calling thread's own, for as long as the pass.
   Worker& worker();
   /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance, or known ones, and not when
-  /// there is such a crowd above it that only a look at all of it tells what counts.
+  /// there is such a crowd above it that what counts can only be found from all of it.
   [[nodiscard]] bool canShare(Index face) const;
   /// False: there is no crowd above the face.
   [[nodiscard]] bool mayBeCrowded(Index face) const;
 
-  /// Finds the cuts of a floor. `tell` is called with the share that is done of a crowd above it; may be empty.
-  void clip(Index face, Worker& own, const std::function<void(double)>& tell = {});
+  /// Finds the cuts of a floor. `progress` is called with the share that is done of a crowd above it; may be empty.
+  void clip(Index face, Worker& own, const std::function<void(double)>& progress = {});
   /// The part of a floor's cuts that one cell finds.
   FaceShare clipShare(Index face, std::span<const CellSide> sides, Worker& own);
   /// All parts of a floor's cuts.

@@ -70,7 +70,7 @@ class LayerCover {
 
   [[nodiscard]] bool isInside(const Cell& cell, const PlanTriangle& triangle) const;
   [[nodiscard]] static std::uint64_t keyOf(const Cell& cell);
-  /// The first layer from `layer` on of which the cells do not tell that it overlaps the piece.
+  /// The first layer from `layer` on of which the cells do not prove that it overlaps the piece.
   [[nodiscard]] std::uint32_t firstInDoubt(const std::vector<const Runs*>& known, std::uint32_t layer) const;
   [[nodiscard]] std::vector<const Runs*> knownFor(const Piece& piece) const;
   [[nodiscard]] bool overlaps(const Piece& piece, const Layer& layer);

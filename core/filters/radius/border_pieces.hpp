@@ -43,7 +43,7 @@ class BorderDivider {
 std::vector<BorderPiece> dividedBorders(const WalkableState& state, const MarginSurface& surface, bool isLedgeInDoubt,
                                         RunContext& context, ExactFallbacks& fallbacks);
 
-/// The state's kernel, or one that knows the heights that tell walls from ledges as levels: the state's step and its
+/// The state's kernel, or one that has as levels the heights by which walls and ledges differ: the state's step and its
 /// clearance, or a height above everything where it has none.
 std::shared_ptr<const PlanKernel> kernelForKinds(const WalkableState& state);
 

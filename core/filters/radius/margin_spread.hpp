@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/sorted_list.hpp"
 #include "core/filters/radius/margin_surface.hpp"
 
 namespace footfall::detail {
@@ -51,7 +52,7 @@ struct Rays {
   double reach = 0;
   double touch = MarginSurface::kTouch;
   [[nodiscard]] double at(const PlanVector& p) const { return turnFrom(middle, p - apex); }
-  // A side through the apex itself is left to whoever starts. One so near that doubles do not tell on which side the
+  // A side through the apex itself is left to whoever starts. One so near that doubles cannot decide on which side the
   // apex is, and whose range may be any, is not.
   [[nodiscard]] bool exits(const PlanVector& a, const PlanVector& b) const {
     const PlanVector p = a - apex, q = b - apex;
@@ -90,8 +91,7 @@ class Spread {
     }
   }
   std::vector<Index> takeTriangles() {
-    std::sort(found_.begin(), found_.end());
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    sortOnce(found_);
     return found_;
   }
 

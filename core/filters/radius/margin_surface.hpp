@@ -33,7 +33,7 @@ double turnFrom(const PlanVector& base, const PlanVector& direction);
 /// Sides are numbered as by TriangleCorners.
 class MarginSurface {
  public:
-  /// What doubles tell apart at the largest coordinate; scaled. All places of margins are multiples of it.
+  /// Doubles at the largest coordinate are so far apart; scaled. All places of margins are multiples of it.
   static constexpr double kUnit = 0x1p-17;
   static constexpr double kShort = 256 * kUnit;  ///< shorter edges have no direction
   static constexpr double kSlack = 32 * kUnit;

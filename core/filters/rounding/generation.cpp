@@ -52,17 +52,20 @@ class SoupBuilder {
   }
 
   VertexNumber addVertex(const Vec3& place) {
-    result_.soup.vertices.push_back(place);
-    return static_cast<VertexNumber>(result_.soup.vertices.size()) - 1;
+    result_.vertices.push_back(place);
+    return static_cast<VertexNumber>(result_.vertices.size()) - 1;
   }
   void addTriangle(const Triangle& t, Index face, bool walkable) {
-    result_.soup.triangles.push_back(t);
-    result_.soup.inputTriangles.push_back(source_.inputTriangles[face]);
+    result_.triangles.push_back(t);
+    result_.inputTriangles.push_back(source_.inputTriangles[face]);
     result_.walkable.push_back(static_cast<char>(walkable));
   }
 
   void addProduct(const NavigationMesh& product) {
-    result_.soup = {product.vertices, product.triangles, product.sourceTriangles, product.obstacleEdges};
+    result_.vertices = product.vertices;
+    result_.triangles = product.triangles;
+    result_.inputTriangles = product.sourceTriangles;
+    result_.obstacleEdges = product.obstacleEdges;
     result_.walkable.assign(product.triangles.size(), 1);
   }
 
@@ -89,7 +92,7 @@ class SoupBuilder {
       for (int k = 0; k < 3; ++k) corners[k] = static_cast<VertexNumber>(t.corners[k]);
       addTriangle(corners, t.face, true);
       for (int k = 0; k < 3; ++k)
-        if ((t.obstacleEdges >> k & 1) != 0) result_.soup.obstacleEdges.push_back({corners[k], corners[(k + 1) % 3]});
+        if ((t.obstacleEdges >> k & 1) != 0) result_.obstacleEdges.push_back({corners[k], corners[(k + 1) % 3]});
     }
   }
 
@@ -153,8 +156,8 @@ class SoupBuilder {
       if (t % kPolled == 0) context.checkCancelled();
       if (state_.removed[t] != 0) continue;
       if (parts != divided.end() && parts->face == t) {
-        const auto base = static_cast<VertexNumber>(result_.soup.vertices.size());
-        result_.soup.vertices.insert(result_.soup.vertices.end(), parts->places.begin(), parts->places.end());
+        const auto base = static_cast<VertexNumber>(result_.vertices.size());
+        result_.vertices.insert(result_.vertices.end(), parts->places.begin(), parts->places.end());
         for (const FaceMesh::Cell& c : parts->cells)
           addTriangle({base + static_cast<VertexNumber>(c.corners[0]), base + static_cast<VertexNumber>(c.corners[1]),
                        base + static_cast<VertexNumber>(c.corners[2])},
@@ -169,7 +172,7 @@ class SoupBuilder {
       const auto& f = source_.triangles[t];
       addTriangle({vertexOf(f[0]), vertexOf(f[1]), vertexOf(f[2])}, t, floor && !covered);
     }
-    for (const auto& [a, b] : source_.obstacleEdges) result_.soup.obstacleEdges.push_back({vertexOf(a), vertexOf(b)});
+    for (const auto& [a, b] : source_.obstacleEdges) result_.obstacleEdges.push_back({vertexOf(a), vertexOf(b)});
   }
 
   void addDropped(RunContext& context) {
@@ -201,7 +204,9 @@ GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMe
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
                          std::vector<Index>* faces) {
   std::vector<std::uint32_t> order;
-  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup.soup, earlier.environment->bothSides, &order, context));
+  SoupView view(soup.vertices, soup.triangles, soup.inputTriangles);
+  view.obstacleEdges = soup.obstacleEdges;
+  auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(view, earlier.environment->bothSides, &order, context));
   if (faces != nullptr) {
     faces->resize(order.size());
     for (std::size_t t = 0; t < order.size(); ++t) (*faces)[order[t]] = static_cast<Index>(t);
@@ -228,7 +233,7 @@ StatePtr nextGeneration(const WalkableState& earlier, const GenerationSoup& soup
   if (!soup.product) return state;
   const auto floors = floorsOf(*soup.product, state->kernel->mesh(), faces, state->kernel->sign().slack);
   if (isMoved) {
-    const std::vector<Vec3>& places = soup.soup.vertices;
+    const std::vector<Vec3>& places = soup.vertices;
     const auto isAsBefore = [&](const StepLink& link) {
       for (const int end : {0, 1})
         if (std::fabs(places[link.from[end]].z - places[link.to[1 - end]].z) > link.height) return false;

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,9 +17,12 @@ namespace footfall::detail {
 
 /// Walkable and rejected triangles of a state as one soup of doubles.
 struct GenerationSoup {
-  SourceSoup soup;
-  std::vector<char> walkable;  ///< for each triangle of the soup
-  RoundingCases cases;         ///< what rounding met among the walkable triangles
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> inputTriangles;                ///< for each triangle its number in the environment
+  std::vector<std::array<std::uint32_t, 2>> obstacleEdges;  ///< pairs of vertices
+  std::vector<char> walkable;                               ///< for each triangle
+  RoundingCases cases;                                      ///< what rounding met among the walkable triangles
   /// The product of a state that has links; its triangles and vertices come first. Else null.
   std::shared_ptr<const NavigationMesh> product;
 };

@@ -9,6 +9,7 @@
 
 #include "core/base/box_tree.hpp"
 #include "core/base/geometry.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/mesh/triangle_split.hpp"
@@ -101,8 +102,7 @@ Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& border
 
 void splitBorders(RoundedMesh& mesh, const std::vector<Border>& borders,
                   std::vector<std::pair<Index, Place>>& innerEnds) {
-  std::sort(innerEnds.begin(), innerEnds.end());
-  innerEnds.erase(std::unique(innerEnds.begin(), innerEnds.end()), innerEnds.end());
+  sortOnce(innerEnds);
   std::map<Index, std::array<std::vector<Index>, 3>> splits;
   for (auto first = innerEnds.begin(); first != innerEnds.end();) {
     const Index number = first->first;

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/sorted_list.hpp"
 #include "core/mesh/adjacency.hpp"
 
 namespace footfall::detail {
@@ -120,10 +121,7 @@ std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<V
     return std::tuple(d.from, d.toTriangle, placeOf(d.start[0]), placeOf(d.start[1]), placeOf(d.landing[0]),
                       placeOf(d.landing[1]));
   };
-  std::sort(result.begin(), result.end(), [&](const DropLink& a, const DropLink& b) { return keyOf(a) < keyOf(b); });
-  result.erase(std::unique(result.begin(), result.end(),
-                           [&](const DropLink& a, const DropLink& b) { return keyOf(a) == keyOf(b); }),
-               result.end());
+  sortOnceBy(result, keyOf);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -119,10 +120,7 @@ std::vector<StepLink> roundLinks(const std::vector<MeshLink>& links, const std::
     }
   }
   const auto keyOf = [](const StepLink& link) { return std::array{link.from, link.to}; };
-  std::sort(result.begin(), result.end(), [&](const StepLink& a, const StepLink& b) { return keyOf(a) < keyOf(b); });
-  result.erase(std::unique(result.begin(), result.end(),
-                           [&](const StepLink& a, const StepLink& b) { return keyOf(a) == keyOf(b); }),
-               result.end());
+  sortOnceBy(result, keyOf);
   return result;
 }
 

@@ -23,11 +23,11 @@ struct RoundingCases {
   /// Vertices that went, each with the one that stands for it, in the order in which they went.
   std::vector<std::array<Index, 2>> collapsed;
 
-  /// Something had to be repaired.
+  /// Whether something had to be repaired.
   [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped != 0; }
 };
 
-/// In the environment's units.
+/// A mesh with rounded vertices, in the environment's units.
 using RoundedMesh = TriangleMesh<Vec3>;
 
 /// Positions of all vertices, each coordinate the nearest double to the exact one. `exact[v]` is 1 where none was lost.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/geometry.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/exact/shape.hpp"
 
 namespace footfall::detail {
@@ -251,8 +252,7 @@ bool RegionSimplifier::isWithinBound(Index v, std::vector<Index>& stoodFor) {
   for (const Fan& fan : fans)
     for (const Index t : fan.triangles)
       stoodFor.insert(stoodFor.end(), mesh_.standsFor[t].begin(), mesh_.standsFor[t].end());
-  std::sort(stoodFor.begin(), stoodFor.end());
-  stoodFor.erase(std::unique(stoodFor.begin(), stoodFor.end()), stoodFor.end());
+  sortOnce(stoodFor);
   return std::all_of(stoodFor.begin(), stoodFor.end(), [&](Index p) {
     for (const Fan& fan : fans) {
       const auto corner = [&](Index place) { return placeOf(mesh_.vertices[fan.ring[place]]); };

@@ -32,7 +32,7 @@ struct SimplifiedMesh {
   std::vector<std::vector<Index>> standsFor;  ///< approximate mode: vertices taken away at each triangle
 };
 
-/// Not for sharing between threads; reused from group to group.
+/// Simplifies one group of triangles after another; one object for each thread.
 class RegionSimplifier {
  public:
   RegionSimplifier(const PlanKernel& kernel, SimplifiedMesh& mesh, const ApproximateSimplification& approximate,

@@ -65,7 +65,7 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
     for (Index g = first; g < last; ++g) {
       const auto triangles = groups.trianglesOf(g), vertices = groups.verticesOf(g);
       if (before_ != nullptr && isKnown(triangles, vertices, candidates))
-        takeOver(triangles);
+        copyEarlier(triangles);
       else
         simplifier.simplify(vertices, triangles);
     }
@@ -109,7 +109,7 @@ bool Simplifier::isKnown(std::span<const Index> triangles, std::span<const Index
   return true;
 }
 
-void Simplifier::takeOver(std::span<const Index> triangles) {
+void Simplifier::copyEarlier(std::span<const Index> triangles) {
   for (const Index t : triangles) {
     const Index then = relation_.triangleBefore[t];
     mesh_.alive[t] = before_->alive[then];

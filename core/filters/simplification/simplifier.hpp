@@ -19,7 +19,7 @@
 
 namespace footfall::detail {
 
-/// What a simplification was made of, so that a later one can take groups over that did not change.
+/// What a simplification was made of, so that a later one can copy groups that did not change.
 struct SimplifierMemory {
   std::shared_ptr<const WalkableMesh> given;
   std::vector<Index> neighbors;         ///< as in SimplifiedMesh, before anything went
@@ -42,7 +42,7 @@ class Simplifier {
         mesh_{mesh.vertices, mesh.triangles, {}, {}, {}, {}} {}
 
   /// Groups whose triangles are all related to those of one earlier group, joined alike, become what that one became.
-  /// Both must outlive this.
+  /// `before` and `earlier` must outlive this.
   void reuse(const SimplifierMemory& before, const EarlierResult& earlier) {
     before_ = &before;
     earlier_ = &earlier;
@@ -81,7 +81,7 @@ class Simplifier {
   /// Whether the group is what an earlier one was.
   [[nodiscard]] bool isKnown(std::span<const Index> triangles, std::span<const Index> vertices,
                              const std::vector<char>& candidates) const;
-  void takeOver(std::span<const Index> triangles);
+  void copyEarlier(std::span<const Index> triangles);
   WalkableMesh compact() const;
 
   const PlanKernel& kernel_;

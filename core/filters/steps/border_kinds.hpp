@@ -65,7 +65,7 @@ class BorderKinds {
 
   EdgeSigns& signs() { return signs_; }
   [[nodiscard]] const PlanKernel& kernel() const { return kernel_; }
-  /// Of a level, scaled.
+  /// The height of a level, scaled.
   [[nodiscard]] double heightOf(Index level) const;
   [[nodiscard]] Index stepLevel() const { return step_; }
   [[nodiscard]] Index heightLevel() const { return height_; }

@@ -30,7 +30,7 @@ class EdgeFrame {
   [[nodiscard]] Vec3 at(double along) const;  ///< scaled, on the edge
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] double margin() const { return margin_; }
-  /// From 0 at the begin of the edge to 1 at its end.
+  /// The place along the edge, from 0 at its begin to 1 at its end.
   [[nodiscard]] const LinearFunction& along() const { return along_; }
   /// The distance in the plan to the edge's line; positive on the right, where nothing is walkable.
   [[nodiscard]] const LinearFunction& outwards() const { return outwards_; }

@@ -53,7 +53,7 @@ class EdgeSigns {
  public:
   explicit EdgeSigns(const PlanKernel& kernel) : kernel_(kernel) {}
 
-  /// `line` is taken on `face`.
+  /// The side of a line, taken on `face`, on which the edge is.
   SignAlong ofLine(const BorderEdge& edge, const PlanLine& line, Index face);
   /// Positive on the side of the triangle, which is not vertical, of the line of its edge from corner k to k + 1.
   SignAlong inside(const BorderEdge& edge, Index triangle, int k);
@@ -65,7 +65,7 @@ class EdgeSigns {
   void locate(const BorderEdge& edge, SignAlong& sign) const;
   /// The same for a sign of leftOf(), of the same vertices.
   void locate(const BorderEdge& edge, const MeshVertex& from, const MeshVertex& to, SignAlong& sign) const;
-  /// Positive on the left of the line from one vertex to another one; `name` tells lines apart.
+  /// Positive on the left of the line from one vertex to another one; lines with the same `name` are one line.
   SignAlong leftOf(const BorderEdge& edge, const MeshVertex& from, const MeshVertex& to,
                    const std::array<Index, 2>& name);
   /// Orientation of the edge and a source vertex in the plan.
@@ -89,8 +89,8 @@ class EdgePieces {
     assert(!sign.changes() || sign.isLocated());
     if (sign.changes()) zones_.push_back({sign.low, sign.high, sign.line});
   }
-  /// Those for which `holds(piece)`, in order. Neighbours are one where one line alone lies between them: then there is
-  /// nothing else than a point, and single points do not count.
+  /// The pieces for which `holds(piece)`, in order. Neighbours are one where one line alone lies between them: then
+  /// there is nothing else than a point, and single points do not count.
   template <class Holds>
   std::vector<EdgePiece> where(const Holds& holds) {
     std::vector<EdgePiece> pieces;

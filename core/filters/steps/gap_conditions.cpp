@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/sorted_list.hpp"
+
 namespace footfall::detail {
 namespace {
 
@@ -213,8 +215,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
     return true;
   });
   for (std::vector<Index>& some : whole.touching) {
-    std::sort(some.begin(), some.end());
-    some.erase(std::unique(some.begin(), some.end()), some.end());
+    sortOnce(some);
   }
   std::sort(blocked.begin(), blocked.end());
 

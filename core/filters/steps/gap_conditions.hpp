@@ -44,12 +44,12 @@ struct GapPiece {
   GapFrame frame;
   std::array<double, 2> ends{};
   std::array<std::vector<Index>, 2> touching;  ///< obstacles at each end that must be proven to lie beyond it
-  bool isAsWide = false;                       ///< as the gap may be, as far as doubles tell: must be proven not wider
+  bool isAsWide = false;                       ///< as wide as the gap may be, within rounding: must be proven not wider
 };
 
 class GapConditions {
  public:
-  /// What doubles tell apart at the largest coordinate; scaled.
+  /// Doubles at the largest coordinate are so far apart; scaled.
   static constexpr double kUnit = 0x1p-17;
   static constexpr double kSlack = 512 * kUnit;
   /// Places so near to each other are taken as one.
@@ -64,9 +64,9 @@ class GapConditions {
   /// The frame of two borders that face each other at an angle of at most 60 degrees.
   [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second);
 
-  /// Where they face each other near enough, without a look at obstacles; or nothing.
+  /// Where two borders face each other near enough, whatever stands between them; or nothing.
   [[nodiscard]] std::optional<GapPiece> findNear(const GapBorder& first, const GapBorder& second) const;
-  /// The free pieces of that, in their order.
+  /// The pieces of `near` over which nothing stands, in their order.
   [[nodiscard]] std::vector<GapPiece> findFree(const GapBorder& first, const GapBorder& second, const GapPiece& near);
 
  private:

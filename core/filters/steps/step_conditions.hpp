@@ -84,15 +84,15 @@ class StepConditions {
   bool isBlockedBy(const SharedStretch& stretch, const Wall& wall, const MeshVertex& a, const MeshVertex& b,
                    MeshGeometry& geometry) const;
   int sideAt(const LinearSign& sign, const MeshVertex& p, MeshGeometry& geometry) const;
-  /// Between two places between which it does not change.
+  /// A sign between two places between which it does not change.
   int signBetween(const LinearSign& sign, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
-  /// The same of the height of a wall's edge over a face and a level.
+  /// The sign of the height of a wall's edge over a face and a level, between a place before `b` and `b`.
   int heightBetween(const SharedStretch& stretch, const WallEdge& edge, int face, int level, const MeshVertex& b,
                     MeshGeometry& geometry) const;
   [[nodiscard]] PlanPoint zeroOf(const SharedStretch& stretch, const WallEdge& edge, int face, int level) const {
     return PlanPoint::edgePlane(edge.begin.vertex, edge.end.vertex, stretch.faces[face], levels_[level]);
   }
-  /// In the plan only.
+  /// A source vertex as a place of the plan; its height is not that of a floor.
   [[nodiscard]] MeshVertex placeOf(const SharedStretch& stretch, Index vertex) const;
   [[nodiscard]] int compareAlong(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b,
                                  MeshGeometry& geometry) const {

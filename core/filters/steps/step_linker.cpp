@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "core/base/geometry.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/mesh/triangle_corners.hpp"
 
 namespace footfall::detail {
@@ -324,8 +325,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
     undecided_ += gaps_->undecided();
     fallbacks_ += gaps_->fallbacks();
   }
-  std::sort(result->links.begin(), result->links.end());
-  result->links.erase(std::unique(result->links.begin(), result->links.end()), result->links.end());
+  sortOnce(result->links);
   splits_.replaceKernel(splits_.kernel());  // counts what its geometry fell back on
   fallbacks_ += splits_.fallbacks();
   return result;

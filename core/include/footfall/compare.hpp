@@ -25,7 +25,7 @@ struct SetDifference {
   /// 14 digits.
   std::array<bool, 3> hasArea{};
   std::array<SurfaceArea, 3> areas;
-  /// Of the triangles of A and of B.
+  /// The areas of the triangles of A and of B.
   std::array<std::vector<SurfaceArea>, 2> triangleAreas;
   /// For each triangle whether it is known to lie in the other set. Others may as well.
   std::array<std::vector<char>, 2> covered;

@@ -37,7 +37,7 @@ struct SkippedPolygon {
   std::uint64_t line = 0;       ///< of the file, from 1; 0 where the format has no lines
   std::uint64_t face = 0;       ///< without a line: its number in the mesh, from 1
   std::string mesh;             ///< without a line: the mesh's name, which may be empty
-  /// Its distinct corners, two at most: where it is. Empty where it has none.
+  /// The distinct corners, two at most: where the polygon is. Empty where it has none.
   std::vector<Vec3> corners;
   bool operator==(const SkippedPolygon&) const = default;
 };
@@ -82,7 +82,7 @@ struct Environment {
   bool bothSides = false;  ///< both sides of every triangle are its upper side
   SkippedElements skipped;
   std::vector<EnvironmentPart> parts;  ///< in the order of their first triangles
-  std::vector<std::uint32_t> partOf;   ///< part of each triangle; empty when the file tells no parts apart
+  std::vector<std::uint32_t> partOf;   ///< part of each triangle; empty when the file divides nothing into parts
   /// The role of each part by what the file says that it is (of an IFC file: doors are open, furniture is an obstacle);
   /// empty where it says nothing. load() has applied them.
   std::vector<PartRole> usualRoles;

@@ -9,7 +9,7 @@
 //
 // Inside, Z is up and lengths are in the units of the file; Agent is in metres. Errors that a user can cause are
 // InputError or RunError, and say what, where and what to do. Long calls take a RunContext, which cancels them from any
-// thread and hears of their progress; where it is a pointer, it may be null. All functions may be called from several
+// thread and reports their progress; where it is a pointer, it may be null. All functions may be called from several
 // threads at the same time; objects may be shared by threads that only read them. version.hpp says what is stable.
 #pragma once
 

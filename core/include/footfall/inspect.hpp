@@ -53,7 +53,7 @@ Components findComponents(const NavigationMesh& mesh, const RunContext* context 
 /// Where somebody points.
 struct PickedPlace {
   std::uint32_t triangle = 0;  ///< index into Environment::triangles
-  Vec3 point;                  ///< on it, as well as doubles can tell; environment units, Z up
+  Vec3 point;                  ///< on it, within rounding; environment units, Z up
 };
 
 enum class PlaceVerdict {
@@ -84,7 +84,7 @@ struct PlaceExplanation {
   std::optional<std::size_t> step;
   double limit = 0;  ///< of that step: degrees, height, area or distance, as its parameter
 
-  /// Between the triangle's normal and up, degrees in [0, 180], rounded; not of a degenerate one.
+  /// The angle between the triangle's normal and up, degrees in [0, 180], rounded; not of a degenerate one.
   double slope = 0;
   /// The triangle whose plane SlopeFilter rejected, where an earlier filter had moved its corners.
   std::optional<double> movedSlope;
@@ -100,7 +100,7 @@ struct PlaceExplanation {
   /// down, or lies there a second time.
   std::optional<std::uint32_t> floor;
   double regionArea = 0;  ///< RegionTooSmall: of what was removed, rounded
-  /// Of a place that is walkable, or would be without RadiusFilter: how far it is to the nearest wall and to the
+  /// How far a place that is walkable, or would be without RadiusFilter, is from the nearest wall and the
   /// nearest ledge, straight over the walkable area before the first RadiusFilter (before the one that rejected it), in
   /// the plan, rounded. Empty where there is none. Where no filter says how high an agent is, all that is higher than a
   /// step is a wall.

@@ -46,7 +46,7 @@ struct BorderLink {
   double headroom = 0;     ///< LinkKind::LowCeiling: the free height over the higher place
   bool isInterval = true;  ///< the borders face each other, and do not only meet in a point
   /// What the agent lacks here: the largest of the gap beyond what it steps over, of the height that is climbed beyond
-  /// its step, and of the height that a ceiling lacks. Walls, and what only touches in a point, are told by `kind` and
+  /// its step, and of the height that a ceiling lacks. Walls, and what only touches in a point, have a `kind` and
   /// add nothing to it. By SeparationFinder.
   double excess = 0;
   /// What stands there: the riser of a step, the obstacle, the ceiling, the wall. Indices into
@@ -57,7 +57,7 @@ struct BorderLink {
   [[nodiscard]] double size() const;
   /// An agent of any step and gap does not get over it.
   [[nodiscard]] bool isBlocked() const { return kind != LinkKind::Open && kind != LinkKind::Obstacle; }
-  /// As above, and it is not only too low either.
+  /// No agent gets over it, however low it is: a wall, or borders that only touch.
   [[nodiscard]] bool isClosed() const { return kind == LinkKind::Wall || kind == LinkKind::Touch; }
 };
 
@@ -195,8 +195,8 @@ class SeparationFinder {
   SeparationFinder(const SeparationFinder&) = delete;
   SeparationFinder& operator=(const SeparationFinder&) = delete;
 
-  /// Between the parts of two triangles of the mesh. Nothing where they are on one part, or one of the parts has no
-  /// border. Throws Cancelled.
+  /// What keeps the parts of two triangles of the mesh apart. Nothing where they are on one part, or one of the parts
+  /// has no border. Throws Cancelled.
   [[nodiscard]] std::optional<Separation> find(std::uint32_t fromTriangle, std::uint32_t toTriangle,
                                                const RunContext* context = nullptr) const;
 

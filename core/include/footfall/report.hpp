@@ -59,7 +59,7 @@ struct ProgramTimes {
 /// (Components::connectedShare()), `exact_fallbacks` (all steps together) and `exact_fallbacks_by_kind`. Areas are in
 /// the square of the environment's unit.
 ///
-/// Of parallel blocks: `times` (thesis 5.4: `preprocessing_ms`, `partitioning_ms`, `parallel_ms`, `merging_ms`,
+/// About parallel blocks: `times` (thesis 5.4: `preprocessing_ms`, `partitioning_ms`, `parallel_ms`, `merging_ms`,
 /// `postprocessing_ms`, `overhead_ms`, `total_ms`), `speed_up` (S; an object with `one_thread_ms`, `parallel_ms`,
 /// `speed_up` and `efficiency` where it was measured, else null), `speed_up_estimate` (CPU time over wall time of the
 /// run) and `blocks`: a list with `first_step`, `last_step`, `strategy`, `reason`, `start_ms`, `partitioning_ms`,

@@ -1,4 +1,4 @@
-// What a run tells about itself: what each step did, its time, phases as in the thesis (5.4), and every cell of every
+// The statistics of a run: what each step did, its time, phases as in the thesis (5.4), and every cell of every
 // parallel block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -82,7 +82,8 @@ struct CellReport {
   int thread = 0;                  ///< that began it
   double startMs = 0;              ///< since the run began
   double endMs = 0;
-  /// In order of time. Idle threads may help with a cell, so spans can be on several threads.
+  /// When which thread worked on the cell, in order of time. Idle threads may help with a cell, so spans can be on
+  /// several threads.
   std::vector<CellSpan> spans;
 
   /// Time that threads spent on the cell: the sum of its spans.

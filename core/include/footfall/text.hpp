@@ -52,9 +52,9 @@ class Text {
   [[nodiscard]] const std::string& pattern() const { return pattern_; }
   [[nodiscard]] const std::vector<Text>& arguments() const { return arguments_; }
 
-  /// In English. A place without an argument stays as it is written.
+  /// The text in English. A place without an argument stays as it is written.
   [[nodiscard]] std::string str() const;
-  /// The same with a blank for every control character, line breaks among them.
+  /// The text in English with a blank for every control character, line breaks among them.
   [[nodiscard]] Text inOneLine() const;
 
   bool operator==(const Text& other) const;

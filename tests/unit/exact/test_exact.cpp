@@ -66,7 +66,7 @@ mpq_class orientation(const Rational3& a, const Rational3& b, const Rational3& c
 /// A soup with at least one triangle that faces up.
 std::shared_ptr<const SourceMesh> randomMesh(Random& random, Numbers grid, int triangles) {
   for (;;) {
-    SourceSoup soup;
+    TriangleSoup soup;
     for (int i = 0; i < 3 * triangles; ++i) soup.vertices.push_back(randomPoint(random, grid));
     for (int i = 0; i < triangles; ++i) {
       std::array<std::uint32_t, 3> t{};
@@ -253,7 +253,7 @@ class TestExact : public QObject {
 
   void scaleAndShuffleDoNotMatter() {
     Random random(7);
-    SourceSoup soup;
+    TriangleSoup soup;
     for (int i = 0; i < 30; ++i) soup.vertices.push_back(randomPoint(random, Numbers::Tiny));
     for (std::uint32_t i = 0; i < 10; ++i) soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     const SourceMesh mesh = makeSourceMesh(soup, false);

@@ -84,7 +84,7 @@ std::vector<Vec3> randomPoints(Random& random, Numbers numbers, int count) {
 /// A soup with at least one triangle that faces up.
 std::shared_ptr<const SourceMesh> randomMesh(Random& random, Numbers numbers, int triangles) {
   for (;;) {
-    SourceSoup soup;
+    TriangleSoup soup;
     soup.vertices = randomPoints(random, numbers, 2 * triangles);
     for (int i = 0; i < triangles; ++i) {
       std::array<std::uint32_t, 3> t{};
@@ -310,7 +310,7 @@ class TestExactPredicates : public QObject {
 
   void borderCrossings() {
     // canonical forms: a vertex where a border passes through it, else lines in order, and a face only with a trace
-    SourceSoup soup;
+    TriangleSoup soup;
     soup.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {3, 1, 1}, {1, 3, -1}};
     soup.triangles = {{0, 1, 2}, {3, 4, 5}};
     const auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup, false));

@@ -51,8 +51,8 @@ std::vector<std::uint32_t> plainOrder(const std::vector<Triple>& triples) {
   return order;
 }
 
-SourceSoup randomSoup(Random& random, Numbers numbers, std::uint32_t triangles) {
-  SourceSoup soup;
+TriangleSoup randomSoup(Random& random, Numbers numbers, std::uint32_t triangles) {
+  TriangleSoup soup;
   for (std::uint32_t i = 0; i < triangles; ++i)
     soup.vertices.push_back(
         {randomNumber(random, numbers), randomNumber(random, numbers), randomNumber(random, numbers)});
@@ -92,7 +92,7 @@ class TestSourceMesh : public QObject {
     Random random(2);
     for (int numbers = 0; numbers < static_cast<int>(Numbers::kCount); ++numbers) {
       for (const std::uint32_t count : {3U, 50U, 5000U}) {
-        const SourceSoup soup = randomSoup(random, static_cast<Numbers>(numbers), count);
+        const TriangleSoup soup = randomSoup(random, static_cast<Numbers>(numbers), count);
         std::vector<std::uint32_t> order;
         const SourceMesh mesh = makeSourceMesh(soup, false, &order);
 
@@ -161,7 +161,7 @@ class TestSourceMesh : public QObject {
 
   void sameMeshForAnyNumberOfThreads() {
     Random random(4);
-    const SourceSoup soup = randomSoup(random, Numbers::Decimal, 40000);
+    const TriangleSoup soup = randomSoup(random, Numbers::Decimal, 40000);
     const SourceMesh plain = makeSourceMesh(soup, true);
     for (const int threads : {1, 2, 4}) {
       SourceMesh mesh;
@@ -177,7 +177,7 @@ class TestSourceMesh : public QObject {
   // Also within the sorts: there are many more polls than stages.
   void makingCanBeCancelled() {
     Random random(5);
-    const SourceSoup soup = randomSoup(random, Numbers::Decimal, 200000);
+    const TriangleSoup soup = randomSoup(random, Numbers::Decimal, 200000);
     std::atomic<int> polls{0};
     makeSourceMesh(soup, false, nullptr, [&] { ++polls; });
     const int all = polls;

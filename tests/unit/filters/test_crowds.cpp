@@ -265,6 +265,35 @@ class TestCrowds : public QObject {
              qPrintable(QString("%1, then %2").arg(counts[0]).arg(counts[1])));
   }
 
+  // Of slabs in one plane each has hundreds before it. How many have to be known of those that are left a part does not
+  // grow with the depth.
+  void slabsInOnePlaneNeedFewOthers() {
+    std::vector<double> found;
+    for (const int count : {1000, 4000}) {
+      std::mt19937 random(1);
+      const auto place = [&] { return static_cast<double>(random() % 99991) / 99991 * kExtent; };
+      Soup soup;
+      for (int i = 0; i < count; ++i) {
+        const double x = place(), y = place();
+        soup.floor(x, y, x + 8, y + 8, 0);
+      }
+      const StatePtr state = runFilters(soup.environment(), "SlopeFilter 45\n");
+      const PlanKernel kernel(state->kernel->sharedMesh(), {2.0});
+      ClearanceCandidates search(
+          kernel, [](Index) { return true; }, 1, [] {});
+      std::size_t sum = 0, faces = 0;
+      for (Index t = 0; t < static_cast<Index>(kernel.mesh().triangles.size()); ++t) {
+        const std::size_t candidates = search.find(t).size();
+        if (!search.areCrowd() || search.areKnownToCover()) continue;
+        sum += candidates;
+        ++faces;
+      }
+      QVERIFY(faces > 100);
+      found.push_back(static_cast<double>(sum) / static_cast<double>(faces));
+    }
+    QVERIFY2(found[1] < 1.5 * found[0], qPrintable(QString("%1, then %2").arg(found[0]).arg(found[1])));
+  }
+
   // A floor under a closed roof of many small parts, each of which covers little, is found to be covered as a whole,
   // and without looking at all that stands above it; with one part missing it is not.
   void roofsOfManyParts_data() {

@@ -31,7 +31,7 @@ int integer(Random& random, int low, int high) { return std::uniform_int_distrib
 SourceMesh meshOf(const test::Soup& soup, const std::vector<std::uint32_t>& order = {}) {
   const auto environment = soup.environment();
   const auto shuffled = order.empty() ? environment : test::shuffled(*environment, order, 1);
-  return makeSourceMesh(SourceSoupView(shuffled->vertices, shuffled->triangles), false);
+  return makeSourceMesh(SoupView(shuffled->vertices, shuffled->triangles), false);
 }
 
 double coordinateOf(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -447,7 +447,7 @@ class TestCutting : public QObject {
     if (test::sharedEnvironments().isEmpty()) QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
     for (const char* name : {"/nav_test.obj", "/dutility.obj"}) {
       const auto environment = importEnvironment(test::sharedEnvironments().toStdString() + name);
-      const SourceMesh mesh = makeSourceMesh(SourceSoupView(environment->vertices, environment->triangles), false);
+      const SourceMesh mesh = makeSourceMesh(SoupView(environment->vertices, environment->triangles), false);
       std::vector<char> walkable(mesh.triangles.size()), removed(mesh.triangles.size(), 0);
       for (std::size_t t = 0; t < walkable.size(); ++t) walkable[t] = static_cast<char>(mesh.facing[t] > 0);
       for (const auto& [strategy, values] :

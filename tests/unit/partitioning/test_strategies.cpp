@@ -43,7 +43,7 @@ struct Case {
   int threads = 4;
 
   explicit Case(const Environment& environment)
-      : mesh(makeSourceMesh(SourceSoupView(environment.vertices, environment.triangles), false)),
+      : mesh(makeSourceMesh(SoupView(environment.vertices, environment.triangles), false)),
         walkable(mesh.triangles.size()),
         removed(mesh.triangles.size(), 0) {
     for (std::size_t t = 0; t < walkable.size(); ++t) walkable[t] = static_cast<char>(mesh.facing[t] > 0);

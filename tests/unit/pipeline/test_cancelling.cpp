@@ -78,7 +78,7 @@ class TestCancelling : public QObject {
   void whatIsStillInUseStays();
   void eachStepOfALargeRun_data();
   void eachStepOfALargeRun();
-  void fansAsLongAsTheLevel();
+  void bordersAsLongAsTheLevel();
 };
 
 void TestCancelling::exceptionsLeaveLargeThingsToOthers() {
@@ -139,10 +139,10 @@ void TestCancelling::eachStepOfALargeRun() {
   }
 }
 
-// Between two borders that steps link, the vertices of the links stay and those of the far borders go, so that fans
-// grow as long as the borders are.
-void TestCancelling::fansAsLongAsTheLevel() {
-  constexpr int kTreads = 4000;
+// Between two borders that steps link, the vertices of the links stay and those of the far borders go: one group of
+// triangles, and so one task, as long as the level.
+void TestCancelling::bordersAsLongAsTheLevel() {
+  constexpr int kTreads = 16000;
   auto environment = std::make_shared<Environment>();
   const auto addFloor = [&](double x, double y, double z) {
     const auto first = static_cast<std::uint32_t>(environment->vertices.size());
@@ -157,7 +157,7 @@ void TestCancelling::fansAsLongAsTheLevel() {
   }
   const Pipeline pipeline =
       parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nSimplificationFilter\n", "test");
-  for (const double after : {200.0, 600.0}) {
+  for (const double after : {10.0, 40.0}) {
     std::atomic<double> started{-1};
     RunContext context([&](const RunEvent& event) {
       if (event.kind == RunEvent::Kind::StepStarted && event.step == 3) started = processCpuMs();
