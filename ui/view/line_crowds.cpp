@@ -45,9 +45,9 @@ class CrowdGrid {
     Sum sum;
     const int samples = samplesOf(line);
     forSamples(line, samples, [&](const std::array<int, 3>& at) { addAround(at, sum); });
-    // One line through all that is looked at, and what cells leave in doubt, is this one: without more it is alone.
+    // One line through all that is looked at, and what cells leave in doubt, is this one: without another it is alone.
     const float own = static_cast<float>(samples) * kAround * cell_;
-    const float share = std::clamp(sum.length / own - 1.25F, 0.0F, 1.0F);
+    const float share = std::clamp(2 * (sum.length / own - 1.25F), 0.0F, 1.0F);
     const float area = own * kAround * cell_;
     return {share * sum.length / area, share * sum.number / area};
   }
