@@ -1,7 +1,7 @@
 #version 330
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-flat in float strength;
+noperspective in float strength;
 noperspective in float distance;
 
 uniform vec4 colour;

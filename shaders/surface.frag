@@ -4,7 +4,7 @@
 
 flat in vec3 shade;
 flat in int pattern;  // ui/appearance.hpp: 0 plain, 1 rising stripes, 2 falling stripes, 3 dots, 4 grid,
-                      // 5 level stripes
+                      // 5 level stripes, 6 upright stripes
 
 uniform float patternScale;  // device pixels a logical pixel
 uniform bool asBackground;   // what is there is not to be seen, nor what lies under it
@@ -31,7 +31,8 @@ void main() {
     else if (pattern == 2) ink = step(mod(p.x + p.y, 8.0), 2.5);
     else if (pattern == 3) ink = step(distance(mod(p, 6.0), vec2(3.0)), 1.6);
     else if (pattern == 4) ink = max(step(mod(p.x, 8.0), 2.0), step(mod(p.y, 8.0), 2.0));
-    else ink = step(mod(p.y, 8.0), 2.5);
+    else if (pattern == 5) ink = step(mod(p.y, 8.0), 2.5);
+    else ink = step(mod(p.x, 8.0), 2.5);
   }
   fragment = vec4(shade * (1.0 - 0.45 * ink), 1.0);
 }

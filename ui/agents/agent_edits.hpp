@@ -10,7 +10,7 @@ namespace footfall::ui {
 int addAgent(Document& document, const NamedAgent& agent);
 /// Behind the one that is copied. Returns the id; 0 where there is no such agent.
 int duplicateAgent(Document& document, int id);
-/// Without an active agent the filters stay as they are.
+/// Removes an agent; the filters stay as they are, also those of the active one.
 void removeAgent(Document& document, int id);
 /// An empty name changes nothing.
 void renameAgent(Document& document, int id, const QString& name);

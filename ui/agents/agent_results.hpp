@@ -30,7 +30,7 @@ class AgentResults : public QObject {
   AgentResults(Document& document, RunController& controller, QObject* parent = nullptr);
   ~AgentResults() override;
 
-  /// Of the list of filters as it is, for this agent; nothing while they are not known.
+  /// What the filters, as the list has them, give for this agent; nothing while that is not known.
   [[nodiscard]] std::optional<AgentFigures> figures(int agent) const;
   /// Whether switching to the agent shows its result without a run.
   [[nodiscard]] bool ready(int agent) const;

@@ -40,7 +40,7 @@ class CommandPalette : public QDialog {
 
   [[nodiscard]] QLineEdit* field() const { return field_; }
   [[nodiscard]] QListView* list() const { return list_; }
-  /// As shown, the best first.
+  /// The titles that are shown, the best first.
   [[nodiscard]] QStringList titles() const;
 
  protected:

@@ -15,8 +15,8 @@ namespace footfall::ui {
 
 /// Watches one file and what belongs to it (the .bin files that a .gltf names), or a folder and the meshes in it. The system's notices come at once where
 /// they come at all; sizes and times are looked at now and then besides, for network drives and for programs that write
-/// another file and rename it. A change is told when nothing has changed for a while. A version that could not be read
-/// is offered again a few times, as it may still be in the making.
+/// another file and rename it. changed() is emitted when nothing has changed for a while. A version that could not be
+/// read is offered again a few times, as it may still be in the making.
 class FileWatch : public QObject {
   Q_OBJECT
 
@@ -33,10 +33,10 @@ class FileWatch : public QObject {
   /// The version on the disk counts as known. Empty: nothing is watched.
   void watch(const QString& path);
   [[nodiscard]] const QString& path() const { return path_; }
-  /// Off: changes are not told. Those that came meanwhile are, when it is switched on.
+  /// Off: changed() is not emitted. For changes that came meanwhile it is, when the watch is switched on.
   void setEnabled(bool on);
   [[nodiscard]] bool enabled() const { return enabled_; }
-  /// The version that changed() told has been read.
+  /// To be called when the version that changed() was emitted for has been read.
   void readSucceeded();
   /// It has not: changed() comes again, or givenUp() with the message.
   void readFailed(const QString& message);
@@ -69,7 +69,7 @@ class FileWatch : public QObject {
   QString path_;
   QStringList files_;  ///< the file first
   bool enabled_ = true;
-  bool gone_ = false;  ///< and told so
+  bool gone_ = false;  ///< and vanished() was emitted
   Stamps known_;       ///< of the version that was read last, or offered
   Stamps seen_;        ///< of the last look
   int failures_ = 0;   ///< of the version that is offered

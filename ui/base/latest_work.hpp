@@ -33,7 +33,7 @@ class LatestWork {
     context_.reset();
   }
   [[nodiscard]] bool busy() const { return context_ != nullptr; }
-  /// For jobs that follow the work and that nothing stops.
+  /// The queue of the work; jobs that are posted here follow it, and nothing stops them.
   [[nodiscard]] BackgroundQueue& queue() { return queue_; }
 
  private:

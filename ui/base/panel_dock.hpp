@@ -17,7 +17,7 @@ class PanelArea : public QScrollArea {
   explicit PanelArea(QWidget* content, QWidget* parent = nullptr);
 
   /// The dock is as high as its content, and scrolls only where that takes much of the window, which it is in already.
-  /// For small panels above large ones.
+  /// Makes it at most as high as its content, for small panels above large ones.
   void setFitsContent();
 
   [[nodiscard]] QSize sizeHint() const override;

@@ -10,7 +10,7 @@ namespace footfall::ui {
 struct StepTime {
   std::optional<double> expectedMs;  ///< what the step took before, with these or other values
   double elapsedMs = 0;              ///< since it began; 0 before
-  double fraction = 0;               ///< told of its progress
+  double fraction = 0;               ///< how much of it is done, as it last said
   bool finished = false;
 };
 
@@ -28,9 +28,9 @@ double expectedMs(const std::vector<StepTime>& steps);
 class EndEstimate {
  public:
   enum class Kind {
-    Nothing,  ///< too early to tell
+    Nothing,  ///< it is too early
     Left,     ///< so many seconds are left
-    Late,     ///< it takes longer than was estimated, and nobody knows how much
+    Late,     ///< it takes longer than was estimated; how much is unknown
     Unknown   ///< it takes a while, and there is nothing to go by
   };
   struct Told {
@@ -49,9 +49,9 @@ class EndEstimate {
 
   double begun_ = 0;
   double fraction_ = -1;
-  double told_ = 0;  ///< when `left_` was told
+  double told_ = 0;  ///< when tell() gave `left_`
   std::optional<double> left_;
-  std::optional<double> promised_;  ///< the end, as it was first told
+  std::optional<double> promised_;  ///< the end, as it was first estimated
   double promisedAt_ = 0;
   std::optional<double> lateSince_;  ///< the fraction at which the promise was broken
 };

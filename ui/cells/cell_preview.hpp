@@ -30,7 +30,7 @@ class CellPreview : public QObject {
   /// Cells of the strategy at `step` of the pipeline, which may be switched off, and whose block may lack its end;
   /// as a run on so many threads would have them (0: on all).
   void request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step, int threads);
-  /// Drops the request under way: nothing is told of it any more.
+  /// Drops the request under way: no signal is emitted for it any more.
   void cancel() { work_.stop(); }
   [[nodiscard]] bool busy() const { return work_.busy(); }
 

@@ -33,7 +33,7 @@ class CellsFeature : public QObject {
 
   void setShown(const CellsShown& shown);
   [[nodiscard]] CellsShown shown() const;
-  /// For the tool bar: cells in the view, and the dock.
+  /// What stands in the tool bar: cells in the view, and the dock.
   [[nodiscard]] QList<QAction*> actions() const { return {cells_, load_}; }
 
   [[nodiscard]] CellModel& model() { return model_; }

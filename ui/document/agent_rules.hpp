@@ -64,7 +64,7 @@ struct AgentPreset {
 /// otherwise, converted from metres.
 std::vector<AgentPreset> agentPresets(double metresPerUnit);
 
-/// For a new agent: above all that are there.
+/// The id of a new agent: above all that are there.
 int newAgentId(const DocumentState& state);
 /// `name`, or `name 2`, ... where it is taken.
 std::string freeAgentName(const DocumentState& state, const std::string& name);

@@ -51,7 +51,7 @@ class Document : public QObject {
   [[nodiscard]] const std::vector<FilterEntry>& filters() const { return state_.filters; }
   [[nodiscard]] Pipeline pipeline() const;
   [[nodiscard]] QUndoStack* undoStack() { return &undoStack_; }
-  /// For the texts of edits.
+  /// The units in which texts of edits give lengths.
   void setUnits(const LevelUnits& units) { units_ = units; }
   [[nodiscard]] const LevelUnits& units() const { return units_; }
 
@@ -75,7 +75,7 @@ class Document : public QObject {
   /// Any edit as one entry; entries with the same merge key (not empty) that follow each other become one. An empty
   /// text is made from the value that is different.
   void edit(DocumentState next, const QString& text, const QString& mergeKey = {});
-  /// For filters that an edit() adds.
+  /// An id for a filter that an edit() adds.
   [[nodiscard]] int newFilterId() { return nextId_++; }
 
   /// Starts anew, without undo. The overload replaces filters and import options and takes the rest from `rest`.

@@ -27,7 +27,7 @@ struct ExportSettings {
 
 /// The format of the result itself; null for pictures and reports.
 const FormatDescriptor* meshFormat(ExportKind kind);
-/// Without its dot: "obj".
+/// The ending of a kind's files without its dot: "obj".
 QString exportEnding(ExportKind kind);
 QString exportName(ExportKind kind);
 /// The format that a name's ending asks for; `usual` where it has none that is known.
@@ -40,7 +40,7 @@ struct PictureSize {
 };
 QList<PictureSize> pictureSizes(const QSize& view, double devicePixelRatio);
 
-/// Of the last export; scale and frame are not remembered, as they would silently change the next level's.
+/// The settings of the last export, but for scale and frame: they would silently change the next level's.
 ExportSettings rememberedExport();
 void rememberExport(const ExportSettings& settings);
 

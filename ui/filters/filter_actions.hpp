@@ -36,7 +36,7 @@ class FilterActions : public QObject {
   [[nodiscard]] QAction* find(const QString& id) const;
   /// Whether the key is one of an action that can be done now; `perform` does it.
   bool handleKey(const QKeyEvent& key, bool perform);
-  /// For the row under the mouse, which is selected. The caller deletes it.
+  /// A menu for the row under the mouse, which is selected. The caller deletes it.
   QMenu* makeMenu(QWidget* parent);
   /// After the selection or the filters have changed.
   void update();

@@ -19,9 +19,9 @@ FilterIds duplicateFilters(Document& document, const FilterIds& ids);
 /// `index` counts in the list as it is. Returns the new ids.
 FilterIds insertFilters(Document& document, std::size_t index, const std::vector<PipelineStep>& steps,
                         const QString& text);
-/// By one row, all together; nothing when the first or last of them is at that end of the list.
+/// Moves filters by one row, all together; changes nothing when the first or last of them is at that end of the list.
 void moveFilters(Document& document, const FilterIds& ids, int direction);
-/// Together into the gap before the row `gap` of the list as it is.
+/// Moves filters together into the gap before the row `gap` of the list as it is.
 void moveFiltersTo(Document& document, const FilterIds& ids, std::size_t gap);
 void switchFilters(Document& document, const FilterIds& ids, bool on);
 /// Switches off everything behind, but the Collapse that a block which is open there needs.
@@ -29,7 +29,7 @@ void runOnlyUpTo(Document& document, int id);
 /// Leaves on what is given, and what blocks around it need.
 void switchOthersOff(Document& document, const FilterIds& ids);
 void switchAllOn(Document& document);
-/// As lines of a pipeline file.
+/// Filters as lines of a pipeline file.
 std::string filtersAsText(const Document& document, const FilterIds& ids);
 
 }  // namespace footfall::ui

@@ -17,7 +17,7 @@
 
 namespace footfall::ui {
 
-/// Shows an entry and its status; tells what the user does to it and changes nothing itself.
+/// Shows an entry and its status; emits a signal for what the user does to it and changes nothing itself.
 class FilterRow : public QFrame {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ class FilterRow : public QFrame {
   [[nodiscard]] std::size_t fieldCount() const { return fields_.size(); }
   /// Null for filters without seeds.
   [[nodiscard]] QToolButton* placeButton() const { return place_; }
-  /// Of a seed that has fields.
+  /// The button that removes the seed `group`.
   [[nodiscard]] QToolButton* removeGroupButton(std::size_t group) const { return removeGroup_[group]; }
   [[nodiscard]] QCheckBox* enabledBox() const { return enabled_; }
   [[nodiscard]] QToolButton* removeButton() const { return remove_; }

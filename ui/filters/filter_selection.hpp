@@ -7,8 +7,8 @@
 
 namespace footfall::ui {
 
-/// As in a list of files: one current row, a range from an anchor to it with Shift, single rows with Ctrl. Rows are
-/// known by the ids of their filters.
+/// Selects rows as lists of files do: one current row, a range from an anchor to it with Shift, single rows with Ctrl.
+/// Rows are known by the ids of their filters.
 class FilterSelection {
  public:
   /// In their new order; what is gone is no longer selected. A current row that is gone hands over to the row that now

@@ -1,4 +1,4 @@
-// Tells what the numbers of the filters will do to the level that nobody wants.
+// Notes on what the numbers of the filters will do to the level that is hardly meant.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

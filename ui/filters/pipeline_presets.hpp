@@ -29,7 +29,7 @@ class PresetStore {
   /// In the program's settings folder.
   static PresetStore ofUser();
 
-  /// By name; empty when there is no folder.
+  /// The names of all presets, sorted; empty when there is no folder.
   [[nodiscard]] QStringList names() const;
   [[nodiscard]] Pipeline read(const QString& name) const;
   /// Replaces one of the same name.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/base/panel_dock.hpp"
+#include "ui/view/box_edges.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -14,19 +15,6 @@ namespace {
 const QString kOverlay = QStringLiteral("difference");
 constexpr int kAlpha = 215;
 constexpr std::size_t kMostDrawn = 40'000;  // triangles: overlays are sent to the graphics card with every frame
-
-/// The twelve edges of a box.
-std::vector<std::array<Vec3, 2>> edgesOf(const DifferentRegion& region) {
-  std::vector<std::array<Vec3, 2>> edges;
-  const auto corner = [&](unsigned i) {
-    return Vec3{(i & 1U) != 0 ? region.upper.x : region.lower.x, (i & 2U) != 0 ? region.upper.y : region.lower.y,
-                (i & 4U) != 0 ? region.upper.z : region.lower.z};
-  };
-  for (unsigned i = 0; i < 8; ++i)
-    for (const unsigned bit : {1U, 2U, 4U})
-      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
-  return edges;
-}
 
 }  // namespace
 
@@ -203,7 +191,7 @@ void CompareFeature::draw() {
     }
     if (chosenRegion_ >= 0) {
       const DifferentRegion& region = difference->regions[static_cast<std::size_t>(chosenRegion_)];
-      overlay.lines.push_back({edgesOf(region), colours[region.mesh], 2, QColor(Qt::white)});
+      overlay.lines.push_back({edgesOfBox(region.lower, region.upper), colours[region.mesh], 2, QColor(Qt::white)});
     }
     view_.setOverlay(kOverlay, std::move(overlay));
     const CompareWriter write = writer();

@@ -23,7 +23,7 @@ struct CompareWriter {
   std::function<QString(const Vec3&)> place;
 };
 
-/// Shows what it is given and tells what is wanted.
+/// Shows a comparison and emits signals for what the user asks; computes nothing.
 class ComparePanel : public QWidget {
   Q_OBJECT
 

@@ -11,7 +11,7 @@
 
 namespace footfall::ui {
 
-/// Shows the components of an Inspector and tells which one is chosen.
+/// Shows the components of an Inspector and emits a signal for the one that is chosen.
 class ComponentsPanel : public QWidget {
   Q_OBJECT
 

@@ -18,7 +18,7 @@ class PlaceFields : public QWidget {
   Q_OBJECT
 
  public:
-  /// `name` tells screen readers and tests what place it is ("Start").
+  /// `name` is the name of the place for screen readers and tests ("Start").
   PlaceFields(const QString& name, const QString& id, QWidget* parent = nullptr);
 
   void setPlace(const std::optional<Vec3>& place);

@@ -13,7 +13,7 @@
 
 namespace footfall::ui {
 
-/// Shows what it is given and tells what is wanted.
+/// Shows an answer and emits signals for what the user asks; computes nothing.
 class WhyPanel : public QWidget {
   Q_OBJECT
 

@@ -151,6 +151,8 @@ QString WhyText::borders(const PlaceExplanation& told, const LevelUnits& units) 
 Paint WhyText::paint(const Inspector& inspector, const PlaceExplanation& told) {
   if (told.verdict == PlaceVerdict::Walkable) return told.layer ? layerPaint(*told.layer) : walkablePaint();
   if (!told.step) return wallPaint();
+  if (told.verdict == PlaceVerdict::TooNearWall) return removalStyle(Removal::NearWall).paint;
+  if (told.verdict == PlaceVerdict::TooNearLedge) return removalStyle(Removal::NearLedge).paint;
   const RemovalStyle* style = removalStyle(inspector.pipeline().steps[*told.step].filter->type);
   return style != nullptr ? style->paint : wallPaint();
 }

@@ -22,7 +22,8 @@ class WhyTool : public ViewTool {
   Q_DECLARE_TR_FUNCTIONS(WhyTool)
 
  public:
-  /// `asked` hears of clicks, and of the key Return at the place of the mouse; `over` that another tool has the mouse.
+  /// `asked` is called for clicks, and for the key Return at the place of the mouse; `over` when another tool has the
+  /// mouse.
   WhyTool(std::function<void(const QPoint&)> asked, std::function<void()> over)
       : asked_(std::move(asked)), over_(std::move(over)) {}
 

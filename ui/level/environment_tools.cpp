@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/view/appearance.hpp"
+#include "ui/view/box_edges.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -47,18 +48,6 @@ std::optional<Bounds> boundsOf(const Environment& environment, const std::vector
     for (const std::uint32_t v : t) bounds->include(environment.vertices[v]);
   });
   return bounds;
-}
-
-std::vector<std::array<Vec3, 2>> edgesOf(const Bounds& b) {
-  std::vector<std::array<Vec3, 2>> edges;
-  const auto corner = [&](unsigned i) {
-    return Vec3{(i & 1U) != 0 ? b.upper.x : b.lower.x, (i & 2U) != 0 ? b.upper.y : b.lower.y,
-                (i & 4U) != 0 ? b.upper.z : b.lower.z};
-  };
-  for (unsigned i = 0; i < 8; ++i)
-    for (const unsigned bit : {1U, 2U, 4U})
-      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
-  return edges;
 }
 
 }  // namespace
@@ -179,7 +168,7 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
   std::size_t triangles = 0;
   forTriangles(*environment, parts, [&](const Triangle&) { ++triangles; });
   QColor colour = selectedCellColour();
-  overlay.lines.push_back({edgesOf(*bounds), colour, 2, outlineColour()});
+  overlay.lines.push_back({edgesOfBox(bounds->lower, bounds->upper), colour, 2, outlineColour()});
   if (triangles <= kMostHighlighted) {
     colour.setAlpha(kHighlightAlpha);
     ViewOverlay::Surface surface{{}, colour};

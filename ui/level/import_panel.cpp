@@ -7,36 +7,19 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "footfall/up_axis.hpp"
 #include "ui/base/core_text.hpp"
+#include "ui/base/counted_text.hpp"
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
+#include "ui/base/positive_number.hpp"
 #include "ui/level/scale_question.hpp"
 
 namespace footfall::ui {
-namespace {
-
-// A field like those of the filters; the scale is no filter's parameter.
-ParameterDescriptor scaleDescriptor() {
-  ParameterDescriptor scale;
-  scale.name = "scale";
-  scale.label = "Metres per unit";
-  scale.minimum = 0;
-  scale.minimumOpen = true;
-  scale.maximum = std::numeric_limits<double>::max();
-  scale.defaultValue = 1;
-  return scale;
-}
-
-QString counted(std::uint64_t count, const QString& one, const QString& many) {
-  return countText(count) + QLatin1Char(' ') + (count == 1 ? one : many);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   name_ = new ElidedLabel(tr("Nothing loaded"), this);
@@ -51,7 +34,7 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   up_->addItem(tr("Guess"));
   for (const UpAxis up : kUpAxes) up_->addItem(upAxisText(up));
   up_->setToolTip(tr("Which axis of the file points up; places are shown along the axes of the file"));
-  scale_ = new NumberField(scaleDescriptor(), this);
+  scale_ = new NumberField(positiveNumber("scale", "Metres per unit", 1), this);
   scale_->setObjectName(QStringLiteral("scale"));
   scale_->setFixedWidth(90);
   scale_->setToolTip(tr(
@@ -159,14 +142,14 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     const QString path = QString::fromStdString(environment->source);
     name_->setText(QFileInfo(path).fileName());
     name_->setToolTip(path);
-    counts_ = counted(environment->triangles.size(), tr("triangle"), tr("triangles")) + QStringLiteral(", ") +
-              counted(environment->vertices.size(), tr("vertex"), tr("vertices"));
+    counts_ = countedText(environment->triangles.size(), tr("triangle"), tr("triangles")) + QStringLiteral(", ") +
+              countedText(environment->vertices.size(), tr("vertex"), tr("vertices"));
     size_ = size;
     const SkippedElements& skipped = environment->skipped;
     QStringList left;
-    if (skipped.polygons > 0) left << counted(skipped.polygons, tr("polygon"), tr("polygons"));
-    if (skipped.lines > 0) left << counted(skipped.lines, tr("line"), tr("lines"));
-    if (skipped.points > 0) left << counted(skipped.points, tr("point"), tr("points"));
+    if (skipped.polygons > 0) left << countedText(skipped.polygons, tr("polygon"), tr("polygons"));
+    if (skipped.lines > 0) left << countedText(skipped.lines, tr("line"), tr("lines"));
+    if (skipped.points > 0) left << countedText(skipped.points, tr("point"), tr("points"));
     QStringList lines;
     if (!left.isEmpty()) lines << tr("Skipped: %1").arg(left.join(QStringLiteral(", ")));
     for (const Text& note : environment->notes) lines << coreText(note);

@@ -28,7 +28,7 @@ class LevelComposer : public QObject {
  public:
   explicit LevelComposer(Document& document, QObject* parent = nullptr);
 
-  /// Starts anew from an environment as its file gave it (null: none), with the document as it is; tells nobody.
+  /// Starts anew from an environment as its file gave it (null: none), with the document as it is; emits no signal.
   void setLoaded(std::shared_ptr<const Environment> loaded,
                  std::shared_ptr<const EnvironmentGeometry> geometry = nullptr);
   /// The same file, read again; edited() follows when something differs.

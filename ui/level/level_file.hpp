@@ -39,7 +39,7 @@ class LevelFile : public QObject {
   [[nodiscard]] Reading reading() const { return reading_; }
   /// What is being read; empty: nothing.
   [[nodiscard]] QString pathBeingRead() const { return reading_ == Reading::Nothing ? QString() : path_; }
-  /// As the file gave it, without roles of parts and obstacles; null while nothing is loaded.
+  /// The environment as the file gave it, without roles of parts and obstacles; null while nothing is loaded.
   [[nodiscard]] const std::shared_ptr<const Environment>& environment() const { return loaded_.environment; }
   [[nodiscard]] const LoadedEnvironment& loaded() const { return loaded_; }
   /// Path of the level, as it was opened; empty while nothing is loaded.

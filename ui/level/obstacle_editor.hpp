@@ -16,9 +16,9 @@
 
 namespace footfall::ui {
 
-/// One for a window; tools in the view and the panel share it. While something is dragged, the document gets its newest
-/// place whenever no run is under way, or when the mouse has rested for 150 ms: runs are not cancelled by the next
-/// movement, and never does more than one wait. A drag is one entry of the undo stack.
+/// Edits obstacles for the tools in the view and the panel, which share it. While one is dragged, the document gets its
+/// newest place whenever no run is under way, or when the mouse has rested for 150 ms: runs are not cancelled by the
+/// next movement, and never does more than one wait. A drag is one entry of the undo stack.
 class ObstacleEditor : public QObject {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class ObstacleEditor : public QObject {
   ObstacleEditor(Document& document, LevelComposer& composer, RunController& controller, QObject* parent = nullptr);
 
   [[nodiscard]] const std::vector<PlacedObstacle>& obstacles() const { return document_.state().obstacles; }
-  /// As it is under the mouse while it is dragged; null when there is none with this id.
+  /// An obstacle as it is under the mouse while it is dragged; null when there is none with this id.
   [[nodiscard]] const PlacedObstacle* find(std::uint32_t id) const;
   [[nodiscard]] const PlacedObstacle* selected() const { return selected_ ? find(*selected_) : nullptr; }
   void select(std::optional<std::uint32_t> id);
@@ -51,8 +51,8 @@ class ObstacleEditor : public QObject {
   /// same merge key that follow each other are one.
   void change(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
 
-  /// For edits that follow each other quickly (a key that is held, a number that is typed): as change(), but like a
-  /// drag, which ends when nothing follows for a while. Without a merge key, those between two pauses are one edit.
+  /// As change(), for edits that follow each other quickly (a key that is held, a number that is typed): they count as
+  /// a drag, which ends when nothing follows for a while. Without a merge key, those between two pauses are one edit.
   void changeSoon(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
 
   // Drags of the mouse.

@@ -27,7 +27,7 @@ class PartLevel : public QObject {
 
   explicit PartLevel(QObject* parent = nullptr);
 
-  /// Starts anew (null: nothing is loaded), at once; changed() tells of nothing but geometry() that is made later.
+  /// Starts anew (null: nothing is loaded), at once; changed() is emitted only for a geometry() that is made later.
   void setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std::vector<PartRule>& rules);
   /// The same file, read again.
   void replaceLoaded(EnvironmentPtr loaded, const std::vector<PartRule>& rules);

@@ -36,7 +36,7 @@ class ViewModes : public QObject {
   [[nodiscard]] ViewMode mode() const { return mode_; }
   /// What the mode shows is that of the level and the result as they are.
   [[nodiscard]] bool upToDate() const { return !work_.busy(); }
-  /// For the tool bar, which takes it over.
+  /// The box that chooses a mode; the tool bar becomes its owner.
   [[nodiscard]] QComboBox& box() { return *box_; }
 
  signals:

@@ -40,7 +40,7 @@ class PathModel : public QObject {
 
   [[nodiscard]] const std::optional<Vec3>& start() const { return start_; }
   [[nodiscard]] const std::optional<Vec3>& target() const { return target_; }
-  /// Of the last two places for which it was found; nothing without both of them, or without a mesh. What keeps two
+  /// The result for the last two places; nothing without both of them, or without a mesh. What keeps two
   /// parts apart is added a little later, with one more resultChanged().
   [[nodiscard]] const std::optional<PathResult>& result() const { return result_; }
   /// A path, or what keeps two parts apart, is being looked for.

@@ -6,26 +6,15 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
-#include <limits>
 
 #include "ui/base/flow_layout.hpp"
+#include "ui/base/positive_number.hpp"
 #include "ui/path/path_text.hpp"
 
 namespace footfall::ui {
 namespace {
 
 constexpr double kUsualSpeed = 1.4;  // metres a second: an adult in no hurry
-
-ParameterDescriptor speedDescriptor() {
-  ParameterDescriptor speed;
-  speed.name = "speed";
-  speed.label = "Walking speed";
-  speed.minimum = 0;
-  speed.minimumOpen = true;
-  speed.maximum = std::numeric_limits<double>::max();
-  speed.defaultValue = kUsualSpeed;
-  return speed;
-}
 
 QPushButton* addButton(QLayout* row, const QString& id, const QString& text, const QString& help) {
   auto* button = new QPushButton(text);
@@ -41,7 +30,7 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   setObjectName(QStringLiteral("pathPanel"));
   start_ = new PlaceFields(tr("Start"), QStringLiteral("pathStart"), this);
   target_ = new PlaceFields(tr("Target"), QStringLiteral("pathTarget"), this);
-  speed_ = new NumberField(speedDescriptor(), this);
+  speed_ = new NumberField(positiveNumber("speed", "Walking speed", kUsualSpeed), this);
   speed_->setObjectName(QStringLiteral("pathSpeed"));
   speed_->setAccessibleName(tr("Walking speed in metres a second"));
   speed_->setToolTip(tr("Walking speed in metres a second, for the time that the path takes"));

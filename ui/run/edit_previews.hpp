@@ -33,9 +33,9 @@ class EditPreviews : public QObject {
   [[nodiscard]] EditPreview::Surfaces changes(const RunJob& job, const Pipeline& earlier) const;
   /// Another run has finished: what suits its steps is kept, what is missing is for prepare().
   void follow(const RunJob& job, const std::shared_ptr<const NavigationMesh>& result);
-  /// As long as nobody calls stop().
+  /// Prepares previews in the background, until stop() is called.
   void prepare(const std::shared_ptr<const Environment>& environment, const Vec3& centre);
-  /// A run wants the processors.
+  /// Stops preparing, as a run wants the processors.
   void stop();
   void clear();
 

@@ -1,4 +1,4 @@
-// Keeps the result up to date with the filter list: runs pipelines in the background and tells how far they are.
+// Keeps the result up to date with the filter list: runs pipelines in the background and publishes their progress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -42,7 +42,7 @@ class RunController : public QObject {
   explicit RunController(QObject* parent = nullptr);
   ~RunController() override;
 
-  /// Drops all results. Null: nothing to run on.
+  /// Sets another environment (null: nothing to run on) and drops all results.
   void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
   /// The same level with something changed (an edit of the one before, so that runs take over what they can): the last
   /// result stays in sight until the next one is there.
@@ -53,7 +53,7 @@ class RunController : public QObject {
   void runNow();
   void cancel();
   /// So many threads at most compute a run from now on (0: as many as the machine has). A result that was computed with
-  /// another number is computed again, as what is told of threads and cells is not the same.
+  /// another number is computed again, as its threads and cells are not the same.
   void setThreads(int threads);
   /// Off: edits wait for runNow(); opening an environment runs once all the same. On: what is out of date runs.
   void setAutomatic(bool on);
@@ -69,7 +69,7 @@ class RunController : public QObject {
   /// A result that is still known; null otherwise.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRunOf(const Pipeline& pipeline) const;
   [[nodiscard]] const FinishedRuns& finishedRuns() const { return runs_; }
-  /// The view has brought a frame to the screen.
+  /// To be called when the view has shown a frame.
   void frameShown();
   /// What the view needs to draw everything: pictures of what a run has so far come the more seldom for it.
   void setPictureTime(double ms) { display_.setPictureTime(ms); }
@@ -90,7 +90,7 @@ class RunController : public QObject {
 
  signals:
   void statusChanged();
-  /// A run is under way; not told of a run that was overtaken in the same moment.
+  /// A run is under way; not emitted for a run that was overtaken in the same moment.
   void started();
   /// `fraction` of the whole run; `text` names the step. Only of runs that take a while.
   void progressed(double fraction, const QString& text);

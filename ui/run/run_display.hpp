@@ -1,5 +1,5 @@
-// What the view is told of runs: the last finished result, changed where the run under way has already said something.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// What the view shows of runs: the last finished result, changed where the run under way already has pieces of the
+// next. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QObject>
@@ -13,14 +13,14 @@
 
 namespace footfall::ui {
 
-/// Who hears a signal may cancel the run that it is about: the caller looks whether it is still there.
+/// What is connected to a signal may cancel the run that it is about: callers check whether it is still there.
 class RunDisplay : public QObject {
   Q_OBJECT
 
  public:
   /// There is no result.
   void clear();
-  /// A run has finished; nothing is told before show().
+  /// Keeps the result of a finished run; show() emits the signals.
   void setResult(const RunJob& job, const RunOutcome& outcome);
   /// The last result and its cells.
   void show();
@@ -35,7 +35,7 @@ class RunDisplay : public QObject {
   void begin(bool changesShown);
   /// Over the last result: what an edit changes, as far as that is known before its run.
   void showChanges(const EditPreview::Surfaces& changes);
-  /// There is something to be seen of the run as soon as it tells something.
+  /// Whether the first event of the run under way will give something to show.
   [[nodiscard]] bool waitsForPicture() const { return hasResult() && !lastPicture_; }
   /// The cells of the run under way, where something about them is new.
   void showCells(const std::vector<RunEventBuffer::Block>& blocks);

@@ -1,4 +1,4 @@
-// Where the threads of a run leave what they have to tell until the window fetches it.
+// Keeps the events that the threads of a run publish until the window fetches them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,7 +24,7 @@ class RunEventBuffer {
   struct Part {
     std::shared_ptr<const NavigationMesh> mesh;
     std::shared_ptr<const NavigationMeshGeometry>
-        geometry;                    ///< of the mesh, where the thread that told of it has made it
+        geometry;                    ///< of the mesh, where the thread that published it has made it
     std::optional<CellBounds> cell;  ///< that it is the part of, when it is one's
   };
   struct Step {

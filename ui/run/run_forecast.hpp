@@ -1,4 +1,4 @@
-// How long a run takes, from earlier times of the same steps and from what it has told.
+// How long a run takes, from earlier times of the same steps and from its progress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,7 +22,7 @@ class RunForecast {
   /// What steps took belongs to another environment.
   void forgetSteps() { steps_.clear(); }
   void clear();
-  /// Of what is not in the cache: the steps from the first change on.
+  /// The time of what is not in the cache: the steps from the first change on; milliseconds.
   [[nodiscard]] double expectedTime(const RunJob& job) const;
   /// A step of the job under way, as it was told at `now`. `inBlock`: filters of a block share the time of their cells.
   void take(RunJob& job, std::size_t step, const RunEventBuffer::Step& events, bool inBlock, double fraction,

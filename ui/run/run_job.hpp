@@ -1,4 +1,4 @@
-// A run: what it computes, and what it has told so far.
+// A run: what it computes, and the events that it has published so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -59,13 +59,14 @@ struct RunJob {
   bool settling = false;        ///< edits may follow; it has not begun
   bool waiting = false;         ///< for the frame that shows what is known from the edit
   std::vector<StepTime>
-      times;  ///< of the steps, and of making the mesh where that is known; empty before they are told
+      times;  ///< of the steps, and of making the mesh where that is known; empty before they are known
   std::size_t firstChanged = 0;  ///< the first step that is not the same as in the last finished run
   std::shared_ptr<const NavigationMesh> changedBefore;  ///< what that step gave then, where it is known
   /// Over the last result: known from the edit itself, or else from the first step that differs once it has run.
   EditPreview::Surfaces changes;
   EditPreview::Surfaces changesOfStep;  ///< written by the thread that computes, before the event of that step
   StepPictures stepPictures;
+  bool isDividing = false;  ///< its context is used for what the list does not have: events are not of its steps
   std::unique_ptr<RunEventBuffer> events;
   std::unique_ptr<RunContext> context;
 };
@@ -78,9 +79,9 @@ struct RunOutcome {
 
 /// Fills in what follows from the pipeline: steps, prefixes and key.
 std::shared_ptr<RunJob> makeRunJob(const Pipeline& pipeline);
-/// Gives the job its context, and events of which `notify` is told (RunEventBuffer). Meshes of steps are kept.
+/// Gives the job its context, and a buffer of events that calls `notify` (RunEventBuffer). Meshes of steps are kept.
 void listenTo(RunJob& job, std::function<void()> notify);
-/// Gives the job a context that keeps meshes of steps and tells nobody.
+/// Gives the job a context that keeps meshes of steps and buffers no events.
 void keepStepMeshes(RunJob& job);
 /// Finds the first step that differs from those of an earlier run, and what it gave then.
 void compareWithEarlier(RunJob& job, const Pipeline& earlier);

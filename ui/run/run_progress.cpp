@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/run/run_progress.hpp"
 
+#include <QCoreApplication>
 #include <algorithm>
-
-#include "ui/run/run_controller.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -34,9 +33,12 @@ BlockPlace placeInBlock(std::size_t step, const std::vector<RunEventBuffer::Step
     if (made.lastStep - 1 < steps.size()) place.fraction = std::max(place.fraction, steps[made.lastStep - 1].fraction);
     if (step == made.firstStep) place.fraction = 1;
     if (step == made.lastStep) place.fraction = 0;
-    place.text = finished == all ? RunController::tr("Putting the cells together")
-                 : all == 1      ? RunController::tr("%1 of 1 cell finished").arg(finished)
-                                 : RunController::tr("%1 of %2 cells finished").arg(finished).arg(all);
+    place.text =
+        finished == all ? QCoreApplication::translate("footfall::ui::RunController", "Putting the cells together")
+        : all == 1 ? QCoreApplication::translate("footfall::ui::RunController", "%1 of 1 cell finished").arg(finished)
+                   : QCoreApplication::translate("footfall::ui::RunController", "%1 of %2 cells finished")
+                         .arg(finished)
+                         .arg(all);
     return place;
   }
   return {};

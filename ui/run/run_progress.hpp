@@ -1,4 +1,4 @@
-// How far a run is, from what its threads have told.
+// How far a run is, from the events of its threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

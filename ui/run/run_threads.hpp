@@ -9,7 +9,7 @@ namespace footfall::ui {
 
 class CommandRegistry;
 
-/// As many threads as this machine runs at the same time.
+/// How many threads this machine runs at the same time.
 int processorCount();
 
 /// The numbers of threads to choose from, increasing: some below that of the processors, and that one itself.
@@ -24,7 +24,7 @@ class RunThreads : public QObject {
 
   /// 0: as many as there are processors.
   [[nodiscard]] int chosen() const { return chosen_; }
-  /// As many as runs get.
+  /// How many threads runs get.
   [[nodiscard]] int count() const { return chosen_ > 0 ? chosen_ : processorCount(); }
   void choose(int threads);
 

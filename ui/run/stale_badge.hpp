@@ -10,7 +10,7 @@
 
 namespace footfall::ui {
 
-/// Stands at the top of `view`, in the middle. Nothing is told while a run is under way: it will mend it.
+/// Stands at the top of `view`, in the middle. Hidden while a run is under way, which will mend what is stale.
 class StaleBadge : public QFrame {
   Q_OBJECT
 

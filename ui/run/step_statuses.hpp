@@ -11,7 +11,7 @@
 
 namespace footfall::ui {
 
-/// By FilterEntry::id.
+/// The statuses of all filters of the list, by FilterEntry::id.
 class StepStatuses {
  public:
   [[nodiscard]] StepStatus find(int id) const;

@@ -30,6 +30,8 @@ bool inked(FillPattern pattern, double x, double y) {
       return wrap(x, 8) <= 2 || wrap(y, 8) <= 2;
     case FillPattern::LevelStripes:
       return wrap(y, 8) <= 2.5;
+    case FillPattern::UprightStripes:
+      return wrap(x, 8) <= 2.5;
   }
   return false;
 }
@@ -79,30 +81,56 @@ QColor heatColour(double value) {
   return QColor::fromRgbF(mixed(a.redF(), b.redF()), mixed(a.greenF(), b.greenF()), mixed(a.blueF(), b.blueF()));
 }
 
-const RemovalStyle* removalStyle(FilterType filter) {
-  static const std::array<RemovalStyle, 5> kStyles = {{
-      {FilterType::Slope,
+namespace {
+
+// In the order of Removal.
+const std::array<RemovalStyle, 7>& removalStyles() {
+  static const std::array<RemovalStyle, 7> kStyles = {{
+      {Removal::TooSteep,
+       FilterType::Slope,
        QCoreApplication::translate("Legend", "Too steep"),
        {QColor(176, 150, 128), FillPattern::RisingStripes},
        {toColour(kOrange), FillPattern::RisingStripes}},
-      {FilterType::VerticalClearance,
+      {Removal::TooLow,
+       FilterType::VerticalClearance,
        QCoreApplication::translate("Legend", "Too little headroom"),
        {QColor(150, 138, 176), FillPattern::FallingStripes},
        {QColor(204, 121, 167), FillPattern::FallingStripes}},
-      {FilterType::Radius,
+      {Removal::NearBorder,
+       FilterType::Radius,
        QCoreApplication::translate("Legend", "Too near a border"),
        {QColor(140, 172, 150), FillPattern::LevelStripes},
        {QColor(0, 158, 115), FillPattern::LevelStripes}},
-      {FilterType::Reachable,
+      {Removal::NearWall,
+       FilterType::Radius,
+       QCoreApplication::translate("Legend", "Too near a wall"),
+       {QColor(140, 172, 150), FillPattern::LevelStripes},
+       {QColor(0, 158, 115), FillPattern::LevelStripes}},
+      {Removal::NearLedge,
+       FilterType::Radius,
+       QCoreApplication::translate("Legend", "Too near a ledge"),
+       {QColor(156, 188, 222), FillPattern::UprightStripes},
+       {QColor(86, 180, 233), FillPattern::UprightStripes}},
+      {Removal::Unreachable,
+       FilterType::Reachable,
        QCoreApplication::translate("Legend", "Cannot be reached"),
        {QColor(188, 180, 132), FillPattern::Grid},
        {toColour(kYellow), FillPattern::Grid}},
-      {FilterType::Area,
+      {Removal::TooSmall,
+       FilterType::Area,
        QCoreApplication::translate("Legend", "Too small an area"),
        {QColor(146, 160, 168), FillPattern::Dots},
        {QColor(0, 114, 178), FillPattern::Dots}},
   }};
-  for (const RemovalStyle& style : kStyles) {
+  return kStyles;
+}
+
+}  // namespace
+
+const RemovalStyle& removalStyle(Removal removal) { return removalStyles()[static_cast<std::size_t>(removal)]; }
+
+const RemovalStyle* removalStyle(FilterType filter) {
+  for (const RemovalStyle& style : removalStyles()) {
     if (style.filter == filter) return &style;
   }
   return nullptr;

@@ -19,7 +19,8 @@ enum class FillPattern : std::uint8_t {
   FallingStripes = 2,
   Dots = 3,
   Grid = 4,
-  LevelStripes = 5
+  LevelStripes = 5,
+  UprightStripes = 6
 };
 
 struct Paint {
@@ -62,15 +63,21 @@ QColor hiddenLineFill();
 /// van der Walt 2015).
 QColor heatColour(double value);
 
-/// How places that one filter removed are shown: why they are not walkable.
+/// Why floors are not walkable: by the filter that removed them, and for a RadiusFilter by what is too near. Without a
+/// clearance before it, it does not know walls from ledges (NearBorder).
+enum class Removal : std::uint8_t { TooSteep, TooLow, NearBorder, NearWall, NearLedge, Unreachable, TooSmall };
+
+/// How floors are shown that were removed for one reason.
 struct RemovalStyle {
+  Removal removal{};
   FilterType filter{};
   QString reason;  ///< for the legend, e.g. "Too steep"
   Paint paint;
   Paint vivid;  ///< where only the reasons are of interest
 };
 
-/// Null for filters that remove no places (or none that are worth a colour).
+const RemovalStyle& removalStyle(Removal removal);
+/// Null for filters that remove no places (or none that are worth a colour); NearBorder for a RadiusFilter.
 const RemovalStyle* removalStyle(FilterType filter);
 
 /// A small picture of a paint, with the pattern of the view, for legends.

@@ -36,17 +36,17 @@ class CameraController : public QObject {
 
   CameraController(QGLViewer& viewer, Seen seen);
 
-  /// Another environment, or none; the camera moves only when `fit`: as viewOblique(), and again when the view gets its
-  /// size.
+  /// Sets another environment, or none; the camera moves only when `fit`: as viewOblique(), and again when the view
+  /// gets its size.
   void setScene(std::shared_ptr<const EnvironmentGeometry> scene, bool fit);
-  /// The environment has changed, with the same centre; the camera stays.
+  /// Sets an edit of the environment, with the same centre; the camera stays.
   void replaceScene(std::shared_ptr<const EnvironmentGeometry> scene);
 
   /// Where the camera is, or where it is going.
   [[nodiscard]] CameraPose pose() const;
-  /// Without a glide, and without moved().
+  /// Places the camera without a glide, and without moved().
   void setPose(const CameraPose& pose);
-  /// As a jump: with setAnimated(), the camera glides there.
+  /// Places the camera; with setAnimated(), it glides there.
   void glideTo(const CameraPose& pose);
   /// Jumps of the camera take a moment in which one sees where it goes. At first they do not.
   void setAnimated(bool on) { animated_ = on; }

@@ -11,7 +11,7 @@
 
 namespace footfall::ui {
 
-/// Of a finished run.
+/// What a finished run took.
 struct RunFigures {
   RunTimes times;
   int threads = 1;

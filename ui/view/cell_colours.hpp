@@ -16,9 +16,9 @@ enum class CellColouring { Thread, Time, Triangles, Cost };
 inline constexpr std::array kCellColourings = {CellColouring::Thread, CellColouring::Time, CellColouring::Triangles,
                                                CellColouring::Cost};
 
-/// For people, e.g. "Thread".
+/// The name of a colouring for people, e.g. "Thread".
 QString labelOf(CellColouring colouring);
-/// For files and the command line, e.g. "thread".
+/// The name of a colouring in files and on the command line, e.g. "thread".
 const char* nameOf(CellColouring colouring);
 std::optional<CellColouring> colouringFrom(const std::string& name);
 
@@ -29,7 +29,7 @@ QColor threadColour(int thread);
 QColor scaleColour(double fraction);
 /// Cells that have no figure yet; the view and the swatches hatch it.
 QColor unfinishedColour();
-/// For steps inside bars: the filter's place in its block.
+/// The colour of a step inside bars, by the filter's place in its block.
 QColor filterColour(std::size_t index);
 
 /// The colours of one block's cells.
@@ -60,7 +60,7 @@ struct ThreadShare {
   double ms = 0;
   std::size_t cells = 0;
 };
-/// Of the threads that have finished a cell, who did most first.
+/// The shares of the threads that have finished a cell, the largest first.
 std::vector<ThreadShare> threadShares(const CellBlock& block);
 
 /// "12.3 ms", "1.24 s"; never "0 ms" for something.

@@ -41,7 +41,7 @@ class CellRenderer : protected QOpenGLExtraFunctions {
   void setGeometry(std::shared_ptr<const CellGeometry> geometry);
   void setColours(CellColours colours);
   [[nodiscard]] const std::shared_ptr<const CellGeometry>& geometry() const { return geometry_; }
-  /// Tells of each triangle of the environment whether it is a cover or hidden: kCellOnCover, kCellHidden, or both.
+  /// Says for each triangle of the environment whether it is a cover or hidden: kCellOnCover, kCellHidden, or both.
   using KindOf = std::function<std::uint32_t(std::uint32_t source)>;
   void setKinds(KindOf kindOf);
   /// Another number after every change of the colours.

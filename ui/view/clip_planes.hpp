@@ -21,7 +21,7 @@ struct ClipPlanes {
   }
 };
 
-/// Without ShownSpace::shows.
+/// The planes of what heights and cut plane leave; ShownSpace::shows is none of them.
 ClipPlanes clipPlanes(const ShownSpace& shown);
 
 }  // namespace footfall::ui

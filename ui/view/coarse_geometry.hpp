@@ -11,7 +11,7 @@
 
 namespace footfall::ui {
 
-/// Above this many triangles, geometry brings a coarse surface along.
+/// Above this many triangles, geometry has a coarse surface.
 inline constexpr std::size_t kCoarseAbove = 150000;
 /// About as many triangles as a coarse surface has.
 inline constexpr std::size_t kCoarseAim = 60000;

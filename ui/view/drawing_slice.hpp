@@ -16,20 +16,20 @@ class DrawingSlice {
     int first = 0, count = 0;
   };
 
-  /// Another picture.
+  /// Begins another picture.
   void restart() { done_ = 0; }
-  /// A go of so much work: primitives, and kBatch for each batch that one is drawn of.
+  /// Begins a go of so much work: primitives, and kBatch for each batch that one is drawn of.
   void begin(std::int64_t most) {
     passed_ = drawn_ = spent_ = 0;
     most_ = most;
     complete_ = true;
   }
-  /// A picture that is drawn in one go.
+  /// Begins a picture that is drawn in one go.
   void beginWhole() {
     restart();
     begin(std::numeric_limits<std::int64_t>::max());
   }
-  /// Of a batch of `count` primitives: those that this go draws.
+  /// Which primitives of a batch of `count` this go draws.
   Range take(int count) {
     const auto first = static_cast<int>(std::clamp<std::int64_t>(done_ - passed_, 0, count));
     const auto taken = static_cast<int>(std::clamp<std::int64_t>(most_ - spent_, 0, count - first));

@@ -20,9 +20,9 @@ struct EditedStep {
   std::shared_ptr<const NavigationMesh> result;  ///< of the whole run
 };
 
-/// For one filter with one threshold, prepared after a run so that an edit of it costs what it changes. Values are
-/// doubles: what lies within rounding of the threshold may be told either way, until the run decides exactly. What is
-/// shown is true of the filter with the new threshold, before any later filter. Immutable.
+/// Shows edits of one filter with one threshold; prepared after a run, so that an edit costs what it changes. Values
+/// are doubles: what lies within rounding of the threshold may be shown either way, until the run decides exactly. What
+/// is shown is true of the filter with the new threshold, before any later filter. Immutable.
 class EditPreview {
  public:
   using Surfaces = std::vector<std::shared_ptr<const NavigationMeshGeometry>>;

@@ -6,12 +6,12 @@
 
 namespace footfall::ui {
 
-/// Of handles that move along X (0), Y (1) and Z (2): vermilion, bluish green and blue of Okabe and Ito. Where an arrow
-/// points tells the same.
+/// The colours of handles that move along X (0), Y (1) and Z (2): vermilion, bluish green and blue of Okabe and Ito.
+/// Who cannot tell them apart sees where the arrows point.
 QColor axisColour(int axis);
-/// Of the other handles.
+/// The colour of the other handles.
 QColor handleColour();
-/// Of what is selected, or what the mouse is on.
+/// The colour of what is selected, or what the mouse is on.
 QColor highlightColour();
 
 }  // namespace footfall::ui

@@ -36,7 +36,7 @@ class HeightSlider : public QWidget {
   void reset() { setRange({}); }
   /// Shows one storey: from a floor to well below the next. Out of range: nothing happens.
   void showFloor(int floor);
-  /// Of the storey that is shown; nothing when the range is another.
+  /// The number of the storey that is shown; nothing when the range is another.
   [[nodiscard]] std::optional<int> shownFloor() const;
 
   [[nodiscard]] Handle activeHandle() const { return active_; }

@@ -31,9 +31,9 @@ class LayerPanel : public QWidget {
   /// Layers that the result does not have are kept: another one may.
   void setHidden(const std::set<std::uint32_t>& hidden);
   [[nodiscard]] const std::set<std::uint32_t>& hidden() const { return hidden_; }
-  /// Of the result; 0 without layers.
+  /// How many layers the result has.
   [[nodiscard]] std::uint32_t layers() const { return result_ ? result_->layers : 0; }
-  /// Nothing when several are shown, or there are no layers.
+  /// The only layer that is shown; nothing when several are, or there are no layers.
   [[nodiscard]] std::optional<std::uint32_t> soloLayer() const;
   void showOnly(std::uint32_t layer);
   void showAll() { setHidden({}); }

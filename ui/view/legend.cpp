@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/legend.hpp"
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -114,6 +114,8 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
                     tr("A ledge from which an agent drops to a lower place, along the arrows, and does not come back"));
   removed_ = addEntry(tr("Not walkable because:"), &SceneParts::removed, tr("Floors that a filter removed"));
   reasons_ = new QWidget(this);
+  reasons_->setObjectName(QStringLiteral("reasons"));
+  connect(removed_, &QCheckBox::toggled, reasons_, &QWidget::setEnabled);
   body().addWidget(reasons_);
   environment_ = addEntry(tr("Walls, ceilings and the rest"), &SceneParts::environment, tr("The loaded triangles"));
 
@@ -136,14 +138,19 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
 QCheckBox* Legend::addEntry(const QString& label, bool SceneParts::*part, const QString& help) {
   auto* box = new QCheckBox(label, this);
   box->setToolTip(help);
-  box->setChecked(parts_.*part);
-  box->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
-  connect(box, &QCheckBox::clicked, this, [this, part](bool on) {
-    parts_.*part = on;
-    emit partsChanged(parts_);
-  });
+  setSwitch(box, parts_.*part, [this, part](bool on) { parts_.*part = on; });
   body().addWidget(box);
   return box;
+}
+
+// Makes a box switch a part.
+void Legend::setSwitch(QCheckBox* box, bool on, const std::function<void(bool)>& set) {
+  box->setChecked(on);
+  box->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
+  connect(box, &QCheckBox::clicked, this, [this, set](bool nowOn) {
+    set(nowOn);
+    emit partsChanged(parts_);
+  });
 }
 
 void Legend::showCells(bool on) {
@@ -238,20 +245,18 @@ void Legend::describeReasons(const std::vector<const RemovalStyle*>& reasons) {
   shownVivid_ = vivid;
   delete reasons_->layout();
   qDeleteAll(reasons_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
-  auto* grid = new QGridLayout(reasons_);
-  grid->setContentsMargins(22, 0, 0, 2);
-  grid->setVerticalSpacing(4);
-  grid->setColumnStretch(1, 1);
+  auto* rows = new QVBoxLayout(reasons_);
+  rows->setContentsMargins(22, 0, 0, 2);
+  rows->setSpacing(4);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    auto* swatch = new QLabel(reasons_);
-    swatch->setPixmap(paintSwatch(vivid ? reasons[i]->vivid : reasons[i]->paint, kSwatch, ratio));
-    auto* reason = new QLabel(reasons[i]->reason, reasons_);
-    grid->addWidget(swatch, static_cast<int>(i), 0);
-    grid->addWidget(reason, static_cast<int>(i), 1);
-    swatch->show();  // at once: the size of the legend is wanted before the next event
-    reason->show();
+    const Removal removal = reasons[i]->removal;
+    auto* box = new QCheckBox(reasons[i]->reason, reasons_);
+    setSwatch(box, paintSwatch(vivid ? reasons[i]->vivid : reasons[i]->paint, kSwatch, ratio));
+    setSwitch(box, parts_.shows(removal), [this, removal](bool on) { parts_.show(removal, on); });
+    rows->addWidget(box);
+    box->show();  // at once: the size of the legend is wanted before the next event
   }
-  grid->activate();
+  rows->activate();
 }
 
 void Legend::setNotes(const std::vector<Note>& notes) {

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "ui/base/level_units.hpp"
@@ -47,6 +48,7 @@ class Legend : public OverlayFrame {
  private:
   void describeReasons(const std::vector<const RemovalStyle*>& reasons);
   void fit();
+  void setSwitch(QCheckBox* box, bool on, const std::function<void(bool)>& set);
   QCheckBox* addEntry(const QString& label, bool SceneParts::*part, const QString& help);
 
   SceneParts parts_;

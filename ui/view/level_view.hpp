@@ -28,7 +28,7 @@ enum class PictureCamera { AsSeen, Top, Oblique };
 
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
 /// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
-/// shown, a click tells which one it hit, and a double click is no more than two of them. A tool (setTool()) comes
+/// shown, a click selects the one it hit, and a double click is no more than two of them. A tool (setTool()) comes
 /// before all this.
 class LevelView : public QGLViewer {
   Q_OBJECT
@@ -56,7 +56,7 @@ class LevelView : public QGLViewer {
   void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
   void setCellColours(CellColours colours);
   void setMarkedCells(const MarkedCells& marked);
-  /// Brings a cell into sight, from where one looks now.
+  /// Moves the camera until a cell is in sight, looking the same way.
   void frameCell(std::size_t cell);
   /// What one sees at a place of the view; nothing where there is no cell, or none are shown.
   [[nodiscard]] std::optional<std::size_t> cellAt(const QPoint& place) const;
@@ -111,11 +111,11 @@ class LevelView : public QGLViewer {
   /// shows what it showed before, and while the camera moves, it leaves out outlines, creases and small things.
   [[nodiscard]] bool isWhole() const { return whole_ && !rest_.isActive(); }
 
-  /// Of the last frame, until OpenGL had finished it; 0 before the first.
+  /// How long the last frame took until OpenGL had finished it; 0 before the first.
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
-  /// What it takes to draw everything anew; 0 while that is not known.
+  /// How long it takes to draw everything anew; 0 while that is not known.
   [[nodiscard]] double wholeFrameMs() const { return wholeFrameMs_; }
-  /// When OpenGL got the first command of it.
+  /// When OpenGL got the first command of the last frame.
   [[nodiscard]] std::chrono::steady_clock::time_point lastFrameBegun() const { return lastFrameBegun_; }
 
  signals:

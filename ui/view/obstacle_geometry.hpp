@@ -13,8 +13,8 @@
 
 namespace footfall::ui {
 
-/// Of `level`, whose first `first` triangles are those of `base`: copies instead of making anew (1 ms for 60,000
-/// triangles). The centre stays.
+/// The geometry of `level`, whose first `first` triangles are those of `base`: those are copied instead of made anew
+/// (1 ms for 60,000 triangles). The centre stays.
 std::shared_ptr<const EnvironmentGeometry> withObstacles(const std::shared_ptr<const EnvironmentGeometry>& base,
                                                          const Environment& level, std::size_t first);
 

@@ -33,7 +33,7 @@ class OverlayFrame : public QFrame {
   void changed();
 
  protected:
-  /// For subclasses: what is below the title.
+  /// The layout below the title, for subclasses to fill.
   [[nodiscard]] QVBoxLayout& body() { return *bodyLayout_; }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

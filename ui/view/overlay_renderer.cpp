@@ -91,7 +91,6 @@ void OverlayRenderer::drawLines(const ViewOverlay::Lines& lines, const Look& loo
   lineProgram_->setUniformValue("modelViewProjection", look.modelViewProjection);
   ClipPlanes().setTo(*lineProgram_);
   lineProgram_->setUniformValue("layered", false);
-  lineProgram_->setUniformValue("fadeShort", false);
   lineProgram_->setUniformValue(
       "viewport", QVector2D(static_cast<float>(look.viewport.width()), static_cast<float>(look.viewport.height())));
   const QOpenGLVertexArrayObject::Binder bound(&lineArray_);

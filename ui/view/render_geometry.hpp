@@ -27,9 +27,13 @@ struct SurfaceVertex {
 /// Added to the pattern of what closes a level (ui/view/level_covers.hpp), and of what lies on that.
 inline constexpr std::int8_t kCover = 64;
 
-/// Locations 0 and 1 of shaders/line.vert.
+/// Locations 0 to 2 of shaders/line.vert.
 struct LineSegment {
   std::array<float, 3> from{}, to{};
+  /// Around it, of all lines of its kind and for each unit of area: their length, and how many they are. 0: it is
+  /// alone.
+  std::array<float, 2> crowd{};
+  bool operator==(const LineSegment&) const = default;
 };
 
 /// The layer of what belongs to none, or to several: it is always shown.
@@ -38,7 +42,7 @@ inline constexpr std::uint32_t kNoLayer = 0x7fffffff;
 /// triangle of the environment, which therefore stays.
 inline constexpr std::uint32_t kFloorStays = 0x80000000;
 
-/// Of each triangle of an environment: the layer that all walkable pieces of it belong to, or kNoLayer.
+/// For each triangle of an environment the layer that all walkable pieces of it belong to, or kNoLayer.
 using EnvironmentLayers = std::vector<std::uint32_t>;
 
 /// What a triangle of an environment is: a layer (0 where there are none), or one of these; from kFirstRemoval down,
@@ -80,7 +84,7 @@ struct EnvironmentGeometry {
   }
 };
 
-/// Of one layer, or of all that is walkable where there are no layers.
+/// Figures of one layer, or of all that is walkable where there are no layers.
 struct LayerFigures {
   double area = 0;  ///< of the surface, square units
   std::uint32_t triangles = 0;
@@ -100,7 +104,7 @@ struct NavigationMeshGeometry {
   std::vector<LineSegment> gaps;   ///< the same with dashes for edges
   std::vector<LineSegment> drops;  ///< of each drop its stretch of border, and arrows from there to the landing
   std::uint32_t layers = 0;
-  /// For each triangle and line of the above; all empty without layers.
+  /// The layers of each triangle and line of the above; all empty without layers.
   std::vector<std::uint32_t> surfaceLayers;
   std::vector<LineLayers> creaseLayers, outlineLayers, obstacleEdgeLayers, connectionLayers, stepLayers, gapLayers,
       dropLayers;
@@ -113,7 +117,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
                                                                    const std::optional<Vec3>& centre = std::nullopt,
                                                                    bool withCovers = true);
 
-/// By the triangles of the environment under a mesh with layers; null for one without.
+/// Finds the layers of the triangles of the environment under a mesh; null for a mesh without layers.
 std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh,
                                                                const Environment& environment);
 
@@ -130,7 +134,7 @@ void addSourceEdges(const NavigationMesh& mesh, const Vec3& centre, NavigationMe
 struct ViewContent {
   struct Removed {
     const RemovalStyle* style = nullptr;
-    std::shared_ptr<const NavigationMeshGeometry> before;  ///< what was walkable before that filter
+    std::shared_ptr<const NavigationMeshGeometry> before;  ///< what was walkable before
   };
   /// Drawn in this order, each over the ones before it and all under the result: what stays visible of each is what
   /// its filter removed.
@@ -143,7 +147,7 @@ struct ViewContent {
   std::vector<std::shared_ptr<const NavigationMeshGeometry>> changes;
   /// Which triangles of the environment go with which layer; null without layers.
   std::shared_ptr<const EnvironmentLayers> environmentLayers;
-  /// Of a finished result on a large environment, for its coarse surface; null otherwise.
+  /// What the coarse surface of a large environment shows of a finished result; null for others.
   std::shared_ptr<const FloorStates> floorStates;
 };
 

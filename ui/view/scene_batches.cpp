@@ -11,7 +11,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr int kTextureWidth = 1024;
-constexpr GLuint kSurfaceLayer = 3, kLineLayer = 2;  // locations
+constexpr GLuint kSurfaceLayer = 3, kLineLayer = 3;  // locations
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -249,10 +249,13 @@ void SceneBatches::uploadNow(SceneBatch& batch) {
 void SceneBatches::beginLinesAt(SceneBatch::Piece& piece, int first) {
   const auto skipped = static_cast<std::size_t>(first);
   piece.vertices->bind();
-  for (GLuint location = 0; location < kLineLayer; ++location) {
-    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(LineSegment),
-                          offset(skipped * sizeof(LineSegment) + location * sizeof(LineSegment::from)));
-  }
+  const auto pointTo = [&](GLuint location, GLint numbers, std::size_t member) {
+    glVertexAttribPointer(location, numbers, GL_FLOAT, GL_FALSE, sizeof(LineSegment),
+                          offset(skipped * sizeof(LineSegment) + member));
+  };
+  pointTo(0, 3, offsetof(LineSegment, from));
+  pointTo(1, 3, offsetof(LineSegment, to));
+  pointTo(2, 2, offsetof(LineSegment, crowd));
   if (piece.layers) {
     piece.layers->bind();
     glVertexAttribIPointer(kLineLayer, 2, GL_UNSIGNED_INT, sizeof(LineLayers), offset(skipped * sizeof(LineLayers)));

@@ -84,7 +84,7 @@ class SceneBatches : protected QOpenGLExtraFunctions {
   void initialize();
   void release();
 
-  /// Of no layer.
+  /// These make batches that belong to no layer.
   SceneBatchPtr makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices,
                             const CoversPtr& covers = nullptr);
   SceneBatchPtr makeSurface(const Joined<SurfaceVertex>& vertices, const CoversPtr& covers = nullptr);

@@ -35,10 +35,10 @@ struct SceneContent {
   CoarseBatches coarse;
   SceneBatchPtr fieldSurface;
   MeshBatches sourceMesh;
-  /// Of several small meshes each where there are many.
+  /// Where there are many small meshes, each of these is made of several.
   std::vector<MeshBatches> removed, walkable, changes;
 
-  /// Takes over what `before` has of the same, or what the content itself has of an earlier call, and makes the rest,
+  /// Reuses what `before` has of the same, or what the content itself has of an earlier call, and makes the rest,
   /// which is then to be uploaded.
   void makeBatches(SceneBatches& batches, const SceneContent& before);
 

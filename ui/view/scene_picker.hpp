@@ -46,7 +46,7 @@ struct CutPlane {
 struct ShownSpace {
   HeightRange heights;
   std::optional<CutPlane> cut;
-  /// Of the triangles of the environment, seen from their front or from behind; empty: all are shown.
+  /// Whether a triangle of the environment is shown, seen from its front or from behind; empty: all are.
   std::function<bool(std::uint32_t triangle, bool front)> shows = {};
 
   [[nodiscard]] bool contains(const Vec3& place) const {
@@ -74,7 +74,7 @@ std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometr
 /// Pieces that lie on the environment: parts of a result.
 struct PickedPieces {
   std::span<const std::shared_ptr<const NavigationMeshGeometry>> meshes;
-  /// Of their layer numbers, with kFloorStays; null: all of them.
+  /// Whether pieces of a layer (its number, with kFloorStays) are there; null: all are.
   std::function<bool(std::uint32_t layer)> has = {};
   /// What lies on its covers is left out; null: nothing is.
   const EnvironmentGeometry* withoutCoversOf = nullptr;
@@ -93,7 +93,7 @@ struct PickedScene {
   ShownSpace space;    ///< without `shows`
 };
 
-/// Of the triangles of the environment: which of them are drawn, or what lies on them in their place.
+/// Which triangles of the environment are drawn, or have something drawn in their place.
 std::function<bool(std::uint32_t triangle, bool front)> shownTriangles(const PickedScene& scene);
 
 /// What is seen along the ray: the place, and the triangle of the environment that it lies on.

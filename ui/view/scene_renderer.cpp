@@ -1,40 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/scene_renderer.hpp"
 
-#include <QOpenGLContext>
+#include <QElapsedTimer>
+#include <limits>
 #include <utility>
 
-#include "ui/view/appearance.hpp"
+#include "ui/view/coarse_geometry.hpp"
+#include "ui/view/gl_state.hpp"
 
 namespace footfall::ui {
-namespace {
-
-QString buildProgram(QOpenGLShaderProgram& program, const QString& name) {
-  const QString path = QStringLiteral(":/shaders/") + name;
-  if (program.addShaderFromSourceFile(QOpenGLShader::Vertex, path + QStringLiteral(".vert")) &&
-      program.addShaderFromSourceFile(QOpenGLShader::Fragment, path + QStringLiteral(".frag")) && program.link()) {
-    return {};
-  }
-  return QStringLiteral("shader %1: %2; update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1")
-      .arg(name, program.log().simplified());
-}
-
-}  // namespace
 
 QString SceneRenderer::initialize() {
   initializeOpenGLFunctions();
-  for (const auto& [program, name] : {std::pair{&surfaceProgram_, "surface"}, std::pair{&lineProgram_, "line"},
-                                      std::pair{&backgroundProgram_, "background"},
-                                      std::pair{&cells_.program(), "cell"}, std::pair{&fieldProgram_, "field"}}) {
-    const QString problem = buildProgram(*program, QString::fromLatin1(name));
-    if (!problem.isEmpty()) return problem;
-  }
-  whole_.beginWhole();
-  emptyArray_.create();
-  cells_.initialize();
+  const QString problem = painter_.initialize();
+  if (!problem.isEmpty()) return problem;
+  pictures_.initialize();
   batches_.initialize();
-  polygonMode_ =
-      reinterpret_cast<decltype(polygonMode_)>(QOpenGLContext::currentContext()->getProcAddress("glPolygonMode"));
   // In another context than before, everything has to be made again.
   const SceneContent known = coming_ ? *coming_ : scene_;
   scene_ = {};
@@ -49,19 +30,10 @@ QString SceneRenderer::initialize() {
 void SceneRenderer::release() {
   scene_ = {};
   coming_.reset();
-  cellBorders_.reset();
-  if (scaleTexture_ != 0) glDeleteTextures(1, &scaleTexture_);
-  scaleTexture_ = 0;
-  batches_.release();
-  cells_.release();
-  for (Picture* picture : {&still_, &next_, &picture_}) picture->reset();
-  stillKey_ = {};
-  nextKey_ = pictureKey_ = {};
   shownChanges_.clear();
-  emptyArray_.destroy();
-  for (QOpenGLShaderProgram* program : {&surfaceProgram_, &lineProgram_, &backgroundProgram_, &fieldProgram_}) {
-    program->removeAllShaders();
-  }
+  painter_.release();
+  batches_.release();
+  pictures_.release();
 }
 
 // Until its buffers are full, what is there stays.
@@ -86,21 +58,18 @@ void SceneRenderer::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry
 void SceneRenderer::setContent(ViewContent content) { coming().content = std::move(content); }
 
 void SceneRenderer::setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours) {
-  cells_.setGeometry(std::move(geometry));
-  cells_.setColours(std::move(colours));
-  marked_ = {};
-  bordersPending_ = true;
-  dropUnfinished();
+  painter_.cells().setCells(std::move(geometry), std::move(colours));
+  pictures_.dropUnfinished();
 }
 
 void SceneRenderer::setCellColours(CellColours colours) {
-  cells_.setColours(std::move(colours));
-  dropUnfinished();
+  painter_.cells().setColours(std::move(colours));
+  pictures_.dropUnfinished();
 }
 
 void SceneRenderer::setFieldScale(const FieldScale& scale) {
-  fieldScale_ = scale;
-  dropUnfinished();
+  painter_.setFieldScale(scale);
+  pictures_.dropUnfinished();
 }
 
 void SceneRenderer::setField(std::shared_ptr<const FieldGeometry> field) { coming().field = std::move(field); }
@@ -111,14 +80,14 @@ void SceneRenderer::setSources(std::shared_ptr<const NavigationMeshGeometry> sou
 
 void SceneRenderer::setHiddenLayers(const std::set<std::uint32_t>& hidden) {
   batches_.setHiddenLayers(hidden);
-  dropUnfinished();
+  pictures_.dropUnfinished();
 }
 
 // Returns whether it can be shown.
 bool SceneRenderer::uploadComing(double ms) {
   if (std::exchange(afresh_, false)) {
     scene_ = {};
-    pictureKey_ = nextKey_ = {};
+    pictures_.forget();
     shownChanges_.clear();
   }
   if (!coming_) return true;
@@ -126,10 +95,77 @@ bool SceneRenderer::uploadComing(double ms) {
   return batches_.upload(ms);
 }
 
-void SceneRenderer::uploadBorders() {
-  if (!std::exchange(bordersPending_, false)) return;
-  cellBorders_ = cells_.geometry() ? batches_.makeLines(cells_.geometry(), cells_.geometry()->borders) : nullptr;
-  if (cellBorders_) batches_.uploadNow(*cellBorders_);
+bool SceneRenderer::advance(double ms) {
+  const GlStateKeeper kept;
+  QElapsedTimer clock;
+  clock.start();
+  const bool uploaded = uploadComing(ms);
+  return (!pictures_.isWanting() && uploaded) ||
+         pictures_.goOn(scene_, ms - static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+}
+
+// `key`: of what is shown now. A picture of it that has been begun is finished first, or changes that come quickly
+// would never let one be seen; what an edit changes is shown at once.
+void SceneRenderer::takeComing(const PictureKey& key) {
+  if (pictures_.wants(key)) {
+    scene_.content.changes = coming_->content.changes;
+    scene_.changes = coming_->changes;
+    return;
+  }
+  scene_ = std::move(*coming_);
+  coming_.reset();
+}
+
+// Hurried, a large environment is drawn coarse, with what is on it as paint; all else without its lines.
+void SceneRenderer::drawDirectly(StillLook look, SceneParts parts, bool hurried) {
+  const CoarseBatches& coarse = scene_.coarse;
+  if (hurried && coarse.plain && look.drawn == SceneRule::Environment::All && parts.walkable) {
+    const bool vivid = parts.mode == ViewMode::RejectedBy;
+    const bool allReasons = parts.removed && parts.plainRemovals == 0;
+    const CoarsePaints paints = !allReasons ? CoarsePaints::WalkableOnly
+                                : vivid     ? CoarsePaints::Vivid
+                                            : CoarsePaints::Result;
+    const SceneBatchPtr& painted = coarse.painted[static_cast<std::size_t>(paints)];
+    look.creases = false;
+    painter_.drawStill(scene_, look, painted && (vivid || parts.mode == ViewMode::Result) ? painted : coarse.plain);
+    return;
+  }
+  parts.outlines = parts.outlines && !hurried;
+  look.creases = look.creases && !hurried;
+  painter_.drawStill(scene_, look, scene_.environmentSurface);
+  painter_.drawContent(scene_, look.camera, parts);
+}
+
+bool SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, const Haste& haste) {
+  const GlStateKeeper keeper;
+  painter_.cells().uploadBorders();
+  painter_.prepareState();
+  bool whole = false;
+  for (;;) {
+    const bool uploaded = uploadComing(haste.ms);
+    PictureKey key = pictures_.keyOf(scene_, camera, parts);
+    if (coming_ && uploaded) {
+      takeComing(key);
+      key = pictures_.keyOf(scene_, camera, parts);
+    }
+    pictures_.want(!haste.moving && pictures_.canKeep() ? std::optional(std::move(key)) : std::nullopt);
+    pictures_.goOn(scene_, haste.ms);
+    whole = !pictures_.isWanting() && !coming_;
+    // Without haste, what came after the picture that had been begun is waited for as well.
+    if (whole || haste.ms < std::numeric_limits<double>::infinity()) break;
+  }
+  GLint frame = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
+  // Until a picture is complete, the one before stands for it, if one looks from the same place.
+  const bool copied = !haste.moving && pictures_.copyTo(static_cast<GLuint>(frame), camera);
+  if (!copied)
+    drawDirectly(painter_.stillLook(scene_, camera, parts), parts, haste.hurried && (haste.moving || !whole));
+  const bool before = copied && !whole && scene_.changes.empty();
+  const std::vector<MeshBatches>& changes = before ? shownChanges_ : scene_.changes;
+  if (!copied || !ScenePictures::holds(changes)) painter_.drawChanges(scene_, camera, parts, changes);
+  if (!before) shownChanges_ = scene_.changes;
+  if (painter_.cells().isShown(parts)) painter_.cells().drawMarked(camera);
+  return whole;
 }
 
 }  // namespace footfall::ui

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "ui/view/appearance.hpp"
 #include "ui/view/view_mode.hpp"
 
 namespace footfall::ui {
@@ -12,7 +13,8 @@ namespace footfall::ui {
 struct SceneParts {
   bool environment = true;  ///< walls, ceilings and the floors that nothing is said about
   bool walkable = true;
-  bool removed = true;  ///< floors in the paint of the filter that removed them
+  bool removed = true;             ///< floors in the paint of the filter that removed them
+  std::uint8_t plainRemovals = 0;  ///< bits of reasons whose floors are drawn as if nothing was said about them
   bool obstacleEdges = true;
   bool connections = true;
   bool steps = true;
@@ -22,7 +24,14 @@ struct SceneParts {
   bool cells = false;                ///< of a parallel block, over everything that faces up
   bool inside = true;                ///< one looks into closed levels; LevelView::setInside() knows better, as with:
   ViewMode mode = ViewMode::Result;  ///< LevelView::setMode() knows better than who switches parts
+  [[nodiscard]] bool shows(Removal removal) const { return (plainRemovals & bitOf(removal)) == 0; }
+  void show(Removal removal, bool on) {
+    plainRemovals = static_cast<std::uint8_t>(on ? plainRemovals & ~bitOf(removal) : plainRemovals | bitOf(removal));
+  }
   bool operator==(const SceneParts&) const = default;
+
+ private:
+  static unsigned bitOf(Removal removal) { return 1U << static_cast<unsigned>(removal); }
 };
 
 /// What the rule depends on besides the parts.

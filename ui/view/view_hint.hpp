@@ -17,7 +17,7 @@ class ViewHint : public QFrame {
 
   /// Shows the text, unless it has been closed once.
   void tell(const QString& text);
-  /// As wide as its lines, but not wider than `room`: longer lines are broken.
+  /// Makes the hint as wide as its lines, but not wider than `room`: longer lines are broken.
   void fitInto(int room);
 
  private:

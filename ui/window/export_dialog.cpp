@@ -10,31 +10,21 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "core/io/formats/save.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 #include "ui/base/core_text.hpp"
+#include "ui/base/counted_text.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
+#include "ui/base/positive_number.hpp"
 #include "ui/window/replace_question.hpp"
 
 namespace footfall::ui {
 namespace {
-
-ParameterDescriptor scaleDescriptor() {
-  ParameterDescriptor scale;
-  scale.name = "scale";
-  scale.label = "Scale";
-  scale.minimum = 0;
-  scale.minimumOpen = true;
-  scale.maximum = std::numeric_limits<double>::max();
-  scale.defaultValue = 1;
-  return scale;
-}
 
 QCheckBox* addBox(QVBoxLayout* layout, const QString& id, const QString& text, const QString& help) {
   auto* box = new QCheckBox(text);
@@ -49,10 +39,6 @@ QString allEndings() {
   QStringList endings;
   for (const ExportKind kind : kExportKinds) endings << QLatin1Char('.') + exportEnding(kind);
   return endings.join(QStringLiteral(", "));
-}
-
-QString counted(std::size_t count, const QString& one, const QString& many) {
-  return countText(count) + QLatin1Char(' ') + (count == 1 ? one : many);
 }
 
 }  // namespace
@@ -115,7 +101,7 @@ void ExportDialog::createWidgets() {
   up_->addItem(tr("As in the file"));
   for (const UpAxis up : kUpAxes) up_->addItem(tr("%1 up").arg(QString::fromStdString(shownName(up))));
   up_->setToolTip(tr("Which axis points up in the export; all formats but OBJ are always Y up"));
-  scale_ = new NumberField(scaleDescriptor(), frameOptions_);
+  scale_ = new NumberField(positiveNumber("scale", "Scale", 1), frameOptions_);
   scale_->setObjectName(QStringLiteral("exportScale"));
   scale_->setFixedWidth(96);
   scale_->setToolTip(
@@ -283,26 +269,26 @@ QString ExportDialog::content() const {
   if (kind() == ExportKind::Png) return tr("The view as it is now, with what tools have drawn, without panels.");
   if (!source_.run) return tr("The result of the run under way.");
   const NavigationMesh& mesh = *source_.run->result.mesh;
-  QStringList parts{counted(mesh.triangles.size(), tr("triangle"), tr("triangles"))};
+  QStringList parts{countedText(mesh.triangles.size(), tr("triangle"), tr("triangles"))};
   if (kind() == ExportKind::Html) {
-    parts << counted(source_.run->result.steps.size(), tr("step with its times"), tr("steps with their times"));
+    parts << countedText(source_.run->result.steps.size(), tr("step with its times"), tr("steps with their times"));
     if (pictures_->isChecked()) parts << tr("three pictures");
     return tr("Figures of a result with %1.").arg(parts.join(QStringLiteral(", ")));
   }
   const FormatDescriptor& format = *meshFormat(kind());
-  if (format.hasLayers && layers_->isChecked()) parts << counted(mesh.layerCount, tr("layer"), tr("layers"));
+  if (format.hasLayers && layers_->isChecked()) parts << countedText(mesh.layerCount, tr("layer"), tr("layers"));
   if (format.hasLines && connections_->isChecked())
-    parts << counted(mesh.connections.size(), tr("connection"), tr("connections"));
+    parts << countedText(mesh.connections.size(), tr("connection"), tr("connections"));
   if (format.hasLines && obstacleEdges_->isChecked())
-    parts << counted(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"));
+    parts << countedText(mesh.obstacleEdges.size(), tr("obstacle edge"), tr("obstacle edges"));
   const auto gaps = static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
   if (steps_->isChecked() && gaps < mesh.links.size())
-    parts << counted(mesh.links.size() - gaps, tr("step"), tr("steps"));
-  if (steps_->isChecked() && gaps > 0) parts << counted(gaps, tr("gap"), tr("gaps"));
+    parts << countedText(mesh.links.size() - gaps, tr("step"), tr("steps"));
+  if (steps_->isChecked() && gaps > 0) parts << countedText(gaps, tr("gap"), tr("gaps"));
   if (format.hasDrops && drops_->isChecked() && !mesh.drops.empty())
-    parts << counted(mesh.drops.size(), tr("drop"), tr("drops"));
+    parts << countedText(mesh.drops.size(), tr("drop"), tr("drops"));
   if (format.hasExtras && placed_->isChecked())
-    parts << counted(source_.placed.size(), tr("placed obstacle"), tr("placed obstacles"));
+    parts << countedText(source_.placed.size(), tr("placed obstacle"), tr("placed obstacles"));
   return parts.join(QStringLiteral(", ")) + QLatin1Char('.') + QLatin1Char('\n') +
          tr("The format loses: %1.").arg(coreText(Text(format.loses))) +
          (source_.isUpToDate ? QString() : QLatin1Char('\n') + tr("The export waits for the run under way."));

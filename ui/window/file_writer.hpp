@@ -41,8 +41,8 @@ class FileWriter : public QObject {
   [[nodiscard]] QString refusal(const QString& path, WrittenKind kind) const;
   /// Shows the refusal, if there is one, and returns whether there is.
   bool refuses(const QString& path, WrittenKind kind);
-  /// For a name that a person has chosen: `write` is called where nothing is refused, and before another file is
-  /// replaced only once that has been agreed to. Else `keep` is called.
+  /// Asks before it replaces a file by a name that a person has chosen, and calls `write` where nothing is refused;
+  /// else `keep`.
   void writeAsking(const QString& path, WrittenKind kind, std::function<void()> write, std::function<void()> keep = {});
 
   /// The session or the pipeline that was opened or saved last; empty: none.

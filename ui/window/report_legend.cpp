@@ -46,9 +46,13 @@ void addRemoved(Images& images, const ViewContent& content, const SceneParts& pa
   if (content.firstRemoval) styles.push_back(content.firstRemoval);
   for (const ViewContent::Removed& removed : content.removed)
     if (std::ranges::find(styles, removed.style) == styles.end()) styles.push_back(removed.style);
-  for (const RemovalStyle* style : styles)
-    addPaint(images, "Not walkable: removed by " + std::string(filterDescriptor(style->filter).name),
-             vivid ? style->vivid : style->paint);
+  for (const RemovalStyle* style : styles) {
+    if (!parts.shows(style->removal)) continue;
+    std::string caption = "Not walkable: removed by " + std::string(filterDescriptor(style->filter).name);
+    if (style->removal == Removal::NearWall) caption += ", too near a wall";
+    if (style->removal == Removal::NearLedge) caption += ", too near a ledge";
+    addPaint(images, caption, vivid ? style->vivid : style->paint);
+  }
 }
 
 }  // namespace

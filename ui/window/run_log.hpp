@@ -1,4 +1,4 @@
-// What the log is told, and its panel.
+// Writes runs and levels into the log, and makes its panel.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

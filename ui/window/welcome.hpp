@@ -21,7 +21,7 @@ class Welcome : public QObject {
   Welcome(WelcomePage& page, LevelView& view, CommandRegistry& commands, LevelFile& file, RecentFiles& recent,
           SessionFiles& sessions, LevelOpening& opening);
 
-  /// Without a level there is nothing behind the page, and it stays.
+  /// Shows or hides the page. Without a level there is nothing behind it, and it stays.
   void show(bool on);
 
  protected:

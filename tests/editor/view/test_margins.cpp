@@ -1,0 +1,150 @@
+// What a RadiusFilter removes is shown by what is too near: a wall, a ledge, or, where it does not know, a border.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
+
+#include "tests/editor/editor_driver.hpp"
+#include "ui/view/appearance.hpp"
+#include "ui/view/legend.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+/// A floor of 8 x 8 with a wall on its border at x = -4; all other borders are ledges.
+QByteArray walledFloor() { return floorObj() + "v -4 -4 3\nv -4 4 3\nf 1 4 6 5\n"; }
+
+constexpr const char* kSlope = "SlopeFilter 45\n";
+constexpr const char* kClearance = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+
+}  // namespace
+
+class TestMargins : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    window_ = std::make_unique<EditorWindow>();
+    window_->setRemembering(false);
+    window_->resize(1100, 760);
+    QVERIFY(showWindow(*window_));
+  }
+  void cleanup() { window_.reset(); }
+
+  void wallsAndLedgesHavePaintsOfTheirOwn() {
+    open(QByteArray(kClearance) + "RadiusFilter 1\n");
+    QCOMPARE(reasons(), (QStringList{"Too near a wall", "Too near a ledge"}));
+    QVERIFY(hasPaint({-3.5, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({0, 3.5, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({-3.5, 3.5, 0}, Removal::NearWall));  // near both
+    QVERIFY(hasPaint({0, 0, 0}, walkablePaint().colour));
+    // Each is drawn in stripes of another direction.
+    QVERIFY(removalStyle(Removal::NearWall).paint.pattern != removalStyle(Removal::NearLedge).paint.pattern);
+  }
+
+  void switchesOfTheLegend() {
+    open(QByteArray(kClearance) + "RadiusFilter 1\n");
+    click("Too near a ledge");
+    QVERIFY(hasPaint({-3.5, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({3.5, 0, 0}, undecidedPaint().colour));
+    click("Too near a wall");
+    QVERIFY(hasPaint({-3.5, 0, 0}, undecidedPaint().colour));
+    click("Too near a ledge");
+    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({-3.5, 0, 0}, undecidedPaint().colour));
+    // Other content keeps them.
+    window_->document().setValue(window_->document().filters()[2].id, 0, 1.25, 0);
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(hasPaint({-2.9, 0, 0}, undecidedPaint().colour));
+  }
+
+  void distancesOfTheirOwn() {
+    open(QByteArray(kClearance) + "RadiusFilter 1 2\n");
+    QVERIFY(hasPaint({-3.5, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({2.5, 0, 0}, Removal::NearLedge));
+    open(QByteArray(kClearance) + "RadiusFilter 1 0\n");
+    QCOMPARE(reasons(), (QStringList{"Too near a wall"}));
+    open(QByteArray(kClearance) + "RadiusFilter 0 1\n");
+    QCOMPARE(reasons(), (QStringList{"Too near a ledge"}));
+    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearLedge));
+  }
+
+  void oneKindAlone() {
+    openText(floorObj(), QByteArray(kClearance) + "RadiusFilter 1\n");
+    QCOMPARE(reasons(), (QStringList{"Too near a ledge"}));
+    // Without a clearance nothing says what a wall is.
+    open(QByteArray(kSlope) + "RadiusFilter 1\n");
+    QCOMPARE(reasons(), (QStringList{"Too near a border"}));
+    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearBorder));
+  }
+
+  void behindOtherRemovals() {
+    openText(walledFloor() +
+                 "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf 7 8 9 10\n"
+                 "v 5 -2 0\nv 6 -2 1.7320508\nv 6 2 1.7320508\nv 5 2 0\nf 11 12 13 14\n",
+             QByteArray(kClearance) + "RadiusFilter 0.5\n");
+    QVERIFY(reasons().contains("Too steep") && reasons().contains("Too near a wall"));
+    QVERIFY(hasPaint({5.5, 0, 0.87}, Removal::TooSteep));
+    QVERIFY(hasPaint({-3.75, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({3.75, 0, 0}, Removal::NearLedge));
+    click("Too steep");
+    QVERIFY(hasPaint({5.5, 0, 0.87}, undecidedPaint().colour));
+    QVERIFY(hasPaint({3.75, 0, 0}, Removal::NearLedge));
+  }
+
+  void statusesAndStatisticsAreOfTheList() {
+    open(QByteArray(kClearance) + "RadiusFilter 1\nAreaFilter 1\n");
+    const auto run = window_->controller().finishedRun();
+    QCOMPARE(run->result.steps.size(), std::size_t{4});
+    for (const FilterEntry& entry : window_->document().filters())
+      QVERIFY(window_->controller().status(entry.id).state == StepState::Done);
+    QVERIFY(run->result.summary.area < 36.001);
+  }
+
+ private:
+  void open(const QByteArray& pipeline) { openText(walledFloor(), pipeline); }
+  void openText(const QByteArray& text, const QByteArray& pipeline) {
+    QVERIFY(openZUp(*window_, writeFile(folder_, "level.obj", text), pipeline));
+    window_->view().cameraController().viewFromTop();
+  }
+  QStringList reasons() {
+    QStringList texts;
+    for (const QCheckBox* box : boxes()) texts << box->text();
+    return texts;
+  }
+  QList<QCheckBox*> boxes() { return window_->legend().findChild<QWidget*>("reasons")->findChildren<QCheckBox*>(); }
+  void click(const QString& reason) {
+    for (QCheckBox* box : boxes())
+      if (box->text() == reason) return box->click();
+    QFAIL(qPrintable("no switch for " + reason));
+  }
+  bool hasPaint(const Vec3& place, Removal removal) { return hasPaint(place, removalStyle(removal).paint.colour); }
+  /// The brightest pixel around is between the stripes; light keeps hue and saturation.
+  bool hasPaint(const Vec3& place, const QColor& colour) {
+    const QImage picture = window_->view().grabFramebuffer();
+    const auto at = window_->view().project(place);
+    if (!at) return false;
+    const QPoint middle = (*at * picture.devicePixelRatio()).toPoint();
+    QColor brightest(Qt::black);
+    for (int y = -5; y <= 5; ++y)
+      for (int x = -5; x <= 5; ++x) {
+        const QColor pixel = picture.pixelColor(middle + QPoint(x, y));
+        if (pixel.value() > brightest.value()) brightest = pixel;
+      }
+    const int hue = std::abs(brightest.hsvHue() - colour.hsvHue());
+    const bool grey = colour.hsvSaturationF() < 0.05F;
+    const bool same = std::abs(brightest.hsvSaturationF() - colour.hsvSaturationF()) < 0.06F &&
+                      (grey || std::min(hue, 360 - hue) < 10);
+    if (!same) qWarning() << place.x << place.y << "has" << brightest << "for" << colour;
+    return same;
+  }
+
+  const QTemporaryDir folder_;
+  std::unique_ptr<EditorWindow> window_;
+};
+
+FOOTFALL_EDITOR_SUITE(TestMargins)
+#include "test_margins.moc"

@@ -1,0 +1,80 @@
+// What each mode draws of a scene, in which order.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QOpenGLVertexArrayObject>
+#include <vector>
+
+#include "ui/view/cell_painter.hpp"
+#include "ui/view/field_painter.hpp"
+#include "ui/view/line_painter.hpp"
+#include "ui/view/scene_content.hpp"
+#include "ui/view/scene_rule.hpp"
+#include "ui/view/surface_painter.hpp"
+
+namespace footfall::ui {
+
+/// The rule by which content on an environment, which may be null, is drawn.
+[[nodiscard]] SceneRule sceneRule(const SceneParts& parts, const ViewContent& content,
+                                  const EnvironmentGeometry* environment, const QVector3D& viewDirection);
+
+/// How an environment is drawn without anything on it.
+struct StillLook {
+  SceneCamera camera;
+  ViewMode mode = ViewMode::Result;
+  SceneRule::Environment drawn = SceneRule::Environment::None;
+  bool backs = true, covers = true, creases = false;
+  Paint floorPaint;
+  float offset = 0;  ///< steps of polygon offset behind what may come on top
+  float pale = 0;    ///< as for SurfacePainter::begin()
+  bool operator==(const StillLook&) const = default;
+};
+
+/// Draws into the current frame. Members that begin with "set" need no OpenGL context.
+class ScenePainter {
+ public:
+  explicit ScenePainter(SceneBatches& batches) : strokes_(batches) {}
+
+  /// Returns an empty text, or why the programs cannot be built, in one line.
+  QString initialize();
+  void release();
+
+  [[nodiscard]] SceneStrokes& strokes() { return strokes_; }
+  [[nodiscard]] LinePainter& lines() { return lines_; }
+  [[nodiscard]] CellPainter& cells() { return cells_; }
+  [[nodiscard]] const CellPainter& cells() const { return cells_; }
+  void setFieldScale(const FieldScale& scale) { fieldScale_ = scale; }
+  [[nodiscard]] const FieldScale& fieldScale() const { return fieldScale_; }
+
+  /// What all drawing here expects, and leaves as it was.
+  void prepareState();
+  [[nodiscard]] StillLook stillLook(const SceneContent& scene, const SceneCamera& camera,
+                                    const SceneParts& parts) const;
+  /// The background and the environment; `surface` stands for all of it.
+  void drawStill(const SceneContent& scene, const StillLook& look, const SceneBatchPtr& surface);
+  /// What is on the environment, but for changes and marks.
+  void drawContent(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts);
+  /// Nearer than everything that they change, each nearer than the one before.
+  void drawChanges(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts,
+                   const std::vector<MeshBatches>& changes);
+
+ private:
+  void drawBackground();
+  void beginSurfaces(const SceneContent& scene, const SceneCamera& camera, float pale = 0);
+  void drawSurfaces(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts,
+                    const SceneRule& rule);
+  void drawUnseen(const SceneContent& scene, const SceneRule& rule);
+  void drawWalkable(const SceneContent& scene, const SceneCamera& camera, ViewMode mode, const SceneRule& rule);
+  void drawLines(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts);
+
+  SceneStrokes strokes_;
+  SurfacePainter surfaces_{strokes_};
+  LinePainter lines_{strokes_};
+  FieldPainter fields_{strokes_};
+  CellPainter cells_{strokes_, lines_};
+  QOpenGLShaderProgram backgroundProgram_;
+  QOpenGLVertexArrayObject emptyArray_;
+  FieldScale fieldScale_;
+};
+
+}  // namespace footfall::ui
