@@ -56,6 +56,7 @@ std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch&
     if (sideAt(sign, stretch.begin, geometry) == wrong && sideAt(sign, stretch.end, geometry) == wrong) return pieces;
   }
   listObstacles(stretch, geometry);
+  if (isClosed_) return pieces;
   isUndecided_ = false;
   lines_.clear();
   breaks_.clear();
@@ -88,6 +89,7 @@ std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch&
 void StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& geometry) {
   covers_.clear();
   walls_.clear();
+  isClosed_ = false;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box box = stretch.box;
   const int scale = mesh_.grid.scaleExponent();
@@ -103,7 +105,7 @@ void StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& g
       addWall(stretch, t, geometry);
     else if (mayCover(stretch, t, geometry))
       covers_.push_back(t);
-    return true;
+    return !isClosed_;
   });
   std::sort(covers_.begin(), covers_.end());
 }
@@ -140,7 +142,9 @@ void StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshG
     for (int face = 0; face < 2; ++face) {
       for (int level = 0; level < 2; ++level)
         corners[k].signs[face][level] =
-            kernel_.heightSign(stretch.faces[face], f[k], levels_[level], geometry.fallbacks);
+            face > 0 && stretch.faces[face] == stretch.faces[0]
+                ? corners[k].signs[0][level]
+                : kernel_.heightSign(stretch.faces[face], f[k], levels_[level], geometry.fallbacks);
       reachesUp = reachesUp || corners[k].signs[face][0] > 0;
       reachesDown = reachesDown || corners[k].signs[face][1] < 0;
     }
@@ -153,7 +157,28 @@ void StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshG
     const int order = compareAlong(stretch, p.place, q.place, geometry);
     if (order != 0) wall.push_back(order < 0 ? WallEdge{p, q} : WallEdge{q, p});  // else the other two span the same
   }
+  isClosed_ = isWhollyBlockedBy(stretch, wall, geometry);
   walls_.push_back(std::move(wall));
+}
+
+// What blocks each piece of the stretch: then there is no need to know the pieces. Most walls are such.
+bool StepConditions::isWhollyBlockedBy(const SharedStretch& stretch, const Wall& wall, MeshGeometry& geometry) const {
+  bool reachesUp = false, reachesDown = false;
+  for (const WallEdge& edge : wall) {
+    if (compareAlong(stretch, stretch.begin, edge.begin.place, geometry) < 0 ||
+        compareAlong(stretch, edge.end.place, stretch.end, geometry) < 0)
+      continue;
+    for (int face = 0; face < 2; ++face) {
+      const auto signsOf = [&](int level) {
+        return std::pair(edge.begin.signs[face][level], edge.end.signs[face][level]);
+      };
+      const auto [lowUp, highUp] = signsOf(0);
+      const auto [lowDown, highDown] = signsOf(1);
+      reachesUp = reachesUp || (std::min(lowUp, highUp) >= 0 && std::max(lowUp, highUp) > 0);
+      reachesDown = reachesDown || (std::max(lowDown, highDown) <= 0 && std::min(lowDown, highDown) < 0);
+    }
+  }
+  return reachesUp && reachesDown;
 }
 
 MeshVertex StepConditions::placeOf(const SharedStretch& stretch, Index vertex) const {

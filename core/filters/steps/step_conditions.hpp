@@ -75,6 +75,7 @@ class StepConditions {
   void addCrossing(const SharedStretch& stretch, const LinearSign& sign, const Lines& lines, MeshGeometry& geometry);
   void addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry);
   bool isFree(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
+  bool isWhollyBlockedBy(const SharedStretch& stretch, const Wall& wall, MeshGeometry& geometry) const;
   bool isBlockedBy(const SharedStretch& stretch, Index triangle, const MeshVertex& a, const MeshVertex& b,
                    MeshGeometry& geometry) const;
   bool isBlockedBy(const SharedStretch& stretch, const Wall& wall, const MeshVertex& a, const MeshVertex& b,
@@ -105,6 +106,7 @@ class StepConditions {
   std::vector<KnownLine> lines_;  ///< of the stretch, once they were asked for
   std::vector<MeshVertex> breaks_;
   bool isUndecided_ = false;
+  bool isClosed_ = false;  ///< a wall blocks all of the stretch
   std::size_t undecided_ = 0;
   std::vector<std::int32_t> stack_;
 };
