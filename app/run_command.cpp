@@ -10,7 +10,7 @@
 #include "core/base/process_usage.hpp"
 #include "core/inspect/parameter_check.hpp"
 #include "core/io/export.hpp"
-#include "core/io/formats/format_table.hpp"
+#include "core/io/formats/save.hpp"
 #include "core/report/html_report.hpp"
 #include "core/report/run_trace.hpp"
 #include "core/report/speed_up.hpp"
@@ -85,7 +85,7 @@ void tellLosses(const NavigationMesh& mesh, const RunOptions& options, double er
 }
 
 void checkTargets(const RunOptions& options) {
-  if (!options.output.empty()) exportFormatOf(options.output);
+  if (!options.output.empty()) checkReplaced(options.output);
   checkEnding(options.statistics, "--stats", ".json");
   checkEnding(options.trace, "--trace", ".json");
   checkEnding(options.report, "--report", ".html");

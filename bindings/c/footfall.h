@@ -260,8 +260,9 @@ typedef struct footfall_export_options {
   int without_drops; /* not 0: no lines for them */
 } footfall_export_options;
 
-/* Writes .obj, .gltf, .glb, .bin (Detour) or .tres (Godot 4) by the ending of the name, beside it and renamed; OBJ is in
- * the frame of the environment's file, all others in metres and Y up. The bytes are those of `footfall run -o`. `options` may be NULL. */
+/* Writes .obj, .gltf, .glb, .bin (Detour) or .tres (Godot 4) by the ending of the name, beside it and renamed; OBJ is
+ * in the frame of the environment's file, all others in metres and Y up. The bytes are those of `footfall run -o`.
+ * `options` may be NULL. */
 FOOTFALL_API footfall_status footfall_save(const footfall_result* result, const char* path,
                                            const footfall_export_options* options);
 

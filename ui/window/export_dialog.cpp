@@ -259,7 +259,11 @@ QString ExportDialog::problem() const {
         .arg(info.suffix(), allEndings());
   const QString refused = source_.refusal ? source_.refusal(file) : QString();
   if (!refused.isEmpty()) return refused;
-  const QString unwritable = errorOf([&] { checkWritable(QFile::encodeName(file).toStdString()); });
+  const QString unwritable = errorOf([&] {
+    const std::string name = QFile::encodeName(file).toStdString();
+    checkWritable(name);
+    if (meshFormat(kind())) checkReplaced(name);
+  });
   if (!unwritable.isEmpty()) return unwritable;
   if (!meshOptions_->isHidden() && !scale_->problem().isEmpty()) return tr("Scale: %1").arg(scale_->problem());
   return {};

@@ -175,6 +175,7 @@ void ResultExport::writeMesh(const QString& path, const ExportSettings& settings
         const NavigationMesh& mesh = *run->result.mesh;
         const ExportBytes file =
             formatExport(meshFormat(settings.kind)->format, mesh, header, settings.options, extras);
+        checkReplaced(target);
         writeFileSafely(target, file.bytes);
       },
       path);

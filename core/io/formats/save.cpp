@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/formats/save.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
 #include "core/io/export.hpp"
 #include "core/io/formats/detour_export.hpp"
 #include "core/io/formats/godot_export.hpp"
@@ -8,6 +13,28 @@
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
+
+void checkReplaced(const std::string& path) {
+  std::string_view expected;
+  switch (exportFormatOf(path)) {
+    case ExportFormat::Detour:
+      expected = "TESM";  // the word MSET, lowest byte first
+      break;
+    case ExportFormat::Godot:
+      expected = "[gd_resource type=\"NavigationMesh\"";
+      break;
+    default:
+      return;
+  }
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored) || std::filesystem::file_size(path, ignored) == 0) return;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return;
+  std::string start(expected.size(), '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (start != expected)
+    throw InputError(FOOTFALL_TEXT("%1: is there already and is no navigation mesh; choose another name"), path);
+}
 
 ExportBytes formatExport(ExportFormat format, const NavigationMesh& mesh, const ExportHeader& header,
                          const ExportOptions& options, std::span<const ExportExtra> extras) {
@@ -44,6 +71,7 @@ namespace footfall {
 double save(const NavigationMesh& mesh, const std::string& path, const ExportOptions& options,
             const ExportHeader& header, std::span<const ExportExtra> extras) {
   using namespace detail;
+  checkReplaced(path);
   const ExportBytes file = formatExport(exportFormatOf(path), mesh, header, options, extras);
   writeFileSafely(path, file.bytes);
   return file.largestError;

@@ -348,7 +348,6 @@ void TestCommandLine::wrongUsageOrInput_data() {
   row("environment as pipeline", {"run", "ENV", "-p", "ENV"}, "board.obj:1:1: unknown filter \"v\"");
   row("environment as output", {"run", "ENV", "-o", "ENV"}, "board.obj: would be overwritten");
   row("another format as output", {"run", "ENV", "-o", "level.stl"}, "level.stl: cannot be written in the format");
-  row("a glTF buffer as output", {"run", "ENV", "-o", "level.bin"}, "level.bin: cannot be written in the format");
   row("output and statistics in one", {"run", "ENV", "-o", "x", "--stats", "x"}, "give two files");
   row("explain an unknown filter", {"filters", "Slop"}, "did you mean SlopeFilter?");
 }

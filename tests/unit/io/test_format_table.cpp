@@ -81,6 +81,24 @@ class TestFormatTable : public QObject {
     for (const FormatDescriptor& format : exportFormats()) QVERIFY(help.contains(format.ending));
   }
 
+  void filesOfOtherKindsAreNotReplaced() {
+    const TemporaryFolder folder;
+    const QString tower = FOOTFALL_SOURCE_DIR "/samples/tower/tower.obj";
+    for (const char* name : {"level.bin", "level.tres"}) {
+      if (exportFormatOf(name) == ExportFormat::Detour && !hasDetour()) continue;
+      const QByteArray other = "[gd_resource type=\"SpatialMaterial\" format=2]\n";
+      const QString out = QString::fromStdString(folder.write(name, other));
+      const Outcome refused = runProgram({"run", tower, "-o", out});
+      QCOMPARE(refused.exitCode, 2);
+      QVERIFY(refused.err.contains("is no navigation mesh; choose another name"));
+      QCOMPARE(contentOf(out), other);
+      QVERIFY(messageOf<InputError>([&] { save({}, out.toStdString()); }).contains("is no navigation mesh"));
+      QVERIFY(QFile::remove(out));
+      QCOMPARE(runProgram({"run", tower, "--quiet", "-o", out}).exitCode, 0);
+      QCOMPARE(runProgram({"run", tower, "--quiet", "-o", out}).exitCode, 0);  // its own may go
+    }
+  }
+
   void godotsNodeOfAGltf() {
     const TemporaryFolder folder;
     const QString out = QString::fromStdString(folder.path("level.gltf"));
