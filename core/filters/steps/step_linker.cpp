@@ -114,18 +114,21 @@ void StepLinker::findStretches(double step, double height, double gap, StepMemor
     Worker& worker = workers.local();
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();
+      if (isKnown(i)) continue;
       Tree::Bounds query = boundsOf(borders_[i]);
       for (const int k : {0, 1, 2}) {
         query.lower[k] -= k < 2 ? scaledGap : scaledStep;
         query.upper[k] += k < 2 ? scaledGap : scaledStep;
       }
       tree_.visitOverlapping(query, [&](Index other) {
-        if (other <= i || isKnownPair(i, other)) return;
+        // What is known does not look for others.
+        if (other == i || (other < i && !isKnown(other))) return;
+        const Index first = std::min(i, other), second = std::max(i, other);
         const std::size_t undecided = worker.conditions.undecided();
-        tryPair(i, other, worker);
+        tryPair(first, second, worker);
         worker.found.undecided.insert(worker.found.undecided.end(), worker.conditions.undecided() - undecided,
-                                      {i, other});
-        if (gap > 0) tryGap(i, other, worker);
+                                      {first, second});
+        if (gap > 0) tryGap(first, second, worker);
       });
     }
   });

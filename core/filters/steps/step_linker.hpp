@@ -68,11 +68,8 @@ class StepLinker {
   void findBorders();
   void buildTree();
   [[nodiscard]] BoxTree<3>::Bounds boundsOf(const Border& border) const;
-  /// Whether reuse() knows what is between two borders.
-  [[nodiscard]] bool isKnownPair(Index first, Index second) const {
-    return !numberBefore_.empty() && numberBefore_[first] >= 0 && numberBefore_[first] < numberBefore_[second] &&
-           first < second;
-  }
+  /// Whether reuse() knows what is between this border and all others of which that is true as well.
+  [[nodiscard]] bool isKnown(Index border) const { return !numberBefore_.empty() && numberBefore_[border] >= 0; }
   void findStretches(double step, double height, double gap, StepMemory* memory);
   void addStretches(const WalkableMesh& earlier, const Border& from, const Border& to, bool isGap);
   void tryPair(Index first, Index second, Worker& worker) const;
