@@ -105,17 +105,20 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
     StepFindings& found = worker.found;
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();
+      if (isKnown(i)) continue;
       Bounds query = boundsOf(splits_.border(i));
       for (const int k : {0, 1, 2}) {
         query.lower[k] -= k < 2 ? scaledGap : scaledStep;
         query.upper[k] += k < 2 ? scaledGap : scaledStep;
       }
       splits_.tree().visitOverlapping(query, [&](Index other) {
-        if (other <= i || isKnownPair(i, other)) return;
+        // What is known does not look for others.
+        if (other == i || (other < i && !isKnown(other))) return;
+        const Index first = std::min(i, other), second = std::max(i, other);
         const std::size_t undecided = worker.conditions.undecided();
-        tryPair(i, other, worker);
-        found.undecided.insert(found.undecided.end(), worker.conditions.undecided() - undecided, {i, other});
-        if (gap > 0) append(found.gaps, gaps_->find(i, other, worker.gaps, worker.geometry));
+        tryPair(first, second, worker);
+        found.undecided.insert(found.undecided.end(), worker.conditions.undecided() - undecided, {first, second});
+        if (gap > 0) append(found.gaps, gaps_->find(first, second, worker.gaps, worker.geometry));
       });
     }
   });

@@ -58,11 +58,8 @@ class StepLinker {
 
   [[nodiscard]] Worker makeWorker(const Limits& limits, double gap) const;
   [[nodiscard]] BoxTree<3>::Bounds boundsOf(const MeshBorder& border) const;
-  /// Whether reuse() knows what is between two borders.
-  [[nodiscard]] bool isKnownPair(Index first, Index second) const {
-    return !numberBefore_.empty() && numberBefore_[first] >= 0 && numberBefore_[first] < numberBefore_[second] &&
-           first < second;
-  }
+  /// Whether reuse() knows what is between this border and all others of which that is true as well.
+  [[nodiscard]] bool isKnown(Index border) const { return !numberBefore_.empty() && numberBefore_[border] >= 0; }
   /// Between all pairs of borders that are near each other, in their order.
   [[nodiscard]] StepFindings findStretches(const Limits& limits, double gap);
   void tryPair(Index first, Index second, Worker& worker) const;

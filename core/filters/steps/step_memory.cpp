@@ -54,6 +54,7 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
     return known == Lines::Same;
   };
   numberBefore_.assign(splits_.borders().size(), -1);
+  Index last = -1;
   std::vector<Index> numberNow(before.borders.size(), -1);
   for (std::size_t i = 0; i < splits_.borders().size(); ++i) {
     context_.checkCancelled();
@@ -62,13 +63,13 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
     const Index number = triangle < 0 ? -1 : borderAt[3 * triangle + border.side % 3];
     if (number < 0 || isTouched(border)) continue;
     if (!hasSameLines(border.face) && splits_.ownLinesOf(border, splits_.geometry()).empty()) continue;
+    // The first of two borders stays the first: one that has overtaken another is tried again.
+    if (number < last) continue;
+    last = number;
     numberBefore_[i] = number;
     numberNow[number] = static_cast<Index>(i);
   }
-  const auto isKept = [&](Index first, Index second) {
-    const Index a = numberNow[first], b = numberNow[second];
-    return a >= 0 && b >= 0 && isKnownPair(a, b);
-  };
+  const auto isKept = [&](Index first, Index second) { return numberNow[first] >= 0 && numberNow[second] >= 0; };
   for (const StepStretch& s : before.found.stretches)
     if (isKept(s.first, s.second))
       known_.stretches.push_back(
