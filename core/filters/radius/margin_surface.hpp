@@ -1,5 +1,5 @@
-// The walkable area as RadiusFilter measures on it: places in the plan, what is beyond each side, and where its border
-// goes on. SPDX-License-Identifier: GPL-3.0-or-later
+// The walkable area as RadiusFilter measures on it: places in the plan, and where its border goes on.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Where an agent steps over the gap between two borders that do not coincide in the plan (design section 7,
-// StepFilter). SPDX-License-Identifier: GPL-3.0-or-later
+// Where an agent steps over a gap between two borders that lie apart in the plan (design section 7, StepFilter).
+// SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Two borders E and F that face each other are looked at along the bisector of their directions: at u on it, p(u) lies
 // on E, q(u) on F, and pq is at a right angle to the bisector. A piece, an interval of u, is free when for all its u

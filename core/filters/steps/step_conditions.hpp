@@ -1,5 +1,5 @@
-// Whether an agent steps over, decided piece by piece along a stretch of line on which two borders coincide in the
-// plan. SPDX-License-Identifier: GPL-3.0-or-later
+// Whether an agent steps over where two borders coincide in the plan, decided piece by piece.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
