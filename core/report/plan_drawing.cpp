@@ -101,6 +101,7 @@ class PageDrawer {
   /// Floors go on under walls that are bodies, and there is room for an agent in many. No plan shows that.
   void hideInsideOfWalls() {
     std::erase_if(outline_.parts, [this](const PlanPart& part) {
+      poll_();
       const bool isHidden =
           std::all_of(part.triangles.begin(), part.triangles.end(), [this](std::uint32_t t) { return isInWall(t); });
       if (!isHidden) return false;
