@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFew = 64;  // lines: so few do not fill a picture
 constexpr float kCells = 256;     // along the largest extent
-constexpr int kMostBands = 16;    // of heights
+constexpr float kBand = 32;       // cells: lines at other heights, but not far over each other, are seen as one crowd
 
 using Point = std::array<float, 3>;
 
@@ -33,7 +33,7 @@ class CrowdGrid {
         }
     cell_ = std::max({upper[0] - lower_[0], upper[1] - lower_[1], upper[2] - lower_[2]}) / kCells;
     if (!(cell_ > 0) || !std::isfinite(cell_)) return;
-    band_ = std::max(cell_, (upper[2] - lower_[2]) / kMostBands);
+    band_ = kBand * cell_;
     for (std::size_t axis = 0; axis < 3; ++axis)
       counts_[axis] = static_cast<int>((upper[axis] - lower_[axis]) / (axis < 2 ? cell_ : band_)) + 1;
     sums_.resize(static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2]);
