@@ -74,10 +74,12 @@ MarginSurface::MarginSurface(const WalkableState& state, RunContext& context)
 
 bool MarginSurface::fanBehind(Index border, std::vector<Index>& fan) const {
   fan.clear();
+  // Of several links or bridges the first leads on: to the borders behind the others one comes by their ends alone.
   const auto hasOneWay = [&](Index side) {
     int ways = 0;
-    for (const Index other : beyond(side)) ways += static_cast<int>(beginVertex(other) == endVertex(side));
-    return ways <= 1;  // of several links the first leads on: to the others' borders one comes by their ends alone
+    for (const Index other : beyond(side))
+      ways += static_cast<int>(beginVertex(other) == endVertex(side) && face(other) >= 0);
+    return ways <= 1;
   };
   Index mark = -1;
   for (Index side = nextSide(border);; side = nextSide(beyond(side)[0])) {
