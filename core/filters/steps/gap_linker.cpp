@@ -94,11 +94,8 @@ std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, const st
   const double begin = std::max({along(e.from), along(f.to), along(edges[0].from), along(edges[1].to)});
   const double end = std::min({along(e.to), along(f.from), along(edges[0].to), along(edges[1].from)});
   if (!(end - begin > GapConditions::kShort)) return found;
-  GapStretch whole{first, second, {*frame, {begin, end}, {}}, {}, false};
-  if (conditions == nullptr) {
-    found.push_back(std::move(whole));
-    return found;
-  }
+  const GapStretch whole{first, second, {*frame, {begin, end}, {}}, {}, false};
+  if (conditions == nullptr) return {whole};
   for (GapPiece& free : conditions->findFree(e, f, whole.piece))
     found.push_back({first, second, std::move(free), {}, false});
   return found;

@@ -65,7 +65,8 @@ class TestPathCommand : public QObject {
     QVERIFY2(
         apart.err.contains("no way leads from the start to the target; the nearest place that can be reached lies"),
         apart.err.constData());
-    QVERIFY2(apart.err.contains("; the parts are nearest at 8 1 -1: a gap of 12, 11.95 too wide\n"), apart.err.constData());
+    QVERIFY2(apart.err.contains("; the parts are nearest at 8 1 -1: a gap of 12, 11.95 too wide\n"),
+             apart.err.constData());
     const Outcome told = runProgram(path(file, {"--from", "6", "1", "-2", "--to", "21", "1", "-2", "--json"}));
     const QJsonObject separation = QJsonDocument::fromJson(told.out).object()["separation"].toObject();
     const QJsonObject link = separation["links"].toArray().at(separation["largest"].toInt()).toObject();
