@@ -222,7 +222,8 @@ void compareWays(const Level& level, const DetourFile& file, int pairs, int sear
     shortest = std::min(shortest, way.planLength / exact);
   }
   qInfo("%zu polygons, %zu tiles, %zu jumps, %d of %d reached, lengths by %.4f, at least %.5f", file.polygons,
-        file.tiles, file.jumps, found, pairs, measured > 0 ? theirs / ours : 1, measured > 0 ? shortest : 1);
+        file.tiles, file.jumps, found, hasDrops ? searched : pairs, measured > 0 ? theirs / ours : 1,
+        measured > 0 ? shortest : 1);
   QVERIFY(found > 0);
   if (measured == 0) return;
   // Detour goes straight through a corridor of polygons that it chose by the middles of their edges.
@@ -261,7 +262,7 @@ class TestDetourExport : public QObject {
     const Level level = levelOf(file, more);
     const DetourFile written = formatDetour(*level.mesh, level.header);
     QCOMPARE(written.tiles, 1U);
-    compareWays(level, written, 1000, 100);
+    compareWays(level, written, 1000, level.mesh->triangles.size() > 4000 ? 30 : 100);
   }
 
   void tilesAreJoined_data() {
@@ -281,7 +282,7 @@ class TestDetourExport : public QObject {
     const DetourFile parts =
         formatDetour(*level.mesh, level.header, {}, {.polygons = (whole.polygons + whole.jumps) / 5});
     QVERIFY2(parts.tiles >= 5, qPrintable(QString::number(parts.tiles)));
-    compareWays(level, parts, 500, 100);
+    compareWays(level, parts, 500, level.mesh->triangles.size() > 4000 ? 30 : 100);
   }
 
   void whatDoesNotFitIsRefused() {
