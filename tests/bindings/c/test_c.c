@@ -46,7 +46,7 @@ static const double kVertices[] = {0, 0, 0,   4, 0, 0,   4, 4, 0, 0, 4, 0, 4, 0,
 static const uint32_t kTriangles[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 8, 10, 9, 8, 11, 10};
 static const footfall_points kPoints = {kVertices, 12};
 static const footfall_triangles kFaces = {kTriangles, 6};
-static const footfall_agent kAgent = {45, 1.8, 1, 0, 0.05, 0};
+static const footfall_agent kAgent = {45, 1.8, 1, 0, 0.05, 0, 0};
 
 static footfall_environment* makeLevel(void) {
   footfall_environment* level = NULL;
