@@ -68,10 +68,6 @@
         <translation>Eine Koordinate ist größer, als eine Zahl in glTF sein kann; exportieren Sie als OBJ oder mit einem kleineren Maßstab</translation>
     </message>
     <message>
-        <source>%1: cannot be written in the format &quot;%2&quot;; give a name that ends in .obj, .gltf or .glb</source>
-        <translation>%1: kann nicht im Format „%2“ geschrieben werden; geben Sie einen Namen, der auf .obj, .gltf oder .glb endet</translation>
-    </message>
-    <message>
         <source>scale: must be a positive number of metres per unit; give for example 0.01 for centimetres</source>
         <translation>Maßstab: muss eine positive Zahl von Metern je Einheit sein; geben Sie zum Beispiel 0.01 für Zentimeter</translation>
     </message>
@@ -1028,14 +1024,6 @@
         <translation>Stufen: die Kommentare nennen %1, aber es sind %2</translation>
     </message>
     <message>
-        <source>%1 in its approximate form</source>
-        <translation>%1 in der genäherten Form</translation>
-    </message>
-    <message>
-        <source>%1 would lose the links of the StepFilter in %2; put it before that</source>
-        <translation>%1 würde die Verbindungen des StepFilters in %2 verlieren; stellen Sie es davor</translation>
-    </message>
-    <message>
         <source>StepFilter asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
         <translation>StepFilter fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; stellen Sie einen VerticalClearanceFilter davor</translation>
     </message>
@@ -1178,6 +1166,230 @@
     <message>
         <source>agents: the drop of &apos;%1&apos; is below 0; give 0 or more</source>
         <translation>Agenten: der Sprung von „%1“ ist kleiner als 0; geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>the floor plan</source>
+        <translation>der Grundriss</translation>
+    </message>
+    <message>
+        <source>no other program can be started (%1)</source>
+        <translation>es lässt sich kein anderes Programm starten (%1)</translation>
+    </message>
+    <message>
+        <source>usualRoles has %1 entries for %2 parts; give one for each part, or none</source>
+        <translation>usualRoles hat %1 Einträge für %2 Teile; für jedes Teil einen angeben, oder keinen</translation>
+    </message>
+    <message>
+        <source>agents are %1 high, and the highest doorway here is %2: nobody gets through one; give %2 or less</source>
+        <translation>Agenten sind %1 hoch, und die höchste Türöffnung hier misst %2: Niemand kommt hindurch; geben Sie höchstens %2 an</translation>
+    </message>
+    <message>
+        <source>agents are %1 wide, and the whole level is no wider than %2: nothing will be left; check the scale</source>
+        <translation>Agenten sind %1 breit, und das ganze Level ist nicht breiter als %2: Nichts bleibt übrig; prüfen Sie den Maßstab</translation>
+    </message>
+    <message>
+        <source>agents are %1 wide, and the widest doorway here is %2: nobody gets through one; give a radius below %3</source>
+        <translation>Agenten sind %1 breit, und die breiteste Türöffnung hier misst %2: Niemand kommt hindurch; geben Sie einen Radius unter %3 an</translation>
+    </message>
+    <message>
+        <source>divide it</source>
+        <translation>ihn aufteilen</translation>
+    </message>
+    <message>
+        <source>a unit of it is %1 metres, and one of %2 is %3</source>
+        <translation>eine Einheit darin ist %1 Meter, und eine von %2 ist %3</translation>
+    </message>
+    <message>
+        <source>give one scale for all of them, or export them in one unit</source>
+        <translation>einen Maßstab für alle angeben, oder sie in einer Einheit exportieren</translation>
+    </message>
+    <message>
+        <source>a folder without meshes</source>
+        <translation>ein Ordner ohne Netze</translation>
+    </message>
+    <message>
+        <source>choose a file, or a folder with OBJ, glTF or other meshes directly in it</source>
+        <translation>eine Datei wählen, oder einen Ordner, der unmittelbar OBJ, glTF oder andere Netze enthält</translation>
+    </message>
+    <message>
+        <source>Detour does not take the mesh; export as .obj or .glb, and report it, please</source>
+        <translation>Detour nimmt das Netz nicht an; exportieren Sie als .obj oder .glb, und melden Sie es bitte</translation>
+    </message>
+    <message>
+        <source>this program was built without Detour and cannot write .bin; install librecast-dev and build it again, or export as .obj or .glb</source>
+        <translation>dieses Programm wurde ohne Detour gebaut und kann kein .bin schreiben; installieren Sie librecast-dev und bauen Sie es neu, oder exportieren Sie als .obj oder .glb</translation>
+    </message>
+    <message>
+        <source>no place to cut the mesh into tiles for Detour; export with another scale</source>
+        <translation>kein Platz, um das Netz für Detour in Kacheln zu teilen; exportieren Sie mit anderem Maßstab</translation>
+    </message>
+    <message>
+        <source>the mesh has too many polygons for one file of Detour; simplify it, or export parts of it</source>
+        <translation>das Netz hat zu viele Polygone für eine Datei von Detour; vereinfachen Sie es oder exportieren Sie Teile davon</translation>
+    </message>
+    <message>
+        <source>a coordinate is larger than a float can be; export as OBJ, or with a smaller scale</source>
+        <translation>eine Koordinate ist größer, als einfache Genauigkeit erlaubt; exportieren Sie als OBJ oder mit kleinerem Maßstab</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ: exact, in the file&apos;s frame</source>
+        <translation>Wavefront OBJ: exakt, im Bezugssystem der Datei</translation>
+    </message>
+    <message>
+        <source>everything, in doubles; footfall compare and other tools read it back</source>
+        <translation>alles, in doppelter Genauigkeit; footfall compare und andere Programme lesen es wieder</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>glTF, text: metres, Y up</source>
+        <translation>glTF, Text: Meter, Y nach oben</translation>
+    </message>
+    <message>
+        <source>everything, in metres; agent, areas and links as extras</source>
+        <translation>alles, in Metern; Agent, Flächen und Verbindungen als Extras</translation>
+    </message>
+    <message>
+        <source>doubles</source>
+        <translation>doppelte Genauigkeit</translation>
+    </message>
+    <message>
+        <source>glTF, binary: metres, Y up</source>
+        <translation>glTF, binär: Meter, Y nach oben</translation>
+    </message>
+    <message>
+        <source>Detour: tile set, metres, Y up</source>
+        <translation>Detour: Kachelsatz, Meter, Y nach oben</translation>
+    </message>
+    <message>
+        <source>who can reach whom: convex polygons, heights, steps, drops, the agent; layers as areas</source>
+        <translation>wer wen erreicht: konvexe Polygone, Höhen, Stufen, Sprünge nach unten, der Agent; Ebenen als Areas</translation>
+    </message>
+    <message>
+        <source>doubles; more than 58 layers; placed obstacles</source>
+        <translation>doppelte Genauigkeit; mehr als 58 Ebenen; platzierte Hindernisse</translation>
+    </message>
+    <message>
+        <source>Godot: NavigationMesh, metres, Y up</source>
+        <translation>Godot: NavigationMesh, Meter, Y nach oben</translation>
+    </message>
+    <message>
+        <source>convex polygons, steps as polygons, the agent</source>
+        <translation>konvexe Polygone, Stufen als Polygone, der Agent</translation>
+    </message>
+    <message>
+        <source>doubles, drops, layers, placed obstacles; what is smaller than a cell of Godot&apos;s map</source>
+        <translation>doppelte Genauigkeit, Sprünge nach unten, Ebenen, platzierte Hindernisse; was kleiner als eine Zelle von Godots Karte ist</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written in the format &quot;%2&quot;; give a name that ends in %3</source>
+        <translation>%1: kann nicht im Format „%2“ geschrieben werden; geben Sie einen Namen an, der auf %3 endet</translation>
+    </message>
+    <message>
+        <source>the area of 1 layer</source>
+        <translation>die Area von 1 Ebene</translation>
+    </message>
+    <message>
+        <source>the areas of %1 layers</source>
+        <translation>die Areas von %1 Ebenen</translation>
+    </message>
+    <message>
+        <source>%1: not the name of a coordinate system; give one such as EPSG:25832</source>
+        <translation>%1: nicht der Name eines Koordinatensystems; einen wie EPSG:25832 angeben</translation>
+    </message>
+    <message>
+        <source>there is no format for Godot %1; choose 3 or 4</source>
+        <translation>es gibt kein Format für Godot %1; wählen Sie 3 oder 4</translation>
+    </message>
+    <message>
+        <source>%1: is there already and is no navigation mesh; choose another name</source>
+        <translation>%1: ist schon da und kein Navigationsnetz; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>a file that ends in %1 cannot hold placed obstacles; leave them out, or export as .obj or .glb</source>
+        <translation>eine Datei, die auf %1 endet, kann keine platzierten Hindernisse enthalten; lassen Sie sie weg oder exportieren Sie als .obj oder .glb</translation>
+    </message>
+    <message>
+        <source>IFC files are read by a converter that needs Node.js, which cannot be started</source>
+        <translation>IFC-Dateien liest ein Umwandler, der Node.js braucht, und das lässt sich nicht starten</translation>
+    </message>
+    <message>
+        <source>install it (package nodejs)</source>
+        <translation>es installieren (Paket nodejs)</translation>
+    </message>
+    <message>
+        <source>cannot be converted (exit status %1)</source>
+        <translation>lässt sich nicht umwandeln (Rückgabewert %1)</translation>
+    </message>
+    <message>
+        <source>check that the file is complete, or export it again</source>
+        <translation>prüfen, ob die Datei vollständig ist, oder sie neu exportieren</translation>
+    </message>
+    <message>
+        <source>its converter %1 is of another version</source>
+        <translation>ihr Umwandler %1 gehört zu einer anderen Version</translation>
+    </message>
+    <message>
+        <source>run ifc.sh again (docs/buildings.md)</source>
+        <translation>ifc.sh noch einmal ausführen (docs/buildings.md)</translation>
+    </message>
+    <message>
+        <source>IFC is read without its converter: openings may be closed, doors are in the way, and elements have no classes or storeys; ifc.sh installs it (docs/buildings.md)</source>
+        <translation>IFC wird ohne Umwandler gelesen: Öffnungen können geschlossen sein, Türen sind im Weg, und Bauteile haben weder Klassen noch Geschosse; ifc.sh installiert ihn (docs/buildings.md)</translation>
+    </message>
+    <message>
+        <source>%1; IFC files that are in order may need the converter that ifc.sh installs (docs/buildings.md)</source>
+        <translation>%1; IFC-Dateien, die in Ordnung sind, brauchen vielleicht den Umwandler, den ifc.sh installiert (docs/buildings.md)</translation>
+    </message>
+    <message>
+        <source>nothing of it is a floor or an obstacle</source>
+        <translation>nichts davon ist Boden oder Hindernis</translation>
+    </message>
+    <message>
+        <source>choose a file that has walls, slabs or stairs</source>
+        <translation>eine Datei mit Wänden, Decken oder Treppen wählen</translation>
+    </message>
+    <message>
+        <source>glTF has numbers of 24 bits and no exact surfaces, and its steps and drops are not read</source>
+        <translation>glTF hat Zahlen mit 24 Bit und keine exakten Flächen, und seine Stufen und Sprünge werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>export as OBJ, which holds all of it</source>
+        <translation>exportieren Sie als OBJ, das all das enthält</translation>
+    </message>
+    <message>
+        <source>%1: would be a part of the environment, which is all meshes in its folder; give a file in another folder</source>
+        <translation>%1: würde ein Teil der Umgebung, die aus allen Netzen ihres Ordners besteht; eine Datei in einem anderen Ordner angeben</translation>
+    </message>
+    <message>
+        <source>%1, %2 too wide</source>
+        <translation>%1, %2 zu breit</translation>
+    </message>
+    <message>
+        <source>%1; narrow and low enough, but StepFilter does not link it</source>
+        <translation>%1; schmal und niedrig genug, aber StepFilter verbindet es nicht</translation>
+    </message>
+    <message>
+        <source>nothing is walkable, so there is no plan; see why</source>
+        <translation>nichts ist begehbar, also gibt es keinen Plan; siehe Warum</translation>
+    </message>
+    <message>
+        <source>%1: no name of a floor plan; give one that ends in .svg, .pdf, .wkt or .geojson</source>
+        <translation>%1: kein Name für einen Grundriss; einen angeben, der auf .svg, .pdf, .wkt oder .geojson endet</translation>
+    </message>
+    <message>
+        <source>the plan does not fit the paper at %1; choose %2 or a larger paper</source>
+        <translation>der Plan passt bei %1 nicht auf das Papier; %2 oder ein größeres Papier wählen</translation>
+    </message>
+    <message>
+        <source>the PDF file cannot be made: not enough memory</source>
+        <translation>die PDF-Datei kann nicht erzeugt werden: nicht genug Speicher</translation>
+    </message>
+    <message>
+        <source>the PDF file cannot be made: error %1 of libharu</source>
+        <translation>die PDF-Datei kann nicht erzeugt werden: Fehler %1 von libharu</translation>
     </message>
 </context>
 <context>
@@ -1459,10 +1671,6 @@
         <translation>Stufen</translation>
     </message>
     <message>
-        <source>A VerticalClearanceFilter comes before it; no filter that makes the area anew follows.</source>
-        <translation>Ein VerticalClearanceFilter geht voran; kein Filter, der die Fläche neu erzeugt, folgt.</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Stufe</translation>
     </message>
@@ -1571,10 +1779,6 @@
         <translation>Verbindet Ränder der begehbaren Fläche, die im Grundriss übereinander oder mit einer Lücke dazwischen nebeneinander liegen, wo ein Agent die Füße von einem zum anderen heben kann: Treppen, Bordsteine, Schwellen, niedrige Wände ohne Dicke, Spalten. Die Fläche bleibt, wie sie ist; für die folgenden Filter ist das Verbundene ein Gebiet.</translation>
     </message>
     <message>
-        <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, straight along the plan.</source>
-        <translation>Jede Strecke, auf der zwei Ränder im Grundriss zusammenfallen, wird genau dort verbunden, wo sich ihre Höhen höchstens um die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der lichten Höhe über dem oberen liegt. Ränder, die einander über eine Lücke gegenüberliegen, werden verbunden, wo das für alle geraden Wege im Grundriss darüber bewiesen ist.</translation>
-    </message>
-    <message>
         <source>Gap</source>
         <translation>Lücke</translation>
     </message>
@@ -1642,6 +1846,14 @@
         <source>Every walkable region holds a seed, or is reached over drops from one that does.</source>
         <translation>Jede begehbare Region enthält einen Startpunkt oder wird über Sprünge von einer erreicht, die einen enthält.</translation>
     </message>
+    <message>
+        <source>A VerticalClearanceFilter comes before it.</source>
+        <translation>Ein VerticalClearanceFilter geht voran.</translation>
+    </message>
+    <message>
+        <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, straight along the plan. Filters that follow keep links where they leave both borders; another StepFilter adds to them.</source>
+        <translation>Jede Strecke, auf der zwei Ränder im Grundriss zusammenfallen, wird genau dort verbunden, wo sich ihre Höhen höchstens um die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der lichten Höhe über dem oberen liegt. Ränder, die einander über eine Lücke gegenüberliegen, werden verbunden, wo das für alle geraden Wege im Grundriss darüber bewiesen ist. Folgende Filter behalten Verbindungen, wo sie beide Ränder übrig lassen; ein weiterer StepFilter fügt welche hinzu.</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -1664,6 +1876,14 @@
     <message>
         <source>Cannot be reached</source>
         <translation>Nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>Too near a wall</source>
+        <translation>Zu nah an einer Wand</translation>
+    </message>
+    <message>
+        <source>Too near a ledge</source>
+        <translation>Zu nah an einer Kante</translation>
     </message>
 </context>
 <context>
@@ -2520,6 +2740,10 @@
     <message>
         <source>An agent is the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare what each can reach.</source>
         <translation>Ein Agent ist die Größen, denen die Filter folgen: Höhe, Neigung, Stufe, Lücke, Radius und Sprung. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
+    </message>
+    <message>
+        <source>The filter &apos;%1&apos; has no place in the list: %2</source>
+        <translation>Der Filter „%1“ hat keinen Platz in der Liste: %2</translation>
     </message>
 </context>
 <context>
@@ -3628,14 +3852,6 @@
         <translation>Wie in der Datei</translation>
     </message>
     <message>
-        <source>Which axis points up in the export; glTF is always Y up</source>
-        <translation>Welche Achse im Export nach oben zeigt; bei glTF ist immer Y oben</translation>
-    </message>
-    <message>
-        <source>Coordinates are multiplied with it. 1 keeps the file&apos;s units (metres in glTF), and OBJ exact; other scales than powers of two round once more.</source>
-        <translation>Koordinaten werden damit multipliziert. 1 behält die Einheiten der Datei (Meter in glTF), und OBJ exakt; andere Maßstäbe als Zweierpotenzen runden noch einmal.</translation>
-    </message>
-    <message>
         <source>Up axis</source>
         <translation>Achse nach oben</translation>
     </message>
@@ -3678,10 +3894,6 @@
     <message>
         <source>%1 is a folder; give the name of a file in it.</source>
         <translation>%1 ist ein Ordner; geben Sie den Namen einer Datei darin.</translation>
-    </message>
-    <message>
-        <source>&quot;.%1&quot; is no format that can be written; the name must end in .obj, .gltf, .glb, .png or .html.</source>
-        <translation>„.%1“ ist kein Format, das geschrieben werden kann; der Name muss auf .obj, .gltf, .glb, .png oder .html enden.</translation>
     </message>
     <message>
         <source>Scale: %1</source>
@@ -3764,10 +3976,6 @@
         <translation>Größe: %1</translation>
     </message>
     <message>
-        <source>glTF has floats: coordinates move by up to %1 m</source>
-        <translation>glTF hat einfache Genauigkeit: Koordinaten verschieben sich um bis zu %1 m</translation>
-    </message>
-    <message>
         <source>%1 up</source>
         <translation>%1 oben</translation>
     </message>
@@ -3811,21 +4019,29 @@
         <source>drops</source>
         <translation>Sprünge</translation>
     </message>
+    <message>
+        <source>Which axis points up in the export; all formats but OBJ are always Y up</source>
+        <translation>Welche Achse im Export nach oben zeigt; alle Formate außer OBJ haben immer Y oben</translation>
+    </message>
+    <message>
+        <source>Coordinates are multiplied with it. 1 keeps the file&apos;s units (metres in all formats but OBJ), and OBJ exact; other scales than powers of two round once more.</source>
+        <translation>Koordinaten werden damit multipliziert. 1 behält die Einheiten der Datei (Meter in allen Formaten außer OBJ) und OBJ exakt; andere Maßstäbe als Zweierpotenzen runden noch einmal.</translation>
+    </message>
+    <message>
+        <source>&quot;.%1&quot; is no format that can be written; the name must end in one of %2.</source>
+        <translation>„.%1“ ist kein Format, das geschrieben werden kann; der Name muss auf eines von %2 enden.</translation>
+    </message>
+    <message>
+        <source>The format loses: %1.</source>
+        <translation>Das Format verliert: %1.</translation>
+    </message>
+    <message>
+        <source>The format has floats: coordinates move by up to %1 m</source>
+        <translation>Das Format hat einfache Genauigkeit: Koordinaten bewegen sich um bis zu %1 m</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::ExportTexts</name>
-    <message>
-        <source>Wavefront OBJ: exact, in the file&apos;s frame</source>
-        <translation>Wavefront OBJ: exakt, im Bezugssystem der Datei</translation>
-    </message>
-    <message>
-        <source>glTF, text: metres, Y up</source>
-        <translation>glTF, Text: Meter, Y oben</translation>
-    </message>
-    <message>
-        <source>glTF, binary: metres, Y up</source>
-        <translation>glTF, binär: Meter, Y oben</translation>
-    </message>
     <message>
         <source>PNG: the view as a picture</source>
         <translation>PNG: die Ansicht als Bild</translation>
@@ -4196,6 +4412,100 @@
     <message>
         <source>and %1 more</source>
         <translation>und noch %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::FloorPlanDialog</name>
+    <message>
+        <source>Floor plan</source>
+        <translation>Grundriss</translation>
+    </message>
+    <message>
+        <source>&amp;Pages</source>
+        <translation>&amp;Seiten</translation>
+    </message>
+    <message>
+        <source>What each page of the plan shows</source>
+        <translation>Was jede Seite des Plans zeigt</translation>
+    </message>
+    <message>
+        <source>One for each storey</source>
+        <translation>Eine für jedes Geschoss</translation>
+    </message>
+    <message>
+        <source>One for each layer</source>
+        <translation>Eine für jede Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>How large the plan is drawn</source>
+        <translation>Wie groß der Plan gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>As large as fits</source>
+        <translation>So groß wie möglich</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apier</translation>
+    </message>
+    <message>
+        <source>The size of a page</source>
+        <translation>Die Größe einer Seite</translation>
+    </message>
+    <message>
+        <source>As needed</source>
+        <translation>Nach Bedarf</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>For the screen or for printing</source>
+        <translation>Für den Bildschirm oder zum Drucken</translation>
+    </message>
+    <message>
+        <source>In colour</source>
+        <translation>In Farbe</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Schwarzweiß</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Speichern unter...</translation>
+    </message>
+    <message>
+        <source>Choose the file, PDF or SVG, and draw the plan</source>
+        <translation>Die Datei wählen, PDF oder SVG, und den Plan zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::FloorPlans</name>
+    <message>
+        <source>&amp;Floor plan...</source>
+        <translation>&amp;Grundriss...</translation>
+    </message>
+    <message>
+        <source>Draw plans of the storeys or layers to scale, as PDF or SVG</source>
+        <translation>Grundrisse der Geschosse oder Schichten im Maßstab zeichnen, als PDF oder SVG</translation>
+    </message>
+    <message>
+        <source>Save the floor plan</source>
+        <translation>Grundriss speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;SVG, a file for each page (*.svg)</source>
+        <translation>PDF (*.pdf);;SVG, eine Datei für jede Seite (*.svg)</translation>
+    </message>
+    <message>
+        <source>%1: not drawn, as the filters have changed since the last run; run them first</source>
+        <translation>%1: nicht gezeichnet, da sich die Filter seit dem letzten Lauf geändert haben; sie zuerst ausführen</translation>
     </message>
 </context>
 <context>
@@ -5958,6 +6268,22 @@ Material: %2</translation>
     <message>
         <source>%1: a picture of %2 × %3 cannot be drawn here; choose a smaller size</source>
         <translation>%1: Ein Bild von %2 × %3 kann hier nicht gezeichnet werden; wählen Sie eine kleinere Größe</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>&amp;Noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>Write to the file of the last export, with the same options</source>
+        <translation>In die Datei des letzten Exports schreiben, mit denselben Einstellungen</translation>
+    </message>
+    <message>
+        <source>Export after each r&amp;un</source>
+        <translation>Nach jedem La&amp;uf exportieren</translation>
+    </message>
+    <message>
+        <source>Write every new result to the file of the last export, for a program beside that follows it</source>
+        <translation>Jedes neue Ergebnis in die Datei des letzten Exports schreiben, für ein Programm daneben, das ihr folgt</translation>
     </message>
 </context>
 <context>

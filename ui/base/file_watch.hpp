@@ -13,10 +13,10 @@
 
 namespace footfall::ui {
 
-/// Watches one file and what belongs to it (the .bin files that a .gltf names), or a folder and the meshes in it. The system's notices come at once where
-/// they come at all; sizes and times are looked at now and then besides, for network drives and for programs that write
-/// another file and rename it. changed() is emitted when nothing has changed for a while. A version that could not be
-/// read is offered again a few times, as it may still be in the making.
+/// Watches one file and what belongs to it (the .bin files that a .gltf names), or a folder and the meshes in it. The
+/// system's notices come at once where they come at all; sizes and times are looked at now and then besides, for
+/// network drives and for programs that write another file and rename it. changed() is emitted when nothing has changed
+/// for a while. A version that could not be read is offered again a few times, as it may still be in the making.
 class FileWatch : public QObject {
   Q_OBJECT
 

@@ -1,5 +1,6 @@
 // Seeds of a ReachableFilter: placed, moved and removed in the view, edited in their row, kept by sessions.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
 #include <QToolButton>
 #include <cmath>
 
@@ -216,6 +217,7 @@ class TestSeeds : public QObject {
   static QStringList legendTexts(const QWidget& legend) {
     QStringList texts;
     for (const auto* label : legend.findChildren<QLabel*>()) texts << label->text();
+    for (const auto* box : legend.findChildren<QCheckBox*>()) texts << box->text();
     return texts;
   }
   void startTool() {

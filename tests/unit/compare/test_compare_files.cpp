@@ -184,7 +184,7 @@ void TestCompareFiles::refusedFiles_data() {
   QTest::newRow("no faces") << QByteArray("v 0 0 0\nv 1 0 0\nv 0 0 1\nl 1 2\n") << "no triangles in it; choose";
   QTest::newRow("NaN") << QByteArray("v 0 nan 0\n") << ":1: ";
   QTest::newRow("no number") << QByteArray("v 0 0 zero\n") << "'zero' is not a number";
-  QTest::newRow("not OBJ") << QByteArray("{\"asset\": {}}\n") << "not an OBJ statement";
+  QTest::newRow("not OBJ") << QByteArray("<svg/>\n") << "not an OBJ statement";
   QTest::newRow("binary") << QByteArray("v 0 0 0\n\0\1\2", 11) << "NUL byte";
   QTest::newRow("index") << QByteArray(kSquare) + "f 1 2 9\n"
                          << "out of range";

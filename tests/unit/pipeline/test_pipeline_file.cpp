@@ -339,7 +339,7 @@ void TestPipelineFile::agent_data() {
   QTest::newRow("both") << QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2")
                         << QByteArray("slope 45 degrees, height 2");
   QTest::newRow("with steps") << QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.25")
-                              << QByteArray("slope 45 degrees, height 2, step 0.25");
+                              << QByteArray("slope 45 degrees, height 2, step 0.25, gap 0.05");
   QTest::newRow("steps off") << QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2\n#off StepFilter 0.25")
                              << QByteArray("slope 45 degrees, height 2");
   QTest::newRow("strictest") << QByteArray(

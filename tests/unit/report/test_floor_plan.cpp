@@ -253,9 +253,12 @@ class TestFloorPlan : public QObject {
   void sheetSaysWhatItShows() {
     const auto sheets = Level(room(), kNoTops).draw();
     QCOMPARE(sheets.size(), std::size_t{1});
-    for (const char* words : {"Layer 0", "1:50", "slope 45 degrees, height 2, step 0.4", "59.0 m\u00b2", "walls, cut"})
+    for (const char* words :
+         {"Layer 0", "1:50", "slope 45 degrees, height 2, step 0.4, gap 0.05", "59.0 m\u00b2", "walls, cut"})
       QVERIFY2(says(sheets[0], words), words);
-    for (const char* words : {"gap", "drop", "to layer", "part 1"}) QVERIFY2(!says(sheets[0], words), words);
+    for (const char* words : {"drop", "to layer", "part 1"}) QVERIFY2(!says(sheets[0], words), words);
+    const auto all = wordsOf(sheets[0]);
+    QVERIFY(std::find(all.begin(), all.end(), "gap") == all.end());  // no entry; the agent has one
     const auto flight = Level(stairs(6)).draw();
     QVERIFY(says(flight[0], "step; arrow: up"));
     const auto drops = Level(Soup().floor(0, 0, 4, 4, 2).floor(4, 0, 9, 4, 0), "DropFilter 3\n").draw();
