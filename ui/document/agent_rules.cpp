@@ -34,10 +34,30 @@ Pipeline pipelineOf(const std::vector<FilterEntry>& filters) {
   return pipeline;
 }
 
-/// Behind all that would lose its links or drops, and in front of the filters that go by them. Where it has no place,
-/// nothing changes, and what is wrong with it at the end is returned.
+/// Whether a filter makes borders that a StepFilter before it has not seen.
+bool makesBorders(const PipelineStep& step) {
+  switch (step.filter->type) {
+    case FilterType::Duplication:
+    case FilterType::Degeneracy:
+    case FilterType::Slope:
+    case FilterType::VerticalClearance:
+    case FilterType::Rounding:
+    case FilterType::Collapse:
+      return true;
+    case FilterType::Simplification:
+      return step.values[0] != 0;
+    default:
+      return false;
+  }
+}
+
+/// Behind all that makes borders or would lose drops, and in front of the filters that go by links and drops. Where it
+/// has no place, nothing changes, and what is wrong with it at the end is returned.
 Text insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
-  for (auto at = filters.begin();; ++at) {
+  const auto last = std::find_if(filters.rbegin(), filters.rend(), [](const FilterEntry& entry) {
+    return entry.step.enabled && makesBorders(entry.step);
+  });
+  for (auto at = last.base();; ++at) {
     std::vector<FilterEntry> with(filters.begin(), at);
     with.push_back(added);
     with.insert(with.end(), at, filters.end());

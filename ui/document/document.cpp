@@ -169,7 +169,9 @@ bool Document::addParallelBlock() {
     const PipelineStep& step = filters[i].step;
     if (!step.enabled) continue;
     if (step.filter->kind != FilterKind::Filter) inBlock = step.filter->kind == FilterKind::Strategy;
-    if (step.filter->kind != FilterKind::Filter || step.filter->scope == Scope::Global || inBlock) {
+    // A StepFilter may stand in a block, but runs on all cells together.
+    if (step.filter->kind != FilterKind::Filter || step.filter->scope == Scope::Global || inBlock ||
+        step.filter->type == FilterType::Step) {
       current = {};
       continue;
     }
