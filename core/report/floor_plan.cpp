@@ -2,7 +2,9 @@
 #include "core/report/floor_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 
@@ -10,6 +12,7 @@
 #include "core/base/number_text.hpp"
 #include "core/io/formats/geojson_export.hpp"
 #include "core/io/formats/wkt_export.hpp"
+#include "core/mesh/storey_names.hpp"
 #include "core/report/plan_drawing.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/path.hpp"
@@ -60,6 +63,20 @@ std::string metresText(double metres, const char* format = "%.2f") {
 std::string inCapitals(std::string name) {
   if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+std::string agentInMetres(const AgentNumbers& agent, double metres) {
+  std::string text = "slope " + (agent.maxSlope ? number(*agent.maxSlope) + " degrees" : std::string("any"));
+  text += ", height " + (agent.height ? number(*agent.height * metres) + " m" : std::string("any"));
+  for (const auto& [name, value] : {std::pair{"step", agent.step}, {"gap", agent.gap}, {"radius", agent.radius}})
+    if (value > 0) text += std::string(", ") + name + ' ' + number(value * metres) + " m";
+  return text;
 }
 
 /// The lines around a drawing: a frame, and below it title, legend, scale bar and axes.
@@ -229,14 +246,15 @@ std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline&
     sheet.width = layout.width;
     sheet.height = layout.height;
     sheet.window = layout.window;
-    const std::string page = inCapitals(pages[i].name);
+    const std::string storeys = storeysOf(mesh, pages[i].triangles);
+    const std::string page = inCapitals(pages[i].name) + (storeys.empty() ? "" : ", " + storeys);
     sheet.title = name + ": " + page;
     const PlanContents contents = drawPlanPage(subject, i, layout, style, sheet.drawing, poll);
     std::string count =
         pages.size() == 1 ? std::string() : " (" + std::to_string(i + 1) + " of " + std::to_string(pages.size()) + ")";
     TitleBlock(layout, style, sheet)
         .draw({name, page + count + "; " + figuresOf(mesh, pages[i], contents.area, metres),
-               "For an agent: " + describeAgent(pipeline)},
+               "For an agent: " + agentInMetres(agentNumbers(pipeline), metres)},
               contents, metres, environment.up);
     sheets.push_back(std::move(sheet));
   }

@@ -254,7 +254,7 @@ class TestFloorPlan : public QObject {
     const auto sheets = Level(room(), kNoTops).draw();
     QCOMPARE(sheets.size(), std::size_t{1});
     for (const char* words :
-         {"Layer 0", "1:50", "slope 45 degrees, height 2, step 0.4, gap 0.05", "59.0 m\u00b2", "walls, cut"})
+         {"Layer 0", "1:50", "slope 45 degrees, height 2 m, step 0.4 m, gap 0.05 m", "59.0 m\u00b2", "walls, cut"})
       QVERIFY2(says(sheets[0], words), words);
     for (const char* words : {"drop", "to layer", "part 1"}) QVERIFY2(!says(sheets[0], words), words);
     const auto all = wordsOf(sheets[0]);
