@@ -4691,6 +4691,10 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <source>%1 × %2 × %3 %4 (%5)</source>
         <translation>%1 × %2 × %3 %4 (%5)</translation>
     </message>
+    <message>
+        <source>%1 (says the file)</source>
+        <translation>%1 (laut Datei)</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::InspectionFeature</name>

@@ -262,7 +262,9 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     frame.metresPerUnit = asset.metresPerUnit;
     root = colladaRoot(scene->mRootNode->mTransformation, asset);
   } else if (extension == ".gltf" || extension == ".glb" || extension == ".ifc") {
-    frame.metresPerUnit = 1;  // glTF 2.0, section 3.4: metres; Assimp turns an IFC file's own unit into metres
+    // glTF 2.0, section 3.4: metres, Y up; Assimp turns an IFC file's own unit and axis into these.
+    frame.up = UpAxis::Y;
+    frame.metresPerUnit = 1;
   }
   SceneReader(path, *scene, environment, context).read(root);
   return frame;

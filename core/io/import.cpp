@@ -91,7 +91,7 @@ Environment readFile(const std::string& path, const ImportOptions& options, RunC
               FOOTFALL_TEXT("choose a file that has faces"));
   }
 
-  environment.upGuessed = !options.up;
+  environment.upGuessed = !options.up && !frame.up;
   environment.up = options.up.value_or(frame.up.value_or(usualUpAxis(extension)));
   environment.scaleGuessed = !options.metresPerUnit && !frame.metresPerUnit;
   environment.metresPerUnit =

@@ -20,7 +20,7 @@ void ImportEdits::showLevel() {
   const LoadedEnvironment& loaded = file_.loaded();
   const Vec3 &lower = loaded.geometry->lower, &upper = loaded.geometry->upper;
   panel_.setEnvironment(loaded.environment.get(), {upper.x - lower.x, upper.y - lower.y, upper.z - lower.z},
-                        loaded.options.metresPerUnit.has_value());
+                        loaded.options.up.has_value(), loaded.options.metresPerUnit.has_value());
   units_.setLevel(*loaded.environment);
 }
 

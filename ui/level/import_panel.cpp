@@ -88,7 +88,7 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
     options_.bothSides = on;
     emit optionsEdited(options_);
   });
-  setEnvironment(nullptr, {}, false);
+  setEnvironment(nullptr, {}, false, false);
 }
 
 QWidget* ImportPanel::makeQuestion() {
@@ -132,7 +132,7 @@ void ImportPanel::setOptions(const ImportOptions& options) {
   showGuesses();
 }
 
-void ImportPanel::setEnvironment(const Environment* environment, const Vec3& size, bool scaleGiven) {
+void ImportPanel::setEnvironment(const Environment* environment, const Vec3& size, bool upGiven, bool scaleGiven) {
   loaded_ = environment != nullptr;
   for (QWidget* widget :
        {static_cast<QWidget*>(up_), static_cast<QWidget*>(scale_), static_cast<QWidget*>(bothSides_)}) {
@@ -156,7 +156,10 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     notes_ = lines.join(QLatin1Char('\n'));
     showFigures();
     // What was given instead of guessed is no guess to fall back to.
-    if (environment->upGuessed) guessedUp_ = environment->up;
+    if (!upGiven) {
+      fileUp_ = environment->up;
+      upGuessed_ = environment->upGuessed;
+    }
     if (!scaleGiven) {
       fileScale_ = environment->metresPerUnit;
       scaleGuessed_ = environment->scaleGuessed;
@@ -166,7 +169,8 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
 }
 
 void ImportPanel::showGuesses() {
-  up_->setItemText(0, loaded_ && !options_.up ? tr("%1 (guessed)").arg(upAxisText(guessedUp_)) : tr("Guess"));
+  const QString fileUp = upGuessed_ ? tr("%1 (guessed)") : tr("%1 (says the file)");
+  up_->setItemText(0, loaded_ && !options_.up ? fileUp.arg(upAxisText(fileUp_)) : tr("Guess"));
   scale_->setValue(options_.metresPerUnit.value_or(fileScale_));
   scaleNote_->setText(!loaded_ || options_.metresPerUnit ? QString()
                       : scaleGuessed_                    ? tr("(guessed)")

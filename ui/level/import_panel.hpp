@@ -21,8 +21,9 @@ class ImportPanel : public QWidget {
 
   /// The options as they are asked for; what is empty is guessed.
   void setOptions(const ImportOptions& options);
-  /// Null: nothing is loaded. `scaleGiven`: its scale is the user's word, and not the file's or a guess.
-  void setEnvironment(const Environment* environment, const Vec3& size, bool scaleGiven);
+  /// Null: nothing is loaded. `upGiven`, `scaleGiven`: its up axis, its scale is the user's word, and not the file's or
+  /// a guess.
+  void setEnvironment(const Environment* environment, const Vec3& size, bool upGiven, bool scaleGiven);
   void setUnits(const LevelUnits& units);
 
   [[nodiscard]] QComboBox* upBox() const { return up_; }
@@ -49,7 +50,8 @@ class ImportPanel : public QWidget {
   void showQuestion();
 
   ImportOptions options_;
-  UpAxis guessedUp_ = UpAxis::Z;
+  UpAxis fileUp_ = UpAxis::Z;
+  bool upGuessed_ = true;     ///< and is not the file's own word
   double fileScale_ = 1;      ///< holds while the user gives none
   bool scaleGuessed_ = true;  ///< and is not the file's own word
   bool loaded_ = false;

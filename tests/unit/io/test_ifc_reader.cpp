@@ -38,7 +38,7 @@ class TestIfcReader : public QObject {
   void partsRolesStoreysAndUnitsCome() {
     const Converter converter(kHouse);
     const auto all = importEnvironment(converter.building);
-    QVERIFY(all->up == UpAxis::Z);
+    QVERIFY(all->up == UpAxis::Z && !all->upGuessed);
     QCOMPARE(all->metresPerUnit, 0.001);
     QVERIFY(!all->scaleGuessed);
     QCOMPARE(all->triangles.size(), std::size_t{4});
