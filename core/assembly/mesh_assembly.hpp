@@ -1,5 +1,6 @@
 // From faces and their cuts to one conforming mesh: triangulate, weld, close T-joints, join contacts (design section
-// 3). SPDX-License-Identifier: GPL-3.0-or-later
+// 3).
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <memory>

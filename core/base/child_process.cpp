@@ -83,11 +83,18 @@ class Child {
   ~Child() {
     if (id_ < 0) return;
     ::kill(id_, SIGKILL);
-    wait();
+    while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+    }
   }
-  int wait() {
+  /// Waits for its end; it may go on long after it has closed its output.
+  int wait(const Poll& poll) {
     int status = 0;
-    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+    for (pid_t ended = 0; ended != id_;) {
+      ended = ::waitpid(id_, &status, WNOHANG);
+      if (ended < 0 && errno != EINTR) break;
+      if (ended == id_) continue;
+      poll();
+      ::poll(nullptr, 0, kPollMs);
     }
     id_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -128,7 +135,7 @@ ChildResult runChild(const std::vector<std::string>& arguments, Poll poll) {
       if (result.errors.size() > kMostErrors) result.errors.resize(kMostErrors);
     }
   }
-  result.status = child.wait();
+  result.status = child.wait(poll);
   return result;
 }
 

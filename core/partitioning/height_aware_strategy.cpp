@@ -1,5 +1,6 @@
 // HeightAwareStrategy: a tree of cuts through the floors alone, across x, y or between heights, by estimated work
-// (ours; thesis 6.1, first item of future work). SPDX-License-Identifier: GPL-3.0-or-later
+// (ours; thesis 6.1, first item of future work).
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 

@@ -55,7 +55,9 @@ function* linesOfType(api, model, type) {
   }
 }
 
-const nameOf = (line) => String(line?.Name?.value ?? '').replace(/[\x00-\x1f\x7f]+/g, ' ').trim();
+/** Of a line; in OBJ a # begins a comment, and a backslash at the end takes in the next line. */
+const nameOf = (line) => String(line?.Name?.value ?? '').replace(/[\x00-\x1f\x7f]+/g, ' ').replace(/#\s*/g, 'No. ')
+  .replaceAll('\\', '/').trim();
 
 const kPrefixes = { EXA: 1e18, PETA: 1e15, TERA: 1e12, GIGA: 1e9, MEGA: 1e6, KILO: 1e3, HECTO: 1e2, DECA: 10,
   DECI: 0.1, CENTI: 0.01, MILLI: 0.001, MICRO: 1e-6, NANO: 1e-9, PICO: 1e-12, FEMTO: 1e-15, ATTO: 1e-18 };
@@ -93,7 +95,7 @@ class Storeys {
         if (!this.#parent.has(part.value)) this.#parent.set(part.value, relation.RelatingObject?.value);
     }
     for (const storey of linesOfType(api, model, WebIfc.IFCBUILDINGSTOREY)) {
-      const name = nameOf(storey) || `#${storey.expressID}`;
+      const name = nameOf(storey) || `No. ${storey.expressID}`;
       this.#names.set(storey.expressID, name);
       this.list.push({ name, height: this.#heightOf(api, model, storey) });
     }
@@ -149,7 +151,7 @@ async function main() {
   const write = (mesh) => {
     const element = api.GetLine(model, mesh.expressID);
     const storey = storeys.of(mesh.expressID);
-    const name = nameOf(element) || `#${mesh.expressID}`;
+    const name = nameOf(element) || `No. ${mesh.expressID}`;
     out.line(`o ${api.GetNameFromTypeCode(element.type)}`);
     out.line(`usemtl ${storey ? `${storey}: ` : ''}${name}`);
     for (let i = 0; i < mesh.geometries.size(); ++i) {

@@ -1,5 +1,6 @@
 // Where an agent steps over the gap between two borders, straight from the definition (design section 7): slow,
-// obvious, exact. SPDX-License-Identifier: GPL-3.0-or-later
+// obvious, exact.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "tests/reference/steps.hpp"

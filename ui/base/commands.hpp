@@ -1,5 +1,6 @@
 // Everything that can be done from a menu: menus, the tool bar, the list of keys and the command palette follow from
-// it. SPDX-License-Identifier: GPL-3.0-or-later
+// it.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QAction>

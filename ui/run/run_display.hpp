@@ -1,5 +1,6 @@
 // What the view shows of runs: the last finished result, changed where the run under way already has pieces of the
-// next. SPDX-License-Identifier: GPL-3.0-or-later
+// next.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QObject>

@@ -1,5 +1,6 @@
 // What of a scene is drawn. SceneRenderer draws by this rule and LevelView picks by it: what is seen is what is
-// clicked. SPDX-License-Identifier: GPL-3.0-or-later
+// clicked.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>

@@ -216,12 +216,14 @@ class ThinTriangles {
     return true;
   }
 
-  // Rounded, and in doubt it is not: what is flipped is better by more than a rounding, so that there is an end.
+  // Rounded, and in doubt it is not: what is flipped is better by more than a rounding, so that there is an end. Which
+  // triangles cover the floor changes nothing of what is covered; that they face up is exact.
   static bool isInCircle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
     const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, cc = cx * cx + cy * cy;
     const double u = aa * (bx * cy - by * cx), v = bb * (cx * ay - cy * ax), w = cc * (ax * by - ay * bx);
-    return u + v + w > 1e-9 * (std::fabs(u) + std::fabs(v) + std::fabs(w));
+    constexpr double kBetter = 1e-9;  // far more than the some ten roundings of these sums
+    return u + v + w > kBetter * (std::fabs(u) + std::fabs(v) + std::fabs(w));
   }
 
   NavigationMesh& mesh_;

@@ -1,5 +1,6 @@
 // Parts that are ignored, or obstacles only: what rules do, that the result is exact, and that edits of rules give what
-// a run from nothing gives. SPDX-License-Identifier: GPL-3.0-or-later
+// a run from nothing gives.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <rapidcheck.h>
 
 #include <QtTest>

@@ -1,5 +1,6 @@
 // StepFilter across gaps: against the definition on random and structured soups, and the cases that people have in
-// mind. SPDX-License-Identifier: GPL-3.0-or-later
+// mind.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <algorithm>
 #include <cmath>

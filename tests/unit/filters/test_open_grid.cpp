@@ -1,5 +1,6 @@
 // The grid of what is open above a face: what it says is closed or out of reach must be so, and it must say it of
-// nearly all that is. SPDX-License-Identifier: GPL-3.0-or-later
+// nearly all that is.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <cmath>
 #include <random>

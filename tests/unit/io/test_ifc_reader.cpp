@@ -132,8 +132,14 @@ class TestIfcReader : public QObject {
     QVERIFY(findIfcConverter() == mine);
   }
 
+  void cancellingEndsTheConverter_data() {
+    QTest::addColumn<QByteArray>("script");
+    QTest::newRow("silent") << QByteArray("exec sleep 60");
+    QTest::newRow("without output any more") << QByteArray("exec sleep 60 >&- 2>&-");
+  }
   void cancellingEndsTheConverter() {
-    const Converter converter("exec sleep 60");
+    QFETCH(QByteArray, script);
+    const Converter converter(script);
     RunContext context;
     std::thread later([&] {
       QThread::msleep(100);
@@ -179,6 +185,8 @@ class TestIfcReader : public QObject {
     QCOMPARE(all->metresPerUnit, 0.3048);
     QVERIFY((all->storeys == std::vector<Storey>{{"Ground floor", 0}, {"First floor", 10}}));
     QCOMPARE(all->parts.size(), std::size_t{5});  // no space, no opening
+    // What would be a comment in OBJ is none.
+    QVERIFY(std::ranges::count(all->parts, EnvironmentPart{"IfcFurniture", "Ground floor: Table No. 1"}) == 1);
     Agent agent;
     agent.height = 6 * 0.3048;
     agent.step = 0;

@@ -1,5 +1,6 @@
 // Cutting along cells: exact tiling, conformity and half-open cells, in rational numbers on random soups and
-// partitions. SPDX-License-Identifier: GPL-3.0-or-later
+// partitions.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmpxx.h>
 
 #include <QtTest>
