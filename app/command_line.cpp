@@ -6,6 +6,7 @@
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
+#include "app/run_program.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
 
@@ -15,7 +16,8 @@ void runCommandLine(int argc, const char* const* argv) {
   CLI::App app("Computes the exact walkable area of 3D environments.", "footfall");
   app.set_version_flag("--version", "footfall " FOOTFALL_VERSION, "Print the version and exit");
   app.require_subcommand(1);
-  addRunCommand(app);
+  RunProgram run;
+  addRunCommand(app, run);
   addWhyCommand(app);
   addInfoCommand(app);
   addCellsCommand(app);

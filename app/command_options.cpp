@@ -61,6 +61,18 @@ void addUpAxis(CLI::App& command, const std::string& name, std::string& up, cons
   command.add_option(name, up, help)->check(CLI::IsMember(names, CLI::ignore_case))->type_name(kUpAxisNames);
 }
 
+void addPolygonOptions(CLI::App& command, std::uint32_t& part, std::string& coordinateSystem) {
+  command
+      .add_option("--part", part,
+                  "Of polygons, write this connected part alone; 1 is the largest, as `footfall run` lists them")
+      ->check(CLI::Range(1U, 0x7fffffffU))
+      ->type_name("N");
+  command
+      .add_option("--crs", coordinateSystem,
+                  "The coordinate system that GeoJSON is to name, where the environment is in one; nothing is moved")
+      ->type_name("EPSG:N");
+}
+
 CLI::Option* addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place,
                       const std::string& help) {
   return command.add_option(name, place, help)->required()->type_name("X Y Z");

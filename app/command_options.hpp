@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ void addThreads(CLI::App& command, int& threads,
                 const std::string& help = "Threads to use at most; as many as there are processors by default");
 /// `--up` and options like it.
 void addUpAxis(CLI::App& command, const std::string& name, std::string& up, const std::string& help);
+/// `--part` (from 1; 0 where it is not given) and `--crs`, for polygons.
+void addPolygonOptions(CLI::App& command, std::uint32_t& part, std::string& coordinateSystem);
 /// An option with three coordinates.
 CLI::Option* addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place,
                       const std::string& help);

@@ -9,15 +9,16 @@
 #include "core/base/worker_arena.hpp"
 #include "core/environment/part_rules.hpp"
 #include "core/io/import.hpp"
+#include "core/pipeline/runner.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::app {
 using namespace detail;
 
-CommandSession::CommandSession(int threads, bool quiet)
+CommandSession::CommandSession(int threads, bool quiet, bool showsBar)
     : threads_(threads),
       quiet_(quiet),
-      bar_(!quiet && isatty(STDERR_FILENO) != 0),
+      bar_(!quiet && (showsBar || isatty(STDERR_FILENO) != 0)),
       context_([this](const RunEvent& event) { bar_.show(event); }),
       watcher_(context_) {
   if (threads > 0) limit_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
@@ -28,6 +29,7 @@ std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions
   const auto environment =
       onThreads(threads_, [&](int) { return importEnvironment(options.path, options.import(), &context_); });
   bar_.clear();
+  file_ = environment;
   if (!quiet_)
     for (const Text& note : environment->notes) std::cerr << "footfall: note: " << note.str() << '\n';
   std::vector<PartRule> rules;
@@ -47,9 +49,10 @@ std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions
 }
 
 RunResult CommandSession::run(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
-                              const PipelineOptions& options, ResultCache* cache) {
+                              const PipelineOptions& options, ResultCache* cache, CellExchange* exchange) {
   begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline.steps, true, &PipelineStep::enabled)));
   try {
+    if (exchange != nullptr) return runTogether(environment, pipeline, context_, *exchange, threads_);
     return runPipeline(environment, pipeline, context_, cache, threads_);
   } catch (const InputError& error) {
     // The runner knows the line, but not the file that it is in.

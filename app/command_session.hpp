@@ -11,6 +11,7 @@
 #include "app/command_options.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
+#include "core/distributed/cell_exchange.hpp"
 #include "footfall/run.hpp"
 
 namespace footfall::app {
@@ -19,8 +20,8 @@ namespace footfall::app {
 /// functions throw InputError, RunError or Cancelled.
 class CommandSession {
  public:
-  /// `threads` 0: as many as the machine has.
-  explicit CommandSession(int threads = 0, bool quiet = false);
+  /// `threads` 0: as many as the machine has. `showsBar`: the bar needs no terminal.
+  explicit CommandSession(int threads = 0, bool quiet = false, bool showsBar = false);
 
   [[nodiscard]] RunContext& context() { return context_; }
 
@@ -32,9 +33,9 @@ class CommandSession {
   /// Imports the environment and gives its parts their roles. InputError also when a name means nothing or nothing is
   /// left.
   std::shared_ptr<const Environment> load(const EnvironmentOptions& options);
-  /// Runs the pipeline; errors name its file.
+  /// Runs the pipeline, with `exchange` as runTogether(); errors name its file.
   RunResult run(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
-                const PipelineOptions& options, ResultCache* cache = nullptr);
+                const PipelineOptions& options, ResultCache* cache = nullptr, detail::CellExchange* exchange = nullptr);
 
  private:
   int threads_;
@@ -42,6 +43,7 @@ class CommandSession {
   std::optional<tbb::global_control> limit_;
   ProgressBar bar_;
   RunContext context_;
+  std::shared_ptr<const Environment> file_;  ///< as it was read: floor plans look for its doors
   InterruptWatcher watcher_;
 };
 

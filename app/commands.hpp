@@ -10,8 +10,10 @@ namespace footfall::app {
 // Callbacks of the commands throw InputError (usage or input), RunError or Cancelled. Each file is written as a whole
 // or stays as it was.
 
-/// `footfall run`: loads, runs the pipeline, exports.
-void addRunCommand(CLI::App& app);
+class RunProgram;  // app/run_program.hpp
+
+/// `footfall run`: loads, runs the pipeline, exports. `program` lives as long as the command.
+void addRunCommand(CLI::App& app, RunProgram& program);
 /// `footfall why`: why a place of an environment is walkable, or why not.
 void addWhyCommand(CLI::App& app);
 /// `footfall info`: what an environment holds.

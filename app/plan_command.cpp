@@ -6,7 +6,7 @@
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
-#include "core/io/export.hpp"
+#include "core/io/output_files.hpp"
 #include "core/report/floor_plan.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/pipeline.hpp"
@@ -66,19 +66,14 @@ std::string drawPlan(const PlanCommandOptions& options) {
   const RunResult run = session.run(environment, *pipeline, options.pipeline);
 
   session.begin("drawing");
-  const std::vector<PlanFile> files =
+  const std::vector<OutputFile> files =
       makePlanFiles(*environment, *pipeline, *run.mesh, options.output, plan, session.context());
   std::string written;
-  // Nothing is written unless all of it may be.
-  for (const PlanFile& file : files) {
+  for (const OutputFile& file : files) {
     targets.check(file.path);
-    checkWritable(file.path);
-  }
-  for (const PlanFile& file : files) {
-    session.context().checkCancelled();
-    writeFileSafely(file.path, file.bytes);
     written += file.path + '\n';
   }
+  writeFilesSafely(files, session.context());
   session.end();
   return options.quiet ? std::string() : written;
 }
@@ -108,15 +103,7 @@ void addPlanCommand(CLI::App& app) {
                   "the smallest that holds it")
       ->check(CLI::IsMember({"A4", "A3", "A2", "A1", "A0"}, CLI::ignore_case))
       ->type_name(kPaperNames);
-  command
-      .add_option("--part", options->part,
-                  "Of polygons, write this connected part alone; 1 is the largest, as `footfall run` lists them")
-      ->check(CLI::Range(1U, 0x7fffffffU))
-      ->type_name("N");
-  command
-      .add_option("--crs", options->coordinateSystem,
-                  "The coordinate system that GeoJSON is to name, where the environment is in one; nothing is moved")
-      ->type_name("EPSG:N");
+  addPolygonOptions(command, options->part, options->coordinateSystem);
   command.add_flag("--black-and-white", options->blackAndWhite, "Without colours, for printing");
   command.add_flag("--quiet", options->quiet, "No progress bar, and no list of files");
   command.callback([options] { print(drawPlan(*options)); });

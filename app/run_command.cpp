@@ -6,6 +6,7 @@
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
+#include "app/run_program.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/inspect/parameter_check.hpp"
@@ -31,6 +32,7 @@ struct RunOptions {
   std::string output;  ///< in one of exportFormats(); empty, as the next ones: not written
   ExportOptions exported;
   std::string exportUp;
+  std::uint32_t part = 0;  ///< from 1; 0: all
   std::string statistics, trace, report;
   bool speedUp = false;
   bool quiet = false;
@@ -48,7 +50,7 @@ void addExportOptions(CLI::App& command, RunOptions& options) {
   leaveOut("--no-steps", exported.steps, "Leave out the faces of steps");
   leaveOut("--no-drops", exported.drops, "Leave out the lines of drops");
   addUpAxis(command, "--export-up", options.exportUp,
-            "Up axis of an OBJ export; the environment's when left out. All other formats are Y up");
+            "Up axis of an OBJ export; the environment's when left out. All other formats have one");
   command
       .add_option("--export-scale", exported.scale,
                   "Multiply the coordinates of the export; 1 (the default) keeps the environment's units, in which OBJ "
@@ -59,6 +61,7 @@ void addExportOptions(CLI::App& command, RunOptions& options) {
       ->type_name("VERSION");
   command.add_flag("--navmesh-node", exported.navmeshNode,
                    "Of glTF: one mesh, whose node is \"walkable-navmesh\", which Godot imports as a navigation region");
+  addPolygonOptions(command, options.part, exported.coordinateSystem);
 }
 
 /// ".obj: OBJ, ...", a line for each format.
@@ -73,7 +76,7 @@ std::string formatHelp() {
 }
 
 /// What is in the result and the file does not hold, in one line on stderr.
-void tellLosses(const NavigationMesh& mesh, const RunOptions& options, double error) {
+void printLosses(const NavigationMesh& mesh, const RunOptions& options, double error) {
   const Text lost = lossesOf(exportFormatOf(options.output), mesh, options.exported);
   std::string line = lost.empty() ? std::string() : "the format cannot hold " + lost.str();
   // What nobody sees is not told: floats are a tenth of a millimetre apart at 1 km.
@@ -84,8 +87,12 @@ void tellLosses(const NavigationMesh& mesh, const RunOptions& options, double er
   if (!line.empty()) std::cerr << "footfall: note: " << options.output << ": " << line << '\n';
 }
 
-void checkTargets(const RunOptions& options) {
-  if (!options.output.empty()) checkReplaced(options.output);
+/// The export's own files among them, as far as they are known: layers of polygons are counted by the run.
+WriteTargets checkTargets(const RunOptions& options) {
+  if (!options.output.empty()) {
+    checkReplaced(options.output);
+    checkOptions(exportFormatOf(options.output), options.exported);
+  }
   checkEnding(options.statistics, "--stats", ".json");
   checkEnding(options.trace, "--trace", ".json");
   checkEnding(options.report, "--report", ".html");
@@ -95,10 +102,22 @@ void checkTargets(const RunOptions& options) {
   targets.add(options.trace, FOOTFALL_TEXT("the timeline"));
   targets.add(options.report, FOOTFALL_TEXT("the report"));
   checkScale(options.exported, {});
+  return targets;
+}
+
+/// Returns by how much rounding moved coordinates, in metres.
+double writeExport(const RunOptions& options, const NavigationMesh& mesh, const Pipeline& pipeline,
+                   const WriteTargets& targets, const RunContext& context) {
+  const ExportFiles made = formatExport(exportFormatOf(options.output), options.output, mesh,
+                                        makeExportHeader(pipeline), options.exported, {}, context);
+  for (const OutputFile& file : made.files) targets.check(file.path);
+  checkReplaced(options.output);
+  writeFilesSafely(made.files, context);
+  return made.largestError;
 }
 
 /// What the numbers of the pipeline will do to the level that nobody wants, on stderr.
-void tellNotes(const Environment& environment, const Pipeline& pipeline, CommandSession& session) {
+void printNotes(const Environment& environment, const Pipeline& pipeline, CommandSession& session) {
   session.begin("checking");
   const std::vector<ParameterNote> notes = checkParameters(measureLevel(environment, session.context()), pipeline);
   session.end();
@@ -109,29 +128,29 @@ void tellNotes(const Environment& environment, const Pipeline& pipeline, Command
 }
 
 /// Returns the summary for stdout, empty when quiet.
-std::string runAndExport(const RunOptions& options) {
+std::string runAndExport(const RunOptions& options, CommandSession& session, RunProgram& program) {
   const Stopwatch total;
   ProgramTimes times;
-  checkTargets(options);
+  const WriteTargets targets = program.writes() ? checkTargets(options) : WriteTargets();
   std::optional<Pipeline> pipeline = options.pipeline.given();
-  CommandSession session(options.threads, options.quiet);
   RunContext& context = session.context();
 
   const Stopwatch loading;
   const std::shared_ptr<const Environment> environment = session.load(options.environment);
   times.loadMs = loading.wallMs();
   if (!pipeline) pipeline = defaultPipeline(*environment);
-  if (!options.quiet) tellNotes(*environment, *pipeline, session);
-  const RunResult result = session.run(environment, *pipeline, options.pipeline);
+  if (!options.quiet) printNotes(*environment, *pipeline, session);
+  const RunResult result = program.run(session, environment, *pipeline, options.pipeline, times.loadMs);
+  if (!program.writes()) return {};
 
   if (!options.output.empty()) {
     const Stopwatch exporting;
     session.begin("exporting");
     context.checkCancelled();
-    const double error = save(*result.mesh, options.output, options.exported, makeExportHeader(*pipeline));
+    const double error = writeExport(options, *result.mesh, *pipeline, targets, context);
     times.exportMs = exporting.wallMs();
     session.end();
-    if (!options.quiet) tellLosses(*result.mesh, options, error);
+    if (!options.quiet) printLosses(*result.mesh, options, error);
   }
   times.totalMs = total.wallMs();
   if (options.speedUp) {
@@ -143,18 +162,31 @@ std::string runAndExport(const RunOptions& options) {
     context.checkCancelled();
     writeFileSafely(path, format());
   };
-  write(options.statistics, [&] { return formatStatistics(*environment, result, times); });
+  write(options.statistics, [&] { return program.statistics(formatStatistics(*environment, result, times)); });
   write(options.report, [&] {
     return formatHtmlReport(*environment, *pipeline, result, times, {reportDate(), {}, {}});
   });
-  write(options.trace, [&] { return formatTrace(result); });
+  write(options.trace, [&] { return program.trace(formatTrace(result)); });
   session.end();
-  return options.quiet ? std::string() : formatSummary(*environment, result, times);
+  return options.quiet ? std::string() : program.summary(formatSummary(*environment, result, times));
+}
+
+void runAs(RunProgram& program, RunOptions& options) {
+  options.exported.up = upAxisFrom(options.exportUp);
+  if (options.part > 0) options.exported.part = options.part - 1;
+  program.begin(options.threads);
+  options.quiet = options.quiet || !program.writes();
+  CommandSession session(options.threads, options.quiet, program.showsProgress());
+  program.setContext(&session.context());
+  const auto forget = [](RunProgram* running) { running->setContext(nullptr); };
+  const std::unique_ptr<RunProgram, decltype(forget)> forgotten(&program, forget);
+  print(runAndExport(options, session, program));
+  program.end();
 }
 
 }  // namespace
 
-void addRunCommand(CLI::App& app) {
+void addRunCommand(CLI::App& app, RunProgram& program) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App& command = *app.add_subcommand("run", "Run a pipeline over an environment");
   options->environment.addTo(command);
@@ -175,10 +207,8 @@ void addRunCommand(CLI::App& app) {
                    "Also run everything three times more, and three times on one thread without parallel blocks, to "
                    "tell the speed-up");
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
-  command.callback([options] {
-    options->exported.up = upAxisFrom(options->exportUp);
-    print(runAndExport(*options));
-  });
+  program.addOptions(command);
+  command.callback([options, &program] { runAs(program, *options); });
 }
 
 }  // namespace footfall::app

@@ -17,12 +17,14 @@ packages=(
   fonts-dejavu-core libegl-dev libgl-dev libgl1-mesa-dri libglu1-mesa-dev libopengl-dev libqcustomplot-dev
   libqt6opengl6-dev qmake6 qt6-base-dev qt6-base-dev-tools qt6-l10n-tools qt6-qpa-plugins qt6-svg-dev
   qt6-tools-dev qt6-tools-dev-tools qt6-translations-l10n
+  # footfall-mpi
+  libopenmpi-dev openmpi-bin
   # the Python package
   pybind11-dev python3-dev python3-numpy
   # the package: icons in all sizes, checks of its files, a clean root to install it in
   appstream debian-archive-keyring desktop-file-utils gzip librsvg2-bin man-db mmdebstrap shared-mime-info
   # testing
-  clang-format librapidcheck-dev xauth xvfb
+  clang-format librapidcheck-dev poppler-utils python3-shapely xauth xvfb
   # peers that the benchmark compares with
   libembree-dev librecast-dev
 )

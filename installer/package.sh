@@ -11,7 +11,8 @@ say "building"
 cmake --build --preset release -j "$(build_jobs)" --target installable
 
 say "Debian packages"
-rm -f -- "${repository}"/build/footfall_*.deb "${repository}"/build/python3-footfall_*.deb
+rm -f -- "${repository}"/build/footfall_*.deb "${repository}"/build/python3-footfall_*.deb \
+  "${repository}"/build/footfall-mpi_*.deb
 rm -rf -- "${repository}/build/release/package"
 quietly "${repository}/build/release/package.log" cpack --config build/release/CPackConfig.cmake -G DEB \
   -B "${repository}/build/release/package"

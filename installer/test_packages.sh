@@ -14,12 +14,14 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 shopt -s nullglob
 debs=("${repository}"/build/footfall_*.deb)
 python_debs=("${repository}"/build/python3-footfall_*.deb)
+mpi_debs=("${repository}"/build/footfall-mpi_*.deb)
 archives=("${repository}"/build/footfall-*.tar.gz)
 [ "${#debs[@]}" -eq 1 ] || fail "build/ does not hold exactly one footfall_*.deb; run installer/package.sh first"
 [ "${#python_debs[@]}" -eq 1 ] ||
   fail "build/ does not hold exactly one python3-footfall_*.deb; run installer/package.sh first"
+[ "${#mpi_debs[@]}" -eq 1 ] || fail "build/ does not hold exactly one footfall-mpi_*.deb; run installer/package.sh first"
 [ "${#archives[@]}" -eq 1 ] || fail "build/ does not hold exactly one footfall-*.tar.gz; run installer/package.sh first"
-deb="${debs[0]}" python_deb="${python_debs[0]}" archive="${archives[0]}"
+deb="${debs[0]}" python_deb="${python_debs[0]}" mpi_deb="${mpi_debs[0]}" archive="${archives[0]}"
 portable="$(basename -- "${archive}" .tar.gz)"
 pictures="${repository}/build/package-test"
 rm -rf -- "${pictures}"
@@ -68,6 +70,14 @@ grep -qxE "\./${module}/_core\.cpython-[0-9]+-.*\.so" <<<"${contents}" || fail "
 if grep -E '\.(hpp|a|cmake|pyc)$|/include/|/bin/' <<<"${contents}"; then fail "the Python package holds the files above"; fi
 if dpkg-deb --contents "${python_deb}" | grep -v ' root/root '; then fail "the files above do not belong to root"; fi
 dpkg-deb --extract "${python_deb}" "${scratch}/extracted-python"
+
+say "contents of $(basename -- "${mpi_deb}")"
+dpkg-deb --info "${mpi_deb}" | sed -n '/^ Package:/,$p'
+contents="$(dpkg-deb --contents "${mpi_deb}" | awk '{ print $6 }')"
+for wanted in usr/bin/footfall-mpi usr/share/man/man1/footfall-mpi.1.gz usr/share/doc/footfall-mpi/copyright; do
+  grep -qxF "./${wanted}" <<<"${contents}" || fail "the package of footfall-mpi lacks ${wanted}"
+done
+dpkg-deb --field "${mpi_deb}" Depends | grep -q openmpi || fail "the package of footfall-mpi does not ask for MPI"
 
 # --- What a user does, in the root or out of it: NAME COMMAND... with the programs' folder in front of PATH -------------
 # Runs the command line and the editor on a sample: PREFIX-COMMAND... is put before each. Leaves pictures.
@@ -164,7 +174,13 @@ if problem="$(make_root)"; then
   use_python python /usr/share/footfall/samples /tmp/results in_root
   cmp "${root}/tmp/results/house-python.obj" "${root}/tmp/results/house-package.obj" ||
     fail "Python's export of the house is not the program's"
-  in_root man -w footfall footfall-editor >/dev/null || fail "the man pages are not found"
+  # Without /proc and shared memory MPI cannot start there; that everything it links to is there is what can be said.
+  say "the package of footfall-mpi with its dependencies"
+  "${as_root[@]}" cp -- "${mpi_deb}" "${root}/tmp/footfall-mpi.deb"
+  quietly "${pictures}/install-mpi.log" in_root apt-get install -y --no-install-recommends /tmp/footfall-mpi.deb
+  in_root sh -c 'command -v mpirun' >/dev/null || fail "footfall-mpi is there and mpirun is not"
+  if in_root ldd /usr/bin/footfall-mpi | grep "not found"; then fail "footfall-mpi lacks the libraries above"; fi
+  in_root man -w footfall footfall-editor footfall-mpi >/dev/null || fail "the man pages are not found"
   [ "$(in_root man -P cat footfall 2>&1 | wc -l)" -gt 40 ] || fail "man footfall shows nearly nothing"
   in_root update-desktop-database
   in_root update-mime-database /usr/share/mime
@@ -176,14 +192,15 @@ if problem="$(make_root)"; then
 
   # man keeps formatted pages for a while; they are not the package's.
   say "removing the packages"
-  quietly "${pictures}/remove.log" in_root apt-get purge -y footfall python3-footfall
+  quietly "${pictures}/remove.log" in_root apt-get purge -y footfall python3-footfall footfall-mpi
   left="$("${as_root[@]}" find "${root}" -xdev -path "${root}/tmp" -prune -o -path "${root}/var/log" -prune -o -path "${root}/var/cache/man" -prune -o \
     -iname '*footfall*' -print)"
   [ -z "${left}" ] || fail "after the removal these are left: ${left}"
   quietly "${pictures}/autoremove.log" in_root apt-get autoremove --purge -y
   list_root >"${scratch}/after"
-  # The databases of MIME types and desktop entries are the system's; the updates above wrote them.
-  left="$(comm -13 "${scratch}/before" "${scratch}/after" | grep -Ev '^usr/share/(mime/|applications/mimeinfo.cache)|^etc/ld.so.cache' || true)"
+  # The databases of MIME types and desktop entries are the system's; the updates above wrote them. So are the copies
+  # (passwd-, gshadow-, ...) that its tools keep when a package that Open MPI needs makes a group of its own.
+  left="$(comm -13 "${scratch}/before" "${scratch}/after" | grep -Ev '^usr/share/(mime/|applications/mimeinfo.cache)|^etc/ld.so.cache|^etc/(passwd|group|shadow|gshadow)-$' || true)"
   [ -z "${left}" ] || fail "after the removal these are left: ${left}"
   grep -q footfall "${root}/usr/share/applications/mimeinfo.cache" "${root}/usr/share/mime/globs2" 2>/dev/null &&
     fail "the desktop still knows the types of the removed package"

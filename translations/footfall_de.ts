@@ -928,10 +928,6 @@
         <translation>import: „up“ ist „%1“; geben Sie y, z, x, -y, -z oder -x an</translation>
     </message>
     <message>
-        <source>lengths are in &apos;%1&apos;; give metres, feet or file</source>
-        <translation>Längen sind in „%1“; geben Sie metres, feet oder file an</translation>
-    </message>
-    <message>
         <source>the result needs %1 bytes, more than a .glb can hold; export as .obj or .gltf</source>
         <translation>das Ergebnis braucht %1 Bytes, mehr als eine .glb-Datei fasst; als .obj oder .gltf exportieren</translation>
     </message>
@@ -1390,6 +1386,118 @@
     <message>
         <source>the PDF file cannot be made: error %1 of libharu</source>
         <translation>die PDF-Datei kann nicht erzeugt werden: Fehler %1 von libharu</translation>
+    </message>
+    <message>
+        <source>rank %1: %2</source>
+        <translation>Rang %1: %2</translation>
+    </message>
+    <message>
+        <source>this rank works on something else than rank 0: another file of the environment, another pipeline or another version of the program; give all ranks the same</source>
+        <translation>Dieser Rang arbeitet an etwas anderem als Rang 0: an einer anderen Datei der Umgebung, einer anderen Pipeline oder mit einer anderen Version des Programms; geben Sie allen Rängen dasselbe</translation>
+    </message>
+    <message>
+        <source>%1. The run goes on; if it is killed, this part is lost</source>
+        <translation>%1. Der Lauf geht weiter; wird er abgebrochen, ist dieser Teil verloren</translation>
+    </message>
+    <message>
+        <source>%1: this folder for shares cannot be made (%2); name a folder that can be written</source>
+        <translation>%1: Dieser Ordner für Anteile kann nicht angelegt werden (%2); nennen Sie einen Ordner, in den geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>%1 %2; its cell runs again</source>
+        <translation>%1 %2; die Zelle wird noch einmal berechnet</translation>
+    </message>
+    <message>
+        <source>Well-known text: polygons with holes, metres</source>
+        <translation>Well-known Text: Polygone mit Löchern, Meter</translation>
+    </message>
+    <message>
+        <source>polygons with holes, a file for each layer, in doubles; connections, steps, gaps, drops and thin walls as lines in another file</source>
+        <translation>Polygone mit Löchern, eine Datei für jede Schicht, in doppelter Genauigkeit; Übergänge, Stufen, Lücken, Sprünge nach unten und dünne Wände als Linien in einer weiteren Datei</translation>
+    </message>
+    <message>
+        <source>heights, triangles, what links lead to, the agent, placed obstacles</source>
+        <translation>Höhen, Dreiecke, wohin Verbindungen führen, den Agenten, gesetzte Hindernisse</translation>
+    </message>
+    <message>
+        <source>GeoJSON: polygons with holes, metres</source>
+        <translation>GeoJSON: Polygone mit Löchern, Meter</translation>
+    </message>
+    <message>
+        <source>polygons with holes and heights, layer, part and area of each, in doubles; connections, steps, gaps, drops and thin walls as lines</source>
+        <translation>Polygone mit Löchern und Höhen, je mit Schicht, Teil und Flächeninhalt, in doppelter Genauigkeit; Übergänge, Stufen, Lücken, Sprünge nach unten und dünne Wände als Linien</translation>
+    </message>
+    <message>
+        <source>triangles, the agent, placed obstacles</source>
+        <translation>Dreiecke, den Agenten, gesetzte Hindernisse</translation>
+    </message>
+    <message>
+        <source>a file that ends in %1 has no choice of %2; leave that out</source>
+        <translation>eine Datei, die auf %1 endet, lässt keine Wahl zu: %2; lassen Sie das weg</translation>
+    </message>
+    <message>
+        <source>an up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>a version of Godot</source>
+        <translation>Version von Godot</translation>
+    </message>
+    <message>
+        <source>a node for Godot</source>
+        <translation>Knoten für Godot</translation>
+    </message>
+    <message>
+        <source>a connected part</source>
+        <translation>zusammenhängender Teil</translation>
+    </message>
+    <message>
+        <source>a coordinate system</source>
+        <translation>Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>there is no connected part %1, the last is %2; choose another one</source>
+        <translation>es gibt keinen zusammenhängenden Teil %1, der letzte ist %2; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>its glTF is damaged</source>
+        <translation>seine glTF-Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>the share of cell %1 that arrived cannot be used (%2); run again without the work folder</source>
+        <translation>Der angekommene Anteil der Zelle %1 ist nicht zu gebrauchen (%2); starten Sie noch einmal ohne den Arbeitsordner</translation>
+    </message>
+    <message>
+        <source>a drawing to scale, all pages in one file: walkable area, walls, steps, drops, doors, areas</source>
+        <translation>eine Zeichnung im Maßstab, alle Seiten in einer Datei: begehbare Fläche, Wände, Stufen, Sprünge nach unten, Türen, Flächeninhalte</translation>
+    </message>
+    <message>
+        <source>a drawing to scale, a file for each page: walkable area, walls, steps, drops, doors, areas</source>
+        <translation>eine Zeichnung im Maßstab, eine Datei für jede Seite: begehbare Fläche, Wände, Stufen, Sprünge nach unten, Türen, Flächeninhalte</translation>
+    </message>
+    <message>
+        <source>what programs could go on with; letters beyond Western Europe&apos;s</source>
+        <translation>womit Programme weiterrechnen könnten; Buchstaben außerhalb Westeuropas</translation>
+    </message>
+    <message>
+        <source>what programs could go on with: heights, what is connected</source>
+        <translation>womit Programme weiterrechnen könnten: Höhen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>this program was built without libharu and cannot write .pdf; install libhpdf-dev and build it again, or draw the plan as .svg</source>
+        <translation>dieses Programm wurde ohne libharu gebaut und kann kein .pdf schreiben; installieren Sie libhpdf-dev, und bauen Sie es neu, oder zeichnen Sie den Plan als .svg</translation>
+    </message>
+    <message>
+        <source>lengths are in &apos;%1&apos;; give metres, millimetres, feet or file</source>
+        <translation>Längen sind in „%1“; geben Sie metres, millimetres, feet oder file an</translation>
+    </message>
+    <message>
+        <source>%1: not written, as it was cancelled; export again</source>
+        <translation>%1: nicht geschrieben, weil abgebrochen wurde; exportieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: is there already; export with the dialog, which asks whether to replace it</source>
+        <translation>%1: Diese Datei gibt es schon; exportieren Sie über den Dialog, der fragt, ob sie ersetzt werden soll</translation>
     </message>
 </context>
 <context>
@@ -2522,6 +2630,14 @@
         <source>The default of Recast&apos;s demo: 2 m, slopes up to 45°, steps up to 0.9 m, a radius of 0.6 m</source>
         <translation>Voreinstellung der Demo von Recast: 2 m, Neigungen bis 45°, Stufen bis 0,9 m, ein Radius von 0,6 m</translation>
     </message>
+    <message>
+        <source>M&amp;illimetres</source>
+        <translation>M&amp;illimeter</translation>
+    </message>
+    <message>
+        <source>Show and type lengths in millimetres, and areas in square metres, where the scale of the level is known</source>
+        <translation>Längen in Millimetern und Flächen in Quadratmetern zeigen und eingeben, wo der Maßstab des Levels bekannt ist</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::AgentModel</name>
@@ -2738,12 +2854,12 @@
         <translation>Fügt die Filter, die Agenten steuern, vor allen anderen hinzu; Stufen und Sprünge hinter der Durchgangshöhe</translation>
     </message>
     <message>
-        <source>An agent is the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare what each can reach.</source>
-        <translation>Ein Agent ist die Größen, denen die Filter folgen: Höhe, Neigung, Stufe, Lücke, Radius und Sprung. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
-    </message>
-    <message>
         <source>The filter &apos;%1&apos; has no place in the list: %2</source>
         <translation>Der Filter „%1“ hat keinen Platz in der Liste: %2</translation>
+    </message>
+    <message>
+        <source>An agent has the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare what each can reach.</source>
+        <translation>Ein Agent hat die Maße, denen die Filter folgen: Höhe, Neigung, Stufe, Lücke, Radius und Sprung. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
     </message>
 </context>
 <context>
@@ -3495,10 +3611,6 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop loading or running; the last result stays (Esc)</source>
-        <translation>Laden oder Lauf anhalten; das letzte Ergebnis bleibt (Esc)</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -3732,7 +3844,7 @@
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>&amp;Felder</translation>
+        <translation>&amp;Tafeln</translation>
     </message>
     <message>
         <source>Selected &amp;filters</source>
@@ -3761,6 +3873,18 @@
     <message>
         <source>%1. Not written: %2</source>
         <translation>%1. Nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Give the window all of the screen, or take that back</source>
+        <translation>Das Fenster den ganzen Bildschirm füllen lassen oder das zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Stop loading, running or exporting; the last result stays (Esc)</source>
+        <translation>Laden, Lauf oder Export anhalten; das letzte Ergebnis bleibt (Esc)</translation>
     </message>
 </context>
 <context>
@@ -3798,10 +3922,6 @@
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>The format of the file</source>
-        <translation>Das Format der Datei</translation>
     </message>
     <message>
         <source>The file to write; its ending chooses the format</source>
@@ -3878,10 +3998,6 @@
     <message>
         <source>File</source>
         <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Format</translation>
     </message>
     <message>
         <source>Content</source>
@@ -3984,10 +4100,6 @@
         <translation>Stufen als Flächen</translation>
     </message>
     <message>
-        <source>Faces between the two borders of each step, over their vertices</source>
-        <translation>Flächen zwischen den beiden Rändern jeder Stufe, über deren Ecken</translation>
-    </message>
-    <message>
         <source>step</source>
         <translation>Stufe</translation>
     </message>
@@ -4020,10 +4132,6 @@
         <translation>Sprünge</translation>
     </message>
     <message>
-        <source>Which axis points up in the export; all formats but OBJ are always Y up</source>
-        <translation>Welche Achse im Export nach oben zeigt; alle Formate außer OBJ haben immer Y oben</translation>
-    </message>
-    <message>
         <source>Coordinates are multiplied with it. 1 keeps the file&apos;s units (metres in all formats but OBJ), and OBJ exact; other scales than powers of two round once more.</source>
         <translation>Koordinaten werden damit multipliziert. 1 behält die Einheiten der Datei (Meter in allen Formaten außer OBJ) und OBJ exakt; andere Maßstäbe als Zweierpotenzen runden noch einmal.</translation>
     </message>
@@ -4032,24 +4140,76 @@
         <translation>„.%1“ ist kein Format, das geschrieben werden kann; der Name muss auf eines von %2 enden.</translation>
     </message>
     <message>
-        <source>The format loses: %1.</source>
-        <translation>Das Format verliert: %1.</translation>
-    </message>
-    <message>
         <source>The format has floats: coordinates move by up to %1 m</source>
         <translation>Das Format hat einfache Genauigkeit: Koordinaten bewegen sich um bis zu %1 m</translation>
+    </message>
+    <message>
+        <source>What the file is for; options are remembered for each of them</source>
+        <translation>Wofür die Datei ist; die Einstellungen werden für jedes Ziel gemerkt</translation>
+    </message>
+    <message>
+        <source>Faces between the two borders of each step, over their vertices; lines beside polygons</source>
+        <translation>Flächen zwischen den beiden Rändern jeder Stufe, über deren Ecken; bei Polygonen Linien</translation>
+    </message>
+    <message>
+        <source>Which axis points up in an OBJ; other formats have one</source>
+        <translation>Welche Achse in einer OBJ nach oben zeigt; andere Formate haben eine feste</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>One connected part alone, by its number in the panel Components; 1 is the largest</source>
+        <translation>Nur ein zusammenhängender Teil, nach seiner Nummer in der Tafel Teile; 1 ist der größte</translation>
+    </message>
+    <message>
+        <source>The coordinate system that GeoJSON is to name, where the environment is in one; nothing is moved</source>
+        <translation>Das Koordinatensystem, das GeoJSON nennen soll, wo die Umgebung in einem liegt; nichts wird verschoben</translation>
+    </message>
+    <message>
+        <source>Connected part</source>
+        <translation>Zusammenhängender Teil</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Für</translation>
+    </message>
+    <message>
+        <source>Keeps</source>
+        <translation>Behält</translation>
+    </message>
+    <message>
+        <source>Loses</source>
+        <translation>Verliert</translation>
+    </message>
+    <message>
+        <source>This program was built without Detour and cannot write .bin; choose another target.</source>
+        <translation>Dieses Programm wurde ohne Detour gebaut und kann kein .bin schreiben; wählen Sie ein anderes Ziel.</translation>
+    </message>
+    <message>
+        <source>Polygons.</source>
+        <translation>Polygone.</translation>
+    </message>
+    <message>
+        <source>A file for each layer</source>
+        <translation>Eine Datei für jede Schicht</translation>
+    </message>
+    <message>
+        <source>Steps as lines</source>
+        <translation>Stufen als Linien</translation>
+    </message>
+    <message>
+        <source>%1 files, the first is %2</source>
+        <translation>%1 Dateien, die erste ist %2</translation>
     </message>
 </context>
 <context>
     <name>footfall::ui::ExportTexts</name>
-    <message>
-        <source>PNG: the view as a picture</source>
-        <translation>PNG: die Ansicht als Bild</translation>
-    </message>
-    <message>
-        <source>HTML: a report with figures and pictures</source>
-        <translation>HTML: ein Bericht mit Zahlen und Bildern</translation>
-    </message>
     <message>
         <source>As on the screen</source>
         <translation>Wie auf dem Bildschirm</translation>
@@ -4065,6 +4225,62 @@
     <message>
         <source>4K, 3840 × 2160</source>
         <translation>4K, 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Any program: OBJ, exact</source>
+        <translation>Jedes Programm: OBJ, exakt</translation>
+    </message>
+    <message>
+        <source>Unreal, Unity and other engines: glTF</source>
+        <translation>Unreal, Unity und andere Engines: glTF</translation>
+    </message>
+    <message>
+        <source>Godot 4: navigation mesh</source>
+        <translation>Godot 4: Navigationsnetz</translation>
+    </message>
+    <message>
+        <source>Godot 3: navigation mesh</source>
+        <translation>Godot 3: Navigationsnetz</translation>
+    </message>
+    <message>
+        <source>Godot: glTF scene with a navigation region</source>
+        <translation>Godot: glTF-Szene mit einer Navigationsregion</translation>
+    </message>
+    <message>
+        <source>Recast and Detour: tile set</source>
+        <translation>Recast und Detour: Kachelsatz</translation>
+    </message>
+    <message>
+        <source>Blender: glTF</source>
+        <translation>Blender: glTF</translation>
+    </message>
+    <message>
+        <source>Browsers and scripts: glTF as text</source>
+        <translation>Browser und Skripte: glTF als Text</translation>
+    </message>
+    <message>
+        <source>JuPedSim and other simulators: polygons</source>
+        <translation>JuPedSim und andere Simulatoren: Polygone</translation>
+    </message>
+    <message>
+        <source>Geographic programs: GeoJSON</source>
+        <translation>Geografische Programme: GeoJSON</translation>
+    </message>
+    <message>
+        <source>Printers: floor plan</source>
+        <translation>Drucker: Grundriss</translation>
+    </message>
+    <message>
+        <source>Drawing programs: floor plan</source>
+        <translation>Zeichenprogramme: Grundriss</translation>
+    </message>
+    <message>
+        <source>People: a picture of the view</source>
+        <translation>Menschen: ein Bild der Ansicht</translation>
+    </message>
+    <message>
+        <source>People: a report with figures and pictures</source>
+        <translation>Menschen: ein Bericht mit Zahlen und Bildern</translation>
     </message>
 </context>
 <context>
@@ -4415,100 +4631,6 @@
     </message>
 </context>
 <context>
-    <name>footfall::ui::FloorPlanDialog</name>
-    <message>
-        <source>Floor plan</source>
-        <translation>Grundriss</translation>
-    </message>
-    <message>
-        <source>&amp;Pages</source>
-        <translation>&amp;Seiten</translation>
-    </message>
-    <message>
-        <source>What each page of the plan shows</source>
-        <translation>Was jede Seite des Plans zeigt</translation>
-    </message>
-    <message>
-        <source>One for each storey</source>
-        <translation>Eine für jedes Geschoss</translation>
-    </message>
-    <message>
-        <source>One for each layer</source>
-        <translation>Eine für jede Schicht</translation>
-    </message>
-    <message>
-        <source>&amp;Scale</source>
-        <translation>&amp;Maßstab</translation>
-    </message>
-    <message>
-        <source>How large the plan is drawn</source>
-        <translation>Wie groß der Plan gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>As large as fits</source>
-        <translation>So groß wie möglich</translation>
-    </message>
-    <message>
-        <source>P&amp;aper</source>
-        <translation>P&amp;apier</translation>
-    </message>
-    <message>
-        <source>The size of a page</source>
-        <translation>Die Größe einer Seite</translation>
-    </message>
-    <message>
-        <source>As needed</source>
-        <translation>Nach Bedarf</translation>
-    </message>
-    <message>
-        <source>&amp;Colours</source>
-        <translation>&amp;Farben</translation>
-    </message>
-    <message>
-        <source>For the screen or for printing</source>
-        <translation>Für den Bildschirm oder zum Drucken</translation>
-    </message>
-    <message>
-        <source>In colour</source>
-        <translation>In Farbe</translation>
-    </message>
-    <message>
-        <source>Black and white</source>
-        <translation>Schwarzweiß</translation>
-    </message>
-    <message>
-        <source>Save as...</source>
-        <translation>Speichern unter...</translation>
-    </message>
-    <message>
-        <source>Choose the file, PDF or SVG, and draw the plan</source>
-        <translation>Die Datei wählen, PDF oder SVG, und den Plan zeichnen</translation>
-    </message>
-</context>
-<context>
-    <name>footfall::ui::FloorPlans</name>
-    <message>
-        <source>&amp;Floor plan...</source>
-        <translation>&amp;Grundriss...</translation>
-    </message>
-    <message>
-        <source>Draw plans of the storeys or layers to scale, as PDF or SVG</source>
-        <translation>Grundrisse der Geschosse oder Schichten im Maßstab zeichnen, als PDF oder SVG</translation>
-    </message>
-    <message>
-        <source>Save the floor plan</source>
-        <translation>Grundriss speichern</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf);;SVG, a file for each page (*.svg)</source>
-        <translation>PDF (*.pdf);;SVG, eine Datei für jede Seite (*.svg)</translation>
-    </message>
-    <message>
-        <source>%1: not drawn, as the filters have changed since the last run; run them first</source>
-        <translation>%1: nicht gezeichnet, da sich die Filter seit dem letzten Lauf geändert haben; sie zuerst ausführen</translation>
-    </message>
-</context>
-<context>
     <name>footfall::ui::FlyTool</name>
     <message>
         <source>Fly: W A S D move, Q and E down and up, the mouse looks, Shift faster, the wheel changes the speed (%1 units a second), Esc ends</source>
@@ -4616,10 +4738,6 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Ecken</translation>
     </message>
     <message>
-        <source>polygons</source>
-        <translation>Polygone</translation>
-    </message>
-    <message>
         <source>lines</source>
         <translation>Linien</translation>
     </message>
@@ -4658,10 +4776,6 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>vertex</source>
         <translation>Ecke</translation>
-    </message>
-    <message>
-        <source>polygon</source>
-        <translation>Polygon</translation>
     </message>
     <message>
         <source>line</source>
@@ -5052,6 +5166,10 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     <message>
         <source>%1 up</source>
         <translation>%1 oben</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -5639,6 +5757,10 @@ Grundriss %2, Höhe %3
         <source>Extent upward, in %1</source>
         <translation>Ausdehnung nach oben, in %1</translation>
     </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::OverlayFrame</name>
@@ -5649,6 +5771,21 @@ Grundriss %2, Höhe %3
     <message>
         <source>Fold; drag to move, double click to put it back</source>
         <translation>Einklappen; Ziehen verschiebt, ein Doppelklick setzt sie zurück</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::ParameterHandles</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (here %3)</source>
+        <translation>%1: %2 (hier %3)</translation>
+    </message>
+    <message>
+        <source>Drag the handle to change the value. Shift: finer, Esc: back.</source>
+        <translation>Den Griff ziehen, um den Wert zu ändern. Umschalt: feiner, Esc: zurück.</translation>
     </message>
 </context>
 <context>
@@ -6105,6 +6242,65 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::PlanChoices</name>
+    <message>
+        <source>&amp;Pages</source>
+        <translation>&amp;Seiten</translation>
+    </message>
+    <message>
+        <source>What each page of the plan shows</source>
+        <translation>Was jede Seite des Plans zeigt</translation>
+    </message>
+    <message>
+        <source>One for each storey</source>
+        <translation>Eine für jedes Geschoss</translation>
+    </message>
+    <message>
+        <source>One for each layer</source>
+        <translation>Eine für jede Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>How large the plan is drawn</source>
+        <translation>Wie groß der Plan gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>As large as fits</source>
+        <translation>So groß wie möglich</translation>
+    </message>
+    <message>
+        <source>P&amp;aper</source>
+        <translation>P&amp;apier</translation>
+    </message>
+    <message>
+        <source>The size of a page</source>
+        <translation>Die Größe einer Seite</translation>
+    </message>
+    <message>
+        <source>As needed</source>
+        <translation>Nach Bedarf</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>For the screen or for printing</source>
+        <translation>Für den Bildschirm oder zum Drucken</translation>
+    </message>
+    <message>
+        <source>In colour</source>
+        <translation>In Farbe</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Schwarzweiß</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::PresetStore</name>
     <message>
         <source>a preset &apos;%1&apos; is there already; choose another name</source>
@@ -6250,6 +6446,14 @@ Material: %2</translation>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
     </message>
+    <message>
+        <source>Replace %1 files, as far as they are written anew?</source>
+        <translation>%1 Dateien ersetzen, soweit sie neu geschrieben werden?</translation>
+    </message>
+    <message>
+        <source>They are in %1: %2. What is in them is lost.</source>
+        <translation>Sie liegen in %1: %2. Was darin steht, geht verloren.</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::ResultExport</name>
@@ -6288,6 +6492,14 @@ Material: %2</translation>
     <message>
         <source>Write every new result to the file of the last export, for a program beside that follows it</source>
         <translation>Jedes neue Ergebnis in die Datei des letzten Exports schreiben, für ein Programm daneben, das ihr folgt</translation>
+    </message>
+    <message>
+        <source>&amp;Floor plan...</source>
+        <translation>&amp;Grundriss...</translation>
+    </message>
+    <message>
+        <source>Draw plans of the storeys or layers to scale, as PDF or SVG</source>
+        <translation>Grundrisse der Geschosse oder Schichten im Maßstab zeichnen, als PDF oder SVG</translation>
     </message>
 </context>
 <context>
@@ -7139,10 +7351,6 @@ Material: %2</translation>
         <translation>Grund</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Setzen</translation>
-    </message>
-    <message>
         <source>Triangle</source>
         <translation>Dreieck</translation>
     </message>
@@ -7197,6 +7405,10 @@ Material: %2</translation>
     <message>
         <source>How far the nearest wall and the nearest ledge are, straight over the walkable area as it is before a radius narrows it, seen from above</source>
         <translation>Wie weit die nächste Wand und die nächste Kante sind, geradeaus über die begehbare Fläche, wie sie ist, bevor ein Radius sie verengt, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
     </message>
 </context>
 <context>

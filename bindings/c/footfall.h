@@ -258,11 +258,18 @@ typedef struct footfall_export_options {
   double scale;      /* coordinates are multiplied with it; 0: 1 */
   int without_steps; /* not 0: no faces for them */
   int without_drops; /* not 0: no lines for them */
+  int godot;         /* .tres: the version of Godot that is to read it, 3 or 4; 0: 4 */
+  int navmesh_node;  /* not 0, .gltf and .glb: one mesh, whose node is "walkable-navmesh", for Godot's importer */
+  /* .wkt and .geojson: this connected part alone, from 1 (the largest) on; 0: all */
+  uint32_t part;
+  /* .geojson: the coordinate system that the environment is in already, "EPSG:25832"; NULL: none is named */
+  const char* coordinate_system;
 } footfall_export_options;
 
-/* Writes .obj, .gltf, .glb, .bin (Detour) or .tres (Godot 4) by the ending of the name, beside it and renamed; OBJ is
- * in the frame of the environment's file, all others in metres and Y up. The bytes are those of `footfall run -o`.
- * `options` may be NULL. */
+/* Writes .obj, .gltf, .glb, .bin (Detour), .tres (Godot), .wkt or .geojson (polygons with holes) by the ending of the
+ * name, beside it and renamed; OBJ is in the frame of the environment's file, polygons in metres and Z up, all others
+ * in metres and Y up. The bytes are those of `footfall run -o`. An option that the format knows nothing of is an error.
+ * `options` may be NULL; what is not set in it must be 0. */
 FOOTFALL_API footfall_status footfall_save(const footfall_result* result, const char* path,
                                            const footfall_export_options* options);
 

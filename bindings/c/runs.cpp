@@ -152,6 +152,10 @@ footfall_status footfall_save(const footfall_result* result, const char* path, c
       exported.drops = options->without_drops == 0;
       exported.up = upAxisOf(options->up);
       if (options->scale != 0) exported.scale = options->scale;
+      if (options->godot != 0) exported.godot = options->godot;
+      exported.navmeshNode = options->navmesh_node != 0;
+      if (options->part != 0) exported.part = options->part - 1;
+      if (options->coordinate_system != nullptr) exported.coordinateSystem = options->coordinate_system;
     }
     save(result->mesh(), path, exported, makeExportHeader(result->pipeline));
   });

@@ -31,13 +31,30 @@ py::object statisticsOf(const Area& area) {
   return py::module_::import("json").attr("loads")(formatStatistics(*area.environment, area.result));
 }
 
-double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header, bool layers,
-                bool connections, bool obstacleEdges, bool steps, bool drops, const std::optional<std::string>& up,
-                double scale) {
-  const ExportOptions options{layers, connections, obstacleEdges, steps, upAxisFrom(up), scale, drops};
+double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header,
+                const ExportOptions& options) {
   const std::string name = path.string();
-  const py::gil_scoped_release unlocked;
-  return save(mesh, name, options, header);
+  return interruptible(py::none(),
+                       [&](RunContext& context) { return save(mesh, name, options, header, {}, &context); });
+}
+
+/// Defines `save`, whose options are those of ExportOptions. `headerOf` gives the comments.
+template <class Class, class HeaderOf>
+void defineSave(Class& type, const char* documentation, HeaderOf headerOf) {
+  using Self = typename Class::type;
+  define(
+      type, "save",
+      [headerOf](const Self& self, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
+                 bool steps, bool drops, const std::optional<std::string>& up, double scale, int godot,
+                 bool navmeshNode, std::optional<std::uint32_t> part, const std::optional<std::string>& system) {
+        return saveMesh(*self.data, path, headerOf(self),
+                        {layers, connections, obstacleEdges, steps, upAxisFrom(up), scale, drops, godot, navmeshNode,
+                         part, system.value_or(std::string())});
+      },
+      documentation, py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
+      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true, py::arg("up") = py::none(),
+      py::arg("scale") = 1.0, py::arg("godot") = 4, py::arg("navmesh_node") = false, py::arg("part") = py::none(),
+      py::arg("coordinate_system") = py::none());
 }
 
 std::shared_ptr<Mesh> meshFrom(const py::object& vertices, const py::object& triangles, const py::object& layers) {
@@ -196,24 +213,24 @@ places where one lands from them; in between both move evenly.)")
           "metres_per_unit", [](const Mesh& m) { return m.data->frame.metresPerUnit; },
           "Metres for each unit of the coordinates.")
       .def("__repr__", [](const Mesh& m) { return "<footfall.NavigationMesh: " + sizesOf(*m.data) + ">"; });
-  define(
-      mesh, "save",
-      [](const Mesh& m, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
-         bool steps, bool drops, const std::optional<std::string>& up, double scale) {
-        return saveMesh(*m.data, path, {}, layers, connections, obstacleEdges, steps, drops, up, scale);
-      },
-      R"(Write the mesh as OBJ (.obj), glTF (.gltf) or binary glTF (.glb), by the ending of `path`, in the frame and units
-of the environment's file. A file that is there is replaced as a whole, or stays as it was.
+  defineSave(
+      mesh,
+      R"(Write the mesh, in the format that the ending of `path` asks for: OBJ (.obj) in the frame and units of the
+environment's file; in metres and Y up glTF (.gltf, .glb), a tile set of Detour (.bin) or a NavigationMesh of Godot
+(.tres); in metres and Z up polygons with holes (.wkt, a file for each layer and one for links; .geojson). A file that
+is there is replaced as a whole, or stays as it was.
 
 layers: a group for each layer. connections, obstacle_edges: their lines, too. steps: the faces of `links`, too.
 drops: the lines of `drops`, too.
-up: another up axis ("z", "y", "x", "-z", "-y", "-x"). scale: a factor for coordinates, above 0.
+up: another up axis of an OBJ ("z", "y", "x", "-z", "-y", "-x"). scale: a factor for coordinates, above 0.
+godot: the version that is to read a .tres, 3 or 4. navmesh_node: a glTF of one mesh, whose node Godot imports as a
+navigation region. part: of polygons this connected part alone, as `components` number them. coordinate_system: of
+.geojson the one that the environment is in already, such as "EPSG:25832".
 
-Returns how far rounding moved a coordinate at most, in metres: 0.0 for OBJ; glTF has floats of 32 bits. Raises
-InputError for another ending or scale, RunError where the file cannot be written.)",
-      py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true, py::arg("up") = py::none(),
-      py::arg("scale") = 1.0);
+Returns how far rounding moved a coordinate at most, in metres: 0.0 for OBJ and polygons; all others have floats of 32
+bits. Raises InputError for another ending, scale or part and for options that the format knows nothing of, RunError
+where the file cannot be written.)",
+      [](const Mesh&) { return ExportHeader(); });
   define(
       module, "read_mesh",
       [](const std::filesystem::path& path, const std::optional<std::string>& up) {
@@ -252,18 +269,10 @@ table of the run for people.)");
       area, "statistics", &statisticsOf,
       R"(Return what each step did and what it took: a dict with the keys of `footfall run --stats`, such as "steps" (a
 list of dict), "total_ms", "times", "threads" and, of parallel blocks, "blocks".)");
-  define(
-      area, "save",
-      [](const Area& a, const std::filesystem::path& path, bool layers, bool connections, bool obstacleEdges,
-         bool steps, bool drops, const std::optional<std::string>& up, double scale) {
-        return saveMesh(*a.data, path, makeExportHeader(a.pipeline), layers, connections, obstacleEdges, steps, drops,
-                        up, scale);
-      },
-      "Write the area as `NavigationMesh.save` does, with the pipeline in the comments: the same bytes as `footfall "
-      "run`.",
-      py::arg("path"), py::kw_only(), py::arg("layers") = true, py::arg("connections") = true,
-      py::arg("obstacle_edges") = true, py::arg("steps") = true, py::arg("drops") = true, py::arg("up") = py::none(),
-      py::arg("scale") = 1.0);
+  defineSave(area,
+             "Write the area as `NavigationMesh.save` does, with the pipeline in the comments: the same bytes as "
+             "`footfall run`.",
+             [](const Area& a) { return makeExportHeader(a.pipeline); });
 }
 
 void bindRunning(py::module_& module) {

@@ -118,6 +118,26 @@ bool EarlierResult::hasSameLines(Index face, const CutTable& now) const {
                     [&](const PlanLine& a, const PlanLine& b) { return (edit_ ? renumbered(a) : a) == b; });
 }
 
+bool EarlierResult::hasSameCuts(Index face, const CutTable& now) const {
+  if (!hasSameLines(face, now)) return false;
+  const FaceCuts &then = (*before_->cuts)[faceBefore(face)], &cuts = now[face];
+  const auto isSamePoint = [&](const PlanPoint& a, const PlanPoint& b) {
+    if (usesPlaces(a, before_->kernel->mesh()) || (!sameHeights_ && usesLevel(a))) return false;
+    return (edit_ ? renumbered(a) : a) == b;
+  };
+  const auto isSameSegment = [](const CutSegment& a, const CutSegment& b) {
+    return a.from == b.from && a.to == b.to && a.line == b.line && a.direction == b.direction &&
+           a.winding == b.winding && a.wall == b.wall;
+  };
+  const auto isRaised = [](const PlanLine& line) { return line.kind == PlanLine::Trace && line.b != 0; };
+  return then.removed == cuts.removed && then.edgeWalls == cuts.edgeWalls && then.startWinding == cuts.startWinding &&
+         (sameHeights_ || std::none_of(then.lines.begin(), then.lines.end(), isRaised)) &&
+         std::equal(then.points.begin(), then.points.end(), cuts.points.begin(), cuts.points.end(), isSamePoint) &&
+         std::equal(then.borders.begin(), then.borders.end(), cuts.borders.begin(), cuts.borders.end()) &&
+         std::equal(then.segments.begin(), then.segments.end(), cuts.segments.begin(), cuts.segments.end(),
+                    isSameSegment);
+}
+
 bool EarlierResult::isTouched(const Box& box) const {
   if (!edit_) return false;
   if (tree_) {

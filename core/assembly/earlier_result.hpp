@@ -39,6 +39,8 @@ class EarlierResult {
   [[nodiscard]] MeshVertex vertexNow(const MeshVertex& before) const;
   /// Whether the lines that cut a face are those of the earlier state, in the same order. Both have cuts.
   [[nodiscard]] bool hasSameLines(Index face, const CutTable& now) const;
+  /// Whether all of a face's cuts are those of the earlier state. Both have cuts.
+  [[nodiscard]] bool hasSameCuts(Index face, const CutTable& now) const;
   /// Whether a triangle that came or went may reach into the box.
   [[nodiscard]] bool isTouched(const Box& box) const;
 

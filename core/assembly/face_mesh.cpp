@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/assembly/face_mesh.hpp"
 
+#include <algorithm>
+
 #include "core/base/geometry.hpp"
 
 namespace footfall::detail {
 
 void FaceMesher::insertCuts(const FaceCuts& cuts) {
-  std::vector<Index> points, lines;
+  points_.clear();
+  lines_.clear();
   for (std::size_t i = 0; i < cuts.points.size(); ++i) {
-    points.push_back(geometry_.point(cuts.points[i]));
-    geometry_.addBorder(points.back(), cuts.borders[i]);
+    points_.push_back(geometry_.point(cuts.points[i]));
+    geometry_.addBorder(points_.back(), cuts.borders[i]);
   }
-  for (const PlanLine& l : cuts.lines) lines.push_back(geometry_.line(l));
+  for (const PlanLine& l : cuts.lines) lines_.push_back(geometry_.line(l));
 
-  for (const Index p : points) triangulation_.insertPoint(p);
+  for (const Index p : points_) triangulation_.insertPoint(p);
   constexpr std::size_t kTold = 64;
   std::size_t inserted = 0;
   for (const CutSegment& s : cuts.segments) {
-    triangulation_.insertSegment(triangulation_.insertPoint(points[s.from]), triangulation_.insertPoint(points[s.to]),
-                                 lines[s.line], s.direction, s.winding, s.wall);
+    triangulation_.insertSegment(triangulation_.insertPoint(points_[s.from]), triangulation_.insertPoint(points_[s.to]),
+                                 lines_[s.line], s.direction, s.winding, s.wall);
     if (++inserted % kTold == 0 && advance_) advance_(kTold);
   }
   if (advance_) advance_(inserted % kTold);
@@ -36,26 +39,31 @@ FaceMesh FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
     insertCuts(*cuts);
   }
   const auto& cells = triangulation_.cells();
-  const std::vector<int> winding = triangulation_.windingNumbers();
+  const std::vector<int> winding = triangulation_.windingNumbers(cuts != nullptr ? cuts->startWinding : 0);
   const bool all = cuts != nullptr && cuts->removed;
   const auto taken = [&](Index c) { return all || (winding[c] == 0) != covered; };
 
-  std::vector<Index> pointOf(geometry_.pointCount(), -1), lineOf;
+  std::size_t count = 0;
+  for (Index i = 0; i < static_cast<Index>(cells.size()); ++i) count += taken(i) ? 1 : 0;
+  result.cells.reserve(count);
+  result.points.reserve(std::min(geometry_.pointCount(), 3 * count));
+  result.approximate.reserve(std::min(geometry_.pointCount(), 3 * count));
+  pointOf_.assign(geometry_.pointCount(), -1);
+  lineOf_.assign(geometry_.lineCount(), -1);
   const auto addPoint = [&](Index p) {
-    if (pointOf[p] < 0) {
-      pointOf[p] = static_cast<Index>(result.points.size());
+    if (pointOf_[p] < 0) {
+      pointOf_[p] = static_cast<Index>(result.points.size());
       result.points.push_back(geometry_[p]);
       result.approximate.push_back(geometry_.approximate(p));
     }
-    return pointOf[p];
+    return pointOf_[p];
   };
   const auto addLine = [&](Index l) {
-    if (static_cast<std::size_t>(l) >= lineOf.size()) lineOf.resize(l + 1, -1);
-    if (lineOf[l] < 0) {
-      lineOf[l] = static_cast<Index>(result.lines.size());
+    if (lineOf_[l] < 0) {
+      lineOf_[l] = static_cast<Index>(result.lines.size());
       result.lines.push_back(geometry_.lineAt(l));
     }
-    return lineOf[l];
+    return lineOf_[l];
   };
   for (int k = 0; k < 3; ++k) addPoint(k);
   for (Index i = 0; i < static_cast<Index>(cells.size()); ++i) {

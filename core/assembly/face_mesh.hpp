@@ -53,6 +53,9 @@ class FaceMesher {
  private:
   void insertCuts(const FaceCuts& cuts);
 
+  std::vector<Index> points_, lines_;    ///< of the cuts, in the geometry
+  std::vector<Index> pointOf_, lineOf_;  ///< of the geometry, in the mesh
+
   FaceGeometry geometry_;
   FaceTriangulation triangulation_;
   std::function<void(std::size_t)> advance_;

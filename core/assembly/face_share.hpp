@@ -26,6 +26,7 @@ struct FaceShare {
 
   bool removed = false;  ///< one obstacle covers the whole face, in this cell and in all others
   std::uint8_t edgeWalls = 0;
+  int startWinding = 0;  ///< regions beside the start of the face's first edge, as far as this cell has it
   bool dependsOnFloors = false;
   std::vector<PlanPoint> points;
   std::vector<std::uint8_t> borders;  ///< as in FaceCuts
@@ -35,7 +36,8 @@ struct FaceShare {
   std::vector<Index> candidates;  ///< what stands in the clearance above this part, ascending
 
   [[nodiscard]] bool empty() const {
-    return !removed && edgeWalls == 0 && !dependsOnFloors && segments.empty() && pieces.empty() && candidates.empty();
+    return !removed && edgeWalls == 0 && startWinding == 0 && !dependsOnFloors && segments.empty() && pieces.empty() &&
+           candidates.empty();
   }
 };
 

@@ -110,7 +110,7 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
     for (const Index t : changed) isChanged[t] = 1;
   for (Index t = 0; t < count; ++t) {
     if ((t & 4095) == 0) context.checkCancelled();
-    if (state.walkable[t] == 0 || !state.cuts->shared(t) || state.cuts->isRemoved(t)) continue;
+    if (state.walkable[t] == 0 || !state.cuts->shared(t) || state.cuts->isRemoved(t) || meshes[t]) continue;
     if (earlier != nullptr && isChanged[t] == 0)
       known.push_back(t);
     else if (const std::size_t segments = (*state.cuts)[t].segments.size(); segments > 0)

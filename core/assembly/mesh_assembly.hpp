@@ -22,7 +22,7 @@ std::shared_ptr<const WalkableMesh> assembleMesh(const WalkableState& state, Run
 // The two halves of assembleMesh().
 
 /// Triangulates what cuts leave of each floor, where they divide it. Takes from `earlier` (may be null) what is not in
-/// `changed` (ascending; all floors that differ). `meshes` has one entry for each face.
+/// `changed` (ascending; all floors that differ). `meshes` has one entry for each face; what is there already stays.
 void meshFaces(const WalkableState& state, const EarlierResult* earlier, const std::vector<Index>& changed,
                FaceMeshes& meshes, RunContext& context, ExactFallbacks& fallbacks);
 

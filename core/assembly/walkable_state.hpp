@@ -16,6 +16,7 @@ namespace footfall::detail {
 
 struct AssemblyMemory;    // core/assembly/assembly_memory.hpp
 struct SimplifierMemory;  // core/filters/simplification/simplifier.hpp
+struct RadiusMemory;      // core/filters/radius/radius_memory.hpp
 struct StepMemory;        // core/filters/steps/step_memory.hpp
 
 struct WalkableState {
@@ -48,6 +49,8 @@ struct WalkableState {
   std::shared_ptr<const SimplifierMemory> simplifierMemory;
   /// The same of the last StepFilter.
   std::shared_ptr<const StepMemory> stepMemory;
+  /// The same of the last RadiusFilter.
+  std::shared_ptr<const RadiusMemory> radiusMemory;
   /// Pairs of triangles that the last LayerSubdivisionFilter found above one another; null unless it was to keep them.
   std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
 };

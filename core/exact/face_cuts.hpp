@@ -20,21 +20,25 @@ struct CutSegment {
   bool wall = false;
 };
 
-/// Value type: everything that triangulating the face needs, in ids of one generation.
+/// Value type: everything that triangulating the face needs, in ids of one generation. Where outlines of regions run
+/// along the face's own edges they part nothing, and are left out: which regions lie over one place of the face, and
+/// what is crossed from there, tells which lie over all others.
 struct FaceCuts {
   FaceCuts() = default;
   /// A copy that lies in `memory`.
   FaceCuts(const FaceCuts& other, std::pmr::memory_resource* memory)
       : removed(other.removed),
         edgeWalls(other.edgeWalls),
+        startWinding(other.startWinding),
         points(other.points, memory),
         borders(other.borders, memory),
         lines(other.lines, memory),
         segments(other.segments, memory),
         dependsOnFloors(other.dependsOnFloors) {}
 
-  bool removed = false;        ///< one obstacle covers the whole face
+  bool removed = false;        ///< obstacles cover the whole face
   std::uint8_t edgeWalls = 0;  ///< bit k: a wall stands along the whole edge from corner k to k + 1
+  int startWinding = 0;        ///< how many regions lie beside the start of the face's edge from corner 0 to 1
   std::pmr::vector<PlanPoint> points;
   std::pmr::vector<std::uint8_t> borders;  ///< for each point, bit k: known to lie on the face's edge k
   std::pmr::vector<PlanLine> lines;
@@ -56,7 +60,7 @@ class CutTable {
     return cuts_[face] ? *cuts_[face] : kNone;
   }
   [[nodiscard]] const std::shared_ptr<const FaceCuts>& shared(std::size_t face) const { return cuts_[face]; }
-  /// Whether one obstacle covers the whole face.
+  /// Whether obstacles cover the whole face.
   [[nodiscard]] bool isRemoved(std::size_t face) const { return removed_[face] != 0; }
   void set(std::size_t face, std::shared_ptr<const FaceCuts> cuts) {
     removed_[face] = static_cast<char>(cuts && cuts->removed);

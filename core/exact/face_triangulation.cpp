@@ -249,27 +249,29 @@ Index FaceTriangulation::insertPoint(Index point) {
   return point;
 }
 
-// The cell in which the edge runs from a to b, and its number there.
+// The cell in which the edge runs from a to b, and its number there. Else a cell at a: at the border of the face the
+// one whose last edge at a has no cell on its other side.
 bool FaceTriangulation::findEdge(Index a, Index b, Index& cell, int& k) const {
   const Index start = cellOf_[a];
   // around a one way until the start or the border, then the other way
-  for (const bool forward : {true, false}) {
-    cell = start;
-    do {
+  for (const bool forward : {false, true}) {
+    for (Index at = start;;) {
+      cell = at;
       const Cell& c = cells_[cell];
       const int i = cornerOf(c, a);
       if (c.corners[next(i)] == b) {
         k = i;
         return true;
       }
-      cell = c.neighbors[forward ? previous(i) : i];
-    } while (cell >= 0 && cell != start);
-    if (cell == start) return false;
+      at = c.neighbors[forward ? previous(i) : i];
+      if (at == start) return false;
+      if (at < 0) break;
+    }
   }
   return false;
 }
 
-void FaceTriangulation::markEdge(Index a, Index b, Index line, int winding, bool wall) {
+bool FaceTriangulation::markEdge(Index a, Index b, Index line, int winding, bool wall) {
   Index cell = -1;
   int k = 0;
   const auto mark = [&](int sign) {
@@ -278,8 +280,22 @@ void FaceTriangulation::markEdge(Index a, Index b, Index line, int winding, bool
     c.windings[k] += sign * winding;
     c.walls[k] |= static_cast<std::uint8_t>(wall);
   };
-  if (findEdge(a, b, cell, k)) mark(1);
-  if (findEdge(b, a, cell, k)) mark(-1);
+  int sign = 0;
+  if (findEdge(a, b, cell, k)) {
+    sign = 1;
+  } else {  // an edge of the face may run the other way only, in the last cell round a
+    const int i = cornerOf(cells_[cell], a);
+    if (cells_[cell].corners[previous(i)] != b) return false;
+    k = previous(i);
+    sign = -1;
+  }
+  mark(sign);
+  const Index other = cells_[cell].neighbors[k];
+  if (other < 0) return true;
+  k = neighborSlot(cells_[other], cell);
+  cell = other;
+  mark(-sign);
+  return true;
 }
 
 int FaceTriangulation::sideOfSegment(Index line, int direction, Index vertex) {
@@ -297,6 +313,7 @@ void FaceTriangulation::insertSegment(Index u, Index v, Index line, int directio
   sideValue_[u] = sideValue_[v] = 0;
   while (u != v) {
     poll();
+    if (markEdge(u, v, line, winding, wall)) return;  // as most are, no side needs to be asked
     const Index w = advance(u, line, direction);
     markEdge(u, w, line, winding, wall);
     u = w;
@@ -419,7 +436,18 @@ void FaceTriangulation::improve() {
   }
 }
 
-std::vector<int> FaceTriangulation::windingNumbers() const {
+Index FaceTriangulation::startCell() const {
+  // Round corner 0, away from the face's last edge.
+  Index cell = cellOf_[0];
+  for (;;) {
+    const int k = cornerOf(cells_[cell], 0);
+    const Index before = cells_[cell].neighbors[k];
+    if (before < 0) return cell;
+    cell = before;
+  }
+}
+
+std::vector<int> FaceTriangulation::windingNumbers(int start) const {
   std::vector<int> winding(cells_.size(), INT_MIN);
   std::vector<Index> queue;
   const auto reach = [&](Index cell, int value) {
@@ -430,9 +458,8 @@ std::vector<int> FaceTriangulation::windingNumbers() const {
       fail("regions that do not close");
     }
   };
-  for (std::size_t i = 0; i < cells_.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      if (cells_[i].neighbors[k] < 0) reach(static_cast<Index>(i), cells_[i].windings[k]);
+  queue.reserve(cells_.size());
+  reach(startCell(), start);
   for (std::size_t head = 0; head < queue.size(); ++head) {
     const Cell& c = cells_[queue[head]];
     const int value = winding[queue[head]];

@@ -43,8 +43,10 @@ class FaceTriangulation {
   void improve();
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-  /// Winding number of each cell: how many regions cover it.
-  [[nodiscard]] std::vector<int> windingNumbers() const;
+  /// The cell beside the start of the face's edge from corner 0 to 1.
+  [[nodiscard]] Index startCell() const;
+  /// Winding number of each cell: how many regions cover it. `start`: that of startCell().
+  [[nodiscard]] std::vector<int> windingNumbers(int start) const;
 
  private:
   using Edge = std::array<Index, 2>;
@@ -60,7 +62,8 @@ class FaceTriangulation {
   void legalize();
   Index locate(Index point, int& zeros, int& k);
   bool findEdge(Index a, Index b, Index& cell, int& k) const;
-  void markEdge(Index a, Index b, Index line, int winding, bool wall);
+  /// False when there is no such edge.
+  bool markEdge(Index a, Index b, Index line, int winding, bool wall);
   int sideOfSegment(Index line, int direction, Index vertex);
   /// One step of insertSegment: from u to the next vertex on the segment, making edge u-next.
   Index advance(Index u, Index line, int direction);

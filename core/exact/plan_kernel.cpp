@@ -90,12 +90,6 @@ int PlanKernel::exactSign(Index origin, const Evaluate& evaluate) const {
   return sgn(evaluate(gridContext<mpz_class>(origin)));
 }
 
-int PlanKernel::heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const {
-  if (const MaybeSign s = sign_(heightValue(doubleContext(0), face, vertex, level))) return *s;
-  ++count.height;
-  return exactSign(0, [&](const auto& c) { return heightValue(c, face, vertex, level); });
-}
-
 int PlanKernel::orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const {
   if (const MaybeSign s = sign_(planArea(doubleContext(0), a, b, c))) return *s;
   ++count.orientation;
@@ -264,6 +258,16 @@ Bounded quickCross(double ax, double ay, double bx, double by) {
 }
 
 }  // namespace
+
+int PlanKernel::heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const {
+  if (sign_.zeroValid) {
+    const Bounded quick = quickHeight(*mesh_, scaledHeights_, face, vertex, level);
+    if (std::fabs(quick.value) > quick.error + sign_.slack) return quick.value > 0 ? 1 : -1;
+  }
+  if (const MaybeSign s = sign_(heightValue(doubleContext(0), face, vertex, level))) return *s;
+  ++count.height;
+  return exactSign(0, [&](const auto& c) { return heightValue(c, face, vertex, level); });
+}
 
 // The point divides the segment from a to b as t = N / D. With N' and D' off by at most eN and eD,
 // |N'/D' - N/D| = |N'(D - D') + (N' - N) D'| / |D D'| <= (|t'| eD + eN) / (|D'| - eD). The coordinate a + t (b - a)

@@ -74,7 +74,6 @@ FaceCuts FaceCutter::cut(Index face, std::span<const std::span<const Index>> pol
     cuts.removed = true;
     return cuts;
   }
-  cancelSegments();
   collect(cuts);
   return cuts;
 }
@@ -86,6 +85,7 @@ void FaceCutter::begin(Index face) {
   pieces_.clear();
   cellBorders_.clear();
   edgeWalls_ = 0;
+  startWinding_ = 0;
   const auto& f = mesh_.triangles[face];
   for (int k = 0; k < 3; ++k)
     if (mesh_.hasObstacleEdge(f[k], f[next(k)])) edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
@@ -107,6 +107,11 @@ bool FaceCutter::isWhole(const Polygon& polygon) {
 void FaceCutter::addOutline(const Polygon& polygon) {
   for (int i = 0; i < polygon.size; ++i) {
     const Corner &c = polygon.corners[i], &d = polygon.corners[(i + 1) % polygon.size];
+    if (const std::uint8_t edges = geometry_.border(c.point) & geometry_.border(d.point); edges != 0) {
+      // The face's edge 2 ends where its edge 0 starts.
+      if ((edges & 1) != 0 && geometry_.sideOfEdge(2, c.point) == 0) ++startWinding_;
+      continue;
+    }
     addSegment(c.point, d.point, c.line, c.direction, 1, false, c.cut, d.cut);
   }
 }
@@ -124,15 +129,24 @@ bool FaceCutter::addPolygon(std::span<const Index> planIds) {
   return true;
 }
 
-void FaceCutter::clipToEdge(Polygon& polygon, int k) {
+void FaceCutter::clipToEdge(Polygon& polygon, int k, std::span<const std::int8_t> sides) {
+  const auto mask = static_cast<std::uint8_t>(1 << k);
   std::array<int, kMostCorners> signs{};
-  for (int i = 0; i < polygon.size; ++i) signs[i] = geometry_.sideOfEdge(k, polygon.corners[i].point);
+  for (int i = 0; i < polygon.size; ++i) {
+    const Corner& c = polygon.corners[i];
+    if (sides.empty() || c.corner < 0) {
+      signs[i] = geometry_.sideOfEdge(k, c.point);
+    } else {
+      signs[i] = sides[c.corner];
+      if (signs[i] == 0) geometry_.addBorder(c.point, mask);
+    }
+  }
   Corner made;
   made.line = k;  // FaceGeometry: the face's edges are the lines 0, 1, 2
   made.direction = geometry_.edgeDirection(k);
-  keepPositive(polygon, signs, made, [&](Index line) {
-    const Index point = geometry_.crossing(line, k);
-    geometry_.addBorder(point, static_cast<std::uint8_t>(1 << k));
+  keepPositive(polygon, signs, made, [&](const Corner& c, const Corner& d) {
+    const Index point = geometry_.crossing(c.line, k);
+    geometry_.addBorder(point, mask | (geometry_.border(c.point) & geometry_.border(d.point)));
     return point;
   });
 }
@@ -173,6 +187,7 @@ void FaceCutter::addAllCuts(const Cuts& cuts, std::vector<Index>& points, std::v
   for (const PlanLine& l : cuts.lines) lines.push_back(geometry_.line(l));
   for (const CutSegment& s : cuts.segments)
     addSegment(points[s.from], points[s.to], lines[s.line], s.direction, s.winding, s.wall);
+  startWinding_ += cuts.startWinding;
 }
 
 bool FaceCutter::precedes(Index line, Index other) const {
@@ -209,7 +224,7 @@ OpenGrid::Outline FaceCutter::outlineOf(const FaceTriangulation::Cell& cell) con
 
 std::vector<char> FaceCutter::findOpen(const OpenGrid* openCells) const {
   const auto& cells = triangulation_.cells();
-  const std::vector<int> winding = triangulation_.windingNumbers();
+  const std::vector<int> winding = triangulation_.windingNumbers(startWinding_);
   std::vector<char> isOpen(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) isOpen[i] = static_cast<char>(winding[i] == 0);
   if (openCells == nullptr) return isOpen;
@@ -240,6 +255,7 @@ void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
 
   const auto& cells = triangulation_.cells();
   const std::vector<char> open = findOpen(openCells);
+  startWinding_ = open[triangulation_.startCell()] != 0 ? 0 : 1;
   segments_.clear();
   grid.close();
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -254,8 +270,7 @@ void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
       if (isOpen) {  // Between open cells the one with the larger number has the wall, beside a covered one that.
         if (!isWall || (other >= 0 && !isOpenBeyond) || other > static_cast<Index>(i)) continue;
       } else {
-        if (other >= 0 && !isOpenBeyond) continue;
-        isWall = isWall && isOpenBeyond;
+        if (!isOpenBeyond) continue;
       }
       addSegment(c.corners[k], c.corners[next(k)], c.lines[k], geometry_.side(c.lines[k], c.corners[previous(k)]),
                  isOpen ? 0 : 1, isWall);
@@ -354,8 +369,20 @@ void FaceCutter::addCuts(const FaceShare& cuts, std::vector<Index>& points, std:
   addAllCuts(cuts, points, lines);
 }
 
-void FaceCutter::collect(FaceCuts& cuts) { collectAll(cuts); }
+void FaceCutter::collect(FaceCuts& cuts) {
+  cancelSegments();
+  cuts.removed = segments_.empty() && startWinding_ != 0;
+  cuts.edgeWalls = cuts.removed ? std::uint8_t{0} : edgeWalls_;
+  if (cuts.removed) return;
+  cuts.startWinding = startWinding_;
+  collectAll(cuts);
+}
 
-void FaceCutter::collect(FaceShare& cuts) { collectAll(cuts); }
+void FaceCutter::collect(FaceShare& cuts) {
+  cancelSegments();
+  cuts.edgeWalls = edgeWalls_;
+  cuts.startWinding = startWinding_;
+  collectAll(cuts);
+}
 
 }  // namespace footfall::detail

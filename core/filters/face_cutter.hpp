@@ -34,11 +34,12 @@ class FaceCutter {
  protected:
   struct Corner {
     Index point = -1;
-    Index line = -1;    ///< of the edge to the next corner
-    int direction = 0;  ///< +1: that edge runs along the line
-    int floor = 0;      ///< sign of the height above the floor
-    int ceiling = 0;    ///< sign of the height above floor + clearance
-    bool cut = false;   ///< a border of the cell made it
+    Index line = -1;          ///< of the edge to the next corner
+    int direction = 0;        ///< +1: that edge runs along the line
+    int floor = 0;            ///< sign of the height above the floor
+    int ceiling = 0;          ///< sign of the height above floor + clearance
+    bool cut = false;         ///< a border of the cell made it
+    std::int8_t corner = -1;  ///< of the triangle that is clipped, if it is one
   };
   /// A triangle clipped by two heights and three edges has at most eight corners, twelve corners clipped by three edges
   /// are fifteen.
@@ -51,10 +52,10 @@ class FaceCutter {
 
   void begin(Index face);
   void startGeometry();
-  /// Clips to the face's edge k.
-  void clipToEdge(Polygon& polygon, int k);
-  /// Keeps the corners at which `signs` is positive or 0. New ones come from `crossingOf(line)`; the edges between them
-  /// lie on the line of `made`, which is also what new corners are like beside that.
+  /// Clips to the face's edge k. `sides`: those of the corners of the triangle that is clipped; may be empty.
+  void clipToEdge(Polygon& polygon, int k, std::span<const std::int8_t> sides = {});
+  /// Keeps the corners at which `signs` is positive or 0. New ones come from `crossingOf(from, to)`, the corners of the
+  /// edge; the edges between them lie on the line of `made`, which is also what new corners are like beside that.
   template <class Crossing>
   static void keepPositive(Polygon& polygon, const std::array<int, kMostCorners>& signs, const Corner& made,
                            const Crossing& crossingOf) {
@@ -67,6 +68,7 @@ class FaceCutter {
     Polygon result;
     for (int i = 0; i < polygon.size; ++i) {
       const Corner& c = polygon.corners[i];
+      const Corner& d = polygon.corners[(i + 1) % polygon.size];
       const int a = signs[i], b = signs[(i + 1) % polygon.size];
       const auto turn = [&](Corner corner) {
         corner.line = made.line;
@@ -76,14 +78,16 @@ class FaceCutter {
       if (a >= 0) result.push(a == 0 && b < 0 ? turn(c) : c);
       if (a * b >= 0) continue;
       Corner corner = c;
-      corner.point = crossingOf(c.line);
+      corner.point = crossingOf(c, d);
       corner.cut = made.cut;
+      corner.corner = -1;
       result.push(a > 0 ? turn(corner) : corner);
     }
     polygon = result;
   }
   /// Whether a polygon is the whole face.
   static bool isWhole(const Polygon& polygon);
+  /// `polygon` is clipped to the face.
   void addOutline(const Polygon& polygon);
   [[nodiscard]] std::uint8_t cellBorders(Index point) const;
   /// `cutFrom`, `cutTo`: a border of the cell made that end.
@@ -99,6 +103,7 @@ class FaceCutter {
   /// (null: all do) count as enclosed; the segments must part them from the others.
   void keepOutline(OpenGrid& grid, const OpenGrid* openCells = nullptr);
   [[nodiscard]] std::size_t segmentCount() const { return segments_.size(); }
+  /// Everything that was cut; of FaceCuts that cover the face nothing but that.
   void collect(FaceCuts& cuts);
   void collect(FaceShare& cuts);
 
@@ -108,6 +113,7 @@ class FaceCutter {
   FaceGeometry geometry_;
   Index face_ = -1;
   std::uint8_t edgeWalls_ = 0;
+  int startWinding_ = 0;  ///< as in FaceCuts
 
   // The sides of the cell whose share is being cut, and what is known of them.
   std::span<const CellSide> sides_;

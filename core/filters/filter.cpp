@@ -71,9 +71,10 @@ constexpr std::array kFilterFunctions = {
     FilterFunction{
         FilterType::Step,
         [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.values[1], f.recall, f.context); }},
-    FilterFunction{
-        FilterType::Radius,
-        [](const FilterCall& f) { return applyRadius(f.state, f.values[0], f.values[1], f.values[2], f.context); }},
+    FilterFunction{FilterType::Radius,
+                   [](const FilterCall& f) {
+                     return applyRadius(f.state, f.values[0], f.values[1], f.values[2], f.recall, f.context);
+                   }},
     FilterFunction{FilterType::Drop,
                    [](const FilterCall& f) { return applyDrop(f.state, f.values[0], f.values[1], f.context); }},
     FilterFunction{FilterType::Reachable,

@@ -15,7 +15,8 @@ FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
 FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context);
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyStep(const StatePtr& state, double step, double gap, const Recall& recall, RunContext& context);
-FilterOutcome applyRadius(const StatePtr& state, double radius, double ledges, double tolerance, RunContext& context);
+FilterOutcome applyRadius(const StatePtr& state, double radius, double ledges, double tolerance, const Recall& recall,
+                          RunContext& context);
 FilterOutcome applyDrop(const StatePtr& state, double depth, double reach, RunContext& context);
 /// `seeds`: the coordinates of places in the file's frame, three each.
 FilterOutcome applyReachable(const StatePtr& state, std::span<const double> seeds, RunContext& context);

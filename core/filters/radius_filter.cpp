@@ -15,6 +15,7 @@
 #include "core/filters/radius/border_pieces.hpp"
 #include "core/filters/radius/margin_choice.hpp"
 #include "core/filters/radius/margins.hpp"
+#include "core/filters/radius/radius_memory.hpp"
 #include "core/filters/radius/thin_triangles.hpp"
 #include "core/filters/rounding/generation.hpp"
 #include "core/filters/steps/kept_links.hpp"
@@ -85,22 +86,80 @@ MarginsOfFaces groupByFaces(const std::vector<Margin>& margins, std::size_t face
   return result;
 }
 
+/// Gives the state its cuts and its mesh.
+void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vector<Margin>& margins,
+            const CutFaces* before, CutFaces* keep, RunContext& context, ExactFallbacks& fallbacks) {
+  const PlanKernel& kernel = *state.kernel;
+  const SourceMesh& source = kernel.mesh();
+  const MarginsOfFaces touched = groupByFaces(margins, state.walkable.size(), context);
+  using Polygons = std::vector<std::span<const Index>>;
+  std::vector<Polygons> polygons(touched.faces.size());
+  std::vector<CutFaces::Found> found(touched.faces.size());
+  tbb::enumerable_thread_specific<std::unique_ptr<FaceCutter>> cutters;
+  tbb::enumerable_thread_specific<MarginChoice> choices([&] { return MarginChoice(margins); });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), kFacesPerTask), [&](const auto& range) {
+    auto& cutter = cutters.local();
+    if (!cutter) cutter = std::make_unique<FaceCutter>(kernel, context);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      context.checkCancelled();
+      const Index face = touched.faces[i];
+      const auto placeOf = [&](int k) {
+        const Vec3& p = source.scaled[source.triangles[face][k]];
+        return PlanVector{p.x, p.y};
+      };
+      for (const Index margin : choices.local().neededOn({placeOf(0), placeOf(1), placeOf(2)}, touched.margins[i]))
+        polygons[i].emplace_back(known.planIds.data() + known.first[margin],
+                                 known.first[margin + 1] - known.first[margin]);
+      if (before != nullptr) {
+        if (auto again = before->find(kernel, face, polygons[i])) {
+          found[i] = std::move(*again);
+          continue;
+        }
+      }
+      found[i].cuts = std::make_shared<const FaceCuts>(cutter->cut(face, polygons[i]));
+    }
+  });
+  for (const auto& cutter : cutters) fallbacks += cutter->cutFallbacks();
+  auto cuts = std::make_shared<CutTable>(state.walkable.size());
+  const auto meshes = std::make_shared<FaceMeshes>(state.walkable.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i].cuts->empty()) cuts->set(touched.faces[i], found[i].cuts);
+    (*meshes)[touched.faces[i]] = found[i].mesh;
+  }
+  state.cuts = std::move(cuts);
+  meshFaces(state, nullptr, {}, *meshes, context, fallbacks);
+  if (keep != nullptr) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (i % kMarginsPerPoll == 0) context.checkCancelled();
+      keep->add(kernel, touched.faces[i], polygons[i], found[i].cuts, (*meshes)[touched.faces[i]]);
+    }
+  }
+  state.mesh = joinFaces(state, nullptr, {}, meshes, nullptr, context, fallbacks);
+}
+
 }  // namespace
 
-FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, double tolerance, RunContext& context) {
+FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, double tolerance, const Recall& recall,
+                          RunContext& context) {
   FilterOutcome outcome;
   outcome.state = given;
   if (radius == 0 && ledges == 0) return outcome;
+  const RadiusMemory* const before = recall.before ? recall.before->radiusMemory.get() : nullptr;
   // The same area in fewer triangles: each that a margin touches is cut and meshed anew.
-  const FilterOutcome simplified = applySimplification(given, false, 0, {}, context);
+  const FilterOutcome simplified =
+      applySimplification(given, false, 0, {before != nullptr ? before->simplified : nullptr, recall.keep}, context);
   outcome.fallbacks += simplified.fallbacks;
-  const StatePtr& before = simplified.state;
-  const auto product = std::make_shared<NavigationMesh>(*makeNavigationMesh(before, context));
+  const auto product = std::make_shared<NavigationMesh>(*makeNavigationMesh(simplified.state, context));
   if (product->triangles.empty()) return outcome;
   divideThinTriangles(*product, std::max(radius, ledges), context);
+  const auto earlier =
+      EarlierResult::relate(before != nullptr ? before->simplified : nullptr, *simplified.state->kernel);
+  CoveredRecall covered;
+  if (earlier) covered = {&*earlier, &before->covered, {}};
+  const GenerationSoup soup = makeGenerationSoup(*simplified.state, *product, context, outcome.fallbacks,
+                                                 recall.keep || earlier ? &covered : nullptr);
   std::vector<Index> faces;
-  auto state = std::make_shared<WalkableState>(
-      *startGeneration(*before, makeGenerationSoup(*before, *product, context, outcome.fallbacks), context, &faces));
+  auto state = std::make_shared<WalkableState>(*startGeneration(*simplified.state, soup, context, &faces));
   const auto floors = floorsOf(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
   state->mesh = floors;
   state->mesh = addBridges(*floors, *product);
@@ -111,33 +170,15 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
 
   const KernelWithMargins known = addMargins(*state->kernel, margins, context);
   state->kernel = known.kernel;
-  const MarginsOfFaces touched = groupByFaces(margins, state->walkable.size(), context);
-  std::vector<FaceCuts> found(touched.faces.size());
-  tbb::enumerable_thread_specific<std::unique_ptr<FaceCutter>> cutters;
-  tbb::enumerable_thread_specific<MarginChoice> choices([&] { return MarginChoice(margins); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), kFacesPerTask), [&](const auto& range) {
-    auto& cutter = cutters.local();
-    if (!cutter) cutter = std::make_unique<FaceCutter>(*state->kernel, context);
-    std::vector<std::span<const Index>> polygons;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      context.checkCancelled();
-      polygons.clear();
-      const auto& corners = state->kernel->mesh().triangles[touched.faces[i]];
-      const auto placeOf = [&](int k) {
-        const Vec3& p = state->kernel->mesh().scaled[corners[k]];
-        return PlanVector{p.x, p.y};
-      };
-      for (const Index margin : choices.local().neededOn({placeOf(0), placeOf(1), placeOf(2)}, touched.margins[i]))
-        polygons.emplace_back(known.planIds.data() + known.first[margin],
-                              known.first[margin + 1] - known.first[margin]);
-      found[i] = cutter->cut(touched.faces[i], polygons);
-    }
-  });
-  for (const auto& cutter : cutters) outcome.fallbacks += cutter->cutFallbacks();
-  auto cuts = std::make_shared<CutTable>(state->walkable.size());
-  for (std::size_t i = 0; i < found.size(); ++i) cuts->set(touched.faces[i], std::move(found[i]));
-  state->cuts = std::move(cuts);
-  state->mesh = assembleMesh(*state, context, outcome.fallbacks);
+  std::shared_ptr<RadiusMemory> memory;
+  if (recall.keep) {
+    memory = std::make_shared<RadiusMemory>(*state->kernel);
+    memory->simplified = simplified.state;
+    memory->covered = std::move(covered.found);
+  }
+  cutOut(*state, known, margins, before != nullptr ? &before->cutFaces : nullptr, memory ? &memory->cutFaces : nullptr,
+         context, outcome.fallbacks);
+  state->radiusMemory = std::move(memory);
   outcome.state = withLinks(state, *floors, false, context, outcome.fallbacks);
   if (state->mesh->triangles.empty())
     outcome.note = FOOTFALL_TEXT("nothing is left: no place is so far from all borders");

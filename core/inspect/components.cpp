@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -33,7 +34,9 @@ void addTriangle(Component& component, const NavigationMesh& mesh, std::size_t t
   }
   for (const Vec3& p : {a, b, c}) include(component, p);
   const Vec3& origin = mesh.vertices[mesh.triangles[component.firstTriangle][0]];
-  const double area = areaOf(a, b, c);
+  // Infinite where doubles end, and never NaN, as the difference of two infinite products is.
+  const double product = areaOf(a, b, c);
+  const double area = std::isnan(product) ? std::numeric_limits<double>::infinity() : product;
   const auto middle = [](double p, double q, double r, double o) { return ((p - o) + (q - o) + (r - o)) / 3; };
   component.centre.x += area * middle(a.x, b.x, c.x, origin.x);
   component.centre.y += area * middle(a.y, b.y, c.y, origin.y);
@@ -45,7 +48,7 @@ void addTriangle(Component& component, const NavigationMesh& mesh, std::size_t t
 void finishCentre(Component& component, const NavigationMesh& mesh) {
   const Vec3& origin = mesh.vertices[mesh.triangles[component.firstTriangle][0]];
   Vec3& centre = component.centre;
-  if (component.area > 0)
+  if (component.area > 0 && std::isfinite(component.area))
     centre = {origin.x + centre.x / component.area, origin.y + centre.y / component.area,
               origin.z + centre.z / component.area};
   else
@@ -70,6 +73,10 @@ double Components::totalArea() const {
 double Components::connectedShare() const {
   const double total = totalArea();
   if (!(total > 0)) return 0;
+  if (std::isinf(total)) {  // areas beyond all doubles count alike, and all others for nothing
+    const auto count = std::count_if(list.begin(), list.end(), [](const Component& c) { return std::isinf(c.area); });
+    return count > 0 ? 1.0 / static_cast<double>(count) : 0;
+  }
   return std::accumulate(list.begin(), list.end(), 0.0, [total](double sum, const Component& component) {
     const double share = component.area / total;
     return sum + share * share;

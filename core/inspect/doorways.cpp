@@ -6,10 +6,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/inspect/upright.hpp"
+
 namespace footfall::detail {
 namespace {
 
-constexpr double kUpright = 1e-9;                // area in the plan, by the square of the longest side
 constexpr double kRight = 1e-6;                  // cosine of what is still a right angle
 constexpr double kNarrowest = 0.4, kWidest = 4;  // metres
 constexpr double kDeepest = 1, kLowest = 1.4;    // metres
@@ -70,12 +71,11 @@ std::vector<Doorway> findDoorways(const Environment& environment, const Poll& po
     Corners p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = environment.vertices[environment.triangles[t][k]];
     const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
-    const double longest = std::max({lengthInPlan(p[0], p[1]), lengthInPlan(p[1], p[2]), lengthInPlan(p[2], p[0])});
     const bool isLevel = p[0].z == p[1].z && p[1].z == p[2].z;
-    const bool isUpright = std::fabs(area) <= kUpright * longest * longest;
-    if (isLevel && !isUpright && area < 0)
+    const bool stands = isUpright(p);
+    if (isLevel && !stands && area < 0)
       addLintel(p, environment.metresPerUnit, lintels);
-    else if (isUpright && !isLevel)
+    else if (stands && !isLevel)
       addJambs(p, jambs);
   }
   poll();

@@ -10,11 +10,11 @@
 
 #include "core/base/number_text.hpp"
 #include "core/environment/scale_guess.hpp"
+#include "core/inspect/upright.hpp"
 
 namespace footfall::detail {
 namespace {
 
-constexpr double kUpright = 1e-9;   // area in the plan, by the square of the longest side
 constexpr double kSame = 1e-6;      // heights that differ by less of them are the same but for roundings
 constexpr double kNear = 0.05;      // a step that misses risers by less of it was meant to climb them
 constexpr std::size_t kFewest = 6;  // triangles: three risers are stairs
@@ -105,19 +105,15 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
     std::array<Vec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = environment.vertices[environment.triangles[t][k]];
     if (t == 0) low = high = p[0];
-    double longest = 0;
     bool isLevel = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = p[k], &b = p[(k + 1) % 3];
       low = {std::min(low.x, a.x), std::min(low.y, a.y), std::min(low.z, a.z)};
       high = {std::max(high.x, a.x), std::max(high.y, a.y), std::max(high.z, a.z)};
-      longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
       isLevel = isLevel || a.z == b.z;
     }
-    const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     const auto [least, most] = std::minmax({p[0].z, p[1].z, p[2].z});
-    if (isLevel && most > least && longest > 0 && std::fabs(area) <= kUpright * longest * longest)
-      measures.wallHeights.push_back(most - least);
+    if (isLevel && most > least && isUpright(p)) measures.wallHeights.push_back(most - least);
   }
   poll();
   std::ranges::sort(measures.wallHeights);

@@ -43,14 +43,26 @@ SourceFrame frameOf(const SourceFrame& source, const ExportOptions& options) {
           options.scale == 1 ? source.metresPerUnit : source.metresPerUnit / options.scale, source.storeys};
 }
 
-void appendVertices(std::string& text, const std::vector<Vec3>& vertices, UpAxis up, double scale) {
-  for (const Vec3& p : vertices) appendVertex(text, scale == 1 ? p : Vec3{p.x * scale, p.y * scale, p.z * scale}, up);
+/// Lines that are written between two polls.
+constexpr std::size_t kLinesPerPoll = 4096;
+
+void appendVertices(std::string& text, const std::vector<Vec3>& vertices, UpAxis up, double scale, Poll poll = {}) {
+  std::size_t line = 0;
+  for (const Vec3& p : vertices) {
+    if (line++ % kLinesPerPoll == 0) poll();
+    appendVertex(text, scale == 1 ? p : Vec3{p.x * scale, p.y * scale, p.z * scale}, up);
+  }
 }
 
-void appendTriangles(std::string& text, const NavigationMesh& mesh, bool byLayers) {
+void appendTriangles(std::string& text, const NavigationMesh& mesh, bool byLayers, Poll poll) {
+  std::size_t line = 0;
+  const auto append = [&](const Triangle& triangle) {
+    if (line++ % kLinesPerPoll == 0) poll();
+    appendElement(text, 'f', triangle);
+  };
   if (mesh.layers.empty() || !byLayers) {
     text += "g walkable\n";
-    for (const Triangle& triangle : mesh.triangles) appendElement(text, 'f', triangle);
+    for (const Triangle& triangle : mesh.triangles) append(triangle);
     return;
   }
   std::vector<std::vector<std::size_t>> members(mesh.layerCount);
@@ -59,7 +71,7 @@ void appendTriangles(std::string& text, const NavigationMesh& mesh, bool byLayer
     text += "g layer_";
     appendNumber(text, layer);
     text += '\n';
-    for (const std::size_t i : members[layer]) appendElement(text, 'f', mesh.triangles[i]);
+    for (const std::size_t i : members[layer]) append(mesh.triangles[i]);
   }
 }
 
@@ -129,7 +141,7 @@ void checkScale(const ExportOptions& options, const NavigationMesh& mesh) {
 }
 
 std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options,
-                      std::span<const ExportExtra> extras) {
+                      std::span<const ExportExtra> extras, Poll poll) {
   checkScale(options, mesh);
   const SourceFrame frame = frameOf(mesh.frame, options);
   std::string text;
@@ -153,8 +165,9 @@ std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, co
     head.note += "; pipeline and agent are in units of the source";
   }
   appendHeader(text, "Walkable area", frame, head, countsOf(mesh, options));
-  appendVertices(text, mesh.vertices, frame.up, options.scale);
-  appendTriangles(text, mesh, options.layers);
+  appendVertices(text, mesh.vertices, frame.up, options.scale, poll);
+  appendTriangles(text, mesh, options.layers, poll);
+  poll();
   if (options.connections) appendLines(text, "connections", mesh.connections);
   if (options.obstacleEdges) appendLines(text, "obstacle_edges", mesh.obstacleEdges);
   if (options.steps) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/base/poll.hpp"
 #include "footfall/io.hpp"
 
 namespace footfall::detail {
@@ -13,9 +14,9 @@ namespace footfall::detail {
 void checkScale(const ExportOptions& options, const NavigationMesh& mesh);
 
 /// The OBJ text, in the frame and units of the mesh's file unless `options` say otherwise; then its comments state the
-/// frame and the units that it is in. Same input, same bytes.
+/// frame and the units that it is in. Same input, same bytes. Throws what `poll` throws.
 std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options = {},
-                      std::span<const ExportExtra> extras = {});
+                      std::span<const ExportExtra> extras = {}, Poll poll = {});
 
 /// Throws RunError where writeFileSafely() would, as far as that is known without writing: a folder, a missing folder,
 /// no permission, a name that is too long.

@@ -55,7 +55,7 @@ void appendWord(std::string& bytes, std::uint32_t value) {
 /// its name, all under one root.
 class GltfMaker {
  public:
-  explicit GltfMaker(double scale) : scale_(scale) {}
+  GltfMaker(double scale, Poll poll) : scale_(scale), poll_(poll) {}
 
   /// Adds a mesh of the elements (two or three corners each) over the vertices that they use, in the order of their
   /// first use.
@@ -78,12 +78,14 @@ class GltfMaker {
     std::vector<std::uint32_t> used, indices;
     std::unordered_map<std::uint32_t, std::uint32_t> numberOf;
     indices.reserve(kCorners * elements.size());
-    for (const auto& element : elements)
+    for (const auto& element : elements) {
+      if (indices.size() % kNumbersPerPoll == 0) poll_();
       for (const std::uint32_t v : element) {
         const auto [place, isNew] = numberOf.try_emplace(v, static_cast<std::uint32_t>(used.size()));
         if (isNew) used.push_back(v);
         indices.push_back(place->second);
       }
+    }
     addPositions(used, vertices);
     addIndices(indices, used.size());
   }
@@ -133,6 +135,7 @@ class GltfMaker {
     const std::size_t start = numbers_.size();
     std::array<float, 3> low{}, high{};
     for (std::size_t i = 0; i < used.size(); ++i) {
+      if (i % kNumbersPerPoll == 0) poll_();
       const std::array<float, 3> rounded = roundedPlace(vertices[used[i]]);
       for (std::size_t k = 0; k < 3; ++k) {
         low[k] = i == 0 ? rounded[k] : std::min(low[k], rounded[k]);
@@ -145,7 +148,10 @@ class GltfMaker {
 
   void addIndices(const std::vector<std::uint32_t>& indices, std::size_t vertexCount) {
     const std::size_t start = numbers_.size();
-    for (const std::uint32_t index : indices) appendWord(numbers_, index);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      if (i % kNumbersPerPoll == 0) poll_();
+      appendWord(numbers_, indices[i]);
+    }
     addAccessor(start, kUnsignedInt, kIndexBuffer, indices.size(), "SCALAR", Json::array({vertexCount - 1}),
                 Json::array({0}));
   }
@@ -172,7 +178,10 @@ class GltfMaker {
     materials_.push_back({{"name", name}, {"pbrMetallicRoughness", std::move(look)}, {"doubleSided", true}});
   }
 
+  static constexpr std::size_t kNumbersPerPoll = 6 * 4096;  // of lines and of triangles
+
   double scale_;
+  Poll poll_;
   double largestError_ = 0;
   std::string numbers_;
   Json accessors_ = Json::array(), views_ = Json::array(), materials_ = Json::array(), meshes_ = Json::array();
@@ -255,7 +264,8 @@ void addDrops(GltfMaker& maker, const NavigationMesh& mesh, double scale) {
 
 /// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes, in
 /// words of 4 bytes each.
-std::string putTogether(Json json, const std::string& numbers, GltfKind kind) {
+std::string putTogether(Json json, const std::string& numbers, GltfKind kind, Poll poll) {
+  poll();
   if (kind == GltfKind::Text) {
     if (!numbers.empty()) json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + toBase64(numbers);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -301,10 +311,10 @@ Json extrasOf(const SourceFrame& frame, const ExportHeader& header, double scale
 }  // namespace
 
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options,
-                    std::span<const ExportExtra> extras) {
+                    std::span<const ExportExtra> extras, Poll poll) {
   checkScale(options, mesh);
   const double scale = mesh.frame.metresPerUnit * options.scale;
-  GltfMaker maker(scale);
+  GltfMaker maker(scale, poll);
   addLayers(maker, mesh, options, scale);
   if (options.connections) maker.add("connections", kConnections, mesh.vertices, mesh.connections);
   if (options.obstacleEdges) maker.add("obstacle_edges", kObstacleEdges, mesh.vertices, mesh.obstacleEdges);
@@ -321,7 +331,7 @@ GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeade
   Json json = maker.finish();
   json["asset"]["generator"] = "Footfall " FOOTFALL_VERSION;
   json["asset"]["extras"] = extrasOf(mesh.frame, header, options.scale);
-  return {putTogether(std::move(json), maker.numbers(), kind), maker.largestError()};
+  return {putTogether(std::move(json), maker.numbers(), kind, poll), maker.largestError()};
 }
 
 }  // namespace footfall::detail

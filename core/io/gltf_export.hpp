@@ -33,8 +33,9 @@ struct GltfFile {
 /// within a layer exactly where an agent can cross; between layers, which are meshes of their own, the connections say
 /// it. For programs that go on computing, OBJ has it all, in doubles.
 ///
-/// Throws InputError (checkScale(); coordinates that no float holds), or RunError for a .glb of more than 4 GB.
+/// Throws InputError (checkScale(); coordinates that no float holds), RunError for a .glb of more than 4 GB, and what
+/// `poll` throws.
 GltfFile formatGltf(GltfKind kind, const NavigationMesh& mesh, const ExportHeader& header,
-                    const ExportOptions& options = {}, std::span<const ExportExtra> extras = {});
+                    const ExportOptions& options = {}, std::span<const ExportExtra> extras = {}, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/io/drop_reading.hpp"
+#include "core/io/gltf_navigation_mesh.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -269,12 +270,39 @@ void checkContent(const NavigationMeshFile& file, const StatedContent& stated) {
   }
 }
 
+NavigationMeshFile fileOf(GltfNavigationMesh&& gltf, const std::string& path, std::optional<UpAxis> up) {
+  StatedContent stated;
+  stated.isExport = true;
+  stated.triangles = gltf.mesh.triangles.size();
+  stated.steps = gltf.statedSteps;
+  stated.gaps = gltf.statedGaps;  // not drops: floats may put a landing beside its triangle
+  NavigationMeshFile file;
+  file.path = path;
+  file.isExport = true;
+  file.statedUp = UpAxis::Y;
+  file.up = up.value_or(UpAxis::Y);
+  file.metresPerUnit = 1;
+  file.mesh = std::move(gltf.mesh);
+  file.layerNames = std::move(gltf.layerNames);
+  if (file.layerNames.empty()) file.layerNames = {"walkable"};
+  for (Vec3& p : file.mesh.vertices) p = fromFileFrame(p, file.up);
+  completeSteps(gltf.steps, StepKind::Step, file.mesh);
+  completeSteps(gltf.gaps, StepKind::Gap, file.mesh);
+  for (DropLine& line : gltf.drops)
+    for (Vec3& p : line) p = fromFileFrame(p, file.up);
+  completeDrops(gltf.drops, file.mesh);
+  checkContent(file, stated);
+  file.mesh.frame = {path, file.up, 1};
+  return file;
+}
+
 }  // namespace
 
 NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpAxis> up, UpAxis usualUp,
                                       RunContext* context) {
   std::string text = readInputFile(path, context);
   if (isGltf(text)) {
+    if (auto gltf = readGltfNavigationMesh(path, text)) return fileOf(std::move(*gltf), path, up);
     failInput(path, 0,
               FOOTFALL_TEXT("glTF has numbers of 24 bits and no exact surfaces, and its steps and drops are not read"),
               FOOTFALL_TEXT("export as OBJ, which holds all of it"));

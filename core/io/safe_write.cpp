@@ -3,14 +3,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/io/export.hpp"
+#include "core/io/output_files.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
@@ -96,6 +100,17 @@ Problem problemOf(const fs::path& target, int error) {
 
 [[noreturn]] void failWriting(const std::string& path, int error) { failWriting(path, path, error); }
 
+void writeAll(const std::string& path, int descriptor, std::string_view text, const Poll& poll) {
+  constexpr std::size_t kPiece = std::size_t{1} << 22;
+  while (!text.empty()) {
+    poll();
+    const ssize_t count = ::write(descriptor, text.data(), std::min(text.size(), kPiece));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) failWriting(path, errno);
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
 /// Creates a new file of a name that nobody has; its folder is the target's, since only there a rename is atomic.
 class TemporaryFile {
  public:
@@ -116,12 +131,17 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  [[nodiscard]] int descriptor() const { return descriptor_; }
-
-  void replaceTarget() {
+  /// All of it, down to the disk.
+  void write(std::string_view text, const Poll& poll) {
+    writeAll(shownPath_, descriptor_, text, poll);
+    if (::fsync(descriptor_) != 0) failWriting(shownPath_, errno);
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (::close(descriptor) != 0) failWriting(shownPath_, target_, errno);
+  }
+  void takeMode(mode_t mode) { ::fchmod(descriptor_, mode); }
+
+  void replaceTarget() {
     if (::rename(name_.c_str(), target_.c_str()) != 0) failWriting(shownPath_, target_, errno);
     renamed_ = true;
   }
@@ -134,21 +154,12 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
-void writeAll(const std::string& path, int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(descriptor, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) failWriting(path, errno);
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 /// A terminal, a pipe or a device cannot be replaced by a file.
-void writeInPlace(const std::string& path, const std::string& text) {
+void writeInPlace(const std::string& path, std::string_view text, const Poll& poll) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) failWriting(path, errno);
   try {
-    writeAll(path, descriptor, text);
+    writeAll(path, descriptor, text, poll);
   } catch (...) {
     ::close(descriptor);
     throw;
@@ -196,14 +207,69 @@ void syncFolder(const fs::path& folder) {
 
 void checkWritable(const std::string& path) { findTarget(path); }
 
+std::string besideName(const std::string& path, const std::string& suffix) {
+  const fs::path target(path);
+  return (target.parent_path() / (target.stem().string() + '-' + suffix + target.extension().string())).string();
+}
+
+std::vector<std::string> existingOutputs(const std::string& path) {
+  const fs::path target(path);
+  const std::string start = target.stem().string() + '-', ending = target.extension().string();
+  std::vector<std::string> found;
+  std::error_code ignored;
+  if (fs::is_regular_file(target, ignored)) found.push_back(path);
+  const auto isPage = [&](const std::string& name) {
+    if (!name.starts_with(start) || !name.ends_with(ending) || name.size() <= start.size() + ending.size())
+      return false;
+    const std::string_view suffix =
+        std::string_view(name).substr(start.size(), name.size() - start.size() - ending.size());
+    return suffix == kLinksSuffix || suffix.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::size_t single = found.size();
+  for (fs::directory_iterator at(folderOf(target), ignored), end; !ignored && at != end; at.increment(ignored))
+    if (isPage(at->path().filename().string()))
+      found.push_back((target.parent_path() / at->path().filename()).string());
+  // plan-2 before plan-10.
+  std::sort(
+      found.begin() + static_cast<std::ptrdiff_t>(single), found.end(),
+      [](const std::string& a, const std::string& b) { return a.size() != b.size() ? a.size() < b.size() : a < b; });
+  return found;
+}
+
+void writeFilesSafely(std::span<const OutputFile> files, Poll poll) {
+  struct Output {
+    const OutputFile& file;
+    Target target;
+    std::unique_ptr<TemporaryFile> temporary = nullptr;  ///< none where the target cannot be replaced
+  };
+  std::vector<Output> outputs;
+  outputs.reserve(files.size());
+  for (const OutputFile& file : files) outputs.push_back({file, findTarget(file.path)});
+  for (Output& output : outputs) {
+    const Target& target = output.target;
+    if (target.exists && !S_ISREG(target.mode)) continue;
+    output.temporary = std::make_unique<TemporaryFile>(output.file.path, target.path);
+    if (target.exists) output.temporary->takeMode(target.mode & 07777);
+    output.temporary->write(output.file.bytes, poll);
+  }
+  poll();
+  for (Output& output : outputs) {
+    if (output.temporary) {
+      output.temporary->replaceTarget();
+      syncFolder(folderOf(output.target.path));
+    } else {
+      writeInPlace(output.file.path, output.file.bytes, poll);
+    }
+  }
+}
+
 void writeFileSafely(const std::string& path, const std::string& text) {
   const Target target = findTarget(path);
-  if (target.exists && !S_ISREG(target.mode)) return writeInPlace(path, text);
+  if (target.exists && !S_ISREG(target.mode)) return writeInPlace(path, text, {});
 
   TemporaryFile file(path, target.path);
-  if (target.exists) ::fchmod(file.descriptor(), target.mode & 07777);
-  writeAll(path, file.descriptor(), text);
-  if (::fsync(file.descriptor()) != 0) failWriting(path, errno);
+  if (target.exists) file.takeMode(target.mode & 07777);
+  file.write(text, {});
   file.replaceTarget();
   syncFolder(folderOf(target.path));
 }

@@ -19,12 +19,12 @@ constexpr double kClearlyLess = 1 - 1e-9;  // what is nearer by less than that i
 constexpr double kTiny = 1e-12;            // times the largest coordinate: far above what rounding adds to lengths
 
 double along(double a, double b, double s) { return s <= 0 ? a : s >= 1 ? b : a + s * (b - a); }
-Vec3 pointAt(const BorderEdge& e, double s) {
+Vec3 pointAt(const SurfaceBorder& e, double s) {
   return {along(e.from.x, e.to.x, s), along(e.from.y, e.to.y, s), along(e.from.z, e.to.z, s)};
 }
 
 /// Where the border is nearest to a place in the plan.
-double nearestIn(const BorderEdge& e, const Vec3& p) {
+double nearestIn(const SurfaceBorder& e, const Vec3& p) {
   const double ux = e.to.x - e.from.x, uy = e.to.y - e.from.y, square = ux * ux + uy * uy;
   const double s = ((p.x - e.from.x) * ux + (p.y - e.from.y) * uy) / square;
   return square > 0 ? std::clamp(s, 0.0, 1.0) : 0;
@@ -33,7 +33,7 @@ double nearestIn(const BorderEdge& e, const Vec3& p) {
 /// Of two borders: the best place so far.
 class Choice {
  public:
-  Choice(const BorderEdge& a, const BorderEdge& b, double step) : a_(a), b_(b), step_(step) {
+  Choice(const SurfaceBorder& a, const SurfaceBorder& b, double step) : a_(a), b_(b), step_(step) {
     for (const Vec3& p : {a.from, a.to, b.from, b.to})
       tiny_ = std::max({tiny_, kTiny * std::fabs(p.x), kTiny * std::fabs(p.y), kTiny * std::fabs(p.z)});
   }
@@ -58,19 +58,19 @@ class Choice {
   [[nodiscard]] double tiny() const { return tiny_; }
 
  private:
-  const BorderEdge &a_, &b_;
+  const SurfaceBorder &a_, &b_;
   double step_;
   double tiny_ = 0;
   std::optional<BorderLink> best_;
 };
 
 /// The stretch of `a` beside `b`: between the feet of b's ends.
-std::array<double, 2> stretchBeside(const BorderEdge& a, const BorderEdge& b) {
+std::array<double, 2> stretchBeside(const SurfaceBorder& a, const SurfaceBorder& b) {
   const double s = nearestIn(a, b.from), t = nearestIn(a, b.to);
   return {std::min(s, t), std::max(s, t)};
 }
 
-double heightOver(const BorderEdge& a, const BorderEdge& b, double s) {
+double heightOver(const SurfaceBorder& a, const SurfaceBorder& b, double s) {
   const Vec3 p = pointAt(a, s);
   return pointAt(b, nearestIn(b, p)).z - p.z;
 }
@@ -95,15 +95,15 @@ SurfaceParts findSurfaceParts(const NavigationMesh& mesh, const SurfaceTopology&
   return parts;
 }
 
-std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
-                                    const SurfaceParts& parts) {
+std::vector<SurfaceBorder> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
+                                       const SurfaceParts& parts) {
   // Over a joined side lies a triangle of the mesh with the same two vertices, over a step one with others.
   const auto isJoined = [&](const Triangle& f, std::size_t k, std::uint32_t neighbour) {
     if (neighbour >= mesh.triangles.size()) return false;  // none, or a bridge over a gap
     const Triangle& other = mesh.triangles[neighbour];
     return std::ranges::count(other, f[k]) + std::ranges::count(other, f[(k + 1) % 3]) == 2;
   };
-  std::vector<BorderEdge> borders;
+  std::vector<SurfaceBorder> borders;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (topology.components[t] == SurfaceTopology::kNone) continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -115,9 +115,9 @@ std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTop
   return borders;
 }
 
-Vec3 nearestPoint(const BorderEdge& border, const Vec3& place) { return pointAt(border, nearestIn(border, place)); }
+Vec3 nearestPoint(const SurfaceBorder& border, const Vec3& place) { return pointAt(border, nearestIn(border, place)); }
 
-std::optional<Vec3> besideOn(const BorderEdge& border, const Vec3& place, double step) {
+std::optional<Vec3> besideOn(const SurfaceBorder& border, const Vec3& place, double step) {
   const double length = std::hypot(border.to.x - border.from.x, border.to.y - border.from.y);
   const double s = nearestIn(border, place), t = std::clamp(s + step / length, 0.0, 1.0);
   if (s == t) return std::nullopt;
@@ -139,7 +139,7 @@ double excessOf(const BorderLink& link, double height, double step, double gap) 
   return excess;
 }
 
-std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b, double step) {
+std::optional<BorderLink> linkBetween(const SurfaceBorder& a, const SurfaceBorder& b, double step) {
   const double ax = a.to.x - a.from.x, ay = a.to.y - a.from.y, bx = b.to.x - b.from.x, by = b.to.y - b.from.y;
   Choice choice(a, b, step);
   if (a.from == b.to && a.to == b.from) {  // both sides of one edge: without rounding

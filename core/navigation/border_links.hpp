@@ -23,15 +23,15 @@ SurfaceParts findSurfaceParts(const NavigationMesh& mesh, const SurfaceTopology&
 
 /// A side of a triangle on which no other triangle is joined; the triangle lies to the left of it. Each side of an
 /// obstacle edge is one, and of a step: it may lack something towards a third border.
-struct BorderEdge {
+struct SurfaceBorder {
   Vec3 from, to;
   std::uint32_t triangle = 0;
   std::uint32_t component = 0;  ///< its part (SurfaceParts)
 };
 
 /// The borders of a mesh, in the order of triangles and sides.
-std::vector<BorderEdge> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
-                                    const SurfaceParts& parts);
+std::vector<SurfaceBorder> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
+                                       const SurfaceParts& parts);
 
 /// What an agent of that height, step and gap lacks at a place (BorderLink::excess).
 double excessOf(const BorderLink& link, double height, double step, double gap = 0);
@@ -44,13 +44,13 @@ double excessOf(const BorderLink& link, double height, double step, double gap =
 /// that are returned are there, and what they ask for is enough, never too little by more than rounding; another place
 /// may ask for less. Whether borders touch in a point only is decided with kTiny of the coordinates: lengths below that
 /// are none.
-std::optional<BorderLink> linkBetween(const BorderEdge& a, const BorderEdge& b, double step = 0);
+std::optional<BorderLink> linkBetween(const SurfaceBorder& a, const SurfaceBorder& b, double step = 0);
 
 /// The place on a border that is nearest to another place in the plan.
-Vec3 nearestPoint(const BorderEdge& border, const Vec3& place);
+Vec3 nearestPoint(const SurfaceBorder& border, const Vec3& place);
 /// The place on a border that lies `step` farther along it than another one, or its end; nothing where that is the
 /// same.
-std::optional<Vec3> besideOn(const BorderEdge& border, const Vec3& place, double step);
+std::optional<Vec3> besideOn(const SurfaceBorder& border, const Vec3& place, double step);
 
 /// A link seen from its other border.
 BorderLink reversed(const BorderLink& link);

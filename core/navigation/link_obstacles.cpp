@@ -71,13 +71,13 @@ namespace {
 using Way = LinkObstacles::Way;
 
 /// A unit vector of the plan that leaves the walkable side.
-std::array<double, 2> outwards(const BorderEdge& e) {
+std::array<double, 2> outwards(const SurfaceBorder& e) {
   const double length = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y);
   return {(e.to.y - e.from.y) / length, (e.from.x - e.to.x) / length};
 }
 
 /// From a place on border `a` to one on border `b`; straight out of `a` where they are next to each other.
-Way wayBetween(const BorderEdge& a, const Vec3& p, const Vec3& q, double reach) {
+Way wayBetween(const SurfaceBorder& a, const Vec3& p, const Vec3& q, double reach) {
   const double gap = std::hypot(q.x - p.x, q.y - p.y);
   if (gap > reach) return {p, (q.x - p.x) / gap, (q.y - p.y) / gap, -reach, gap + reach};
   const auto [x, y] = outwards(a);
@@ -85,7 +85,7 @@ Way wayBetween(const BorderEdge& a, const Vec3& p, const Vec3& q, double reach) 
 }
 
 /// Whether a way leaves the walkable side at `a` and enters that at `b`, and not only along them.
-bool isCrossing(const Way& way, const BorderEdge& a, const BorderEdge& b) {
+bool isCrossing(const Way& way, const SurfaceBorder& a, const SurfaceBorder& b) {
   const auto m = outwards(a), n = outwards(b);
   return way.ux * m[0] + way.uy * m[1] > kClearly && way.ux * n[0] + way.uy * n[1] < -kClearly;
 }
@@ -119,8 +119,9 @@ LinkObstacles::LinkObstacles(std::shared_ptr<const Environment> environment, dou
   if (!boxes.empty()) tree_.build(boxes, ids, poll);
 }
 
-std::optional<LinkObstacles::Sight> LinkObstacles::look(const BorderLink& link, const BorderEdge& a,
-                                                        const BorderEdge& b, std::vector<std::int32_t>& stack) const {
+std::optional<LinkObstacles::Sight> LinkObstacles::look(const BorderLink& link, const SurfaceBorder& a,
+                                                        const SurfaceBorder& b,
+                                                        std::vector<std::int32_t>& stack) const {
   const double beside = kBeside * height_;
   std::optional<Sight> best;
   const auto rank = [](const BorderLink& seen) { return std::pair(seen.isBlocked(), seen.size()); };
@@ -140,7 +141,7 @@ std::optional<LinkObstacles::Sight> LinkObstacles::look(const BorderLink& link, 
   return best;
 }
 
-bool LinkObstacles::lookAt(BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+bool LinkObstacles::lookAt(BorderLink& link, const SurfaceBorder& a, const SurfaceBorder& b,
                            std::vector<std::int32_t>& stack) const {
   const std::optional<Sight> sight = look(link, a, b, stack);
   if (sight && link.kind == LinkKind::Open) link = sight->link;
@@ -187,7 +188,7 @@ BorderLink LinkObstacles::seeAlong(const Way& way, const BorderLink& link, std::
   return seen;
 }
 
-void LinkObstacles::findTriangles(BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+void LinkObstacles::findTriangles(BorderLink& link, const SurfaceBorder& a, const SurfaceBorder& b,
                                   std::vector<std::int32_t>& stack) const {
   link.triangles.clear();
   BorderLink open = link;

@@ -32,10 +32,10 @@ class LinkObstacles {
   /// Computed in doubles, and from one side: what is found stands there, up to a few units in the last place, within
   /// kReach of both borders; what stands nowhere on the two lines that are looked along, or reaches less than kMargin
   /// into the agent, is not seen. So an obstacle is never invented, and a way that is called open may not be.
-  bool lookAt(BorderLink& link, const BorderEdge& a, const BorderEdge& b, std::vector<std::int32_t>& stack) const;
+  bool lookAt(BorderLink& link, const SurfaceBorder& a, const SurfaceBorder& b, std::vector<std::int32_t>& stack) const;
 
   /// Fills in `triangles` of a link that was looked at.
-  void findTriangles(BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+  void findTriangles(BorderLink& link, const SurfaceBorder& a, const SurfaceBorder& b,
                      std::vector<std::int32_t>& stack) const;
 
   [[nodiscard]] double height() const { return height_; }
@@ -44,7 +44,7 @@ class LinkObstacles {
  private:
   /// What was seen, and along which way.
   struct Sight;
-  [[nodiscard]] std::optional<Sight> look(const BorderLink& link, const BorderEdge& a, const BorderEdge& b,
+  [[nodiscard]] std::optional<Sight> look(const BorderLink& link, const SurfaceBorder& a, const SurfaceBorder& b,
                                           std::vector<std::int32_t>& stack) const;
   [[nodiscard]] BorderLink seeAlong(const Way& way, const BorderLink& link, std::vector<std::int32_t>& stack) const;
   template <class Visit>

@@ -39,7 +39,7 @@ namespace detail {
 struct SeparationGround {
   std::shared_ptr<const PathGround> ground;
   SurfaceParts parts;
-  std::vector<BorderEdge> borders;
+  std::vector<SurfaceBorder> borders;
   TriangleTree tree;  ///< of the borders
   LinkObstacles obstacles;
   double gap = 0;  ///< that the agent steps over
@@ -53,7 +53,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What may lack no more than `most` towards a border.
-Box boxOf(const BorderEdge& e, double most, double step, double gap) {
+Box boxOf(const SurfaceBorder& e, double most, double step, double gap) {
   const auto low = [](double a, double b, double by) { return std::nextafter(std::min(a, b) - by, -kInfinity); };
   const auto high = [](double a, double b, double by) { return std::nextafter(std::max(a, b) + by, kInfinity); };
   const double up = std::nextafter(most + step, kInfinity),
@@ -164,7 +164,7 @@ class SeparationSearch {
   /// than `most`.
   bool collect(double done, double band, std::size_t most, std::vector<Pair>& pairs) {
     const std::vector<Index> sets = numberSets();
-    const std::vector<BorderEdge>& borders = ground_.borders;
+    const std::vector<SurfaceBorder>& borders = ground_.borders;
     pairs.clear();
     std::mutex access;
     std::atomic<std::size_t> count{0};
@@ -204,7 +204,7 @@ class SeparationSearch {
         waiting_.pop();
       else
         ++next;
-      const BorderEdge &a = ground_.borders[pair.a], &b = ground_.borders[pair.b];
+      const SurfaceBorder &a = ground_.borders[pair.a], &b = ground_.borders[pair.b];
       if (sets_.find(index(a.component)) == sets_.find(index(b.component))) continue;
       BorderLink link = *linkOf(pair.a, pair.b);
       if (!ground_.obstacles.lookAt(link, a, b, stack_) || link.isClosed()) continue;
@@ -223,7 +223,7 @@ class SeparationSearch {
     for (int joined = 0;; ++joined) {
       const std::vector<Index> sets = numberSets();
       std::array<std::size_t, 2> sizes{};
-      for (const BorderEdge& border : ground_.borders)
+      for (const SurfaceBorder& border : ground_.borders)
         for (std::size_t k = 0; k < 2; ++k)
           if (sets[border.component] == sets[k == 0 ? from_ : to_]) ++sizes[k];
       if (joined == 0) fromSmaller_ = sizes[0] <= sizes[1];
@@ -231,7 +231,7 @@ class SeparationSearch {
       const auto isTarget = [&](Index set) { return joined < kMostJoined ? set != own : set == other; };
       const std::optional<Pair> nearest = nearestPair(sets, own, isTarget);
       if (!nearest) return false;
-      const BorderEdge &a = ground_.borders[nearest->a], &b = ground_.borders[nearest->b];
+      const SurfaceBorder &a = ground_.borders[nearest->a], &b = ground_.borders[nearest->b];
       BorderLink link = *linkOf(nearest->a, nearest->b);
       ground_.obstacles.lookAt(link, a, b, stack_);
       link.excess = excessOf(link);
@@ -242,7 +242,7 @@ class SeparationSearch {
 
   template <class IsTarget>
   std::optional<Pair> nearestPair(const std::vector<Index>& sets, Index own, const IsTarget& isTarget) {
-    const std::vector<BorderEdge>& borders = ground_.borders;
+    const std::vector<SurfaceBorder>& borders = ground_.borders;
     std::vector<std::uint32_t> asking;
     Box whole{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
     bool anyTarget = false;
@@ -340,7 +340,7 @@ class SeparationSearch {
     DisjointSets stretches(ways_.size());
     std::map<Ends, Index> wayAt;
     for (std::size_t i = 0; i < ways_.size(); ++i) {
-      const BorderEdge &a = ground_.borders[ways_[i].a], &b = ground_.borders[ways_[i].b];
+      const SurfaceBorder &a = ground_.borders[ways_[i].a], &b = ground_.borders[ways_[i].b];
       for (const Vec3& p : {a.from, a.to})
         for (const Vec3& q : {b.from, b.to}) {
           const auto [found, isNew] = wayAt.try_emplace(Ends{p.x, p.y, p.z, q.x, q.y, q.z}, static_cast<Index>(i));
@@ -364,11 +364,11 @@ class SeparationSearch {
   bool fromSmaller_ = true;
 };
 
-TriangleTree treeOver(const std::vector<BorderEdge>& borders, Poll poll) {
+TriangleTree treeOver(const std::vector<SurfaceBorder>& borders, Poll poll) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;
   boxes.reserve(borders.size());
-  for (const BorderEdge& border : borders) {
+  for (const SurfaceBorder& border : borders) {
     boxes.push_back(boxOf(border, 0, 0, 0));
     ids.push_back(static_cast<std::int32_t>(ids.size()));
   }
@@ -384,7 +384,7 @@ SeparationFinder::SeparationFinder(const PathFinder& finder, std::shared_ptr<con
   const Poll poll(context);
   const std::shared_ptr<const PathGround>& ground = finder.inside();
   SurfaceParts parts = findSurfaceParts(*ground->mesh, ground->topology);
-  std::vector<BorderEdge> borders = findBorders(*ground->mesh, ground->topology, parts);
+  std::vector<SurfaceBorder> borders = findBorders(*ground->mesh, ground->topology, parts);
   TriangleTree tree = treeOver(borders, poll);
   inside_ = std::make_unique<const SeparationGround>(
       SeparationGround{ground, std::move(parts), std::move(borders), std::move(tree),

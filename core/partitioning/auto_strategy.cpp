@@ -41,8 +41,8 @@ AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double
   const double most = kCellsPerThread * input.threads;
   const double affordable = work({kFewestTriangles, static_cast<double>(depthOf(most))}) / kLeastWorkOfCell;
   if (affordable < 2) {
-    choice.reason =
-        Text(FOOTFALL_TEXT("One cell, because the %1 triangles are little work: threads share its floors."), triangles);
+    choice.reason = Text(FOOTFALL_TEXT("One cell, because the %1 triangles are little work: threads share its floors."),
+                         Text::count(triangles));
     return choice;
   }
   const int depth = depthOf(std::min(most, affordable));
@@ -51,7 +51,7 @@ AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double
   choice.reason =
       Text(FOOTFALL_TEXT("Up to %1 cells of about equal estimated work for %2 threads, because %3 triangles "
                          "are enough work to share; cut between storeys where that cuts no floor."),
-           1 << depth, input.threads, triangles);
+           1 << depth, input.threads, Text::count(triangles));
   return choice;
 }
 

@@ -34,17 +34,22 @@ std::vector<CellSide> sidesOf(const CellBounds& bounds) {
   return sides;
 }
 
-std::vector<std::size_t> orderOf(const Partition& partition) {
+std::vector<std::size_t> orderOf(const Partition& partition, const CellsElsewhere& elsewhere) {
   std::vector<double> costs;
   for (const Cell& cell : partition.cells) costs.push_back(cell.cost);
-  return longestFirst(costs);
+  std::vector<std::size_t> order = longestFirst(costs);
+  if (elsewhere.exchange == nullptr) return order;
+  const auto others =
+      std::stable_partition(order.begin(), order.end(), [&](std::size_t cell) { return elsewhere.isMine[cell] != 0; });
+  if (!elsewhere.exchange->merges()) order.erase(others, order.end());
+  return order;
 }
 
 }  // namespace
 
 CellRun::CellRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
                  const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
-                 const Stopwatch& clock, RunContext& context)
+                 const Stopwatch& clock, RunContext& context, CellsElsewhere elsewhere)
     : partition_(partition),
       floors_(floors),
       mesh_(mesh),
@@ -53,15 +58,19 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
       reports_(reports),
       clock_(clock),
       context_(context),
-      order_(orderOf(partition)),
+      elsewhere_(std::move(elsewhere)),
+      order_(orderOf(partition, elsewhere_)),
       cells_(partition.cells.size()),
       passed_(filters_.tests.empty() ? 0 : walkable.size(), 0),
       itemsExpected_(floors.floors.size()),
       current_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
       workers_(current_.size(), nullptr),
       records_(current_.size()),
-      cellsLeft_(partition.cells.size()) {
+      cellsLeft_(order_.size()) {
   for (auto& cell : current_) cell = -1;
+  ownLeft_ = static_cast<std::size_t>(std::count_if(
+      order_.begin(), order_.end(), [this](std::size_t cell) { return isMine(static_cast<Index>(cell)); }));
+  othersToTest_ = order_.size() - ownLeft_;
   for (ThreadRecord& record : records_) record.workMs.resize(filters_.names.size());
   if (filters_.clearance == nullptr) return;
   for (const Cell& cell : partition.cells) sides_.push_back(sidesOf(cell.bounds));
@@ -79,6 +88,7 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
 }
 
 void CellRun::run() {
+  if (elsewhere_.exchange != nullptr && ownLeft_ == 0) elsewhere_.exchange->ownFinished();
   // Few floors can be much work: giants under a level full of walls.
   double useful = static_cast<double>(floors_.floors.size());
   if (filters_.clearance != nullptr) {
@@ -106,6 +116,8 @@ void CellRun::work() {
         join(next, thread);
       } else if (const std::size_t n = nextCell_.fetch_add(1); n < order_.size()) {
         begin(static_cast<Index>(order_[n]), thread);
+      } else if (takeArrived(thread)) {
+        continue;
       } else if (const std::size_t m = nextRest_.fetch_add(1); m < order_.size()) {
         runRest(static_cast<Index>(order_[m]), thread);
       } else if (const Index cell = cellToHelp(); cell >= 0) {
@@ -130,7 +142,7 @@ void CellRun::begin(Index cell, int thread) {
   CellWork& work = cells_[cell];
   {
     const std::lock_guard lock(work.mutex);
-    if (const bool isFirstPhase = reports_[cell].endMs == 0; isFirstPhase) {
+    if (const bool isFirstPhase = reports_[cell].endMs == 0; isFirstPhase && isMine(cell)) {
       reports_[cell].thread = thread;
       reports_[cell].startMs = clock_.wallMs();
     }
@@ -161,6 +173,10 @@ void CellRun::begin(Index cell, int thread) {
     const std::lock_guard lock(mutex_);
     fallbacks_ += count;
   }
+  if (!isMine(cell)) {
+    --othersToTest_;
+    return;
+  }
   if (filters_.clearance == nullptr) {
     work.trianglesOut = work.floors.size();
     done(cell, 1);
@@ -186,7 +202,7 @@ void CellRun::begin(Index cell, int thread) {
 
 // What is left of a cell whose shares are done. If they are not, the thread that began it goes on by itself.
 void CellRun::runRest(Index cell, int thread) {
-  if (cells_[cell].rest.exchange(Rest::Wanted) != Rest::Ready) return;
+  if (!isMine(cell) || cells_[cell].rest.exchange(Rest::Wanted) != Rest::Ready) return;
   current_[thread] = cell;
   runItems(cell, thread);
 }
@@ -228,11 +244,16 @@ bool CellRun::takeAndRun(Index cell, int thread) {
     return false;
   }
   const std::size_t sum = itemsDone_.fetch_add(finished, std::memory_order_relaxed);
-  context_.progress(kShareOfProgress * static_cast<double>(sum) / static_cast<double>(itemsExpected_));
+  reportItems(sum);
   done(cell, finished);
   Join next;
   while (takeJoin(next)) join(next, thread);
   return true;
+}
+
+void CellRun::reportItems(std::size_t done) const {
+  const auto expected = static_cast<double>(std::max<std::size_t>(itemsExpected_, 1));
+  context_.progress(kShareOfProgress * static_cast<double>(done) / expected);
 }
 
 bool CellRun::takeFloors(CellWork& work, std::vector<Index>& floors) {
@@ -300,17 +321,30 @@ std::size_t CellRun::meshFloors(Index cell, const std::vector<Index>& floors, Cl
 }
 
 void CellRun::clipShare(Index cell, Index face, ClearancePass::Worker& own) {
-  Shares& all = shares_[sharesOf_[face]];
-  const Index slot = all.begun.fetch_add(1);
   if (filters_.clearance->canShare(face)) {
-    if (FaceShare share = filters_.clearance->clipShare(face, sides_[cell], own); !share.empty()) {
-      const std::lock_guard lock(all.mutex);
-      all.shares.push_back(std::move(share));
+    FaceShare share = filters_.clearance->clipShare(face, sides_[cell], own);
+    if (elsewhere_.exchange != nullptr && elsewhere_.exchange->wantsOwn() && !share.empty()) {
+      const std::lock_guard lock(cells_[cell].mutex);
+      cells_[cell].parts.push_back({face, share});
     }
-    if (all.arrived.fetch_add(1) + 1 < all.cells) return;
-  } else if (slot > 0) {
-    return;  // the first cell takes it as a whole
+    if (merges()) addShare(cell, face, std::move(share));
+    return;
   }
+  // One cell takes it as a whole: the first one that comes to it, or one that all processes know.
+  const bool isFirst = shares_[sharesOf_[face]].begun.fetch_add(1) == 0;
+  if (elsewhere_.exchange != nullptr ? isWholeOf(cell, face) : isFirst) addJoin(cell, face);
+}
+
+void CellRun::addShare(Index cell, Index face, FaceShare share) {
+  Shares& all = shares_[sharesOf_[face]];
+  if (!share.empty()) {
+    const std::lock_guard lock(all.mutex);
+    all.shares.push_back(std::move(share));
+  }
+  if (all.arrived.fetch_add(1) + 1 == all.cells) addJoin(cell, face);
+}
+
+void CellRun::addJoin(Index cell, Index face) {
   ++cells_[cell].left;
   const std::lock_guard lock(mutex_);
   joins_.push_back({face, cell});
@@ -409,8 +443,12 @@ void CellRun::finish(Index cell) {
     std::sort(reports_[cell].spans.begin(), reports_[cell].spans.end(),
               [](const CellSpan& a, const CellSpan& b) { return a.startMs < b.startMs; });
     reports_[cell].trianglesOut = cells_[cell].trianglesOut;
-    reports_[cell].endMs = clock_.wallMs();
+    if (isMine(cell)) reports_[cell].endMs = clock_.wallMs();
     report = std::make_shared<const CellReport>(reports_[cell]);
+  }
+  if (elsewhere_.exchange != nullptr && isMine(cell)) {
+    if (elsewhere_.exchange->wantsOwn()) give(cell);
+    if (--ownLeft_ == 0) elsewhere_.exchange->ownFinished();
   }
   context_.cellFinished(static_cast<std::size_t>(cell), std::move(report), std::move(mesh));
   const std::lock_guard lock(mutex_);

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "core/base/process_usage.hpp"
+#include "core/distributed/cell_exchange.hpp"
+#include "core/distributed/cell_share.hpp"
 #include "core/filters/clearance/clearance_pass.hpp"
 #include "core/partitioning/strategies.hpp"
 #include "footfall/run_context.hpp"
@@ -27,6 +29,12 @@ struct CellFilters {
   ClearancePass* clearance = nullptr;
 };
 
+/// Cells that other processes run.
+struct CellsElsewhere {
+  CellExchange* exchange = nullptr;  ///< null: there are none
+  std::vector<char> isMine;          ///< for each cell, once the exchange has begun the pass
+};
+
 /// One phase of a block. Reports are those of the block's cells and grow with each phase.
 class CellRun {
  public:
@@ -34,7 +42,7 @@ class CellRun {
   /// began.
   CellRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
           const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
-          const Stopwatch& clock, RunContext& context);
+          const Stopwatch& clock, RunContext& context, CellsElsewhere elsewhere = {});
 
   /// Runs all cells on the threads of the present arena.
   void run();
@@ -60,6 +68,7 @@ class CellRun {
     std::atomic<std::uint64_t> trianglesOut{0};
     std::mutex mutex;                       ///< of the report and of the following
     std::vector<Index> smallCut, largeCut;  ///< floors that are clipped and not yet triangulated
+    std::vector<FacePart> parts;            ///< for other processes
   };
   /// The shares of one face; those on which nothing stands are only counted. Giants have one in each of thousands of
   /// cells.
@@ -93,10 +102,21 @@ class CellRun {
   std::size_t clipFloors(Index cell, const std::vector<Index>& floors, int thread, double startMs);
   std::size_t meshFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own);
   void clipShare(Index cell, Index face, ClearancePass::Worker& own);
+  void addShare(Index cell, Index face, FaceShare share);
+  void addJoin(Index cell, Index face);
   void join(const Join& join, int thread);
   bool takeJoin(Join& join);
   [[nodiscard]] Index cellToHelp();
+  [[nodiscard]] bool isMine(Index cell) const { return elsewhere_.exchange == nullptr || elsewhere_.isMine[cell] != 0; }
+  [[nodiscard]] bool merges() const { return elsewhere_.exchange == nullptr || elsewhere_.exchange->merges(); }
+  [[nodiscard]] bool isWholeOf(Index cell, Index face) const;
+  bool takeArrived(int thread);
+  void addArrived(const ArrivedShare& arrived);
+  void addFaces(Index cell, CellShare& share);
+  void addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived);
+  void give(Index cell);
   void done(Index cell, std::size_t items);
+  void reportItems(std::size_t done) const;
   void record(Index cell, std::size_t filter, int thread, double startMs);
   void finish(Index cell);
 
@@ -108,8 +128,10 @@ class CellRun {
   std::vector<CellReport>& reports_;
   const Stopwatch& clock_;
   RunContext& context_;
+  CellsElsewhere elsewhere_;
 
-  std::vector<std::size_t> order_;
+  std::vector<std::size_t> order_;  ///< of cells: own ones first; those of others only where they are merged
+  std::atomic<std::size_t> ownLeft_{0}, othersToTest_{0};
   std::vector<CellWork> cells_;
   std::vector<Index> sharesOf_;  ///< for each face its number in shares_, or -1
   std::vector<Shares> shares_;

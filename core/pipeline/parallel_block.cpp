@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/base/counted_text.hpp"
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/pipeline/cell_run.hpp"
+#include "core/pipeline/result_cache.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -27,7 +29,8 @@ class Block {
     makeCells();
     const std::size_t last = request_.steps.size() - 1;
     for (std::size_t k = 1; k < last; ++k) context_.beginStep(request_.firstStep + k, nameOf(k));
-    for (std::size_t k = 1; k < last;) k = runPhase(k);
+    for (std::size_t k = 1; k < last && state_;) k = runPhase(k);
+    if (!state_) return std::move(outcome_);
     collapse();
     outcome_.state = std::move(state_);
     return std::move(outcome_);
@@ -52,7 +55,8 @@ class Block {
   void makeCells() {
     const Stopwatch watch;
     context_.beginStep(request_.firstStep, nameOf(0));
-    const StrategyInput input = strategyInput(*state_, request_.steps, request_.threads, context_);
+    const StrategyInput input = strategyInput(
+        *state_, request_.steps, request_.exchange != nullptr ? kThreadsOfAll : request_.threads, context_);
     partition_ = makePartition(request_.steps[0]->filter->type, request_.steps[0]->values, input);
     floors_ = assignFloors(partition_, input);
     mesh_ = state_->kernel->sharedMesh();
@@ -110,9 +114,15 @@ class Block {
       pass.emplace(state_, clearance->values[0], tests, partition_.borders, request_.recall, context_);
       filters.clearance = &*pass;
     }
+    CellsElsewhere elsewhere;
+    if (pass && request_.exchange != nullptr) elsewhere = divideCells(k + tests.size());
     CellRun cells(partition_, floors_, *mesh_, state_->walkable, std::move(filters), outcome_.report.cells, clock_,
-                  context_);
+                  context_, elsewhere);
     cells.run();
+    if (elsewhere.exchange != nullptr && !elsewhere.exchange->merges()) {
+      state_ = nullptr;
+      return;
+    }
     const double wallMs = watch.wallMs();
     outcome_.report.parallelMs += wallMs;
 
@@ -130,6 +140,22 @@ class Block {
     state_ = std::move(outcome.state);
     finishCellStep(k + tests.size(), startMs, wallMs, tests.size(), cells);
     outcome_.steps.back().fallbacks = outcome.fallbacks;
+  }
+
+  // Which cells of the pass of step k this process runs.
+  CellsElsewhere divideCells(std::size_t k) {
+    CellPhase phase;
+    phase.number = request_.phasesBefore + countPhases(request_.steps, k);
+    phase.isLast = phase.number + 1 == request_.phases;
+    Digest digest;
+    digest.add(request_.key).add(prefixKey(request_.steps, k + 1));
+    for (const std::vector<double>& borders : partition_.borders) digest.add(std::span<const double>(borders));
+    for (const Partition::Node& node : partition_.nodes)
+      digest.add(node.axis).add(node.coordinate).add(node.below).add(node.above);
+    phase.key = digest.value();
+    for (const Cell& cell : partition_.cells) phase.costs.push_back(cell.cost);
+    phase.nowMs = clock_.wallMs();
+    return {request_.exchange, request_.exchange->begin(phase, context_)};
   }
 
   // What the cells found, as the filter's own state.
@@ -197,6 +223,16 @@ class Block {
 };
 
 }  // namespace
+
+std::size_t countPhases(const std::vector<const PipelineStep*>& steps, std::size_t count) {
+  bool isInBlock = false;
+  std::size_t phases = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (steps[i]->filter->kind != FilterKind::Filter) isInBlock = steps[i]->filter->kind == FilterKind::Strategy;
+    if (isInBlock && steps[i]->filter->type == FilterType::VerticalClearance) ++phases;
+  }
+  return phases;
+}
 
 StrategyInput strategyInput(const WalkableState& state, const std::vector<const PipelineStep*>& steps, int threads,
                             RunContext& context) {

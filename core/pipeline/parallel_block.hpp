@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/base/process_usage.hpp"
+#include "core/distributed/cell_exchange.hpp"
 #include "core/filters/filter.hpp"
 #include "core/partitioning/strategies.hpp"
 #include "core/pipeline/runner.hpp"
@@ -18,10 +20,15 @@ struct BlockRequest {
   StateSummary summary;                    ///< of that state
   Recall recall;                           ///< `before`: what an earlier run had after the block
   int threads = 1;
+
+  // Of a run that several processes share:
+  CellExchange* exchange = nullptr;
+  std::string key;                           ///< of the environment and the steps before
+  std::size_t phasesBefore = 0, phases = 0;  ///< countPhases() before this block, and in all
 };
 
 struct BlockOutcome {
-  StatePtr state;
+  StatePtr state;  ///< null: other processes have the shares of this one, and go on without it
   StateSummary summary;
   std::vector<StepStatistics> steps;
   BlockReport report;
@@ -30,6 +37,13 @@ struct BlockOutcome {
 /// Runs the block on the threads of the present arena. The state is, byte for byte, the one that the block's filters
 /// give one after the other without cells. Throws as applyFilter() does.
 BlockOutcome runBlock(const BlockRequest& request, const Stopwatch& clock, RunContext& context);
+
+/// In the first `count` enabled steps the passes whose shares processes exchange: clearance filters in blocks.
+std::size_t countPhases(const std::vector<const PipelineStep*>& steps, std::size_t count);
+
+/// The threads for which AutoStrategy makes cells where several processes share a run: whatever their number, the cells
+/// are the same, so that shares of another number of processes are of use.
+constexpr int kThreadsOfAll = 64;
 
 /// What a strategy sees of a state. `steps`: from the strategy to Collapse.
 StrategyInput strategyInput(const WalkableState& state, const std::vector<const PipelineStep*>& steps, int threads,

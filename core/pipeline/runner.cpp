@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/parallel_block.hpp"
 #include "core/pipeline/result_cache.hpp"
+#include "footfall/version.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -72,13 +74,14 @@ auto withPlace(const Text& place, Work&& work) {
 class Run {
  public:
   Run(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context, PrefixCache* cache,
-      int threads, const Stopwatch& clock)
+      int threads, const Stopwatch& clock, CellExchange* exchange = nullptr)
       : environment_(std::move(environment)),
         pipeline_(pipeline),
         context_(context),
         cache_(cache),
         threads_(threads),
-        clock_(clock) {
+        clock_(clock),
+        exchange_(exchange) {
     for (const PipelineStep& step : pipeline.steps) {
       if (step.enabled) steps_.push_back(&step);
     }
@@ -93,6 +96,8 @@ class Run {
 
   RunResult execute() {
     context_.checkCancelled();
+    const bool isDivided = exchange_ != nullptr && countPhases(steps_, steps_.size()) > 0;
+    if (exchange_ != nullptr && !isDivided && !exchange_->merges()) return {};
     takeFromCache();
     const double startMs = current_.state ? 0 : makeStart();
     while (current_.steps.size() < steps_.size()) {
@@ -101,6 +106,7 @@ class Run {
         runBlockAt(next);
       else
         runStep(next);
+      if (!current_.state) return {};  // the others go on
     }
     const Stopwatch finishing;
     context_.checkCancelled();
@@ -122,18 +128,18 @@ class Run {
 
   // See stepStates(); there must be a cache.
   std::vector<StatePtr> states() {
-    bring(0);
+    advanceTo(0);
     std::vector<StatePtr> states{current_.state};
     for (std::size_t step = 0; step < steps_.size();) {
       if (steps_[step]->filter->kind != FilterKind::Strategy) {
-        bring(++step);
+        advanceTo(++step);
         states.push_back(current_.state);
         continue;
       }
       StatePtr state = current_.state;
       states.push_back(state);  // the strategy's
       const std::size_t collapse = findCollapse(step);
-      bring(collapse + 1);
+      advanceTo(collapse + 1);
       for (++step; step < collapse; ++step) {
         // The last filter's is that of the block, and it is most of the work.
         state = step + 1 < collapse ? applyAlone(step, state) : current_.state;
@@ -147,7 +153,7 @@ class Run {
 
  private:
   // Makes current_ what it is after the first `count` steps: one more than now, or those of a block.
-  void bring(std::size_t count) {
+  void advanceTo(std::size_t count) {
     context_.checkCancelled();
     if (auto found = cache_->find(environment_, prefixKey(steps_, count))) {
       current_ = std::move(*found);
@@ -244,9 +250,16 @@ class Run {
     request.summary = current_.summary;
     request.recall = recall(last + 1);
     request.threads = threads_;
+    if (exchange_ != nullptr) {
+      request.exchange = exchange_;
+      request.key = environmentKey() + prefixKey(steps_, first);
+      request.phasesBefore = countPhases(steps_, first);
+      request.phases = countPhases(steps_, steps_.size());
+    }
     guarded(Text(FOOTFALL_TEXT("%1, parallel block of %2"), placeOf(first), steps_[first]->filter->name), [&] {
       BlockOutcome outcome = withPlace(placeOf(first), [&] { return runBlock(request, clock_, context_); });
       current_.state = std::move(outcome.state);
+      if (!current_.state) return;
       current_.summary = outcome.summary;
       current_.mesh = nullptr;
       for (StepStatistics& step : outcome.steps) current_.steps.push_back(std::move(step));
@@ -258,6 +271,15 @@ class Run {
       times_.merging += outcome.report.mergingMs;
       blocks_.push_back(std::move(outcome.report));
     });
+  }
+
+  // All of the environment that a clearance filter can see, and who sees it.
+  [[nodiscard]] std::string environmentKey() const {
+    Digest digest;
+    digest.add(std::span<const Vec3>(environment_->vertices)).add(std::span<const Triangle>(environment_->triangles));
+    digest.add(std::span<const std::uint8_t>(environment_->obstacleOnly)).add(environment_->bothSides);
+    const Digest::Value value = digest.value();
+    return FOOTFALL_VERSION " " + std::to_string(value[0]) + ' ' + std::to_string(value[1]) + '\n';
   }
 
   // Whether the block ran or came from the cache.
@@ -289,6 +311,7 @@ class Run {
   CachedPrefix current_;
   int threads_;
   const Stopwatch& clock_;
+  CellExchange* exchange_;
   std::vector<BlockReport> blocks_;
   RunTimes times_;
 };
@@ -329,17 +352,17 @@ Partition previewPartition(const std::shared_ptr<const Environment>& environment
 
 }  // namespace footfall::detail
 
-namespace footfall {
+namespace footfall::detail {
+namespace {
 
-RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
-                      ResultCache* cache, int threads) {
-  using namespace detail;
+RunResult runAll(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                 ResultCache* cache, CellExchange* exchange, int threads) {
   checkRunnable(pipeline);
   const Stopwatch watch;
   RunResult result = onThreads(threads, [&](int workers) {
-    Run run(std::move(environment), pipeline, context, cache ? &cache->inside() : nullptr, workers, watch);
+    Run run(std::move(environment), pipeline, context, cache ? &cache->inside() : nullptr, workers, watch, exchange);
     RunResult made = run.execute();
-    made.threads = workers;
+    made.threads = exchange != nullptr ? exchange->threads() : workers;
     return made;
   });
   result.totalMs = watch.wallMs();
@@ -349,6 +372,27 @@ RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipe
   times.overhead =
       times.total - times.preprocessing - times.partitioning - times.parallel - times.merging - times.postprocessing;
   return result;
+}
+
+}  // namespace
+
+RunResult runTogether(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                      CellExchange& exchange, int threads) {
+  try {
+    return runAll(std::move(environment), pipeline, context, nullptr, &exchange, threads);
+  } catch (const Cancelled&) {
+    exchange.throwFailure();  // a process that fails stops the others
+    throw;
+  }
+}
+
+}  // namespace footfall::detail
+
+namespace footfall {
+
+RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                      ResultCache* cache, int threads) {
+  return detail::runAll(std::move(environment), pipeline, context, cache, nullptr, threads);
 }
 
 }  // namespace footfall

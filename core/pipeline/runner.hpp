@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/distributed/cell_exchange.hpp"
 #include "core/filters/filter.hpp"
 #include "core/partitioning/partition.hpp"
 #include "footfall/run.hpp"
@@ -22,5 +23,11 @@ std::vector<StatePtr> stepStates(std::shared_ptr<const Environment> environment,
 /// filter: all triangles that face up count as floors. Throws Cancelled or InputError.
 Partition previewPartition(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
                            std::size_t step, RunContext& context, int threads = 0);
+
+/// As runPipeline(), by several processes that divide the cells of parallel blocks. The result's mesh is null in those
+/// that the last block does not go on in; the others' bytes are those of runPipeline(). Throws what `exchange` throws,
+/// too.
+RunResult runTogether(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
+                      CellExchange& exchange, int threads = 0);
 
 }  // namespace footfall::detail

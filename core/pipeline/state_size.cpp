@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/assembly/assembly_memory.hpp"
+#include "core/filters/radius/radius_memory.hpp"
 #include "core/filters/simplification/simplifier.hpp"
 #include "core/filters/steps/step_memory.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -58,6 +59,8 @@ std::size_t sizeOf(const WalkableState& state, CountedParts& counted) {
   add(state.memory, own);
   add(state.simplifierMemory, own);
   add(state.stepMemory, own);
+  add(state.radiusMemory, own);
+  if (state.radiusMemory) bytes += sizeOf(*state.radiusMemory->simplified, counted);
   add(state.overlaps, own);
   add(state.cuts, [&](const CutTable&) { return cutsOf(state); });
   return bytes;

@@ -10,8 +10,7 @@
 
 #include "core/base/counted_text.hpp"
 #include "core/base/number_text.hpp"
-#include "core/io/formats/geojson_export.hpp"
-#include "core/io/formats/wkt_export.hpp"
+#include "core/io/formats/save.hpp"
 #include "core/mesh/storey_names.hpp"
 #include "core/report/plan_drawing.hpp"
 #include "footfall/errors.hpp"
@@ -38,9 +37,9 @@ double largestRadius(const Pipeline& pipeline) {
   return radius;
 }
 
-PlanBox boxOf(const NavigationMesh& mesh, double margin) {
+PlanWindow boxOf(const NavigationMesh& mesh, double margin) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  PlanBox box{{kFar, kFar}, {-kFar, -kFar}};
+  PlanWindow box{{kFar, kFar}, {-kFar, -kFar}};
   for (const Triangle& t : mesh.triangles) {
     for (const std::uint32_t v : t) {
       const Vec3& p = mesh.vertices[v];
@@ -138,6 +137,11 @@ class TitleBlock {
     };
     entry(true, "walkable", 14, box(style_.walkable, style_.border));
     entry(contents.walls, "walls, cut", 15, box(style_.wall, style_.wallLine));
+    entry(contents.doors, "door", 9, [&] {
+      addDoor(sheet_.frame,
+              {SheetPoint{x, middle - 1}, {x + kSample, middle - 1}, {x + kSample, middle + 1}, {x, middle + 1}},
+              style_.door);
+    });
     entry(contents.obstacleEdges, "thin wall", 14, stroke({style_.obstacleEdge, 0.5}));
     entry(contents.steps, "step; arrow: up", 21, [&] {
       line({x, middle - 1.3}, {x, middle + 1.3}, {style_.step, 0.13});
@@ -204,25 +208,6 @@ std::string figuresOf(const NavigationMesh& mesh, const PlanPage& page, double a
          areaText(area * metresPerUnit * metresPerUnit);
 }
 
-/// "plan-0.svg" for "plan.svg".
-std::string pathWith(const std::string& path, const std::string& suffix) {
-  const std::filesystem::path target(path);
-  std::filesystem::path other = target;
-  other.replace_filename(target.stem().string() + '-' + suffix + target.extension().string());
-  return other.string();
-}
-
-std::vector<PlanFile> makeWktFiles(const NavigationMesh& mesh, const std::string& path,
-                                   std::optional<std::uint32_t> part, Poll poll) {
-  const PlanPolygons polygons = makePlanPolygons(mesh, poll);
-  std::vector<PlanFile> files;
-  for (std::uint32_t layer = 0; layer < polygons.layerCount; ++layer)
-    files.push_back({polygons.layerCount == 1 ? path : pathWith(path, std::to_string(layer)),
-                     formatLayerWkt(mesh, polygons, layer, part)});
-  files.push_back({pathWith(path, "links"), formatLinksWkt(mesh, polygons)});
-  return files;
-}
-
 }  // namespace
 
 std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline& pipeline, const NavigationMesh& mesh,
@@ -236,8 +221,9 @@ std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline&
   const PlanStyle style = planStyle(options.colours);
   const NumberedParts parts = numberParts(mesh, poll);
   const std::vector<PlanFlight> flights = findFlights(mesh, kLongestTread / metres, poll);
-  const PlanSubject subject{environment, mesh,  parts,
-                            flights,     pages, {kCutHeight * height, kLevelTolerance * height, margin}};
+  const std::vector<PlanDoor> doors = findDoors(environment, poll);
+  const PlanSubject subject{
+      environment, mesh, parts, flights, pages, doors, {kCutHeight * height, kLevelTolerance * height, margin}};
   const std::string name = environment.source.empty() ? std::string("Floor plan")
                                                       : std::filesystem::path(environment.source).filename().string();
   std::vector<Sheet> sheets;
@@ -272,19 +258,37 @@ PlanFormat planFormatOf(const std::string& path) {
                    path);
 }
 
-std::vector<PlanFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,
-                                    const NavigationMesh& mesh, const std::string& path, const PlanOptions& options,
-                                    Poll poll) {
+Pattern planKeeps(PlanFormat format) {
+  return format == PlanFormat::Pdf
+             ? FOOTFALL_TEXT(
+                   "a drawing to scale, all pages in one file: walkable area, walls, steps, drops, doors, areas")
+             : FOOTFALL_TEXT(
+                   "a drawing to scale, a file for each page: walkable area, walls, steps, drops, doors, areas");
+}
+
+Pattern planLoses(PlanFormat format) {
+  return format == PlanFormat::Pdf ? FOOTFALL_TEXT("what programs could go on with; letters beyond Western Europe's")
+                                   : FOOTFALL_TEXT("what programs could go on with: heights, what is connected");
+}
+
+std::vector<OutputFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,
+                                      const NavigationMesh& mesh, const std::string& path, const PlanOptions& options,
+                                      Poll poll) {
   const PlanFormat format = planFormatOf(path);
-  if (format == PlanFormat::GeoJson)
-    return {{path, formatGeoJson(mesh, {options.coordinateSystem, options.part}, poll)}};
-  if (format == PlanFormat::Wkt) return makeWktFiles(mesh, path, options.part, poll);
+  if (format == PlanFormat::Wkt || format == PlanFormat::GeoJson) {
+    ExportOptions polygons;
+    polygons.part = options.part;
+    polygons.coordinateSystem = options.coordinateSystem;
+    return formatExport(exportFormatOf(path), path, mesh, {}, polygons, {}, poll).files;
+  }
   const std::vector<Sheet> sheets = drawFloorPlan(environment, pipeline, mesh, options, poll);
   if (format == PlanFormat::Pdf) return {{path, formatSheetsPdf(sheets)}};
   if (sheets.size() == 1) return {{path, formatSheetSvg(sheets.front())}};
-  std::vector<PlanFile> files;
-  for (std::size_t i = 0; i < sheets.size(); ++i)
-    files.push_back({pathWith(path, std::to_string(i)), formatSheetSvg(sheets[i])});
+  std::vector<OutputFile> files;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    poll();
+    files.push_back({besideName(path, std::to_string(i)), formatSheetSvg(sheets[i])});
+  }
   return files;
 }
 

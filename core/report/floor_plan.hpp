@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "core/base/poll.hpp"
+#include "core/io/output_files.hpp"
 #include "core/report/plan_sheet.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/navigation_mesh.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/text.hpp"
 
 namespace footfall::detail {
 
@@ -55,16 +57,15 @@ enum class PlanFormat { Svg, Pdf, Wkt, GeoJson };
 /// By the ending of a name, in either case. Throws InputError for one that is no plan.
 PlanFormat planFormatOf(const std::string& path);
 
-/// A file to write.
-struct PlanFile {
-  std::string path, bytes;
-};
+/// What a plan, SVG or PDF, keeps of a result and what it loses, as phrases; for polygons see format_table.hpp.
+Pattern planKeeps(PlanFormat format);
+Pattern planLoses(PlanFormat format);
 
 /// The files of a plan, by the ending of `path`: one PDF with all pages, an SVG file for each ("plan-0.svg", or
 /// "plan.svg" where there is a single one), well-known text for each layer in the same way and "plan-links.wkt"
 /// (core/io/formats/wkt_export.hpp), or one GeoJSON file (geojson_export.hpp). Throws as drawFloorPlan() does.
-std::vector<PlanFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,
-                                    const NavigationMesh& mesh, const std::string& path,
-                                    const PlanOptions& options = {}, Poll poll = {});
+std::vector<OutputFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,
+                                      const NavigationMesh& mesh, const std::string& path,
+                                      const PlanOptions& options = {}, Poll poll = {});
 
 }  // namespace footfall::detail

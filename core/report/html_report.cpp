@@ -169,7 +169,7 @@ std::string environmentSection(const Environment& environment, const Pipeline& p
       escapeHtml(counted(environment.triangles.size(), "triangle", "triangles") + ", " +
                  counted(environment.vertices.size(), "vertex", "vertices") + "; " + shownName(environment.up) + " up" +
                  (environment.upGuessed ? " (guessed)" : "") + ", " + shortNumber(environment.metresPerUnit) +
-                 " metres per unit" + (environment.scaleGuessed ? " (guessed)" : "") +
+                 " m per unit" + (environment.scaleGuessed ? " (guessed)" : "") +
                  (environment.bothSides ? ", both sides count as up" : "")) +
       "</p>\n";
   html += skippedSection(environment.skipped, environment.up);

@@ -48,6 +48,7 @@ class PageDrawer {
     outline_ = outlineInPlan(mesh_, page_.triangles, EdgeRule::Joined, poll_);
     hideInsideOfWalls();
     drawWalkable();
+    drawDoors();
     drawGaps();
     drawSteps();
     drawObstacleEdges();
@@ -132,6 +133,36 @@ class PageDrawer {
     std::stable_sort(byHeight.begin(), byHeight.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [height, part] : byHeight)
       addPath({ringsOf(*part), true, style_.walkable, SheetStroke{style_.border, kBorder}});
+  }
+
+  void drawDoors() {
+    for (const PlanDoor& door : subject_.doors) {
+      poll_();
+      if (!isAtFloor(door)) continue;
+      contents_.doors = true;
+      addDoor(drawing_,
+              {layout_.at(door.corners[0]), layout_.at(door.corners[1]), layout_.at(door.corners[2]),
+               layout_.at(door.corners[3])},
+              style_.door);
+    }
+  }
+
+  /// Whether a floor of this page lies at the door's sill, in it or beside it.
+  [[nodiscard]] bool isAtFloor(const PlanDoor& door) const {
+    PlanPlace low = door.corners[0], high = low;
+    for (const PlanPlace& p : door.corners)
+      for (std::size_t k = 0; k < 2; ++k) {
+        low[k] = std::min(low[k], p[k] - subject_.cut.margin);
+        high[k] = std::max(high[k], p[k] + subject_.cut.margin);
+      }
+    return std::any_of(page_.triangles.begin(), page_.triangles.end(), [&](std::uint32_t t) {
+      const Triangle& corners = mesh_.triangles[t];
+      const Vec3 &a = mesh_.vertices[corners[0]], &b = mesh_.vertices[corners[1]], &c = mesh_.vertices[corners[2]];
+      return std::max({a.x, b.x, c.x}) >= low[0] && std::min({a.x, b.x, c.x}) <= high[0] &&
+             std::max({a.y, b.y, c.y}) >= low[1] && std::min({a.y, b.y, c.y}) <= high[1] &&
+             std::max({a.z, b.z, c.z}) >= door.lower - subject_.cut.tolerance &&
+             std::min({a.z, b.z, c.z}) <= door.lower + subject_.cut.tolerance;
+    });
   }
 
   void drawGaps() {
@@ -322,15 +353,24 @@ class PageDrawer {
 PlanStyle planStyle(PlanColours colours) {
   constexpr Rgb kBlack{0, 0, 0}, kDark{60, 60, 60};
   if (colours == PlanColours::BlackAndWhite)
-    return {{232, 232, 232}, kBlack, kDark, kBlack, kBlack, kBlack, {150, 150, 150}, kBlack, kBlack, kBlack};
+    return {{232, 232, 232}, kBlack, kDark, kBlack, kBlack, kBlack, {150, 150, 150}, kBlack, kBlack, kBlack, kBlack};
   // The editor's colours; words and lines of gaps and steps on a light tint of the first layer's.
   constexpr Rgb kTint{214, 240, 230};
-  return {kTint, kDark, kDark, kBlack, kVermilion, kBlue, kOrange, kReddishPurple, kDark, kBlack};
+  return {kTint, kDark, kDark, kBlack, kVermilion, kBlue, kOrange, kReddishPurple, kDark, kBlack, kDark};
 }
 
 PlanContents drawPlanPage(const PlanSubject& subject, std::size_t page, const PlanLayout& layout,
                           const PlanStyle& style, std::vector<SheetShape>& drawing, Poll poll) {
   return PageDrawer(subject, page, layout, style, drawing, poll).draw();
+}
+
+void addDoor(std::vector<SheetShape>& drawing, const std::array<SheetPoint, 4>& corners, const Rgb& colour) {
+  const SheetStroke line{colour, kThin};
+  drawing.emplace_back(SheetPath{{{corners[0], corners[3]}, {corners[1], corners[2]}}, false, {}, line});
+  drawing.emplace_back(SheetPath{{{between(corners[0], corners[3], 0.5), between(corners[1], corners[2], 0.5)}},
+                                 false,
+                                 {},
+                                 SheetStroke{colour, kMedium}});
 }
 
 void addArrow(std::vector<SheetShape>& drawing, const std::vector<SheetPoint>& way, double size,

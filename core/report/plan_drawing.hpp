@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "core/mesh/plan_outline.hpp"
+#include "core/report/plan_doors.hpp"
 #include "core/report/plan_layout.hpp"
 #include "core/report/plan_pages.hpp"
 #include "core/report/plan_stairs.hpp"
@@ -14,12 +16,13 @@ namespace footfall::detail {
 
 /// What a page shows, for what is written around it.
 struct PlanContents {
-  bool walls = false, obstacleEdges = false, steps = false, gaps = false, drops = false, passages = false;
+  bool walls = false, doors = false, obstacleEdges = false, steps = false, gaps = false, drops = false,
+       passages = false;
   double area = 0;  ///< of the floors that are drawn; the square of the environment's unit
 };
 
 struct PlanStyle {
-  Rgb walkable, border, wall, wallLine, obstacleEdge, step, gap, drop, passage, text;
+  Rgb walkable, border, wall, wallLine, obstacleEdge, step, gap, drop, passage, text, door;
 };
 PlanStyle planStyle(PlanColours colours);
 
@@ -29,12 +32,17 @@ struct PlanSubject {
   const NumberedParts& parts;
   const std::vector<PlanFlight>& flights;
   const std::vector<PlanPage>& pages;
+  const std::vector<PlanDoor>& doors;
   WallCut cut;
 };
 
 /// Draws page `page` into `drawing`, from below to above: walls, walkable area, what is on it, words.
 PlanContents drawPlanPage(const PlanSubject& subject, std::size_t page, const PlanLayout& layout,
                           const PlanStyle& style, std::vector<SheetShape>& drawing, Poll poll);
+
+/// A door in plan: its opening from jamb to jamb, and the leaf as a line in the middle, as nothing tells to which side
+/// it swings. `corners` as in PlanDoor.
+void addDoor(std::vector<SheetShape>& drawing, const std::array<SheetPoint, 4>& corners, const Rgb& colour);
 
 /// An arrow from `from` to `to` with a head of `size` millimetres.
 void addArrow(std::vector<SheetShape>& drawing, const std::vector<SheetPoint>& way, double size,

@@ -61,7 +61,7 @@ std::optional<Paper> paperFrom(std::string_view name) {
   return kPapers[static_cast<std::size_t>('4' - name[1])];
 }
 
-PlanLayout layOutPlan(const PlanBox& box, double metresPerUnit, const PlanOptions& options) {
+PlanLayout layOutPlan(const PlanWindow& box, double metresPerUnit, const PlanOptions& options) {
   const double inMillimetres = metresPerUnit * 1000;
   const double width = (box.upper[0] - box.lower[0]) * inMillimetres,
                height = (box.upper[1] - box.lower[1]) * inMillimetres;

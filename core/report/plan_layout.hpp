@@ -10,7 +10,7 @@
 namespace footfall::detail {
 
 /// A rectangle of the plan, in the environment's units.
-struct PlanBox {
+struct PlanWindow {
   PlanPlace lower{}, upper{};
 };
 
@@ -29,7 +29,7 @@ struct PlanLayout {
 };
 
 /// As PlanOptions say. Throws InputError when the scale does not fit the paper.
-PlanLayout layOutPlan(const PlanBox& box, double metresPerUnit, const PlanOptions& options);
+PlanLayout layOutPlan(const PlanWindow& box, double metresPerUnit, const PlanOptions& options);
 
 /// "1:100"
 std::string scaleText(double scale);

@@ -63,7 +63,8 @@ struct Sheet {
 std::string formatSheetSvg(const Sheet& sheet);
 
 /// PDF with a page for each sheet, by libharu; words are text in Helvetica, which every reader has. No date is in it:
-/// nothing but the sheets (and libharu's version) decides the bytes. Throws RunError when libharu fails.
+/// nothing but the sheets (and libharu's version) decides the bytes. Throws RunError when libharu fails, InputError
+/// where the library was built without it.
 std::string formatSheetsPdf(std::span<const Sheet> sheets);
 
 }  // namespace footfall::detail

@@ -226,12 +226,19 @@ DropFigures measureDrops(const NavigationMesh& mesh, const Components& component
   return figures;
 }
 
+/// Of `total`, the area of all components; areas beyond all doubles count alike, as in Components::connectedShare().
+double shareOf(double area, double total, const Components& components) {
+  if (!(total > 0)) return 0;
+  if (std::isfinite(total)) return area / total;
+  return std::isinf(area) ? components.connectedShare() : 0;
+}
+
 Json componentsJson(const Components& components) {
   Json list = Json::array();
   const double total = components.totalArea();
   for (const Component& component : components.list) {
     list.push_back({{"area", component.area},
-                    {"share", total > 0 ? component.area / total : 0},
+                    {"share", shareOf(component.area, total, components)},
                     {"triangles", component.triangles},
                     {"layers", component.layers}});
   }
@@ -260,7 +267,7 @@ std::string componentLines(const Components& components) {
   const std::vector<Component>& list = components.list;
   if (list.empty()) return {};
   const double total = components.totalArea();
-  const auto share = [total](double area) { return number(total > 0 ? 100 * area / total : 0, "%.3g") + " %"; };
+  const auto share = [&](double area) { return number(100 * shareOf(area, total, components), "%.3g") + " %"; };
   std::vector<std::vector<std::string>> rows = {{"component", "area", "share", "triangles", "layers"}};
   const std::size_t shown = std::min(kShown, list.size());
   for (std::size_t i = 0; i < shown; ++i) {

@@ -1,5 +1,5 @@
-// A shipyard and harbour town: water and quay are a few giant triangles each, under very many obstacles
-// (thesis, 5.4.1). SPDX-License-Identifier: GPL-3.0-or-later
+// A shipyard and harbour town (thesis, 5.4.1): water and quay are a few giant triangles, under very many obstacles.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
 #include "props.hpp"

@@ -1,17 +1,46 @@
 // footfall-samples FOLDER: writes FOLDER/<name>/<name>.obj for every sample.
+// footfall-samples city TRIANGLES FILE.obj: writes a city of at least so many triangles, whole tiles of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <system_error>
 
+#include "city.hpp"
 #include "samples.hpp"
+
+namespace {
+
+int writeCityFile(const std::string& triangles, const std::string& path) {
+  using namespace footfall::samples;
+  std::uint64_t count = 0;
+  const auto [end, error] = std::from_chars(triangles.data(), triangles.data() + triangles.size(), count);
+  if (error != std::errc() || end != triangles.data() + triangles.size() || count == 0) {
+    std::cerr << triangles << ": is no number of triangles; give a whole number above 0\n";
+    return 2;
+  }
+  std::ofstream file(path, std::ios::binary);
+  const CitySize size = writeCity(file, count);
+  file.close();
+  if (!file) {
+    std::cerr << path << ": cannot be written; check the folder and free space\n";
+    return 1;
+  }
+  std::cout << size.tiles << " tiles, " << size.triangles << " triangles, " << size.vertices << " vertices\n";
+  return 0;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace footfall::samples;
+  if (argc == 4 && std::string(argv[1]) == "city") return writeCityFile(argv[2], argv[3]);
   if (argc != 2) {
-    std::cerr << "usage: footfall-samples FOLDER\n";
+    std::cerr << "usage: footfall-samples FOLDER, or footfall-samples city TRIANGLES FILE.obj\n";
     return 2;
   }
   try {

@@ -64,10 +64,17 @@ void Mesh::polygon(const std::vector<Point>& corners) {
   for (int i = 2; i < static_cast<int>(corners.size()); ++i) triangle(first, first + i - 1, first + i);
 }
 
-std::string Mesh::obj(std::string_view description) const {
+std::string Mesh::obj(std::string_view description) const { return objHead(description) + objBody(0); }
+
+std::string Mesh::objHead(std::string_view description) {
   std::string text = "# ";
   text += description;
   text += "\n# Y up, metres. Made by footfall-samples; GPL-3.0-or-later.\n";
+  return text;
+}
+
+std::string Mesh::objBody(std::uint64_t vertices) const {
+  std::string text;
   for (const Point& point : vertices_) {
     text += "v ";
     appendMetres(text, point.x);
@@ -82,7 +89,8 @@ std::string Mesh::obj(std::string_view description) const {
     if (next < groups_.size() && groups_[next].first == i)
       text.append("g ").append(groups_[next++].second).append("\n");
     text += 'f';
-    for (int corner : triangles_[i]) text.append(" ").append(std::to_string(corner + 1));
+    for (int corner : triangles_[i])
+      text.append(" ").append(std::to_string(vertices + static_cast<std::uint64_t>(corner) + 1));
     text += '\n';
   }
   return text;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,6 +58,9 @@ class Mesh {
 
   /// The OBJ text, Y up, metres: (x, y, z) is written as x, z, -y. `description` becomes its first comment.
   std::string obj(std::string_view description) const;
+  /// Its two parts: comments, and all else behind `vertices` of other meshes in the same file.
+  static std::string objHead(std::string_view description);
+  std::string objBody(std::uint64_t vertices) const;
 
  private:
   Point placed(Point point) const;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tests/bench/cancel_measurement.hpp"
+#include "tests/bench/export_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
 #include "tests/bench/live_measurement.hpp"
 #include "tests/bench/markdown.hpp"
@@ -67,7 +68,7 @@ class Benchmark {
     results["threads"] = options_.threads;
     results["runs"] = options_.repetition.runs;
     results["environments"] = Json::array();
-    for (const char* part : {"growth", "cancelling", "live", "reach"}) results[part] = Json::array();
+    for (const char* part : {"growth", "cancelling", "live", "exports", "reach"}) results[part] = Json::array();
     if (options_.reach) {
       for (const Subject& subject : options_.given) results["reach"].push_back(measureTheReach(subject, "given"));
       for (const Subject& subject : options_.samples) results["reach"].push_back(measureTheReach(subject, "sample"));
@@ -78,6 +79,12 @@ class Benchmark {
     if (options_.growth) results["growth"] = measureGrowth();
     if (options_.cancelMoments > 0) results["cancelling"] = measureCancellings();
     if (options_.live) results["live"] = measureEdits();
+    for (const std::uint32_t triangles : options_.exports) {
+      tell(std::to_string(triangles) + " triangles", "exports");
+      results["exports"].push_back(
+          runIsolated([&] { return measureExports(triangles, scratch_.file(""), options_.repetition); },
+                      {options_.limits.time, 0}));
+    }
     return results;
   }
 

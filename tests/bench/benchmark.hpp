@@ -14,11 +14,12 @@ struct BenchmarkOptions {
   std::vector<Subject> given;  ///< files from outside
   std::vector<Subject> samples;
   bool growth = false;
-  int cancelMoments = 0;           ///< of each file, and with `growth` of the largest generated environments
-  bool live = false;               ///< edits of each environment too, and of a generated terrain
-  bool reach = false;              ///< who can reach whom, and nothing else
-  double step = 0.4;               ///< for `reach`: metres that agents climb at once
-  std::vector<int> threads{1, 2};  ///< ascending; the last is what the report compares with the peers
+  int cancelMoments = 0;               ///< of each file, and with `growth` of the largest generated environments
+  bool live = false;                   ///< edits of each environment too, and of a generated terrain
+  std::vector<std::uint32_t> exports;  ///< triangles of meshes that are written in each format
+  bool reach = false;                  ///< who can reach whom, and nothing else
+  double step = 0.4;                   ///< for `reach`: metres that agents climb at once
+  std::vector<int> threads{1, 2};      ///< ascending; the last is what the report compares with the peers
   Repetition repetition;
   bool recast = true;                                                 ///< where the program was built with it
   bool embree = true;                                                 ///< where the program was built with it
@@ -37,6 +38,7 @@ struct BenchmarkOptions {
 /// - `growth`: a list of `series`, `size` and what measurePipeline() says with most threads;
 /// - `cancelling`: a list of `name` and what measureCancelling() says with most threads;
 /// - `live`: a list of `name` and what measureLive() says with most threads;
+/// - `exports`: a list of what measureExports() says, one entry for each of BenchmarkOptions::exports;
 /// - `reach`: with BenchmarkOptions::reach, when all others are empty: a list of `name`, `group`, what measureReach()
 ///   says with most threads, and `recast` (of compareReach()).
 /// Whatever cannot be measured has `fails` with the reason in the place of its figures.

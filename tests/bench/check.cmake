@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
-execute_process(COMMAND "${PROGRAM}" "${HOUSE}:2" --runs 1 --threads 1,2 --cancel 3 --live --json "${SCRATCH}/bench.json" --markdown
+execute_process(COMMAND "${PROGRAM}" "${HOUSE}:2" --runs 1 --threads 1,2 --cancel 3 --live --exports 200 --json "${SCRATCH}/bench.json" --markdown
                         "${SCRATCH}/bench.md" RESULT_VARIABLE code)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "exit code ${code}")
@@ -41,6 +41,14 @@ foreach(entry 0 1) # the house, the terrain
     endif()
   endforeach()
 endforeach()
+string(JSON value LENGTH "${json}" exports 0 formats)
+if(value LESS 6)
+  message(FATAL_ERROR "${value} formats written")
+endif()
+string(JSON value GET "${json}" exports 0 formats 0 bytes)
+if(NOT value GREATER 2400) # 200 faces and 100 vertices of 8 bytes at least
+  message(FATAL_ERROR "an OBJ of 200 triangles has ${value} bytes")
+endif()
 string(JSON targets LENGTH "${json}" targets)
 if(targets EQUAL 0)
   message(FATAL_ERROR "no targets")

@@ -39,6 +39,11 @@ void runProgramWith(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->type_name("MOMENTS");
   app.add_flag("--live", options.live, "Edits of each environment and of a generated terrain too");
+  app.add_option("--exports", options.exports,
+                 "Write meshes of so many triangles in each format, such as 60000,1000000: time and size")
+      ->delimiter(',')
+      ->check(CLI::Range(2U, 10'000'000U))
+      ->type_name("TRIANGLES");
   app.add_flag("--reach", options.reach,
                "Instead of times: how likely two random places are connected, without steps, with them, and in Recast");
   app.add_option("--step", options.step, "With --reach: how high agents climb at once, in metres")
@@ -80,8 +85,8 @@ void runProgramWith(int argc, char** argv) {
   options.limits.time = std::chrono::seconds(timeout);
   for (const std::string& file : files) options.given.push_back(parseSubject(file, clearance));
   if (samples) options.samples = sampleSubjects();
-  if (options.given.empty() && options.samples.empty() && !options.growth && !options.live)
-    throw InputError("nothing to measure; give files, --samples, --growth or --live");
+  if (options.given.empty() && options.samples.empty() && !options.growth && !options.live && options.exports.empty())
+    throw InputError("nothing to measure; give files, --samples, --growth, --live or --exports");
 
   Json results = runBenchmark(options);
   results["targets"] = options.reach ? Json::array() : judgeTargets(results);

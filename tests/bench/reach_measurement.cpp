@@ -3,6 +3,7 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,6 +24,9 @@ namespace footfall::bench {
 using namespace detail;
 namespace {
 
+/// That of the default pipeline, in metres.
+constexpr double kGap = 0.05;
+
 RunResult runWith(const Subject& subject, const std::shared_ptr<const Environment>& environment, double step,
                   int threads) {
   std::string text = "DuplicationFilter 0\nDegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter ";
@@ -31,6 +35,8 @@ RunResult runWith(const Subject& subject, const std::shared_ptr<const Environmen
   if (step > 0) {
     text += "StepFilter ";
     appendNumber(text, step);
+    text += ' ';
+    appendNumber(text, kGap / subject.metresPerUnit());
     text += '\n';
   }
   RunContext context;
@@ -88,6 +94,7 @@ Json compareReach(const Subject& subject, double step, int threads) {
 
   std::map<std::uint32_t, std::size_t> ofTheirs, commonOurs, commonTheirs;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> commonBoth;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> firstPlaces;
   std::size_t common = 0;
   for (std::size_t i = 0; i < theirs.places.size(); ++i) {
     const std::uint32_t part = theirs.parts[i];
@@ -99,8 +106,26 @@ Json compareReach(const Subject& subject, double step, int threads) {
     ++commonOurs[component];
     ++commonTheirs[part];
     ++commonBoth[{component, part}];
+    firstPlaces.try_emplace({component, part}, theirs.places[i]);
   }
   if (common == 0) throw std::runtime_error("no place of Recast's lies on ours");
+  // Which of our components Recast joins, and a place of each: the pair that weighs most first.
+  std::vector<std::pair<double, Json>> joined;
+  const auto listOf = [](const Vec3& p) { return Json{p.x, p.y, p.z}; };
+  for (const auto& [one, count] : commonBoth)
+    for (const auto& [other, otherCount] : commonBoth) {
+      if (one.second != other.second || one.first >= other.first) continue;
+      const double all = static_cast<double>(common);
+      const double weight = 2 * (static_cast<double>(count) / all) * (static_cast<double>(otherCount) / all);
+      joined.emplace_back(
+          -weight,
+          Json{{"share", weight}, {"from", listOf(firstPlaces.at(one))}, {"to", listOf(firstPlaces.at(other))}});
+    }
+  constexpr std::size_t kMostPairs = 8;
+  std::sort(joined.begin(), joined.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Json pairs = Json::array();
+  for (std::size_t i = 0; i < std::min(joined.size(), kMostPairs); ++i) pairs.push_back(joined[i].second);
+
   const double ours = shareOf(commonOurs, common), other = shareOf(commonTheirs, common),
                both = shareOf(commonBoth, common);
   const std::size_t places = theirs.places.size();
@@ -111,7 +136,8 @@ Json compareReach(const Subject& subject, double step, int threads) {
           {"ours", ours},
           {"theirs", other},
           {"only_ours", ours - both},
-          {"only_theirs", other - both}};
+          {"only_theirs", other - both},
+          {"only_theirs_pairs", pairs}};
 }
 #else
 Json compareReach(const Subject&, double, int) { throw std::runtime_error("this program was built without Recast"); }

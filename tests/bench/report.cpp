@@ -30,6 +30,7 @@ class Report {
     if (!results_["growth"].empty()) text += "### Growth, " + threadText() + "\n\n" + growth();
     if (!results_["cancelling"].empty()) text += "### Cancelling, " + threadText() + "\n\n" + cancelling();
     if (!results_["live"].empty()) text += "### Edits, " + threadText() + "\n\n" + edits();
+    if (!results_["exports"].empty()) text += "### Exports, 1 thread\n\n" + exports();
     return text;
   }
 
@@ -281,6 +282,24 @@ class Report {
            "navigation "
            "mesh; *slope*, *clearance*: the whole run after the slope went up by a degree, the clearance by 5 %. The "
            "results are those of a run from nothing, byte for byte.\n\n";
+  }
+
+  std::string exports() const {
+    Table table({"format", "triangles", "made", "written", "MB"});
+    for (const Json& entry : results_["exports"]) {
+      if (entry.contains("fails")) {
+        table.addRow({"", "", "fails: " + entry["fails"].get<std::string>(), "", ""});
+        continue;
+      }
+      for (const Json& format : entry["formats"])
+        table.addRow({"`" + format["ending"].get<std::string>() + "`", grouped(entry["triangles"]),
+                      number(format["make_ms"]), number(format["write_ms"]),
+                      number(format["bytes"].get<double>() / 1e6)});
+    }
+    return table.text() +
+           "Of rough terrain in two layers, no two triangles in one plane. *made*: the bytes in memory; *written*: "
+           "beside "
+           "the target, down to the disk, and renamed.\n\n";
   }
 
   static constexpr std::size_t kCells = 3;

@@ -15,7 +15,7 @@ trap 'rm -rf -- "${scratch}"' EXIT
 # shellcheck source=tests/bench/tables.sh
 source "${repository}/tests/bench/tables.sh"
 
-arguments=("$@" --samples --growth --live --cancel 60 --json "${build}/bench.json" --markdown "${scratch}/bench.md")
+arguments=("$@" --samples --growth --live --exports 60000,1000000 --cancel 60 --json "${build}/bench.json" --markdown "${scratch}/bench.md")
 environments
 if [ -f "${shared}/prototype/main.cpp" ]; then
   echo "building the prototype" >&2

@@ -191,8 +191,11 @@ BorderDistance::Distance BorderDistance::leastOf(const SurfacePlace& from, doubl
   return distance;
 }
 
-BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most) const {
-  return leastOf(from, most, [](const Border&, const Walk&, bool) { return true; });
+// Beside a border's very end one can be on another floor of nearly the same height.
+BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most, bool orDoubtful) const {
+  return leastOf(from, most, [&](const Border& border, const Walk& way, bool) {
+    return orDoubtful || way.isStopped || way.end.triangle == border.triangle;
+  });
 }
 
 // What stops a walk is nearer, and counts as what it is.
@@ -200,7 +203,6 @@ BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double mos
                                             bool orDoubtful) const {
   return leastOf(from, most, [&](const Border& border, const Walk& way, bool isStoppedBefore) {
     const BorderKind own = border.stretch.kind;
-    // Beside a border's very end one can be on another floor of nearly the same height.
     if (!orDoubtful && way.end.triangle != border.triangle) return false;
     return !isStoppedBefore && (own == kind || (orDoubtful && own == BorderKind::Doubtful));
   });

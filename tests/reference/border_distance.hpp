@@ -38,8 +38,9 @@ class BorderDistance {
     std::optional<double> least;  ///< nothing where it is above the limit
     bool isDoubtful = false;      ///< a walk came upon a needle, and may have missed a border
   };
-  /// The least length, in the plan, of a straight walk from a place to the border, up to a limit.
-  [[nodiscard]] Distance at(const SurfacePlace& from, double most) const;
+  /// The least length, in the plan, of a straight walk from a place to the border, up to a limit. Where `orDoubtful`,
+  /// also where the walk ends on another triangle as high as the border.
+  [[nodiscard]] Distance at(const SurfacePlace& from, double most, bool orDoubtful) const;
   /// The same to one kind of border, once it is divided, and where `orDoubtful`, to what may be of it.
   [[nodiscard]] Distance at(const SurfacePlace& from, double most, BorderKind kind, bool orDoubtful) const;
 

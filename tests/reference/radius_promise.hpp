@@ -35,7 +35,10 @@ struct RadiusTally {
 /// Looks at places of the area before the filter: evenly strewn, and along its border.
 class RadiusPromise {
  public:
-  RadiusPromise(const NavigationMesh& before, const NavigationMesh& after, const RadiusDistances& distances);
+  /// Only the first `floors` triangles of `before` are area. The others are bridges over gaps: walks lead over them,
+  /// and where one ends at their sides, there is a border.
+  RadiusPromise(const NavigationMesh& before, std::size_t floors, const NavigationMesh& after,
+                const RadiusDistances& distances);
 
   /// Tells walls from ledges, which must be done where the distances differ.
   void divide(const Environment& environment, double step, double height) { before_.divide(environment, step, height); }
@@ -55,13 +58,32 @@ class RadiusPromise {
   void tell(const char* what, const SurfacePlace& place, const Nearest& nearest, RadiusTally& tally) const;
 
   const NavigationMesh& mesh_;
+  std::size_t floors_;
   BorderDistance before_, after_;
   RadiusDistances asked_;
   double radius_;  ///< the larger one
   std::vector<double> sums_;
 };
 
-/// The same behind a pipeline's text: with RadiusFilter against without. A mesh that no product may be counts as wrong.
+/// A mesh with bridges over its gaps, behind its own triangles, and with no other links than steps.
+NavigationMesh bridged(const NavigationMesh& mesh);
+
+/// A pipeline's text with RadiusFilter behind it, against the same without.
+class RadiusCase {
+ public:
+  RadiusCase(const std::shared_ptr<const Environment>& environment, const std::string& before,
+             const RadiusDistances& distances);
+
+  /// A mesh that no product may be counts as wrong.
+  [[nodiscard]] RadiusTally look(int places, std::mt19937& random) const;
+
+ private:
+  NavigationMesh all_, left_;
+  std::string error_;
+  std::unique_ptr<RadiusPromise> promise_;
+};
+
+/// The same at once.
 RadiusTally lookAtRadius(const std::shared_ptr<const Environment>& environment, const std::string& before,
                          const RadiusDistances& distances, int places, std::mt19937& random);
 

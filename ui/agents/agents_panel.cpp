@@ -13,6 +13,7 @@
 #include "ui/base/core_text.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/icon.hpp"
+#include "ui/base/keys_back.hpp"
 #include "ui/base/number_field.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/document/edit_text.hpp"
@@ -90,6 +91,7 @@ AgentsPanel::AgentsPanel(Document& document, RunController& controller, QWidget*
   hints->addWidget(hintButton_);
   layout->addLayout(hints);
 
+  giveKeysBackAfterClick(*hintButton_);
   connect(hintButton_, &QPushButton::clicked, this, &AgentsPanel::addMissingFilters);
   connect(model_, &AgentModel::failed, this, &AgentsPanel::failed);
   connect(&document_, &Document::agentsChanged, this, &AgentsPanel::follow);
@@ -203,7 +205,7 @@ void AgentsPanel::follow() {
   QString hint;
   if (state.agents.empty()) {
     hint = tr(
-        "An agent is the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare "
+        "An agent has the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare "
         "what each can reach.");
   } else {
     if (tell) {

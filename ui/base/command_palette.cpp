@@ -87,6 +87,18 @@ class EntryDelegate : public QStyledItemDelegate {
   }
 };
 
+// Whether a word of the text begins with `word`, which has some letters: fewer begin words of too many texts.
+bool beginsWordOf(const QString& text, const QString& word) {
+  constexpr int kFewest = 4;
+  const QString letters = word.trimmed();
+  if (letters.size() < kFewest) return false;
+  for (qsizetype at = text.indexOf(letters, 0, Qt::CaseInsensitive); at >= 0;
+       at = text.indexOf(letters, at + 1, Qt::CaseInsensitive)) {
+    if (at == 0 || !text[at - 1].isLetterOrNumber()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 QString plainText(const QString& menuText) {
@@ -96,9 +108,14 @@ QString plainText(const QString& menuText) {
   return text.replace(QLatin1Char('\n'), QLatin1Char('&'));
 }
 
+// Panels come last: one that has the name of its tool must not be found before the tool.
 std::vector<PaletteEntry> commandEntries(const CommandRegistry& commands) {
+  std::vector<CommandRegistry::Entry> ordered = commands.entries();
+  std::ranges::stable_partition(ordered, [](const CommandRegistry::Entry& entry) {
+    return entry.command.menu != CommandMenu::View || entry.command.group != QLatin1String("panels");
+  });
   std::vector<PaletteEntry> entries;
-  for (const CommandRegistry::Entry& entry : commands.entries()) {
+  for (const CommandRegistry::Entry& entry : ordered) {
     QAction* action = entry.action;
     if (action->menu()) continue;  // its own commands stand for it
     PaletteEntry palette;
@@ -165,6 +182,8 @@ void CommandPalette::showMatches() {
     std::size_t entry;
     FuzzyMatch match;
   };
+  const std::optional<FuzzyMatch> itself = fuzzyMatch(field_->text(), field_->text());
+  const int wholeWord = itself ? itself->score : 0;
   std::vector<Found> found;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     std::optional<FuzzyMatch> match = fuzzyMatch(field_->text(), entries_[i].title);
@@ -173,6 +192,9 @@ void CommandPalette::showMatches() {
       // The letters of the detail are not drawn in bold, and count less.
       if (match) match = FuzzyMatch{match->score / 2, {}};
     }
+    // A word of the help says more than letters that are strewn over a title.
+    const int inHelp = beginsWordOf(entries_[i].help, field_->text()) ? wholeWord / 2 : 0;
+    if (inHelp > (match ? match->score : 0)) match = FuzzyMatch{inHelp, {}};
     if (match) found.push_back({i, *match});
   }
   const auto better = [this](const Found& a, const Found& b) {

@@ -35,10 +35,10 @@ QAction* CommandRegistry::add(const Command& command, std::function<void(bool)> 
   } else {
     connect(action, &QAction::triggered, parent(), [run = std::move(run)] { run(true); });
   }
-  return adopt(action, command);
+  return registerAction(action, command);
 }
 
-QAction* CommandRegistry::adopt(QAction* action, const Command& command) {
+QAction* CommandRegistry::registerAction(QAction* action, const Command& command) {
   action->setObjectName(command.id);
   if (!command.text.isEmpty()) action->setText(command.text);
   if (!command.keys.isEmpty()) action->setShortcuts(command.keys);

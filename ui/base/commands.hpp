@@ -47,7 +47,7 @@ class CommandRegistry : public QObject {
   QAction* add(const Command& command, std::function<void(bool)> run);
   /// An action that exists already (undo, a dock's): takes the keys, the help and the place of `command`, and keeps its
   /// text where that of `command` is empty.
-  QAction* adopt(QAction* action, const Command& command);
+  QAction* registerAction(QAction* action, const Command& command);
 
   struct Entry {
     Command command;

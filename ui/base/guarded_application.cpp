@@ -18,19 +18,20 @@ bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
   try {
     return QApplication::notify(receiver, event);
   } catch (const std::exception& error) {
-    tell(errorText(error));
+    report(errorText(error));
   } catch (...) {
-    tell(tr("something went wrong that gave no reason; save your session under another name and start Footfall anew"));
+    report(
+        tr("something went wrong that gave no reason; save your session under another name and start Footfall anew"));
   }
   return true;
 }
 
 // Later: who hears it may need what the event was still holding. Where even that cannot be had, standard error gets it.
-void GuardedApplication::tell(const QString& message) noexcept {
+void GuardedApplication::report(const QString& message) noexcept {
   try {
     std::fprintf(stderr, "footfall-editor: %s\n", qPrintable(message));
     QMetaObject::invokeMethod(
-        this, [this, message] { emit problemTold(message); }, Qt::QueuedConnection);
+        this, [this, message] { emit problemReported(message); }, Qt::QueuedConnection);
   } catch (...) {
     std::fputs("footfall-editor: memory ran out\n", stderr);
   }

@@ -8,8 +8,8 @@
 
 namespace footfall::ui {
 
-/// An exception that leaves the handling of an event ends that event and nothing else: problemTold() says what happened
-/// and what to do, once the event is over. Events are told to the FrameWatchdog that runs.
+/// An exception that leaves the handling of an event ends that event and nothing else: problemReported() says what
+/// happened and what to do, once the event is over. Events are told to the FrameWatchdog that runs.
 class GuardedApplication : public QApplication {
   Q_OBJECT
 
@@ -19,10 +19,10 @@ class GuardedApplication : public QApplication {
   bool notify(QObject* receiver, QEvent* event) override;
 
  signals:
-  void problemTold(const QString& message);
+  void problemReported(const QString& message);
 
  private:
-  void tell(const QString& message) noexcept;
+  void report(const QString& message) noexcept;
 };
 
 /// An exception in words, in the user's language; where memory ran out, what to do about it.

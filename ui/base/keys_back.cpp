@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <QKeyEvent>
 #include <QMainWindow>
+#include <QMouseEvent>
 
 namespace footfall::ui {
 namespace {
@@ -17,6 +18,22 @@ class EscapeWatch : public QObject {
     if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
       return QObject::eventFilter(watched, event);
     return giveKeysBack(field_);
+  }
+
+ private:
+  QLineEdit& field_;
+};
+
+class DoubleClickWatch : public QObject {
+ public:
+  explicit DoubleClickWatch(QLineEdit& field) : QObject(&field), field_(field) { field.installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::MouseButtonDblClick || static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton)
+      return QObject::eventFilter(watched, event);
+    field_.selectAll();
+    return true;
   }
 
  private:
@@ -41,5 +58,11 @@ void giveKeysBackAfterTyping(QLineEdit& field) {
   QObject::connect(&field, &QLineEdit::returnPressed, &field, [&field] { giveKeysBack(field); });
   new EscapeWatch(field);
 }
+
+void giveKeysBackAfterClick(QAbstractButton& button) {
+  QObject::connect(&button, &QAbstractButton::clicked, &button, [&button] { giveKeysBack(button); });
+}
+
+void selectNumberByDoubleClick(QLineEdit& field) { new DoubleClickWatch(field); }
 
 }  // namespace footfall::ui

@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kMetresPerFoot = 0.3048;
+constexpr double kMetresPerFoot = 0.3048, kMillimetresPerMetre = 1000;
 constexpr double kMostPlain = 1e9;  // of longer numbers, nobody reads the last digits
 
 // Twelve digits: 2 and not 1.9999999999999998, which is what a change of unit would leave.
@@ -22,6 +22,8 @@ double LevelUnits::factor() const {
   switch (unit()) {
     case LengthUnit::Metres:
       return metresPerUnit;
+    case LengthUnit::Millimetres:
+      return metresPerUnit * kMillimetresPerMetre;
     case LengthUnit::Feet:
       return metresPerUnit / kMetresPerFoot;
     case LengthUnit::FileUnits:
@@ -31,7 +33,9 @@ double LevelUnits::factor() const {
 }
 
 double LevelUnits::factor(Unit unit) const {
-  return unit == Unit::Length ? factor() : unit == Unit::Area ? factor() * factor() : 1;
+  if (unit == Unit::Length) return factor();
+  if (unit != Unit::Area) return 1;
+  return this->unit() == LengthUnit::Millimetres ? metresPerUnit * metresPerUnit : factor() * factor();
 }
 
 double LevelUnits::shown(double value, Unit unit) const {
@@ -51,6 +55,8 @@ QString LevelUnits::name() const {
   switch (unit()) {
     case LengthUnit::Metres:
       return tr("m");
+    case LengthUnit::Millimetres:
+      return tr("mm");
     case LengthUnit::Feet:
       return tr("ft");
     case LengthUnit::FileUnits:
@@ -59,7 +65,9 @@ QString LevelUnits::name() const {
   return tr("units");
 }
 
-QString LevelUnits::areaName() const { return name() + QStringLiteral("²"); }
+QString LevelUnits::areaName() const {
+  return (unit() == LengthUnit::Millimetres ? tr("m") : name()) + QStringLiteral("²");
+}
 
 QString LevelUnits::lengthNumber(double length) const { return measureText(length * factor()); }
 

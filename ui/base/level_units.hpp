@@ -1,5 +1,5 @@
-// Lengths and places of the loaded level as people see and type them: metres, feet or the file's units, and always the
-// file's own axes.
+// Lengths and places of the loaded level as people see and type them: in metres, millimetres, feet or the file's units,
+// along the file's axes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace footfall::ui {
 
-enum class LengthUnit { Metres, Feet, FileUnits };
+enum class LengthUnit { Metres, Feet, FileUnits, Millimetres };
 
 /// Everything in the editor that shows or reads a length, an area or a place goes through this. What is stored stays in
 /// the file's units, with Z up. While the scale is a guess, the file's units are shown, whatever is wanted.
@@ -35,9 +35,9 @@ struct LevelUnits {
   [[nodiscard]] double shown(double value, Unit unit = Unit::Length) const;
   [[nodiscard]] double stored(double shown, Unit unit = Unit::Length) const;
 
-  /// "m", "ft" or "units".
+  /// "m", "mm", "ft" or "units".
   [[nodiscard]] QString name() const;
-  /// "m²", "ft²" or "units²".
+  /// "m²", "ft²" or "units²". Who measures in millimetres has areas in square metres.
   [[nodiscard]] QString areaName() const;
   /// "2.5 m".
   [[nodiscard]] QString length(double length) const;

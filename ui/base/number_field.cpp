@@ -67,6 +67,7 @@ NumberField::NumberField(const ParameterDescriptor& parameter, QWidget* parent)
     : QLineEdit(parent), parameter_(parameter), asShown_(parameter) {
   setAlignment(Qt::AlignRight);
   setCursor(Qt::SizeHorCursor);
+  selectNumberByDoubleClick(*this);
   connect(this, &QLineEdit::textEdited, this, &NumberField::readText);
 }
 

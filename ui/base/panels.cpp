@@ -32,7 +32,7 @@ QDockWidget* Panels::addDock(const QString& title, const QString& name, QWidget*
 
 QAction* Panels::addCommand(QDockWidget& dock, const Command& command) {
   dock.setFeatures(dock.features() | QDockWidget::DockWidgetClosable);
-  return commands_.adopt(makePanelAction(dock, home_, &window_), command);
+  return commands_.registerAction(makePanelAction(dock, home_, &window_), command);
 }
 
 // One behind the other: each has the whole height, and the tabs say what there is.

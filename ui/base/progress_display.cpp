@@ -102,7 +102,7 @@ void ProgressDisplay::showProgress(double fraction, std::optional<double> second
   if (fraction >= 0) bar_->setValue(static_cast<int>(fraction * 1000));
   const double now = static_cast<double>(elapsed_.elapsed()) / 1000;
   if (!secondsLeft && fraction >= 0) secondsLeft = left_.estimate(now, fraction);
-  end_.tell(now, fraction, secondsLeft);
+  end_.update(now, fraction, secondsLeft);
   showTime();
   tick_.start();
   show();

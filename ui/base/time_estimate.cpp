@@ -75,11 +75,11 @@ void EndEstimate::begin(double now) {
   begun_ = now;
 }
 
-void EndEstimate::tell(double now, double fraction, std::optional<double> secondsLeft) {
+void EndEstimate::update(double now, double fraction, std::optional<double> secondsLeft) {
   if (isLate(now) && !lateSince_) lateSince_ = std::max(fraction_, 0.0);
   fraction_ = fraction;
   left_ = secondsLeft;
-  told_ = now;
+  updated_ = now;
   if (lateSince_ && fraction >= *lateSince_ + kBelievedAgain) {
     lateSince_.reset();
     promised_.reset();
@@ -103,7 +103,7 @@ EndEstimate::Told EndEstimate::at(double now) const {
   if (lateSince_ || isLate(now) || (isUnknown && promised_)) return {Kind::Late, 0};
   if (isUnknown || (!left_ && now - begun_ > kUnknownAfter)) return {Kind::Unknown, 0};
   if (!left_) return {Kind::Nothing, 0};
-  return {Kind::Left, std::max(0.0, *left_ - (now - told_))};
+  return {Kind::Left, std::max(0.0, *left_ - (now - updated_))};
 }
 
 }  // namespace footfall::ui

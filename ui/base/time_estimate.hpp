@@ -40,7 +40,7 @@ class EndEstimate {
 
   void begin(double now);
   /// `fraction` of the work is done; below 0: unknown. `secondsLeft` are estimated; infinite: nobody knows.
-  void tell(double now, double fraction, std::optional<double> secondsLeft);
+  void update(double now, double fraction, std::optional<double> secondsLeft);
   /// A promised end that has passed makes no other one believed until a tenth of the whole work has been done since.
   [[nodiscard]] Told at(double now) const;
 
@@ -49,7 +49,7 @@ class EndEstimate {
 
   double begun_ = 0;
   double fraction_ = -1;
-  double told_ = 0;  ///< when tell() gave `left_`
+  double updated_ = 0;  ///< when update() gave `left_`
   std::optional<double> left_;
   std::optional<double> promised_;  ///< the end, as it was first estimated
   double promisedAt_ = 0;

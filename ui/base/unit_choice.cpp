@@ -8,8 +8,10 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::array<std::pair<const char*, LengthUnit>, 3> kNames = {
-    {{"metres", LengthUnit::Metres}, {"feet", LengthUnit::Feet}, {"file", LengthUnit::FileUnits}}};
+constexpr std::array<std::pair<const char*, LengthUnit>, 4> kNames = {{{"metres", LengthUnit::Metres},
+                                                                       {"feet", LengthUnit::Feet},
+                                                                       {"file", LengthUnit::FileUnits},
+                                                                       {"millimetres", LengthUnit::Millimetres}}};
 const QString kSetting = QStringLiteral("lengthUnit");
 
 LengthUnit unitOfUser() { return lengthUnitFrom(QSettings().value(kSetting).toString()).value_or(LengthUnit::Metres); }

@@ -32,7 +32,7 @@ class UnitChoice : public QObject {
   LevelUnits units_;
 };
 
-/// The name of a unit in settings and sessions: "metres", "feet", "file".
+/// The name of a unit in settings and sessions: "metres", "millimetres", "feet", "file".
 const char* nameOf(LengthUnit unit);
 std::optional<LengthUnit> lengthUnitFrom(const QString& name);
 

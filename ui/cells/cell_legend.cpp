@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kWidth = 196;
+constexpr int kWidth = 196;  // of the swatches, and at least of the texts
 constexpr int kThreadsInRow = 8;
 constexpr int kSwatchHeight = 18;
 constexpr int kThreadsListed = 8;
@@ -62,7 +62,6 @@ CellLegend::CellLegend(CellModel& model, QWidget* parent)
   title_ = new QLabel(this);
   title_->setStyleSheet(QStringLiteral("font-weight: 600"));
   title_->setWordWrap(true);
-  title_->setFixedWidth(kWidth);
   colouring_ = new QComboBox(this);
   colouring_->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
   colouring_->setAccessibleName(tr("Colour cells by"));
@@ -70,7 +69,6 @@ CellLegend::CellLegend(CellModel& model, QWidget* parent)
   for (const CellColouring colouring : kCellColourings) colouring_->addItem(tr("Colours: %1").arg(labelOf(colouring)));
   colours_ = new QLabel(this);
   text_ = new QLabel(this);
-  text_->setFixedWidth(kWidth);
   text_->setWordWrap(true);
   auto* rest = new QWidget(this);
   auto* restLayout = new QHBoxLayout(rest);
@@ -110,6 +108,8 @@ void CellLegend::describe() {
     colours_->show();
     unfinished_->parentWidget()->setVisible(!scale.allKnown());
   }
+  // As wide as the box: a layout that may give a text more width than it takes counts too few lines.
+  for (QLabel* text : {title_, text_}) text->setFixedWidth(std::max(kWidth, colouring_->sizeHint().width()));
   body().activate();
   layout()->activate();
   adjustSize();

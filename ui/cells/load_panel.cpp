@@ -8,13 +8,15 @@
 
 #include "core/partitioning/load_balancing.hpp"
 #include "ui/base/core_text.hpp"
+#include "ui/base/keys_back.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
 namespace {
 
-constexpr int kFiguresWidth = 330;
+constexpr int kPlotWidth = 324;
+constexpr int kTimelineWidth = 240;  // for a lane to be seen beside the names of threads
 
 QString swatch(const QColor& colour) {
   return QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp;").arg(colour.name());
@@ -70,6 +72,7 @@ QWidget* LoadPanel::makeEmptyPage() {
   layout->addWidget(emptyText_);
   layout->addWidget(parallel_, 0, Qt::AlignHCenter);
   layout->addStretch(1);
+  giveKeysBackAfterClick(*parallel_);
   connect(parallel_, &QPushButton::clicked, this, &LoadPanel::parallelBlockRequested);
   return page;
 }
@@ -87,6 +90,7 @@ QWidget* LoadPanel::makeContentPage() {
           [this](int index) { model_.setShownIndex(static_cast<std::size_t>(index)); });
   back_ = new QPushButton(tr("Show the last run"), page);
   back_->setToolTip(tr("Leave the preview"));
+  giveKeysBackAfterClick(*back_);
   connect(back_, &QPushButton::clicked, this, &LoadPanel::runRequested);
   auto* head = new QHBoxLayout;
   head->addWidget(strategy_, 1);
@@ -95,6 +99,7 @@ QWidget* LoadPanel::makeContentPage() {
   head->addWidget(threadBox_);
 
   timeline_ = new TimelinePlot(model_, page);
+  timeline_->setMinimumWidth(kTimelineWidth);
   filters_ = new QLabel(page);
   filters_->setTextFormat(Qt::RichText);
   filters_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -121,10 +126,10 @@ QWidget* LoadPanel::makeContentPage() {
 
 QWidget* LoadPanel::makeFigures() {
   auto* right = new QWidget(this);
-  right->setMinimumWidth(kFiguresWidth);
   figures_ = new QLabel(right);
   figures_->setTextFormat(Qt::RichText);
   busy_ = new BusyPlot(right);
+  busy_->setMinimumWidth(kPlotWidth);  // not of all: the texts may need more
   phases_ = new PhasePlot(right);
   phaseTexts_ = new QLabel(right);
   phaseTexts_->setTextFormat(Qt::RichText);

@@ -95,6 +95,7 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
   connect(row, &FilterRow::valueEdited, &document_, &Document::setValue);
   connect(row, &FilterRow::previewRequested, this, &FilterList::previewRequested);
   connect(row, &FilterRow::placingRequested, this, &FilterList::placingRequested);
+  connect(row, &FilterRow::parameterPointed, this, &FilterList::parameterPointed);
   connect(
       row, &FilterRow::groupRemoved, this, [this](int id, std::size_t seed) { removeSeed(document_, id, seed); },
       Qt::QueuedConnection);

@@ -44,6 +44,8 @@ class FilterList : public QWidget {
   void selectionChanged();
   /// Somebody wants to place seeds of a row, or no more.
   void placingRequested(int id, bool on);
+  /// The mouse has come to a value of a filter, or has left it.
+  void parameterPointed(int id, std::size_t parameter, bool on);
   /// Somebody wants to see the cells of a strategy.
   void previewRequested(int id);
   void failed(const QString& message);

@@ -1,4 +1,4 @@
-// FilterList's other room: the mouse and the keys.
+// FilterList: what the mouse and the keys do.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QContextMenuEvent>

@@ -156,6 +156,7 @@ void FilterRow::addParameters(QVBoxLayout* layout) {
     label->setText(filterText(parameter.label));
     label->setToolTip(helpOf(parameter, true));
     grid->addWidget(label, row, 0);
+    names_.push_back(label);
     if (parameter.type == ParameterType::Boolean) {
       auto* box = new QCheckBox(parameters_);
       box->setToolTip(helpOf(parameter, true));
@@ -186,6 +187,7 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   const int row = static_cast<int>(index);
   NumberField* field = makeNumber(parameter, index, parameters_);
   field->takeDragsOf(label);
+  for (QWidget* widget : {static_cast<QWidget*>(field), static_cast<QWidget*>(label)}) widget->installEventFilter(this);
   field->setToolTip(helpOf(parameter, true));
   field->setAccessibleName(filterText(parameter.label));
   field->setFixedWidth(kFieldLetters * fontMetrics().averageCharWidth());
@@ -333,6 +335,14 @@ void FilterRow::showState() {
 void FilterRow::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && state_) showState();
+}
+
+bool FilterRow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (watched == fields_[i] || watched == names_[i]) emit parameterPointed(id_, i, event->type() == QEvent::Enter);
+  }
+  return QFrame::eventFilter(watched, event);
 }
 
 void FilterRow::showError() {

@@ -69,9 +69,12 @@ class FilterRow : public QFrame {
   void groupRemoved(int id, std::size_t group);
   /// A value is held by the mouse, or let go.
   void draggingChanged(bool dragging);
+  /// The mouse has come to a value or to its name, or has left it.
+  void parameterPointed(int id, std::size_t parameter, bool on);
 
  protected:
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void addParameters(QVBoxLayout* layout);
@@ -96,6 +99,7 @@ class FilterRow : public QFrame {
   QLabel* groupUnit_ = nullptr;
   QLabel* moreGroups_ = nullptr;
   std::vector<QWidget*> fields_;
+  std::vector<QLabel*> names_;  ///< of the first fields, those that stand once
   std::vector<QLabel*> units_;  ///< null for booleans and for groups, which have one unit together
   LevelUnits shown_;
   QWidget* parameters_ = nullptr;

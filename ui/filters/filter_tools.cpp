@@ -21,8 +21,8 @@ QString tr(const char* text) { return QCoreApplication::translate("footfall::ui"
 void addListCommands(const FeatureHost& host, FilterList& list) {
   CommandRegistry& commands = host.commands;
   for (const FilterActions::Entry& entry : list.actions().entries())
-    commands.adopt(entry.action, {entry.id, CommandMenu::Pipeline, QStringLiteral("steps"), {}, entry.help});
-  commands.adopt(
+    commands.registerAction(entry.action, {entry.id, CommandMenu::Pipeline, QStringLiteral("steps"), {}, entry.help});
+  commands.registerAction(
       list.presets()->menuAction(),
       {QStringLiteral("pipeline.presets"), CommandMenu::Pipeline, QStringLiteral("files"), tr("Pr&esets"), {}});
   QObject::connect(&list, &FilterList::failed, &host.messages, [&messages = host.messages](const QString& text) {

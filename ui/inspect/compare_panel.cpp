@@ -16,6 +16,8 @@ namespace {
 
 enum Column { What, Area, Place, kColumns };
 
+constexpr int kLeastLetters = 12;  // of the choice
+
 QString partText(bool hasArea, double area, const CompareWriter& write) {
   return hasArea ? write.area(area) : ComparePanel::tr("nothing");
 }
@@ -50,6 +52,9 @@ ComparePanel::ComparePanel(QWidget* parent)
   setObjectName(QStringLiteral("comparePanel"));
   choice_->setObjectName(QStringLiteral("compareChoice"));
   choice_->addItems({tr("Nothing"), tr("The result before the last edit"), tr("A saved result…")});
+  // The longest entry, or the name of a file, must not make the panel wider than its dock.
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choice_->setMinimumContentsLength(kLeastLetters);
   choice_->setToolTip(tr("What the result is compared with, after each run"));
   auto* form = new QFormLayout;
   form->addRow(tr("Compare &with"), choice_);

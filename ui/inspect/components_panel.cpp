@@ -29,6 +29,7 @@ ComponentsPanel::ComponentsPanel(QWidget* parent)
   smallerThan_->setPlaceholderText(tr("any area"));
   smallerThan_->setClearButtonEnabled(true);
   giveKeysBackAfterTyping(*smallerThan_);
+  selectNumberByDoubleClick(*smallerThan_);
   auto* label = new QLabel(tr("&Smaller than"), this);
   label->setBuddy(smallerThan_);
   error_->setObjectName(QStringLiteral("rowError"));

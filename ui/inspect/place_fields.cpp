@@ -24,6 +24,7 @@ PlaceFields::PlaceFields(const QString& name, const QString& id, QWidget* parent
     field->setPlaceholderText(axes[i]);
     field->setAccessibleName(tr("%1, %2").arg(name, axes[i]));
     giveKeysBackAfterTyping(*field);
+    selectNumberByDoubleClick(*field);
     field->setMinimumWidth(64);
     field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // or three of them make the panel wide
     connect(field, &QLineEdit::textEdited, this, &PlaceFields::read);

@@ -77,7 +77,7 @@ QWidget* WhyPanel::makeAnswerPage() {
 
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
-  place_ = addFigure(grid, tr("Place"), QStringLiteral("whyPlace"));
+  place_ = addFigure(grid, tr("Where"), QStringLiteral("whyPlace"));
   triangle_ = addFigure(grid, tr("Triangle"), QStringLiteral("whyTriangle"));
   triangle_->setToolTip(
       tr("Counted from 0 in the order of the file, without ignored parts; with the names of mesh and material"));

@@ -13,14 +13,13 @@
 #include "ui/base/counted_text.hpp"
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/flow_layout.hpp"
+#include "ui/base/keys_back.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/base/positive_number.hpp"
 #include "ui/level/scale_question.hpp"
 
 namespace footfall::ui {
-namespace {}  // namespace
-
 ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   name_ = new ElidedLabel(tr("Nothing loaded"), this);
   name_->setObjectName(QStringLiteral("environmentName"));
@@ -108,6 +107,7 @@ QWidget* ImportPanel::makeQuestion() {
   row->addWidget(question_, 1);
   row->addWidget(yes_);
   row->addWidget(no_);
+  for (QPushButton* button : {yes_, no_}) giveKeysBackAfterClick(*button);
   connect(yes_, &QPushButton::clicked, this, [this] { setScale(askAboutScale(size_, fileScale_).scale); });
   connect(no_, &QPushButton::clicked, this, [this] { setScale(fileScale_); });
   return questionRow_;
@@ -147,7 +147,7 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     size_ = size;
     const SkippedElements& skipped = environment->skipped;
     QStringList left;
-    if (skipped.polygons > 0) left << countedText(skipped.polygons, tr("polygon"), tr("polygons"));
+    // Of the polygons, the button below the figures tells.
     if (skipped.lines > 0) left << countedText(skipped.lines, tr("line"), tr("lines"));
     if (skipped.points > 0) left << countedText(skipped.points, tr("point"), tr("points"));
     QStringList lines;

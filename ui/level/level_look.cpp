@@ -142,8 +142,8 @@ void LevelLook::addInside(CommandRegistry& commands) {
     if (!geometry || !geometry->covered || !view_.inside()) {
       hint_->hide();
     } else {
-      hint_->tell(tr("Roofs and outer walls are open: %1 closes them.\nThe handles of Height show a single storey.")
-                      .arg(inside_->shortcut().toString(QKeySequence::NativeText)));
+      hint_->showText(tr("Roofs and outer walls are open: %1 closes them.\nThe handles of Height show a single storey.")
+                          .arg(inside_->shortcut().toString(QKeySequence::NativeText)));
     }
     layout_.update();
   });

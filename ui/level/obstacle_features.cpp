@@ -13,6 +13,7 @@
 #include "ui/view/appearance.hpp"
 #include "ui/view/handle_colours.hpp"
 #include "ui/view/obstacle_geometry.hpp"
+#include "ui/view/sight_lines.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -5,15 +5,14 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "core/base/vector.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/handle_colours.hpp"
+#include "ui/view/sight_lines.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -75,16 +74,6 @@ QColor colourOf(Handle handle) {
     default:
       return handleColour();
   }
-}
-
-/// How far along the axis through `origin` the line of sight passes it.
-std::optional<double> alongAxis(const Ray& ray, const Vec3& origin, const Vec3& axis) {
-  const Vec3 w = ray.origin - origin;
-  const double b = dot(axis, ray.direction), c = dot(ray.direction, ray.direction);
-  const double determinant = c - b * b;
-  if (!(determinant > 1e-4 * c)) return std::nullopt;  // it looks along the axis
-  const double along = (c * dot(axis, w) - b * dot(ray.direction, w)) / determinant;
-  return std::isfinite(along) ? std::optional(along) : std::nullopt;
 }
 
 void addSquareBox(ViewOverlay::Surface& surface, const Vec3& middle, double half) {
@@ -266,20 +255,6 @@ ViewOverlay ObstacleGizmo::overlay(std::optional<Handle> marked) const {
     overlay.surfaces.push_back(std::move(surface));
   }
   return overlay;
-}
-
-double roundTo(double value, double step) {
-  const double rounded = std::round(value / step) * step;
-  const std::string text = QString::number(rounded, 'g', 12).toStdString();
-  double typed = rounded;
-  std::from_chars(text.data(), text.data() + text.size(), typed);
-  return typed + 0.0;  // no negative zero
-}
-
-std::optional<Vec3> meetHeight(const Ray& ray, double z) {
-  const double t = (z - ray.origin.z) / ray.direction.z;
-  if (!(t > 0) || !std::isfinite(t)) return std::nullopt;
-  return pointOn(ray, t);
 }
 
 std::optional<PlacedObstacle> dragged(const PlacedObstacle& start, Handle handle, const Ray& from, const Ray& to,

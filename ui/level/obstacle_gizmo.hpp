@@ -61,10 +61,4 @@ struct DragSteps {
 std::optional<PlacedObstacle> dragged(const PlacedObstacle& start, ObstacleHandle handle, const Ray& from,
                                       const Ray& to, const DragSteps& steps);
 
-/// A multiple of `step`, in the digits that a person would type.
-double roundTo(double value, double step);
-
-/// Where a line of sight meets a horizontal plane in front of the eye.
-std::optional<Vec3> meetHeight(const Ray& ray, double z);
-
 }  // namespace footfall::ui

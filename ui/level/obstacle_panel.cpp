@@ -96,16 +96,18 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
     fields_[i]->setObjectName(QStringLiteral("obstacle") + names[i].simplified().remove(QLatin1Char(' ')));
     fields_[i]->setAccessibleName(names[i]);
     fields_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // the view needs the width
-    fields_[i]->setMinimumWidth(58);
+    fields_[i]->setMinimumWidth(52);
     connect(fields_[i], &NumberField::valueEdited, this, [this, i](double value) { editField(i, value); });
     connect(fields_[i], &NumberField::problemChanged, this, &ObstaclePanel::showProblem);
   }
   const auto row = [&](int at, const QString& text, std::size_t first, std::size_t count) {
-    grid->addWidget(new QLabel(text, form_), at, 0);
+    auto* label = new QLabel(text, form_);
+    grid->addWidget(label, at, 0);
     for (std::size_t i = 0; i < count; ++i) grid->addWidget(fields_[first + i], at, 1 + static_cast<int>(i));
+    return label;
   };
   row(1, tr("Base x, y, z"), 0, 3);
-  row(2, tr("Length, width, height"), 3, 3);
+  row(2, tr("Size"), 3, 3)->setToolTip(tr("Length, width, height"));  // all of it would make the panel wide
   row(3, tr("Turn"), 6, 1);
   grid->addWidget(new QLabel(tr("degrees"), form_), 3, 2);
   for (int column = 1; column < 4; ++column) grid->setColumnStretch(column, 1);

@@ -5,6 +5,7 @@
 
 #include "ui/level/obstacle_tools.hpp"
 #include "ui/view/obstacle_geometry.hpp"
+#include "ui/view/sight_lines.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -33,8 +33,8 @@ SkippedPanel::SkippedPanel(QWidget* parent)
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels({tr("In the file"), tr("Why"), tr("Place")});
   prepareList(*table_);
-  table_->horizontalHeader()->setSectionResizeMode(Reason, QHeaderView::Stretch);
-  setColumnWidths(*table_, {{Source, 12}, {Place, 22}});
+  table_->horizontalHeader()->setStretchLastSection(true);
+  setColumnWidths(*table_, {{Source, 12}});
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(summary_);
   layout->addWidget(table_, 1);
@@ -51,6 +51,8 @@ void SkippedPanel::show(const SkippedElements& skipped, const std::function<QStr
     setCell(table_, row, Reason, coreText(skippedReason(polygon)));
     setCell(table_, row, Place, polygon.corners.empty() ? tr("nowhere") : place(polygon.corners.front()));
   }
+  // The reasons are to be read; for where it is, a click is enough.
+  table_->resizeColumnToContents(Reason);
   QStringList lines{skipped.polygons == 0
                         ? tr("No polygon of the file was left out.")
                         : tr("%n polygons of the file were left out:", "", static_cast<int>(skipped.polygons))};

@@ -21,9 +21,11 @@ struct Entry {
 void addMenu(const FeatureHost& host) {
   const QString lengths = QStringLiteral("lengths");
   host.commands.addSubmenu(CommandMenu::View, tr("Len&gths in"), {lengths});
-  const std::array<Entry, 3> entries = {
+  const std::array<Entry, 4> entries = {
       {{LengthUnit::Metres, tr("&Metres"),
         tr("Show and type lengths in metres, where the scale of the level is known")},
+       {LengthUnit::Millimetres, tr("M&illimetres"),
+        tr("Show and type lengths in millimetres, and areas in square metres, where the scale of the level is known")},
        {LengthUnit::Feet, tr("&Feet"), tr("Show and type lengths in feet, where the scale of the level is known")},
        {LengthUnit::FileUnits, tr("File's &units"), tr("Show and type lengths as the file has them")}}};
   auto* group = new QActionGroup(&host.window);
@@ -57,7 +59,7 @@ void load(UnitChoice& units, const std::string& text) {
   }
   const auto name = nlohmann::json::parse(text).value("lengths", std::string());
   const auto unit = lengthUnitFrom(QString::fromStdString(name));
-  if (!unit) throw InputError(FOOTFALL_TEXT("lengths are in '%1'; give metres, feet or file"), name);
+  if (!unit) throw InputError(FOOTFALL_TEXT("lengths are in '%1'; give metres, millimetres, feet or file"), name);
   units.useForSession(unit);
 }
 

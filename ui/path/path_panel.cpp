@@ -37,6 +37,7 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   speed_->setFixedWidth(72);
   speed_->setValue(kUsualSpeed);
   auto* speedRow = new QHBoxLayout;
+  speedRow->setSpacing(6);
   speedRow->addWidget(speed_);
   speedRow->addWidget(new QLabel(tr("m/s"), this), 1);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/base/flow_layout.hpp"
+#include "ui/base/keys_back.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -42,6 +43,7 @@ SeparationView::SeparationView(PathModel& model, LevelView& view, QWidget* paren
   layout->addWidget(text_);
   layout->addLayout(buttons);
   connect(show_, &QPushButton::clicked, this, &SeparationView::frame);
+  giveKeysBackAfterClick(*mend_);
   connect(mend_, &QPushButton::clicked, this, [this] {
     const auto& separation = separationOf(model_);
     if (const auto mend = separation && mends_ ? mends_(*separation) : std::nullopt) emit mendRequested(*mend);

@@ -14,7 +14,7 @@ void AheadRuns::ask(std::vector<Pipeline> pipelines) {
   if (pipelines.empty() && all_ == 0) return;
   all_ = static_cast<int>(pipelines.size());
   pipelines_ = std::move(pipelines);
-  tell();
+  emitChanged();
   next();
 }
 
@@ -36,7 +36,7 @@ void AheadRuns::next() {
           this, [this, job, outcome] { complete(job, *outcome); }, Qt::QueuedConnection);
     });
   }
-  if (before != pipelines_.size()) tell();
+  if (before != pipelines_.size()) emitChanged();
 }
 
 void AheadRuns::complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome) {
@@ -46,11 +46,11 @@ void AheadRuns::complete(const std::shared_ptr<RunJob>& job, const RunOutcome& o
   const bool interrupted = !outcome.finished && outcome.error.isEmpty();
   if (!interrupted && !pipelines_.empty()) {
     pipelines_.erase(pipelines_.begin());
-    tell();
+    emitChanged();
   }
   next();
 }
 
-void AheadRuns::tell() { emit changed(all_ - static_cast<int>(pipelines_.size()), all_); }
+void AheadRuns::emitChanged() { emit changed(all_ - static_cast<int>(pipelines_.size()), all_); }
 
 }  // namespace footfall::ui

@@ -38,7 +38,7 @@ class AheadRuns : public QObject {
 
  private:
   void complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome);
-  void tell();
+  void emitChanged();
 
   FinishedRuns& runs_;
   BackgroundQueue& queue_;

@@ -22,13 +22,13 @@ EditPreview::Surfaces EditPreviews::changes(const RunJob& job, const Pipeline& e
   const std::size_t i = job.firstChanged;
   const auto rest = static_cast<std::ptrdiff_t>(i + 1);
   if (i >= before.size() || before.size() != job.steps.size() || before[i]->filter != job.steps[i]->filter ||
-      before[i]->values.size() != 1 ||
+      before[i]->values.size() != job.steps[i]->values.size() || before[i]->values.empty() ||
       !std::equal(before.begin() + rest, before.end(), job.steps.begin() + rest,
                   [](const PipelineStep* a, const PipelineStep* b) { return *a == *b; }))
     return {};
   const auto known = known_.find(nameOf(job.prefixes[i], *before[i]));
   if (known == known_.end()) return {};
-  return known->second->changes(before[i]->values[0], job.steps[i]->values[0]);
+  return known->second->changes(before[i]->values, job.steps[i]->values);
 }
 
 void EditPreviews::follow(const RunJob& job, const std::shared_ptr<const NavigationMesh>& result) {
@@ -36,9 +36,9 @@ void EditPreviews::follow(const RunJob& job, const std::shared_ptr<const Navigat
   decltype(known_) kept;
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
     const PipelineStep& step = *job.steps[i];
-    if (step.values.size() != 1) continue;
+    if (step.values.empty()) continue;
     const std::string name = nameOf(job.prefixes[i], step);
-    EditedStep edited{step.filter->type, step.values[0], job.stepMeshes->find(job.prefixes[i]), result};
+    EditedStep edited{step.filter->type, step.values, job.stepMeshes->find(job.prefixes[i]), result};
     const auto known = known_.find(name);
     if (known != known_.end() && known->second->suits(edited)) {
       kept.insert(*known);

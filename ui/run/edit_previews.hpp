@@ -17,8 +17,8 @@
 namespace footfall::ui {
 
 /// Previews of edits of the last finished run's steps, prepared in the background once its result is on the screen. A
-/// step is named by the steps before it and its filter. An edit of one value stands for most of what somebody does here
-/// while looking at the view.
+/// step is named by the steps before it and its filter. An edit of one step's values stands for most of what somebody
+/// does here while looking at the view.
 class EditPreviews : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class EditPreviews : public QObject {
 
   /// Whether the step has one, by the steps before it.
   [[nodiscard]] bool knows(const std::string& prefix, const PipelineStep& step) const;
-  /// What a job changes over the result of an earlier run, where they differ in the one value of one step; else
+  /// What a job changes over the result of an earlier run, where they differ in the values of one step; else
   /// nothing.
   [[nodiscard]] EditPreview::Surfaces changes(const RunJob& job, const Pipeline& earlier) const;
   /// Another run has finished: what suits its steps is kept, what is missing is for prepare().

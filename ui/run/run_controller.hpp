@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -18,10 +17,13 @@
 #include "ui/run/ahead_runs.hpp"
 #include "ui/run/edit_previews.hpp"
 #include "ui/run/finished_runs.hpp"
+#include "ui/run/margin_kinds.hpp"
 #include "ui/run/run_display.hpp"
+#include "ui/run/run_follower.hpp"
 #include "ui/run/run_forecast.hpp"
+#include "ui/run/run_inputs.hpp"
 #include "ui/run/run_job.hpp"
-#include "ui/run/step_meshes.hpp"
+#include "ui/run/run_schedule.hpp"
 #include "ui/run/step_statuses.hpp"
 #include "ui/view/cell_block.hpp"
 #include "ui/view/render_geometry.hpp"
@@ -33,8 +35,9 @@ namespace footfall::ui {
 /// Where runs take long, one that follows others closely waits until no more come (settle); while a value is dragged
 /// and runs are quick, the run under way ends first, so that results follow the mouse. Switched to manual, changes wait
 /// for runNow(). What can be told of an edit without a run is told at once, and the run then begins after the frame
-/// that shows it (frameShown()), as both want the same processors. Signals come on the window's thread, at most about
-/// ten times a second once it has shown something.
+/// that shows it (frameShown()), as both want the same processors. What only explains a result (previews of edits,
+/// which margins are of walls and which of ledges) is found behind the frame that shows it. Signals come on the
+/// window's thread, at most about ten times a second once it has shown something.
 class RunController : public QObject {
   Q_OBJECT
 
@@ -47,7 +50,7 @@ class RunController : public QObject {
   /// The same level with something changed (an edit of the one before, so that runs take over what they can): the last
   /// result stays in sight until the next one is there.
   void editEnvironment(std::shared_ptr<const Environment> environment);
-  [[nodiscard]] std::shared_ptr<const Environment> environment() const { return environment_; }
+  [[nodiscard]] std::shared_ptr<const Environment> environment() const { return inputs_.environment(); }
   void setFilters(const std::vector<FilterEntry>& filters);
   /// Starts at once, even when nothing has changed (results of steps are still taken from the cache).
   void runNow();
@@ -62,7 +65,7 @@ class RunController : public QObject {
   void setDragging(bool dragging);
   /// Estimated time until the run under way has finished, from earlier times of the same steps and from their progress;
   /// nothing without a run, or with nothing to go by; milliseconds::max() when a step takes far longer than expected.
-  [[nodiscard]] std::optional<std::chrono::milliseconds> remaining() const;
+  [[nodiscard]] std::optional<std::chrono::milliseconds> remaining() const { return follower_.remaining(); }
   /// Computes these one after the other, while no run of the list is under way: finishedRunOf() has them then, and a
   /// change to one of them shows it at once. Replaces what was asked for before; none: stops.
   void runAhead(std::vector<Pipeline> pipelines) { ahead_.ask(std::move(pipelines)); }
@@ -70,7 +73,7 @@ class RunController : public QObject {
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRunOf(const Pipeline& pipeline) const;
   [[nodiscard]] const FinishedRuns& finishedRuns() const { return runs_; }
   /// To be called when the view has shown a frame.
-  void frameShown();
+  void frameShown() { schedule_.frameShown(); }
   /// What the view needs to draw everything: pictures of what a run has so far come the more seldom for it.
   void setPictureTime(double ms) { display_.setPictureTime(ms); }
 
@@ -78,12 +81,14 @@ class RunController : public QObject {
   /// A run is under way.
   [[nodiscard]] bool busy() const { return job_ != nullptr; }
   /// A run waits until edits stop.
-  [[nodiscard]] bool settling() const { return job_ && job_->settling; }
+  [[nodiscard]] bool settling() const { return schedule_.settling(); }
+  /// What is shown of the last result tells borders, but not yet walls from ledges.
+  [[nodiscard]] bool seeksMarginKinds() const { return margins_.pending(); }
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
   /// The states of recent runs on this environment and its edits; for stepStates() of finishedRun(), on any thread.
-  [[nodiscard]] std::shared_ptr<ResultCache> cache() const { return cache_; }
-  /// Whether an edit of the one parameter of a filter would be shown before the run: it is prepared after each run.
+  [[nodiscard]] std::shared_ptr<ResultCache> cache() const { return inputs_.cache(); }
+  /// Whether an edit of a filter's values would be shown before the run: it is prepared after each run.
   [[nodiscard]] bool previews(int id) const;
   /// Whether finishedRun() belongs to the filter list as it is.
   [[nodiscard]] bool upToDate() const;
@@ -109,44 +114,35 @@ class RunController : public QObject {
   enum class Start { Asked, Edited, Overtaking };  ///< the last: by an edit while a run was under way
 
   void start(Start why);
-  [[nodiscard]] Pipeline pipeline() const;
-  [[nodiscard]] std::shared_ptr<RunJob> makeJob(const Pipeline& pipeline) const;
   [[nodiscard]] std::shared_ptr<RunJob> makeEditJob() const;
-  bool takeKnown(const std::shared_ptr<RunJob>& job);
-  void adopt(const RunJob& job, const RunOutcome& outcome, bool known);
-  void work(const std::shared_ptr<RunJob>& job);
+  bool showKnown(const std::shared_ptr<RunJob>& job);
+  void showFinished(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome, bool known);
+  void work();
   void complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome);
+  void fail(const RunJob& job, const QString& error);
   void stopJob(StepState unfinished);
   bool reportInvalidStep();
   void forgetSteps();
   [[nodiscard]] bool letsFinish() const;
-  void endSettling();
+  void explainResult();
+  void showMarginKinds(const RunOutcome& outcome, const std::string& key);
   void nextAhead();
-  void scheduleDrain();
-  void drain();
-  void takeStatuses(const std::vector<RunEventBuffer::Step>& steps, const std::vector<RunEventBuffer::Block>& blocks);
 
-  std::shared_ptr<const Environment> environment_;
-  Vec3 centre_;
-  std::vector<FilterEntry> filters_;
+  RunInputs inputs_;
   StepStatuses statuses_;
   RunForecast forecast_{statuses_};
+  RunDisplay display_;
+  RunFollower follower_{statuses_, forecast_, display_};
+  RunSchedule schedule_;
   std::shared_ptr<RunJob> job_;
   std::shared_ptr<const FinishedRun> finished_;
   std::string finishedKey_;
   FinishedRuns runs_;
-  RunDisplay display_;
   bool automatic_ = true;
-  int threads_ = 0;
   bool dragging_ = false;
   bool followUp_ = false;  ///< the list has changed while the run under way was let to finish
-  QTimer settleTimer_;
-  QTimer drainTimer_;
-  RunEventBuffer::Clock::time_point drained_;
-  std::shared_ptr<StepMeshes> stepMeshes_;
-  std::shared_ptr<ResultCache> cache_;
   EditPreviews editPreviews_;
-  QTimer frameTimer_;  ///< ends waiting for a frame that does not come
+  MarginKinds margins_;
   AheadRuns ahead_;
   BackgroundQueue queue_;  // last: its thread ends before the rest goes
 };

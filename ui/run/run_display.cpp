@@ -42,17 +42,23 @@ void RunDisplay::setResult(const RunJob& job, const RunOutcome& outcome) {
 
 void RunDisplay::show() {
   provisional_ = false;
-  tellResult();
+  emitResult();
   showKnownCells();
+}
+
+// While something else is shown, the next result takes its place anyway.
+void RunDisplay::setContent(const ViewContent& content) {
+  shown_.content = content;
+  if (!provisional_) emitResult();
 }
 
 void RunDisplay::restore() {
-  if (std::exchange(provisional_, false)) tellResult();
+  if (std::exchange(provisional_, false)) emitResult();
   showKnownCells();
 }
 
-// Of a copy: who hears it may bring about another result.
-void RunDisplay::tellResult() {
+// Of a copy: what is connected may lead to another result.
+void RunDisplay::emitResult() {
   const ViewContent content = shown_.content;
   emit contentReady(content);
 }
@@ -62,7 +68,7 @@ void RunDisplay::begin(bool changesShown) {
   shownParts_ = 0;
   lastPicture_.reset();
   if (changesShown) lastPicture_ = RunEventBuffer::Clock::now();
-  cellsTold_ = 0;
+  cellEvents_ = 0;
 }
 
 void RunDisplay::showChanges(const EditPreview::Surfaces& changes) {
@@ -78,7 +84,7 @@ void RunDisplay::showCells(const std::vector<RunEventBuffer::Block>& blocks) {
     told += 1 + static_cast<std::size_t>(
                     std::ranges::count_if(block.cells, [](const auto& cell) { return cell != nullptr; }));
   }
-  if (std::exchange(cellsTold_, told) == told) return;
+  if (std::exchange(cellEvents_, told) == told) return;
   CellBlocks cells;
   for (const RunEventBuffer::Block& block : blocks) cells.push_back(soFar(block));
   cellsShown_ = true;

@@ -23,6 +23,8 @@ class RunDisplay : public QObject {
   void clear();
   /// Keeps the result of a finished run; show() emits the signals.
   void setResult(const RunJob& job, const RunOutcome& outcome);
+  /// The same result, of which more is known.
+  void setContent(const ViewContent& content);
   /// The last result and its cells.
   void show();
   /// The same in place of what a run that did not finish has shown; nothing where it has shown nothing.
@@ -51,7 +53,7 @@ class RunDisplay : public QObject {
  private:
   [[nodiscard]] bool pictureIsDue(const RunJob& job) const;
   [[nodiscard]] ViewContent contentOf(const RunJob& job, const RunEventBuffer::Step& step) const;
-  void tellResult();
+  void emitResult();
   void showKnownCells();
 
   ShownResult shown_;         ///< of the last finished run; no mesh when there is none
@@ -63,7 +65,7 @@ class RunDisplay : public QObject {
   std::optional<std::size_t> shownStep_;
   std::size_t shownParts_ = 0;
   std::optional<RunEventBuffer::Clock::time_point> lastPicture_;
-  std::size_t cellsTold_ = 0;  ///< events of cells
+  std::size_t cellEvents_ = 0;  ///< as many as have been shown
 };
 
 }  // namespace footfall::ui

@@ -43,7 +43,6 @@ void RunForecast::take(RunJob& job, std::size_t step, const RunEventBuffer::Step
 }
 
 std::optional<std::chrono::milliseconds> RunForecast::remaining(const RunJob& job, Clock::time_point told) {
-  if (job.settling) return std::nullopt;
   const auto left = remainingMs(job.times);
   if (!left) return std::nullopt;
   if (!std::isfinite(*left)) return std::chrono::milliseconds::max();

@@ -2,113 +2,21 @@
 #include "ui/run/run_job.hpp"
 
 #include <QCoreApplication>
-#include <optional>
+#include <algorithm>
 #include <utility>
 
-#include "core/base/parallel_ranges.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/run/provisional_content.hpp"
+#include "ui/run/run_content.hpp"
 #include "ui/view/appearance.hpp"
-#include "ui/view/coarse_geometry.hpp"
 
 namespace footfall::ui {
 namespace {
 
-constexpr double kSameArea = 1 - 1e-9;  // areas in summaries are rounded
-
 void keepMesh(RunJob& job, const RunEvent& event) {
-  if (job.isDividing) return;
   if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < job.prefixes.size())
     job.stepMeshes->store(job.prefixes[event.step + 1], event.part);
-}
-
-/// What was walkable before some of it was removed for one reason.
-struct RemovedShare {
-  const RemovalStyle* style = nullptr;
-  StepMeshes::Mesh before;
-};
-
-/// What a RadiusFilter would leave that kept away from walls only; nothing where it does not know them.
-std::optional<RunResult> keepOffWalls(RunJob& job, std::size_t step) {
-  Pipeline pipeline;
-  for (std::size_t i = 0; i <= step; ++i) pipeline.steps.push_back(*job.steps[i]);
-  pipeline.steps.back().values[1] = 0;
-  job.isDividing = true;
-  std::optional<RunResult> result;
-  try {
-    result = runPipeline(job.environment, pipeline, *job.context, job.cache.get(), job.threads);
-  } catch (const InputError&) {  // no clearance before it
-  }
-  job.isDividing = false;
-  return result;
-}
-
-// Places that are too near a wall and a ledge count as too near a wall, as in answers to why.
-std::vector<RemovedShare> sharesOfRadius(RunJob& job, const RunResult& result, std::size_t step,
-                                         const StepMeshes::Mesh& before) {
-  const RemovalStyle* const wall = &removalStyle(Removal::NearWall);
-  const RemovalStyle* const ledge = &removalStyle(Removal::NearLedge);
-  const std::vector<double>& values = job.steps[step]->values;
-  if (values[1] == 0) return {{wall, before}};
-  if (values[0] == 0) return {{ledge, before}};
-  const std::optional<RunResult> offWalls = keepOffWalls(job, step);
-  if (!offWalls || !offWalls->mesh) return {{&removalStyle(Removal::NearBorder), before}};
-  const double area = offWalls->summary.area;
-  if (result.steps[step].out.area >= area * kSameArea) return {{wall, before}};
-  if (area >= result.steps[step].in.area * kSameArea) return {{ledge, before}};
-  return {{wall, before}, {ledge, offWalls->mesh}};
-}
-
-// The environment's own floors stand for what was walkable before the first, which is null.
-std::vector<RemovedShare> removedShares(RunJob& job, const RunResult& result) {
-  std::vector<RemovedShare> shares;
-  for (std::size_t i = 0; i < job.steps.size(); ++i) {
-    const RemovalStyle* style = removalStyle(job.steps[i]->filter->type);
-    if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;  // it removed nothing
-    StepMeshes::Mesh before;
-    if (!shares.empty()) {
-      before = job.stepMeshes->find(job.prefixes[i]);
-      if (!before) continue;
-    }
-    if (style->filter == FilterType::Radius) {
-      for (const RemovedShare& share : sharesOfRadius(job, result, i, before)) shares.push_back(share);
-    } else {
-      shares.push_back({style, before});
-    }
-  }
-  return shares;
-}
-
-ViewContent makeContent(RunJob& job, const RunResult& result) {
-  ViewContent content;
-  if (result.mesh) content.environmentLayers = makeEnvironmentLayers(*result.mesh, *job.environment);
-  const EnvironmentLayers* layers = content.environmentLayers.get();
-  std::vector<StepMeshes::Mesh> before;
-  for (const RemovedShare& share : removedShares(job, result)) {
-    if (!content.firstRemoval) {
-      content.firstRemoval = share.style;
-      continue;
-    }
-    before.push_back(share.before);
-    content.removed.push_back({share.style, nullptr});
-  }
-  if (result.mesh) {
-    content.walkable.emplace_back();
-    std::vector<const NavigationMesh*> meshes;
-    for (const StepMeshes::Mesh& mesh : before) meshes.push_back(mesh.get());
-    content.floorStates = makeFloorStates(*job.environment, *result.mesh, meshes);
-  }
-  // The result, which takes longest, first.
-  forRanges(before.size() + content.walkable.size(), 1, [&](std::size_t i, std::size_t) {
-    if (i < content.walkable.size()) {
-      content.walkable[i] = makeMeshGeometry(*result.mesh, job.centre, std::nullopt, layers);
-      return;
-    }
-    const std::size_t k = i - content.walkable.size();
-    content.removed[k].before = makeMeshGeometry(*before[k], job.centre, content.removed[k].style->paint, layers);
-  });
-  return content;
 }
 
 }  // namespace
@@ -153,7 +61,6 @@ void listenTo(RunJob& job, std::function<void()> notify) {
   // The job outlives the context that it owns.
   job.context = std::make_unique<RunContext>(
       [&job](const RunEvent& event) {
-        if (job.isDividing) return;
         keepMesh(job, event);
         if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < job.prefixes.size()) {
           const RemovalStyle* style = removalStyle(job.steps[event.step]->filter->type);
@@ -189,7 +96,9 @@ RunOutcome compute(RunJob& job) {
     finished->environment = job.environment;
     finished->pipeline = job.pipeline;
     finished->result = runPipeline(job.environment, job.pipeline, *job.context, job.cache.get(), job.threads);
-    outcome.content = makeContent(job, finished->result);
+    const std::vector<RemovedShare> shares = removedShares(job, finished->result);
+    outcome.content = makeContent(job, finished->result, shares);
+    outcome.content.hasMixedMargins = std::ranges::any_of(shares, [&](const auto& s) { return isDivisible(job, s); });
     outcome.finished = std::move(finished);
   } catch (const Cancelled&) {
     outcome = {};

@@ -56,8 +56,6 @@ struct RunJob {
   RunEventBuffer::Clock::time_point begun = RunEventBuffer::Clock::now();
   bool follows = false;         ///< there is an earlier result, which is shown until more is known
   bool sameEnvironment = true;  ///< as the last finished run; numbers of triangles mean the same then
-  bool settling = false;        ///< edits may follow; it has not begun
-  bool waiting = false;         ///< for the frame that shows what is known from the edit
   std::vector<StepTime>
       times;  ///< of the steps, and of making the mesh where that is known; empty before they are known
   std::size_t firstChanged = 0;  ///< the first step that is not the same as in the last finished run
@@ -66,7 +64,6 @@ struct RunJob {
   EditPreview::Surfaces changes;
   EditPreview::Surfaces changesOfStep;  ///< written by the thread that computes, before the event of that step
   StepPictures stepPictures;
-  bool isDividing = false;  ///< its context is used for what the list does not have: events are not of its steps
   std::unique_ptr<RunEventBuffer> events;
   std::unique_ptr<RunContext> context;
 };

@@ -74,7 +74,7 @@ void StepStatuses::finish(const RunJob& job, std::size_t step, const RunEventBuf
   status.trianglesOut = events.whole.mesh->triangles.size();
 }
 
-void StepStatuses::adopt(const RunJob& job, const RunResult& result, bool known) {
+void StepStatuses::setResult(const RunJob& job, const RunResult& result, bool known) {
   for (std::size_t i = 0; i < result.steps.size() && i < job.ids.size(); ++i) {
     const StepStatistics& step = result.steps[i];
     StepStatus& status = statuses_[job.ids[i]];

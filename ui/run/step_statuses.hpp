@@ -31,7 +31,7 @@ class StepStatuses {
   /// A step of a run under way has finished.
   void finish(const RunJob& job, std::size_t step, const RunEventBuffer::Step& events);
   /// A run has finished; `known`: it was known already.
-  void adopt(const RunJob& job, const RunResult& result, bool known);
+  void setResult(const RunJob& job, const RunResult& result, bool known);
 
  private:
   std::map<int, StepStatus> statuses_;

@@ -4,7 +4,6 @@
 #include <QGLViewer/manipulatedCameraFrame.h>
 
 #include <QCursor>
-#include <QInputDevice>
 #include <algorithm>
 #include <cmath>
 
@@ -22,26 +21,24 @@ using qglviewer::Vec;
 // Pivots are set on the camera's frame: Camera::setPivotPoint() would change the scale of parallel projections, which
 // is the distance from the pivot here.
 
-constexpr int kGlideMs = 180;
-constexpr double kLeastFrame = 0.01;      // of the scene's radius: nearer, there is nothing but one surface
-constexpr double kKeyShare = 0.08;        // of the distance to the pivot, with an arrow key
-constexpr double kKeyDegrees = 7.5;       // with Ctrl or Shift and an arrow key
-constexpr double kWheelFactor = 1.2;      // with a click of the wheel
-constexpr double kDegreesPerPixel = 0.4;  // of two fingers on a trackpad
-constexpr double kSteepest = 0.9995;      // sine of the angle to the ground, when turning
+constexpr double kLeastFrame = 0.01;  // of the scene's radius: nearer, there is nothing but one surface
+constexpr double kSteepest = 0.9995;  // sine of the angle to the ground, when turning
 
 double radians(double degrees) { return degrees * M_PI / 180; }
 
 }  // namespace
 
-CameraController::CameraController(QGLViewer& viewer, Seen seen) : viewer_(viewer), seen_(std::move(seen)) {
-  connect(&glideTimer_, &QTimer::timeout, this, &CameraController::glide);
+CameraController::CameraController(QGLViewer& viewer, Seen seen)
+    : viewer_(viewer), seen_(std::move(seen)), glide_(viewer) {
+  connect(&glide_, &CameraGlide::moved, this, &CameraController::step);
+  connect(&glide_, &CameraGlide::arrived, this, &CameraController::arrived);
 }
 
 Vec3 CameraController::origin() const { return scene_ ? scene_->centre : Vec3{}; }
 
 void CameraController::setScene(std::shared_ptr<const EnvironmentGeometry> scene, bool fit) {
   scene_ = std::move(scene);
+  glide_.setOrigin(origin());
   if (scene_) {
     const double radius = toVec(scene_->upper).norm();
     viewer_.setSceneCenter(Vec(0, 0, 0));
@@ -55,20 +52,17 @@ void CameraController::setScene(std::shared_ptr<const EnvironmentGeometry> scene
 
 void CameraController::replaceScene(std::shared_ptr<const EnvironmentGeometry> scene) {
   scene_ = std::move(scene);
+  glide_.setOrigin(origin());
   if (!scene_) return;
   // What has grown must not be cut off behind.
   viewer_.setSceneRadius(std::max({viewer_.sceneRadius(), toVec(scene_->lower).norm(), toVec(scene_->upper).norm()}));
 }
 
-// --- Poses and glides
-
-CameraPose CameraController::pose() const { return glide_ ? glide_->to : poseNow(); }
-
-void CameraController::place(const CameraPose& pose) { ui::setPose(camera(), pose, origin()); }
+// --- Poses
 
 void CameraController::setPose(const CameraPose& pose) {
   endGlide();
-  place(pose);
+  glide_.place(pose);
   fitWhenSized_ = false;
   viewer_.update();
 }
@@ -85,35 +79,14 @@ void CameraController::jump() {
 
 void CameraController::glideTo(const CameraPose& pose) {
   endGlide();
-  const CameraPose from = poseNow();
-  place(pose);
-  glideFrom(from);
+  const CameraPose from = glide_.now();
+  glide_.place(pose);
+  glide_.glideFrom(from);
 }
 
-// The camera has been placed where it goes.
-void CameraController::glideFrom(const CameraPose& from) {
-  if (!animated_ || forPicture_ || !viewer_.isVisible()) return jump();
-  glide_ = Glide{from, poseNow(), {}};
-  glide_->since.start();
-  glideTimer_.start(15);
-  place(from);
-}
-
-void CameraController::glide() {
-  if (!glide_) return;
-  const double time = static_cast<double>(glide_->since.elapsed()) / kGlideMs;
-  if (time >= 1) return endGlide();
-  place(between(glide_->from, glide_->to, time * time * (3 - 2 * time)));
-  step();
-}
-
-void CameraController::endGlide() {
-  if (!glide_) return;
-  glideTimer_.stop();
-  const CameraPose to = glide_->to;
-  glide_.reset();
-  place(to);
-  jump();
+void CameraController::setForPicture(bool on) {
+  forPicture_ = on;
+  glide_.setStill(on);
 }
 
 // --- Steps
@@ -185,61 +158,15 @@ void CameraController::panBy(const QPointF& pixels) {
   shift(camera().rightVector() * (-pixels.x() * unit) + camera().upVector() * (pixels.y() * unit));
 }
 
+void CameraController::shiftBy(double right, double up) {
+  endGlide();
+  const double way = (camera().position() - camera().pivotPoint()).norm();
+  shift(camera().rightVector() * (right * way) + camera().upVector() * (up * way));
+}
+
 void CameraController::walkBy(double right, double up, double ahead) {
   endGlide();
   shift(camera().rightVector() * right + Vec(0, 0, 1) * up + camera().viewDirection() * ahead);
-}
-
-// --- Keys, wheel and trackpad
-
-bool CameraController::keyPressed(const QKeyEvent& event) {
-  double x = 0;
-  double y = 0;
-  switch (event.key()) {
-    case Qt::Key_Left:
-      x = -1;
-      break;
-    case Qt::Key_Right:
-      x = 1;
-      break;
-    case Qt::Key_Up:
-      y = 1;
-      break;
-    case Qt::Key_Down:
-      y = -1;
-      break;
-    default:
-      return false;
-  }
-  if (event.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier)) {
-    turnBy(x * kKeyDegrees, y * kKeyDegrees);
-    return true;
-  }
-  endGlide();
-  const double way = kKeyShare * (camera().position() - camera().pivotPoint()).norm();
-  shift(camera().rightVector() * (x * way) + camera().upVector() * (y * way));
-  return true;
-}
-
-void CameraController::wheel(const QWheelEvent& event) {
-  const bool fingers = event.device() && event.device()->type() == QInputDevice::DeviceType::TouchPad;
-  const QPointF pixels = event.pixelDelta().isNull() ? QPointF(event.angleDelta()) / 8 : QPointF(event.pixelDelta());
-  if (fingers && !(event.modifiers() & Qt::ControlModifier)) {
-    if (event.modifiers() & Qt::ShiftModifier) {
-      panBy(pixels);
-    } else {
-      turnBy(-pixels.x() * kDegreesPerPixel, pixels.y() * kDegreesPerPixel);
-    }
-    return;
-  }
-  // With Alt, some systems turn the wheel by ninety degrees.
-  const int delta = event.angleDelta().y() != 0 ? event.angleDelta().y() : event.angleDelta().x();
-  if (delta != 0) zoomAt(std::pow(kWheelFactor, delta / 120.0), event.position());
-}
-
-void CameraController::pinch(const QNativeGestureEvent& event) {
-  if (event.gestureType() == Qt::ZoomNativeGesture) zoomAt(std::clamp(1 + event.value(), 0.2, 5.0), event.position());
-  if (event.gestureType() == Qt::RotateNativeGesture) turnBy(event.value(), 0);
 }
 
 // --- Views of the whole
@@ -256,7 +183,7 @@ void CameraController::setOrthographic(bool on) {
 // Jumps: the camera is placed at once, and then glides there.
 void CameraController::lookAlong(const Vec& direction, const Vec& up, bool orthographic) {
   endGlide();
-  const CameraPose from = poseNow();
+  const CameraPose from = glide_.now();
   camera().setType(orthographic ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
   const Vec d = direction.unit();
   const Vec right = (d ^ up).unit();
@@ -265,7 +192,7 @@ void CameraController::lookAlong(const Vec& direction, const Vec& up, bool ortho
   orientation.setFromRotatedBasis(right, upright, -d);
   camera().setOrientation(orientation);
   if (scene_) standBefore(scene_->detailExtremes);
-  glideFrom(from);
+  glide_.glideFrom(from);
 }
 
 void CameraController::viewFrom(ViewSide side) {
@@ -291,9 +218,9 @@ void CameraController::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), tr
 void CameraController::viewOblique() { lookAlong(Vec(0.5, 0.8, -0.9), Vec(0, 0, 1), false); }
 
 void CameraController::refit() {
-  if (!scene_ || glide_ || !opened_ || !(poseNow() == *opened_)) return;
+  if (!scene_ || glide_.isGliding() || !opened_ || !(glide_.now() == *opened_)) return;
   standBefore(scene_->detailExtremes);
-  opened_ = poseNow();
+  opened_ = glide_.now();
   jump();
 }
 
@@ -309,9 +236,9 @@ void CameraController::standBefore(const std::vector<Vec3>& points) {
 
 void CameraController::fitTo(const std::vector<Vec3>& points) {
   endGlide();
-  const CameraPose from = poseNow();
+  const CameraPose from = glide_.now();
   standBefore(points);
-  glideFrom(from);
+  glide_.glideFrom(from);
 }
 
 void CameraController::frameInScene(const Vec& lower, const Vec& upper) {
@@ -335,11 +262,11 @@ void CameraController::frame(const Vec3& lower, const Vec3& upper) {
 void CameraController::lookAt(const Vec3& place) {
   const Vec target = toVec(place - origin());
   endGlide();
-  const CameraPose from = poseNow();
+  const CameraPose from = glide_.now();
   const double distance = (camera().position() - camera().pivotPoint()).norm();
   camera().frame()->setPivotPoint(target);
   camera().setPosition(target - camera().viewDirection() * distance);
-  glideFrom(from);
+  glide_.glideFrom(from);
 }
 
 void CameraController::setSelectionBounds(const QString& owner, const std::optional<SceneBox>& bounds) {
@@ -384,7 +311,7 @@ void CameraController::resized() {
   const std::optional<Placed> before = std::exchange(placed_, now);
   if (fitWhenSized_ && scene_) {
     standBefore(scene_->detailExtremes);
-    opened_ = poseNow();
+    opened_ = glide_.now();
     jump();
   } else if (before && viewer_.isVisible() && before->window == now.window && before->inWindow != now.inWindow) {
     keepPicture(*before, now);

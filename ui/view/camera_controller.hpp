@@ -1,32 +1,29 @@
-// What moves the camera: steps of keys, wheel and trackpad, views of the whole, things to have in sight, and glides.
+// What moves the camera: steps, views of the whole, and things to have in sight.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QGLViewer/qglviewer.h>
 
-#include <QElapsedTimer>
-#include <QKeyEvent>
-#include <QNativeGestureEvent>
 #include <QObject>
 #include <QPointF>
 #include <QRect>
 #include <QSize>
 #include <QString>
-#include <QTimer>
-#include <QWheelEvent>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "ui/view/camera_glide.hpp"
 #include "ui/view/camera_pose.hpp"
 #include "ui/view/render_geometry.hpp"
 #include "ui/view/scene_picker.hpp"
 
 namespace footfall::ui {
 
-/// Moves the camera of a viewer, whose scene is an environment around its centre. Dragging is left to libQGLViewer.
+/// Moves the camera of a viewer, whose scene is an environment around its centre. Dragging is left to libQGLViewer, the
+/// time that jumps take to CameraGlide.
 class CameraController : public QObject {
   Q_OBJECT
 
@@ -43,15 +40,15 @@ class CameraController : public QObject {
   void replaceScene(std::shared_ptr<const EnvironmentGeometry> scene);
 
   /// Where the camera is, or where it is going.
-  [[nodiscard]] CameraPose pose() const;
+  [[nodiscard]] CameraPose pose() const { return glide_.target(); }
   /// Places the camera without a glide, and without moved().
   void setPose(const CameraPose& pose);
   /// Places the camera; with setAnimated(), it glides there.
   void glideTo(const CameraPose& pose);
   /// Jumps of the camera take a moment in which one sees where it goes. At first they do not.
-  void setAnimated(bool on) { animated_ = on; }
+  void setAnimated(bool on) { glide_.setAnimated(on); }
   /// A camera on its way is where it is going.
-  void endGlide();
+  void endGlide() { glide_.end(); }
 
   /// Straight down, parallel projection, all detail in sight.
   void viewFromTop();
@@ -76,6 +73,8 @@ class CameraController : public QObject {
   void lookBy(double sideways, double up);
   /// Moves the picture by pixels.
   void panBy(const QPointF& pixels);
+  /// The same by shares of the distance to the pivot, to the right and upwards in the picture.
+  void shiftBy(double right, double up);
   /// Moves without turning, in units to the right, up and ahead of the eye; heights stay heights (Z) for `up`.
   void walkBy(double right, double up, double ahead);
 
@@ -93,14 +92,9 @@ class CameraController : public QObject {
   void setCovered(std::vector<QRect> rects) { covered_ = std::move(rects); }
   /// The viewer has the size of a picture for a while: nothing covers it, jumps do not glide, and resized() does
   /// nothing.
-  void setForPicture(bool on) { forPicture_ = on; }
+  void setForPicture(bool on);
   /// The viewer has another size. Where its window has not, what was at a place of the screen stays there.
   void resized();
-
-  /// The arrow keys; false for others.
-  bool keyPressed(const QKeyEvent& event);
-  void wheel(const QWheelEvent& event);
-  void pinch(const QNativeGestureEvent& event);
 
  signals:
   void moved();
@@ -112,15 +106,9 @@ class CameraController : public QObject {
     QRect inWindow;
     QSize window;
   };
-  struct Glide {
-    CameraPose from, to;
-    QElapsedTimer since;
-  };
 
   [[nodiscard]] qglviewer::Camera& camera() const { return *viewer_.camera(); }
   [[nodiscard]] Vec3 origin() const;
-  [[nodiscard]] CameraPose poseNow() const { return poseOf(camera(), origin()); }
-  void place(const CameraPose& pose);
   void shift(const qglviewer::Vec& way);
   void step();
   void jump();
@@ -131,8 +119,6 @@ class CameraController : public QObject {
   /// What the mouse points at in the scene, where the view lies at `view` (viewer coordinates).
   [[nodiscard]] std::optional<qglviewer::Vec> pointedAt(const QRect& view) const;
   void keepPicture(const Placed& before, const Placed& now);
-  void glideFrom(const CameraPose& from);
-  void glide();
 
   QGLViewer& viewer_;
   Seen seen_;
@@ -143,9 +129,7 @@ class CameraController : public QObject {
   std::optional<CameraPose> opened_;  ///< the camera, as opening an environment has put it
   bool fitWhenSized_ = false;
   bool forPicture_ = false;
-  bool animated_ = false;
-  std::optional<Glide> glide_;
-  QTimer glideTimer_;
+  CameraGlide glide_;
 };
 
 }  // namespace footfall::ui

@@ -134,8 +134,8 @@ void CameraTools::setInteractive(bool on) {
 void CameraTools::addBookmarks(CommandRegistry& commands) {
   menu_ = new QMenu(tr("Book&marks"), &window_);
   menu_->setToolTipsVisible(true);
-  commands.adopt(menu_->menuAction(),
-                 {QStringLiteral("view.bookmarks"), CommandMenu::View, QStringLiteral("bookmarks"), {}, {}});
+  commands.registerAction(menu_->menuAction(),
+                          {QStringLiteral("view.bookmarks"), CommandMenu::View, QStringLiteral("bookmarks"), {}, {}});
   connect(menu_, &QMenu::aboutToShow, this, &CameraTools::fillMenu);
   // Their keys work without the menu.
   for (int slot = 1; slot <= kBookmarks; ++slot) {

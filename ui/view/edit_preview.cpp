@@ -10,6 +10,8 @@
 #include "core/mesh/adjacency.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/headroom_preview.hpp"
+#include "ui/view/link_preview.hpp"
+#include "ui/view/margin_preview.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -69,9 +71,10 @@ class SlopePreview : public EditPreview {
   SlopePreview(const EditedStep& step, const Vec3& centre, Poll poll)
       : centre_(centre), order_(step.before, anglesOf(*step.before, poll)) {}
 
-  [[nodiscard]] Surfaces changes(double from, double to) const override {
-    if (to < from) return painted(order_.between(to, from), centre_, removalStyle(FilterType::Slope)->paint);
-    return painted(order_.between(from, to), centre_, walkablePaint());
+  [[nodiscard]] Surfaces changes(const Values& from, const Values& to) const override {
+    if (to[0] < from[0])
+      return painted(order_.between(to[0], from[0]), centre_, removalStyle(FilterType::Slope)->paint);
+    return painted(order_.between(from[0], to[0]), centre_, walkablePaint());
   }
   [[nodiscard]] bool suits(const EditedStep& step) const override { return step.before == order_.mesh(); }
 
@@ -98,8 +101,8 @@ class AreaPreview : public EditPreview {
   AreaPreview(const EditedStep& step, const Vec3& centre, Poll poll)
       : centre_(centre), order_(step.result, areasOfRegions(*step.result, poll)) {}
 
-  [[nodiscard]] Surfaces changes(double from, double to) const override {
-    return painted(order_.between(from, std::max(from, to)), centre_, removalStyle(FilterType::Area)->paint);
+  [[nodiscard]] Surfaces changes(const Values& from, const Values& to) const override {
+    return painted(order_.between(from[0], std::max(from[0], to[0])), centre_, removalStyle(FilterType::Area)->paint);
   }
   [[nodiscard]] bool suits(const EditedStep& step) const override { return step.result == order_.mesh(); }
 
@@ -133,6 +136,10 @@ std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,
   if (step.filter == FilterType::Area && step.result) return std::make_shared<AreaPreview>(step, centre, poll);
   if (step.filter == FilterType::VerticalClearance && step.before)
     return std::make_shared<HeadroomPreview>(step, environment, centre, poll);
+  if (step.filter == FilterType::Step && step.result)
+    return std::make_shared<LinkPreview>(step, *environment, centre, poll);
+  if (step.filter == FilterType::Radius && step.before && step.result && step.values[0] > 0)
+    return std::make_shared<MarginPreview>(step, centre, poll);
   return nullptr;
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kInside = 1e-6;    // of a triangle's area: corners that are outside by less are inside
 constexpr double kThinnest = 1e-7;  // of the smaller area: what two triangles share at an edge is nothing
+constexpr double kDoubled = 0.5;    // of a floor's area: a decal on it is no copy of it
 constexpr double kApart = 1e-3;     // of a piece's extent: joined pieces may lie a little above or below their floor
 
 using Corners = std::array<Vec3, 3>;
@@ -89,20 +90,40 @@ double shareOf(const Corners& piece, const Corners& floor, double slack) {
   return apart <= slack ? std::abs(twice) / all * areaOf(piece) : 0;
 }
 
-// Of all triangles of the environment that may be floors.
-TriangleTree treeOf(const Environment& environment) {
+bool mayBeFloor(const Environment& environment, const Corners& corners) {
+  const double area = planArea(corners);
+  return environment.bothSides ? area != 0 : area > 0;
+}
+
+// Of all triangles of the environment that may be floors, and of which `isIn` is true.
+template <typename IsIn>
+TriangleTree treeOf(const Environment& environment, IsIn isIn) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;
   for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
     const Corners corners = cornersOf(environment.vertices, environment.triangles[t]);
-    const double area = planArea(corners);
-    if (!(environment.bothSides ? area != 0 : area > 0)) continue;
+    if (!mayBeFloor(environment, corners) || !isIn(t)) continue;
     boxes.push_back(boxOf(corners));
     ids.push_back(static_cast<std::int32_t>(t));
   }
   TriangleTree tree;
   tree.build(boxes, ids);
   return tree;
+}
+
+struct Surroundings {
+  Box box;
+  double slack = 0;  // so far above and below counts as there
+};
+
+Surroundings around(const Corners& piece) {
+  Surroundings found;
+  found.box = boxOf(piece);
+  const Box& box = found.box;
+  found.slack = kApart * std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+  found.box.lower[2] -= found.slack;
+  found.box.upper[2] += found.slack;
+  return found;
 }
 
 }  // namespace
@@ -120,19 +141,41 @@ std::vector<FloorShare> floorsUnder(const NavigationMesh& mesh, const Environmen
       shares.push_back({t, source, areaOf(piece)});
       continue;
     }
-    if (!tree) tree = treeOf(environment);
-    Box query = boxOf(piece);
-    const double slack = kApart * std::max(query.upper[0] - query.lower[0], query.upper[1] - query.lower[1]);
-    query.lower[2] -= slack;
-    query.upper[2] += slack;
-    tree->visitOverlapping(query, stack, [&](std::int32_t id) {
+    if (!tree) tree = treeOf(environment, [](std::size_t) { return true; });
+    const Surroundings near = around(piece);
+    tree->visitOverlapping(near.box, stack, [&](std::int32_t id) {
       const auto floor = static_cast<std::uint32_t>(id);
-      const double area = shareOf(piece, cornersOf(environment.vertices, environment.triangles[floor]), slack);
+      const double area = shareOf(piece, cornersOf(environment.vertices, environment.triangles[floor]), near.slack);
       if (area > 0) shares.push_back({t, floor, area});
       return true;
     });
   }
   return shares;
+}
+
+std::vector<DoubledFloor> doubledFloors(const std::vector<FloorShare>& shares, const Environment& environment) {
+  std::vector<bool> named(environment.triangles.size(), false);
+  for (const FloorShare& share : shares) named[share.floor] = true;
+  const TriangleTree tree = treeOf(environment, [&](std::size_t t) { return bool(named[t]); });
+  std::vector<DoubledFloor> doubled;
+  std::vector<std::int32_t> stack;
+  std::vector<DoubledFloor> found;
+  for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
+    const Corners floor = cornersOf(environment.vertices, environment.triangles[t]);
+    if (named[t] || !mayBeFloor(environment, floor)) continue;
+    const Surroundings near = around(floor);
+    found.clear();
+    double area = 0;
+    tree.visitOverlapping(near.box, stack, [&](std::int32_t id) {
+      const auto other = static_cast<std::uint32_t>(id);
+      const double common = shareOf(floor, cornersOf(environment.vertices, environment.triangles[other]), near.slack);
+      if (common > 0) found.push_back({t, other});
+      area += common;
+      return true;
+    });
+    if (area >= kDoubled * areaOf(floor)) doubled.insert(doubled.end(), found.begin(), found.end());
+  }
+  return doubled;
 }
 
 }  // namespace footfall::ui

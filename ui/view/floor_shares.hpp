@@ -20,4 +20,13 @@ struct FloorShare {
 /// floors, and where triangles in one plane were joined to fewer, there are more. Of a picture's precision.
 std::vector<FloorShare> floorsUnder(const NavigationMesh& mesh, const Environment& environment);
 
+/// A floor that lies in one plane with another one, as copies of a floor do: pieces name one of them only.
+struct DoubledFloor {
+  std::uint32_t floor = 0;  ///< no piece names it
+  std::uint32_t named = 0;  ///< some piece does
+};
+
+/// All pairs of floors that are doubled over half of their area or more. Of a picture's precision.
+std::vector<DoubledFloor> doubledFloors(const std::vector<FloorShare>& shares, const Environment& environment);
+
 }  // namespace footfall::ui

@@ -23,7 +23,7 @@ double cross(double ax, double ay, double bx, double by) { return ax * by - ay *
 
 HeadroomPreview::HeadroomPreview(const EditedStep& step, std::shared_ptr<const Environment> environment,
                                  const Vec3& centre, Poll poll)
-    : floors_(step.before), environment_(std::move(environment)), centre_(centre), limit_(kReach * step.threshold) {
+    : floors_(step.before), environment_(std::move(environment)), centre_(centre), limit_(kReach * step.values[0]) {
   findPairs(poll);
 }
 
@@ -148,11 +148,11 @@ void HeadroomPreview::addShadow(NavigationMesh& mesh, const Pair& pair, double l
 }
 
 bool HeadroomPreview::suits(const EditedStep& step) const {
-  return step.before == floors_ && step.threshold < limit_ && limit_ < kReach * kReach * step.threshold;
+  return step.before == floors_ && step.values[0] < limit_ && limit_ < kReach * kReach * step.values[0];
 }
 
-EditPreview::Surfaces HeadroomPreview::changes(double from, double to) const {
-  const auto [low, high] = std::minmax(from, to);
+EditPreview::Surfaces HeadroomPreview::changes(const Values& from, const Values& to) const {
+  const auto [low, high] = std::minmax(from[0], to[0]);
   if (high > limit_) return {};
   // Adds the shadows of pairs that are in sight between two heights, on floors of which `wanted` says so; false when
   // they are too many.
@@ -168,7 +168,7 @@ EditPreview::Surfaces HeadroomPreview::changes(double from, double to) const {
   const auto noted = [&](std::uint32_t floor) { return changed[floor] = true; };
   if (!addShadows(between, low, high, noted) || between.triangles.empty()) return {};
   const Paint removed = removalStyle(FilterType::VerticalClearance)->paint;
-  if (to > from) return {makeMeshGeometry(between, {}, removed)};
+  if (to[0] > from[0]) return {makeMeshGeometry(between, {}, removed)};
   // What comes back does so only where nothing lower stands over it.
   NavigationMesh below;
   if (!addShadows(below, kTouching * limit_, low, [&](std::uint32_t floor) { return changed[floor]; })) return {};

@@ -19,7 +19,7 @@ class HeadroomPreview : public EditPreview {
   HeadroomPreview(const EditedStep& step, std::shared_ptr<const Environment> environment, const Vec3& centre,
                   Poll poll);
 
-  [[nodiscard]] Surfaces changes(double from, double to) const override;
+  [[nodiscard]] Surfaces changes(const Values& from, const Values& to) const override;
   [[nodiscard]] bool suits(const EditedStep& step) const override;
 
  private:

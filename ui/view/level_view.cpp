@@ -3,16 +3,15 @@
 
 #include <QGLViewer/manipulatedCameraFrame.h>
 
-#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "ui/view/camera_input.hpp"
 #include "ui/view/gl_state.hpp"
 
 namespace footfall::ui {
@@ -20,11 +19,6 @@ namespace {
 
 using qglviewer::Camera;
 using qglviewer::Vec;
-
-constexpr double kSlowFrameMs = 30;
-constexpr double kSliceMs = 20;  // of drawing between two events
-constexpr double kFirstMs = 8;   // of a picture with the frame that first lacks it: enough with a graphics card
-constexpr int kRestMs = 200;     // without movement
 
 /// Nearer than usual where one is close to something: in a corridor, walls must not be cut away.
 class LevelCamera : public Camera {
@@ -40,7 +34,7 @@ class LevelCamera : public Camera {
 
 LevelView::LevelView(QWidget* parent)
     : QGLViewer(parent), cameraController_(*this, [this](const Ray& ray) {
-        const std::optional<SurfacePoint> seen = seenAlong(ray);
+        const std::optional<SurfacePoint> seen = scene_.seenAlong(ray, viewDirection());
         return seen ? std::optional(seen->point) : std::nullopt;
       }) {
   setObjectName(QStringLiteral("levelView"));
@@ -52,14 +46,10 @@ LevelView::LevelView(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("View of the level"));
   setMouseTracking(true);
-  rest_.setSingleShot(true);
-  rest_.setInterval(kRestMs);
-  connect(&rest_, &QTimer::timeout, this, [this] { update(); });
-  slices_.setSingleShot(true);
-  slices_.setInterval(0);
-  connect(&slices_, &QTimer::timeout, this, &LevelView::drawOn);
-  connect(&cameraController_, &CameraController::moved, this, [this] { rest_.start(); });
-  connect(&cameraController_, &CameraController::arrived, &rest_, &QTimer::stop);
+  connect(&pacing_, &FramePacing::frameDue, this, [this] { update(); });
+  connect(&pacing_, &FramePacing::sliceDue, this, &LevelView::drawSlice);
+  connect(&cameraController_, &CameraController::moved, &pacing_, &FramePacing::move);
+  connect(&cameraController_, &CameraController::arrived, &pacing_, &FramePacing::rest);
 }
 
 LevelView::~LevelView() {
@@ -102,46 +92,40 @@ void LevelView::resizeGL(int width, int height) {
   cameraController_.resized();
 }
 
+// --- What is shown
+
 void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera) {
-  environment_ = std::move(geometry);
-  renderer_.setEnvironment(environment_);
-  wholeFrameMs_ = 0;
-  setContent({});
-  setCells(nullptr, {});
-  cameraController_.setScene(environment_, fitCamera);
+  scene_.setEnvironment(geometry);
+  pacing_.forget();
+  hovered_.reset();
+  cameraController_.setScene(std::move(geometry), fitCamera);
   update();
   emit environmentChanged();
 }
 
 void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
-  environment_ = std::move(geometry);
-  renderer_.replaceEnvironment(environment_);
-  cameraController_.replaceScene(environment_);
+  scene_.replaceEnvironment(geometry);
+  cameraController_.replaceScene(std::move(geometry));
   update();
 }
 
 void LevelView::setContent(ViewContent content) {
-  content_ = std::move(content);
-  renderer_.setContent(content_);
+  scene_.setContent(std::move(content));
   update();
 }
 
 void LevelView::setParts(const SceneParts& parts) {
-  const ViewMode mode = parts_.mode;
-  const bool inside = parts_.inside;
-  parts_ = parts;
-  parts_.mode = mode;
-  parts_.inside = inside;
+  scene_.setParts(parts);
   update();
 }
 
 void LevelView::setInside(bool on) {
-  parts_.inside = on;
+  scene_.setInside(on);
   update();
 }
 
 void LevelView::setMode(ViewMode mode) {
-  parts_.mode = mode;
+  scene_.setMode(mode);
   update();
 }
 
@@ -161,27 +145,25 @@ void LevelView::setSources(std::shared_ptr<const NavigationMeshGeometry> sources
 }
 
 void LevelView::setHeights(const HeightRange& heights) {
-  heights_ = heights;
-  rest_.start();  // a slider is dragged
+  scene_.setHeights(heights);
+  pacing_.move();  // a slider is dragged
   update();
 }
 
 void LevelView::setCutPlane(const std::optional<CutPlane>& cut) {
-  cut_ = cut;
-  rest_.start();
+  scene_.setCutPlane(cut);
+  pacing_.move();
   update();
 }
 
 void LevelView::setHiddenLayers(const std::set<std::uint32_t>& hidden) {
-  hidden_ = hidden;
-  renderer_.setHiddenLayers(hidden);
+  scene_.setHiddenLayers(hidden);
   update();
 }
 
 void LevelView::setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours) {
-  cells_ = std::move(geometry);
+  scene_.setCells(std::move(geometry), std::move(colours));
   hovered_.reset();
-  renderer_.setCells(cells_, std::move(colours));
   update();
 }
 
@@ -193,40 +175,17 @@ void LevelView::setCellColours(CellColours colours) {
 void LevelView::setMarkedCells(const MarkedCells& marked) {
   renderer_.setMarkedCells(marked);
   cameraController_.setSelectionBounds(QStringLiteral("cell"),
-                                       marked.selected ? boundsOf(*marked.selected) : std::nullopt);
+                                       marked.selected ? scene_.boundsOfCell(*marked.selected) : std::nullopt);
   update();
 }
 
-std::optional<SceneBox> LevelView::boundsOf(std::size_t cell) const {
-  if (!cells_ || !environment_) return std::nullopt;
-  return boundsOfCell(*cells_, cell, environment_->centre);
-}
-
 void LevelView::frameCell(std::size_t cell) {
-  if (const std::optional<SceneBox> bounds = boundsOf(cell)) cameraController_.frame(bounds->lower, bounds->upper);
+  if (const std::optional<SceneBox> bounds = scene_.boundsOfCell(cell))
+    cameraController_.frame(bounds->lower, bounds->upper);
 }
 
 std::optional<std::size_t> LevelView::cellAt(const QPoint& place) const {
-  if (!parts_.cells || !cells_ || !environment_) return std::nullopt;
-  const PickedScene scene = pickedScene();
-  ShownSpace space = scene.space;
-  space.shows = shownTriangles(scene);
-  return pickCell(sightAt(*camera(), place), *environment_, *cells_, space);
-}
-
-ShownSpace LevelView::shown() const { return environment_ ? shownSpace(heights_, cut_, *environment_) : ShownSpace(); }
-
-PickedScene LevelView::pickedScene() const {
-  return {*environment_,
-          content_,
-          hidden_,
-          sceneRule(parts_, content_, environment_.get(), sceneCamera().viewDirection),
-          parts_.cells && cells_,
-          shown()};
-}
-
-std::optional<SurfacePoint> LevelView::seenAlong(const Ray& sceneRay) const {
-  return environment_ ? pickSeen(sceneRay, pickedScene()) : std::nullopt;
+  return scene_.cellAlong(sightAt(*camera(), place), viewDirection());
 }
 
 void LevelView::hover(std::optional<std::size_t> cell) {
@@ -236,12 +195,9 @@ void LevelView::hover(std::optional<std::size_t> cell) {
 // --- Mouse and tools
 
 void LevelView::setTool(ViewTool* tool) {
-  if (tool == tool_) return;
-  ViewTool* const before = std::exchange(tool_, tool);
-  toolHasMouse_ = false;
-  if (before) before->ended();
-  if (tool_) {
-    setCursor(tool_->cursor());
+  if (!mouse_.setTool(tool)) return;
+  if (tool) {
+    setCursor(tool->cursor());
   } else {
     unsetCursor();
   }
@@ -260,15 +216,15 @@ void LevelView::removeOverlay(const QString& name) {
 
 Ray LevelView::rayAt(const QPoint& place) const {
   Ray ray = sightAt(*camera(), place);
-  const Vec3 centre = environment_ ? environment_->centre : Vec3{};
+  const Vec3 centre = scene_.centre();
   ray.origin = {ray.origin.x + centre.x, ray.origin.y + centre.y, ray.origin.z + centre.z};
   return ray;
 }
 
 std::optional<SurfacePoint> LevelView::pick(const QPoint& place) const {
-  std::optional<SurfacePoint> found = seenAlong(sightAt(*camera(), place));
+  std::optional<SurfacePoint> found = scene_.seenAlong(sightAt(*camera(), place), viewDirection());
   if (!found) return std::nullopt;
-  const Vec3& centre = environment_->centre;
+  const Vec3 centre = scene_.centre();
   found->point = {found->point.x + centre.x, found->point.y + centre.y, found->point.z + centre.z};
   return found;
 }
@@ -278,73 +234,53 @@ std::optional<QPointF> LevelView::project(const Vec3& place) const {
 }
 
 void LevelView::mousePressEvent(QMouseEvent* event) {
-  const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
   cameraController_.endGlide();
-  pressed_ = plain ? std::optional(event->pos()) : std::nullopt;
-  toolHasMouse_ = tool_ && tool_->mousePressed(toolMouse(*event));
-  if (toolHasMouse_) {
-    pressed_.reset();
-    return;
-  }
-  QGLViewer::mousePressEvent(event);
+  if (!mouse_.press(toolMouse(*event))) QGLViewer::mousePressEvent(event);
 }
 
 void LevelView::mouseMoveEvent(QMouseEvent* event) {
-  if (tool_ && (toolHasMouse_ || event->buttons() == Qt::NoButton)) {
-    tool_->mouseMoved(toolMouse(*event));
-    if (toolHasMouse_) return;
-  }
-  if (event->buttons() == Qt::NoButton) {
-    hover(cellAt(event->pos()));
-  } else if (pressed_ && (event->pos() - *pressed_).manhattanLength() >= QApplication::startDragDistance()) {
-    pressed_.reset();
-  }
+  if (mouse_.move(toolMouse(*event))) return;
+  if (event->buttons() == Qt::NoButton) hover(cellAt(event->pos()));
   QGLViewer::mouseMoveEvent(event);
 }
 
 void LevelView::mouseReleaseEvent(QMouseEvent* event) {
-  if (std::exchange(toolHasMouse_, false)) {
-    if (tool_) tool_->mouseReleased(toolMouse(*event));
-    return;
-  }
+  const ToolMouse::Release release = mouse_.release(toolMouse(*event));
+  if (release == ToolMouse::Release::Taken) return;
   QGLViewer::mouseReleaseEvent(event);
-  if (!std::exchange(pressed_, std::nullopt)) return;
-  if (tool_) {
-    tool_->clicked(toolMouse(*event));
-  } else if (parts_.cells && cells_) {
-    emit cellClicked(cellAt(event->pos()));
-  }
+  if (release != ToolMouse::Release::Clicked || mouse_.click(toolMouse(*event))) return;
+  if (scene_.showsCells()) emit cellClicked(cellAt(event->pos()));
 }
 
 void LevelView::mouseDoubleClickEvent(QMouseEvent* event) {
   // The first click may have moved the camera: what is under the mouse now is not what was meant. A tool has taken it
   // as a click.
-  if (!tool_ && (!parts_.cells || !cells_)) QGLViewer::mouseDoubleClickEvent(event);
+  if (!tool() && !scene_.showsCells()) QGLViewer::mouseDoubleClickEvent(event);
 }
 
 void LevelView::leaveEvent(QEvent* event) {
   hover({});
-  if (tool_) tool_->mouseLeft();
+  mouse_.leave();
   QGLViewer::leaveEvent(event);
 }
 
 void LevelView::keyPressEvent(QKeyEvent* event) {
-  if (tool_ && tool_->keyPressed(*event)) return;
-  if (tool_ && event->key() == Qt::Key_Escape) {
+  if (mouse_.pressKey(*event)) return;
+  if (tool() && event->key() == Qt::Key_Escape) {
     setTool(nullptr);
     return;
   }
-  if (!cameraController_.keyPressed(*event)) QWidget::keyPressEvent(event);
+  if (!steerByKey(cameraController_, *event)) QWidget::keyPressEvent(event);
 }
 
 void LevelView::wheelEvent(QWheelEvent* event) {
   event->accept();
-  cameraController_.wheel(*event);
+  steerByWheel(cameraController_, *event);
 }
 
 bool LevelView::event(QEvent* event) {
   if (event->type() != QEvent::NativeGesture) return QGLViewer::event(event);
-  cameraController_.pinch(*static_cast<QNativeGestureEvent*>(event));
+  steerByPinch(cameraController_, *static_cast<QNativeGestureEvent*>(event));
   return true;
 }
 
@@ -356,17 +292,20 @@ ViewMouse LevelView::toolMouse(const QMouseEvent& event) {
 
 OverlayRenderer::Look LevelView::overlayLook() const {
   return {modelViewProjection(*camera()), size() * devicePixelRatioF(), static_cast<float>(pixelRatio()),
-          environment_ ? environment_->centre : Vec3{}};
+          scene_.centre()};
+}
+
+QVector3D LevelView::viewDirection() const {
+  const Vec direction = camera()->viewDirection();
+  return {static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z)};
 }
 
 SceneCamera LevelView::sceneCamera() const {
   SceneCamera scene;
   scene.modelViewProjection = modelViewProjection(*camera());
   const Vec eye = camera()->position();
-  const Vec direction = camera()->viewDirection();
   scene.eye = QVector3D(static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
-  scene.viewDirection =
-      QVector3D(static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z));
+  scene.viewDirection = viewDirection();
   scene.orthographic = camera()->type() == Camera::ORTHOGRAPHIC;
   scene.devicePixelRatio = static_cast<float>(pixelRatio());
   scene.clip = clipPlanes(shown());
@@ -376,44 +315,27 @@ SceneCamera LevelView::sceneCamera() const {
 
 void LevelView::draw() {
   if (!ready_) return;
-  lastFrameBegun_ = std::chrono::steady_clock::now();
-  SceneRenderer::Haste haste;
-  haste.moving = rest_.isActive();
-  // What is not known yet may take long.
-  haste.hurried = wholeFrameMs_ == 0 || wholeFrameMs_ > kSlowFrameMs;
-  haste.ms = unhurried_ ? std::numeric_limits<double>::infinity() : kFirstMs;
-  whole_ = renderer_.draw(sceneCamera(), parts_, haste);
+  const SceneRenderer::Haste haste = pacing_.begin();
+  const bool whole = renderer_.draw(sceneCamera(), parts(), haste);
   overlayRenderer_.draw(overlays_, overlayLook());
   context()->functions()->glFinish();  // software OpenGL works on after the call
-  lastFrameMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - lastFrameBegun_).count();
-  if (!haste.moving && whole_) wholeFrameMs_ = renderer_.wholeMs();
-  if (haste.moving && !haste.hurried) wholeFrameMs_ = lastFrameMs_;
-  if (whole_) {
-    slices_.stop();
-  } else {
-    slices_.start();
-  }
+  pacing_.end(haste, whole, renderer_.wholeMs());
 }
 
 // Between two events of the window, so that it answers while a large picture is drawn.
-void LevelView::drawOn() {
-  if (rest_.isActive()) return;
+void LevelView::drawSlice() {
   makeCurrent();
-  const bool complete = renderer_.advance(kSliceMs);
+  const bool complete = renderer_.advance(FramePacing::kSliceMs);
   doneCurrent();
-  if (complete) {
-    update();
-  } else {
-    slices_.start();
-  }
+  pacing_.endSlice(complete);
 }
 
 QImage LevelView::grabFramebuffer() {
   cameraController_.endGlide();
-  rest_.stop();  // nothing is left out
-  unhurried_ = true;
+  pacing_.rest();  // nothing is left out
+  pacing_.setUnhurried(true);
   QImage image = QGLViewer::grabFramebuffer();
-  unhurried_ = false;
+  pacing_.setUnhurried(false);
   return image;
 }
 
@@ -457,7 +379,12 @@ void LevelView::paintGL() {
   QOpenGLPaintDevice device(size() * devicePixelRatioF());
   device.setDevicePixelRatio(pixelRatio());
   QPainter painter(&device);
-  OverlayRenderer::paint(painter, overlays_, overlayLook());
+  std::vector<QRectF> covered;
+  if (pictureRatio_ == 0) {  // pictures have nothing in front
+    for (const QWidget* widget : findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+      if (widget->isVisible()) covered.emplace_back(widget->geometry());
+  }
+  OverlayRenderer::paint(painter, overlays_, overlayLook(), std::move(covered));
 }
 
 }  // namespace footfall::ui

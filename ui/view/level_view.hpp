@@ -1,4 +1,4 @@
-// The 3D view: libQGLViewer's mouse handling, CameraController and tools over SceneRenderer.
+// The widget of the 3D view: passes events on and paints.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,6 @@
 
 #include <QImage>
 #include <QPointF>
-#include <QTimer>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -14,11 +13,12 @@
 #include <set>
 
 #include "ui/view/camera_controller.hpp"
+#include "ui/view/frame_pacing.hpp"
 #include "ui/view/overlay_renderer.hpp"
-#include "ui/view/scene_picker.hpp"
 #include "ui/view/scene_renderer.hpp"
+#include "ui/view/tool_mouse.hpp"
 #include "ui/view/view_overlay.hpp"
-#include "ui/view/view_tool.hpp"
+#include "ui/view/view_scene.hpp"
 
 namespace footfall::ui {
 
@@ -29,7 +29,8 @@ enum class PictureCamera { AsSeen, Top, Oblique };
 /// Left drag turns about the pivot with Z upright, right or middle drag (or Shift and left) moves sideways, the wheel
 /// (or Ctrl and left drag) zooms; a double click makes the clicked place the pivot; arrow keys move. While cells are
 /// shown, a click selects the one it hit, and a double click is no more than two of them. A tool (setTool()) comes
-/// before all this.
+/// before all this. What is shown is ViewScene's, who gets the mouse ToolMouse's, what a frame may leave out
+/// FramePacing's.
 class LevelView : public QGLViewer {
   Q_OBJECT
 
@@ -45,12 +46,12 @@ class LevelView : public QGLViewer {
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera);
   /// Shows an environment that has changed, with the same centre; content, cells and camera stay.
   void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
-  [[nodiscard]] std::shared_ptr<const EnvironmentGeometry> environmentGeometry() const { return environment_; }
+  [[nodiscard]] std::shared_ptr<const EnvironmentGeometry> environmentGeometry() const { return scene_.environment(); }
   void setContent(ViewContent content);
-  [[nodiscard]] const ViewContent& content() const { return content_; }
+  [[nodiscard]] const ViewContent& content() const { return scene_.content(); }
 
   void setParts(const SceneParts& parts);
-  [[nodiscard]] const SceneParts& parts() const { return parts_; }
+  [[nodiscard]] const SceneParts& parts() const { return scene_.parts(); }
 
   /// The cells of a parallel block; they are seen while SceneParts::cells is set. Null: none.
   void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
@@ -64,20 +65,20 @@ class LevelView : public QGLViewer {
   /// Leaves out what is above or below, in the environment's coordinates: a look under roofs, or at one storey. What
   /// lies at a limit stays.
   void setHeights(const HeightRange& heights);
-  [[nodiscard]] const HeightRange& heights() const { return heights_; }
+  [[nodiscard]] const HeightRange& heights() const { return scene_.heights(); }
   /// Leaves out what lies before a vertical plane (environment coordinates). Nothing: no plane.
   void setCutPlane(const std::optional<CutPlane>& cut);
-  [[nodiscard]] const std::optional<CutPlane>& cutPlane() const { return cut_; }
+  [[nodiscard]] const std::optional<CutPlane>& cutPlane() const { return scene_.cutPlane(); }
   /// Leaves out layers, by number, with the floors of the environment under them.
   void setHiddenLayers(const std::set<std::uint32_t>& hidden);
-  [[nodiscard]] const std::set<std::uint32_t>& hiddenLayers() const { return hidden_; }
+  [[nodiscard]] const std::set<std::uint32_t>& hiddenLayers() const { return scene_.hiddenLayers(); }
 
   void setMode(ViewMode mode);
-  [[nodiscard]] ViewMode mode() const { return parts_.mode; }
+  [[nodiscard]] ViewMode mode() const { return parts().mode; }
   /// Whether one looks into closed levels: faces seen from behind are left out, and while the camera looks down, roofs
   /// and outer walls are, too.
   void setInside(bool on);
-  [[nodiscard]] bool inside() const { return parts_.inside; }
+  [[nodiscard]] bool inside() const { return parts().inside; }
   /// What heat maps show; null: nothing yet.
   void setField(std::shared_ptr<const FieldGeometry> field, const FieldScale& scale);
   void setFieldScale(const FieldScale& scale);
@@ -86,7 +87,10 @@ class LevelView : public QGLViewer {
 
   /// Gives the mouse to a tool, which must live until it has ended; null: back to the camera alone.
   void setTool(ViewTool* tool);
-  [[nodiscard]] ViewTool* tool() const { return tool_; }
+  [[nodiscard]] ViewTool* tool() const { return mouse_.tool(); }
+  /// Gives the mouse to handles that lie in the view, while no tool has it; null: there are none. They end when a tool
+  /// comes.
+  void setHandles(ViewTool* handles) { mouse_.setHandles(handles); }
   /// Drawn over the scene until it is removed; each name has one.
   void setOverlay(const QString& name, ViewOverlay overlay);
   void removeOverlay(const QString& name);
@@ -97,7 +101,7 @@ class LevelView : public QGLViewer {
   /// Where a place of the environment is in the view; nothing when it is behind the eye.
   [[nodiscard]] std::optional<QPointF> project(const Vec3& place) const;
   /// What heights and cut plane leave, in the scene's coordinates.
-  [[nodiscard]] ShownSpace shown() const;
+  [[nodiscard]] ShownSpace shown() const { return scene_.shown(); }
 
   /// What the view shows, `pixels` large, with lines and words `ratio` times as large as at one device pixel for one
   /// logical; before the view has been on the screen, or for sizes that OpenGL cannot draw, a null image. A camera on
@@ -109,14 +113,14 @@ class LevelView : public QGLViewer {
   QImage grabFramebuffer();
   /// The last frame showed everything. Large scenes take several events to draw: until they are complete, the view
   /// shows what it showed before, and while the camera moves, it leaves out outlines, creases and small things.
-  [[nodiscard]] bool isWhole() const { return whole_ && !rest_.isActive(); }
+  [[nodiscard]] bool isWhole() const { return pacing_.isWhole(); }
 
   /// How long the last frame took until OpenGL had finished it; 0 before the first.
-  [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
+  [[nodiscard]] double lastFrameMs() const { return pacing_.lastMs(); }
   /// How long it takes to draw everything anew; 0 while that is not known.
-  [[nodiscard]] double wholeFrameMs() const { return wholeFrameMs_; }
+  [[nodiscard]] double wholeFrameMs() const { return pacing_.wholeMs(); }
   /// When OpenGL got the first command of the last frame.
-  [[nodiscard]] std::chrono::steady_clock::time_point lastFrameBegun() const { return lastFrameBegun_; }
+  [[nodiscard]] std::chrono::steady_clock::time_point lastFrameBegun() const { return pacing_.lastBegun(); }
 
  signals:
   /// setEnvironment() has shown another environment.
@@ -147,39 +151,23 @@ class LevelView : public QGLViewer {
  private:
   void bindMouse();
   static ViewMouse toolMouse(const QMouseEvent& event);
-  [[nodiscard]] std::optional<SurfacePoint> seenAlong(const Ray& sceneRay) const;
-  [[nodiscard]] PickedScene pickedScene() const;
+  [[nodiscard]] QVector3D viewDirection() const;
   [[nodiscard]] SceneCamera sceneCamera() const;
-  void drawOn();
+  void drawSlice();
   [[nodiscard]] OverlayRenderer::Look overlayLook() const;
   [[nodiscard]] qreal pixelRatio() const;
   void hover(std::optional<std::size_t> cell);
-  [[nodiscard]] std::optional<SceneBox> boundsOf(std::size_t cell) const;
 
-  CameraController cameraController_;
   SceneRenderer renderer_;
+  ViewScene scene_{renderer_};
+  CameraController cameraController_;
+  FramePacing pacing_;
+  ToolMouse mouse_;
   OverlayRenderer overlayRenderer_;
   std::map<QString, ViewOverlay> overlays_;
-  ViewTool* tool_ = nullptr;
-  bool toolHasMouse_ = false;
-  std::shared_ptr<const EnvironmentGeometry> environment_;
-  ViewContent content_;
-  SceneParts parts_;
-  HeightRange heights_;
-  std::optional<CutPlane> cut_;
-  std::set<std::uint32_t> hidden_;
-  std::shared_ptr<const CellGeometry> cells_;
   std::optional<std::size_t> hovered_;
-  std::optional<QPoint> pressed_;  ///< where a click may have begun
   bool ready_ = false;
-  QTimer rest_;              ///< runs while the camera moves
-  QTimer slices_;            ///< to the next slice of a picture
-  bool whole_ = false;       ///< the last frame showed everything
-  bool unhurried_ = false;   ///< frames are to show everything
   double pictureRatio_ = 0;  ///< while picture() draws
-  double lastFrameMs_ = 0;
-  std::chrono::steady_clock::time_point lastFrameBegun_;
-  double wholeFrameMs_ = 0;
 };
 
 }  // namespace footfall::ui

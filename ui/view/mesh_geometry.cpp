@@ -103,11 +103,13 @@ std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationM
   if (mesh.layers.empty()) return nullptr;
   constexpr std::uint32_t kNotSeen = kNoLayer - 1;
   auto layers = std::make_shared<EnvironmentLayers>(environment.triangles.size(), kNotSeen);
-  for (const FloorShare& share : floorsUnder(mesh, environment)) {
-    std::uint32_t& layer = (*layers)[share.floor];
-    const std::uint32_t piece = mesh.layers[share.piece];
-    layer = layer == kNotSeen || layer == piece ? piece : kNoLayer;
-  }
+  const std::vector<FloorShare> shares = floorsUnder(mesh, environment);
+  const auto add = [&](std::uint32_t floor, std::uint32_t of) {
+    std::uint32_t& layer = (*layers)[floor];
+    layer = layer == kNotSeen || layer == of ? of : kNoLayer;
+  };
+  for (const FloorShare& share : shares) add(share.floor, mesh.layers[share.piece]);
+  for (const DoubledFloor& doubled : doubledFloors(shares, environment)) add(doubled.floor, (*layers)[doubled.named]);
   std::ranges::replace(*layers, kNotSeen, kNoLayer);
   return layers;
 }

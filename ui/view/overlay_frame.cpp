@@ -64,8 +64,10 @@ QSize OverlayFrame::roomIn(const QSize& view) const {
 
 bool OverlayFrame::fitInto(const QSize& view) {
   const QSize full = body_->sizeHint() + QSize(0, fold_->sizeHint().height());
-  crowded_ = full.width() > kMuchOfView * view.width() || full.height() > kMuchOfView * view.height() ||
-             full.width() * full.height() > kMuchOfArea * view.width() * view.height();
+  const bool much = full.width() > kMuchOfView * view.width() || full.height() > kMuchOfView * view.height() ||
+                    full.width() * full.height() > kMuchOfArea * view.width() * view.height();
+  crowded_ = much || (crowded_ && view == fittedInto_);
+  fittedInto_ = view;
   if (body_->isHidden() != folded()) showFold();
   layout()->activate();
   adjustSize();

@@ -14,8 +14,8 @@
 namespace footfall::ui {
 
 /// A title, which folds the rest away and back, and a body. Dragged by whatever of it does nothing else; a double click
-/// takes it back to its corner. In a view in which it would take much of the room it is folded, until somebody says
-/// otherwise. The settings keep both under `setting`.
+/// takes it back to its corner. In a view in which it would take much of the room it is folded, and stays so when it
+/// shrinks, until the view is of another size or somebody says otherwise. The settings keep both under `setting`.
 class OverlayFrame : public QFrame {
   Q_OBJECT
 
@@ -50,6 +50,7 @@ class OverlayFrame : public QFrame {
   QVBoxLayout* bodyLayout_;
   std::optional<bool> chosenFold_;  ///< by somebody
   bool crowded_ = false;            ///< the view is small
+  QSize fittedInto_;                ///< the view's size, last time
   std::optional<QPointF> place_;    ///< in parts of the room that the view leaves it
   std::optional<QPoint> grip_;      ///< where the mouse holds it
   bool dragging_ = false;

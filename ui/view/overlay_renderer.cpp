@@ -3,11 +3,12 @@
 
 #include <QFontMetricsF>
 #include <QVector4D>
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "ui/view/clip_planes.hpp"
 #include "ui/view/gl_state.hpp"
+#include "ui/view/label_layout.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {
@@ -23,15 +24,6 @@ Point toScene(const Vec3& p, const Vec3& centre) {
 
 QVector4D toVector(const QColor& colour, float opacity) {
   return {colour.redF(), colour.greenF(), colour.blueF(), colour.alphaF() * opacity};
-}
-
-// A label at the view's edge goes to the other side of its place, and then as far as it must to be read.
-void moveInside(QRectF& box, const QSizeF& view, const QPointF& at) {
-  constexpr double kEdge = 3;
-  if (box.right() > view.width() - kEdge) box.moveRight(at.x() - 10);
-  if (box.top() < kEdge) box.moveTop(at.y() + 10);
-  box.moveLeft(std::max(kEdge, std::min(box.left(), view.width() - kEdge - box.width())));
-  box.moveTop(std::max(kEdge, std::min(box.top(), view.height() - kEdge - box.height())));
 }
 
 }  // namespace
@@ -145,7 +137,8 @@ std::optional<QPointF> OverlayRenderer::project(const Vec3& place, const Look& l
                  (0.5 - 0.5 * static_cast<qreal>(clip.y() / clip.w())) * size.height());
 }
 
-void OverlayRenderer::paint(QPainter& painter, const std::map<QString, ViewOverlay>& overlays, const Look& look) {
+void OverlayRenderer::paint(QPainter& painter, const std::map<QString, ViewOverlay>& overlays, const Look& look,
+                            std::vector<QRectF> covered) {
   painter.setRenderHint(QPainter::Antialiasing);
   for (const auto& [name, overlay] : overlays) {
     for (const ViewOverlay::Mark& mark : overlay.marks) {
@@ -155,14 +148,17 @@ void OverlayRenderer::paint(QPainter& painter, const std::map<QString, ViewOverl
       painter.setPen(QPen(outlineColour(), 1.5));
       painter.setBrush(mark.colour);
       painter.drawEllipse(*at, radius, radius);
+      covered.emplace_back(at->x() - radius, at->y() - radius, 2 * radius, 2 * radius);
     }
+  }
+  LabelLayout layout(QSizeF(look.viewport) / static_cast<qreal>(look.devicePixelRatio), std::move(covered));
+  const QFontMetricsF metrics(painter.font());
+  for (const auto& [name, overlay] : overlays) {
     for (const ViewOverlay::Label& label : overlay.labels) {
       const std::optional<QPointF> at = project(label.at, look);
       if (!at) continue;
-      const QFontMetricsF metrics(painter.font());
-      QRectF box = metrics.boundingRect(QRectF(0, 0, 400, 400), Qt::AlignLeft, label.text).adjusted(-6, -3, 6, 3);
-      box.moveTopLeft(*at + QPointF(10, -box.height() - 4));
-      moveInside(box, QSizeF(look.viewport) / static_cast<qreal>(look.devicePixelRatio), *at);
+      const QRectF words = metrics.boundingRect(QRectF(0, 0, 400, 400), Qt::AlignLeft, label.text);
+      const QRectF box = layout.place(words.adjusted(-6, -3, 6, 3).size(), *at);
       painter.setPen(QPen(outlineColour(), 1));
       painter.setBrush(QColor(255, 255, 255, 230));
       painter.drawRoundedRect(box, 3, 3);

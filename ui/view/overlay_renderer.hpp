@@ -9,9 +9,11 @@
 #include <QOpenGLVertexArrayObject>
 #include <QPainter>
 #include <QPointF>
+#include <QRectF>
 #include <QSize>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "ui/view/view_overlay.hpp"
 
@@ -33,8 +35,9 @@ class OverlayRenderer : protected QOpenGLExtraFunctions {
   void release();
 
   void draw(const std::map<QString, ViewOverlay>& overlays, const Look& look);
-  /// After draw(), with a painter of the view.
-  static void paint(QPainter& painter, const std::map<QString, ViewOverlay>& overlays, const Look& look);
+  /// After draw(), with a painter of the view. Labels keep off `covered`, in logical pixels, and off each other.
+  static void paint(QPainter& painter, const std::map<QString, ViewOverlay>& overlays, const Look& look,
+                    std::vector<QRectF> covered);
   /// Logical pixels from the upper left corner; nothing for what is behind the eye.
   static std::optional<QPointF> project(const Vec3& place, const Look& look);
 

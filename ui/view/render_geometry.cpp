@@ -196,6 +196,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   geometry->extremes = extremePoints(geometry->surface);
   geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
 
+  const auto isFloor = [&](std::uint32_t t) { return geometry->surface[std::size_t{3} * t].colour[3] == 0; };
   DisjointSets regions(environment.triangles.size());
   forEachEdge(welded(environment.triangles, vertices), vertices.size(), [&](const SharedEdge& edge) {
     const std::uint32_t first = edge.triangles.front(), last = edge.triangles.back();
@@ -205,8 +206,8 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
     if (!crease) crease = isCrease(normals[first], normals[last]);
     if (crease) {
       geometry->creases.push_back({toFloats(vertices[edge.low], centre), toFloats(vertices[edge.high], centre)});
-      geometry->creaseTriangles.push_back(edge.triangles.size() > 2 ? std::array{kNoLayer, kNoLayer}
-                                                                    : std::array{first, last});
+      const bool some = edge.triangles.size() > 2 && !std::ranges::all_of(edge.triangles, isFloor);
+      geometry->creaseTriangles.push_back(some ? std::array{kNoLayer, kNoLayer} : std::array{first, last});
     }
   });
   if (withCovers && !environment.bothSides) markCovers(*geometry, regions);

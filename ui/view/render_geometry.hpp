@@ -71,7 +71,7 @@ struct EnvironmentGeometry {
   /// The same for where its detail is, when that is a small part of it: a town in the middle of an endless plain.
   std::vector<Vec3> detailExtremes;
   std::vector<LineSegment> creases;  ///< open, non-manifold and sharp edges
-  /// The triangles at each crease: twice the same at an open edge, kNoLayer twice where there are more than two.
+  /// Triangles at each crease: one twice at an open edge, kNoLayer twice where there are more than two, not all floors.
   std::vector<std::array<std::uint32_t, 2>> creaseTriangles;
   /// Heights (relative to the centre) at which there is much floor, from the lowest up: storeys, terraces, decks.
   std::vector<double> floors;
@@ -141,6 +141,8 @@ struct ViewContent {
   std::vector<Removed> removed;
   /// Upward facing parts of the environment are what nothing was walkable of; shown so when set.
   const RemovalStyle* firstRemoval = nullptr;
+  /// Some margins are too near a border, and whether it is a wall or a ledge is still to be found.
+  bool hasMixedMargins = false;
   std::vector<std::shared_ptr<const NavigationMeshGeometry>>
       walkable;  ///< the result, or its parts while a run goes on
   /// What is not as in all of the above any more: surfaces that are drawn over it, each over the ones before.

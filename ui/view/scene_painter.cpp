@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "ui/base/theme.hpp"
 #include "ui/view/appearance.hpp"
 
 namespace footfall::ui {
@@ -64,9 +65,18 @@ StillLook ScenePainter::stillLook(const SceneContent& scene, const SceneCamera& 
   constexpr std::size_t kSteps = 4;
   const auto offset = static_cast<float>((scene.removed.size() / kSteps + 1) * kSteps);
   const bool creases = rule.environment == SceneRule::Environment::All && parts.outlines && !rule.wires;
-  return {camera,     parts.mode,  rule.environment,
-          rule.backs, rule.covers, creases,
-          floor,      offset,      cells_.isShown(parts) ? kUnderCells : 0};
+  StillLook look;
+  look.camera = camera;
+  look.mode = parts.mode;
+  look.drawn = rule.environment;
+  look.backs = rule.backs;
+  look.covers = rule.covers;
+  look.creases = creases;
+  look.dark = isDarkTheme();
+  look.floorPaint = floor;
+  look.offset = offset;
+  look.pale = cells_.isShown(parts) ? kUnderCells : 0;
+  return look;
 }
 
 void ScenePainter::drawBackground() {

@@ -24,6 +24,7 @@ struct StillLook {
   ViewMode mode = ViewMode::Result;
   SceneRule::Environment drawn = SceneRule::Environment::None;
   bool backs = true, covers = true, creases = false;
+  bool dark = false;  ///< the theme that the background is of
   Paint floorPaint;
   float offset = 0;  ///< steps of polygon offset behind what may come on top
   float pale = 0;    ///< as for SurfacePainter::begin()

@@ -30,7 +30,7 @@ ViewHint::ViewHint(const QString& setting, QWidget* view) : QFrame(view), settin
   hide();
 }
 
-void ViewHint::tell(const QString& text) {
+void ViewHint::showText(const QString& text) {
   text_->setText(text);
   setVisible(!QSettings().value(setting_).toBool());
 }

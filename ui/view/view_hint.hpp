@@ -16,7 +16,7 @@ class ViewHint : public QFrame {
   ViewHint(const QString& setting, QWidget* view);
 
   /// Shows the text, unless it has been closed once.
-  void tell(const QString& text);
+  void showText(const QString& text);
   /// Makes the hint as wide as its lines, but not wider than `room`: longer lines are broken.
   void fitInto(int room);
 

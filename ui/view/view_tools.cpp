@@ -25,7 +25,7 @@ QAction* ViewTools::add(Command command, ViewTool* tool, QDockWidget* panel) {
       view_.setTool(nullptr);
     }
   });
-  commands_.adopt(action, command);
+  commands_.registerAction(action, command);
   connect(&view_, &LevelView::toolChanged, action, [this, action, tool] { action->setChecked(view_.tool() == tool); });
   return action;
 }

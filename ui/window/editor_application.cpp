@@ -110,7 +110,7 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
     settle.start();
   });
   QObject::connect(&settle, &QTimer::timeout, &window, [&] {
-    if (!window.cellWatch().upToDate() || !look->modes().upToDate()) return;
+    if (!window.cellWatch().upToDate() || !look->modes().upToDate() || window.controller().seeksMarginKinds()) return;
     settle.stop();
     // A session has a view of its own.
     if (options.top) window.view().cameraController().viewFromTop();

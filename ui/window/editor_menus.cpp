@@ -54,7 +54,7 @@ void EditorWindow::createFileActions() {
              tr("Open"));
   auto* recent = new QMenu(tr("Open &recent"), this);
   recent_.attachTo(recent);
-  commands_.adopt(recent->menuAction(), {QStringLiteral("file.recent"), CommandMenu::File, open, {}, {}});
+  commands_.registerAction(recent->menuAction(), {QStringLiteral("file.recent"), CommandMenu::File, open, {}, {}});
   const QString save = QStringLiteral("save");
   bars_->add(commands_.add({QStringLiteral("file.save"),
                             CommandMenu::File,
@@ -84,20 +84,20 @@ void EditorWindow::createFileActions() {
 void EditorWindow::createEditActions() {
   QAction* undo = document_.undoStack()->createUndoAction(this, tr("&Undo"));
   QAction* redo = document_.undoStack()->createRedoAction(this, tr("&Redo"));
-  commands_.adopt(undo, {QStringLiteral("edit.undo"),
-                         CommandMenu::Edit,
-                         QStringLiteral("undo"),
-                         {},
-                         {},
-                         {QKeySequence::Undo},
-                         QStringLiteral("undo")});
-  commands_.adopt(redo, {QStringLiteral("edit.redo"),
-                         CommandMenu::Edit,
-                         QStringLiteral("undo"),
-                         {},
-                         {},
-                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
-                         QStringLiteral("redo")});
+  commands_.registerAction(undo, {QStringLiteral("edit.undo"),
+                                  CommandMenu::Edit,
+                                  QStringLiteral("undo"),
+                                  {},
+                                  {},
+                                  {QKeySequence::Undo},
+                                  QStringLiteral("undo")});
+  commands_.registerAction(redo, {QStringLiteral("edit.redo"),
+                                  CommandMenu::Edit,
+                                  QStringLiteral("undo"),
+                                  {},
+                                  {},
+                                  {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
+                                  QStringLiteral("redo")});
   for (const auto& [action, text] : {std::pair{undo, tr("Undo")}, std::pair{redo, tr("Redo")}}) {
     // The actions rename themselves after the edit; the tool bar's width must not change with them.
     auto* button = new QToolButton(&bars_->main());
@@ -180,6 +180,13 @@ void EditorWindow::createViewActions() {
                 [this](bool) { view_->cameraController().zoomBy(1.25); });
   commands_.add({QStringLiteral("view.zoomOut"), CommandMenu::View, camera, tr("Zoom o&ut"), {}, {Qt::Key_Minus}},
                 [this](bool) { view_->cameraController().zoomBy(0.8); });
+  commands_.add({QStringLiteral("view.fullScreen"),
+                 CommandMenu::View,
+                 QStringLiteral("window"),
+                 tr("F&ull screen"),
+                 tr("Give the window all of the screen, or take that back"),
+                 {Qt::Key_F11}},
+                [this](bool) { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 }
 
 void EditorWindow::createDockActions() {

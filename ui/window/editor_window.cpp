@@ -16,6 +16,7 @@
 #include "ui/base/theme_commands.hpp"
 #include "ui/base/translations.hpp"
 #include "ui/filters/filter_tools.hpp"
+#include "ui/filters/parameter_handles.hpp"
 #include "ui/filters/parameter_notes.hpp"
 #include "ui/filters/seed_feature.hpp"
 #include "ui/inspect/compare_feature.hpp"
@@ -31,7 +32,6 @@
 #include "ui/run/result_summary.hpp"
 #include "ui/view/camera_tools.hpp"
 #include "ui/window/export_commands.hpp"
-#include "ui/window/floor_plans.hpp"
 #include "ui/window/palette_sources.hpp"
 
 namespace footfall::ui {
@@ -103,7 +103,7 @@ void EditorWindow::createStatusBar() {
   cancel_ = new QPushButton(tr("Cancel"), this);
   cancel_->setObjectName(QStringLiteral("cancel"));
   cancel_->setShortcut(Qt::Key_Escape);
-  cancel_->setToolTip(tr("Stop loading or running; the last result stays (Esc)"));
+  cancel_->setToolTip(tr("Stop loading, running or exporting; the last result stays (Esc)"));
   connect(cancel_, &QPushButton::clicked, this, &EditorWindow::cancelWork);
   statusBar()->addWidget(status_, 1);
   statusBar()->addPermanentWidget(progress_);
@@ -149,7 +149,7 @@ void EditorWindow::createComforts() {
   new HoverReset(this);
   runLog_ = new RunLog(*host_, log_, document_, file_, controller_, *writer_);
   if (auto* application = qobject_cast<GuardedApplication*>(qApp))
-    connect(application, &GuardedApplication::problemTold, messages_, &MessageBar::showError);
+    connect(application, &GuardedApplication::problemReported, messages_, &MessageBar::showError);
   palette_ = new CommandPalette(this);
   addPaletteSources(*palette_, commands_, document_, file_, recent_, *opening_);
   commands_.add({QStringLiteral("help.palette"),
@@ -186,12 +186,12 @@ void EditorWindow::createFeatures() {
   camera_ = new CameraTools(host, *view_, *overlays_);
   new PathFeature(host, *view_, document_, file_, controller_);
   new SeedFeature(host, *view_, document_, controller_, *filters_);
+  new ParameterHandles(host, *view_, document_, controller_, *filters_);
   new MeasureFeature(host, *view_, file_, composer_);
   new InspectionFeature(host, *view_, document_, file_, composer_, controller_, *filters_);
   new ObstacleFeatures(host, *view_, document_, file_, composer_, controller_);
   new SkippedFeature(host, *view_, file_, *import_);
   new CompareFeature(host, *view_, *overlays_, document_, file_, controller_);
-  new FloorPlans(host, file_, controller_, *writer_);
   new ParameterNotes(document_, file_, *messages_, this);
   exports_ = new ResultExport({.window = *this,
                                .document = document_,
@@ -251,6 +251,7 @@ void EditorWindow::connectRuns() {
     hideProgress();
     messages_->finish(MessageSubject::Run);
     exportAction_->setEnabled(true);
+    commands_.find(QStringLiteral("file.plan"))->setEnabled(true);
   });
   new ResultSummary(controller_, units_, *status_);
   connect(&controller_, &RunController::cancelled, this, [this] {
@@ -284,8 +285,10 @@ void EditorWindow::connectProgress() {
                                                             : std::chrono::duration<double>(*remaining).count();
     showProgress(text, fraction, left);
   });
-  connect(writer_, &FileWriter::started, this,
-          [this](const QString& path) { showProgress(tr("Writing %1").arg(QFileInfo(path).fileName()), -1); });
+  connect(writer_, &FileWriter::started, this, [this](const QString& path) {
+    writtenName_ = QFileInfo(path).fileName();
+    showWriting();
+  });
   connect(writer_, &FileWriter::ended, this, [this] {
     if (idle()) hideProgress();
   });
@@ -309,14 +312,18 @@ void EditorWindow::showProgress(const QString& text, double fraction, std::optio
 }
 
 void EditorWindow::hideProgress() {
+  if (writer_ && writer_->busy()) return showWriting();  // an export goes on, and can be cancelled
   status_->end(StatusSubject::Work);
   progress_->finish();
   cancel_->hide();
 }
 
+void EditorWindow::showWriting() { showProgress(tr("Writing %1").arg(writtenName_), -1); }
+
 void EditorWindow::cancelWork() {
   file_.cancel();
-  controller_.cancel();
+  if (controller_.busy() || !writer_->busy()) controller_.cancel();
+  writer_->cancel();
 }
 
 void EditorWindow::updateTitle() {

@@ -154,6 +154,7 @@ class EditorWindow : public QMainWindow {
   void takeUnits();
   void showProgress(const QString& text, double fraction, std::optional<double> secondsLeft = {});
   void hideProgress();
+  void showWriting();
   void cancelWork();
   void updateTitle();
 
@@ -186,6 +187,7 @@ class EditorWindow : public QMainWindow {
   LevelLook* look_ = nullptr;
   CameraTools* camera_ = nullptr;
   FileWriter* writer_ = nullptr;
+  QString writtenName_;  ///< of the file that it began last
   SessionFiles* sessions_ = nullptr;
   PipelineFiles* pipelines_ = nullptr;
   LevelOpening* opening_ = nullptr;

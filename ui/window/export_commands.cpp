@@ -5,6 +5,11 @@
 
 namespace footfall::ui {
 void addExportCommands(CommandRegistry& commands, ResultExport& exports) {
+  commands
+      .add({QStringLiteral("file.plan"), CommandMenu::File, QStringLiteral("save"), ResultExport::tr("&Floor plan..."),
+            ResultExport::tr("Draw plans of the storeys or layers to scale, as PDF or SVG")},
+           [&exports](bool) { exports.showDialog(exportTarget(QStringLiteral("plan-pdf"))); })
+      ->setEnabled(false);
   Command command;
   command.id = QStringLiteral("file.exportAgain");
   command.menu = CommandMenu::File;

@@ -1,4 +1,4 @@
-// The commands "Export again" and "Export after each run".
+// The commands "Floor plan", "Export again" and "Export after each run".
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,14 +1,17 @@
-// The dialog for exports: format, options, what will be written, and where.
+// The dialog for exports: whom they are for, what that keeps and loses, options, what will be written, and where.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -16,6 +19,7 @@
 #include "ui/base/number_field.hpp"
 #include "ui/document/export_settings.hpp"
 #include "ui/run/run_controller.hpp"
+#include "ui/window/plan_choices.hpp"
 
 namespace footfall::ui {
 
@@ -45,26 +49,46 @@ class ExportDialog : public QDialog {
  signals:
   void exportRequested(const QString& path, const footfall::ui::ExportSettings& settings);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void createWidgets();
+  QWidget* createMeshOptions();
+  QWidget* createFrameOptions();
+  QWidget* createPolygonOptions();
+  void createLayout();
   void takeSettings(const ExportSettings& settings);
-  void changeKind();
+  void takeName();
+  void changeTarget();
   void browse();
   void readPath();
   void refresh();
   void estimate();
+  /// Grows where what it shows needs more lines than before.
+  void fitHeight();
   [[nodiscard]] QString problem() const;
   [[nodiscard]] QString content() const;
-  [[nodiscard]] ExportKind kind() const;
+  [[nodiscard]] QString meshContent(const FormatDescriptor& format) const;
+  [[nodiscard]] const ExportTarget& target() const;
+  [[nodiscard]] ExportKind kind() const { return target().kind; }
+  /// The files that are there and may be replaced.
+  [[nodiscard]] QStringList existing() const;
+  void requestExport();
 
   ExportSource source_;
-  QComboBox *kind_, *up_, *pictureSize_;
+  const ExportTarget* shown_;                               ///< whose options the widgets have
+  std::map<const ExportTarget*, ExportSettings> settings_;  ///< of those that were left for another one
+  QComboBox *target_, *up_, *pictureSize_;
+  QSpinBox* part_;
   QCheckBox *layers_, *connections_, *obstacleEdges_, *steps_, *drops_, *placed_, *pictures_;
   NumberField* scale_;
-  QLineEdit* path_;
+  QLineEdit *path_, *coordinateSystem_;
+  PlanChoices* plan_;
   QPushButton *browse_, *export_;
-  QLabel *content_, *size_, *problem_;
-  QWidget *meshOptions_, *frameOptions_, *pictureOptions_, *reportOptions_;
+  QFormLayout* form_;
+  QLabel *keeps_, *loses_, *content_, *size_, *problem_;
+  QWidget *meshOptions_, *frameOptions_, *polygonOptions_, *pictureOptions_, *reportOptions_;
   std::shared_ptr<RunContext> estimating_;
   BackgroundQueue queue_;  // last: its thread ends before the rest goes
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/io/write_targets.hpp"
+#include "footfall/errors.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/window/file_dialogs.hpp"
@@ -38,6 +39,27 @@ void FileWriter::write(std::function<void()> write, const QString& path, std::fu
         },
         Qt::QueuedConnection);
   });
+}
+
+void FileWriter::writeLong(std::function<void(const RunContext&)> write, const QString& path) {
+  std::erase_if(contexts_, [](const auto& context) { return context.expired(); });
+  auto context = std::make_shared<RunContext>();
+  contexts_.push_back(context);
+  this->write(
+      [context, path, write = std::move(write)] {
+        try {
+          context->checkCancelled();
+          write(*context);
+        } catch (const Cancelled&) {
+          throw RunError(FOOTFALL_TEXT("%1: not written, as it was cancelled; export again"), toPath(path));
+        }
+      },
+      path);
+}
+
+void FileWriter::cancel() {
+  for (const auto& weak : contexts_)
+    if (const auto context = weak.lock()) context->cancel();
 }
 
 QString FileWriter::refusal(const QString& path, WrittenKind kind) const {

@@ -6,7 +6,10 @@
 #include <QString>
 #include <QWidget>
 #include <functional>
+#include <memory>
+#include <vector>
 
+#include "footfall/run_context.hpp"
 #include "ui/base/background_queue.hpp"
 #include "ui/base/message_bar.hpp"
 #include "ui/base/message_log.hpp"
@@ -37,6 +40,10 @@ class FileWriter : public QObject {
   /// `write` is called in the background and throws where it fails; `then` is called here with whether it has not,
   /// before written() is emitted.
   void write(std::function<void()> write, const QString& path, std::function<void(bool)> then = {});
+  /// The same for what may take long: cancel() ends it, by its context.
+  void writeLong(std::function<void(const RunContext&)> write, const QString& path);
+  /// Ends what writeLong() began and is not done; nothing of it is written, and that is told.
+  void cancel();
   /// Why a file must not be written to, in one line; empty where it may be. The rule is WriteTargets'.
   [[nodiscard]] QString refusal(const QString& path, WrittenKind kind) const;
   /// Shows the refusal, if there is one, and returns whether there is.
@@ -63,6 +70,7 @@ class FileWriter : public QObject {
   Uses uses_;
   QString session_, pipeline_;
   int writing_ = 0;
+  std::vector<std::weak_ptr<RunContext>> contexts_;  ///< of writeLong()
 };
 
 }  // namespace footfall::ui

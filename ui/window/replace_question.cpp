@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <algorithm>
 #include <utility>
 
 namespace footfall::ui {
@@ -19,17 +20,38 @@ struct ReplaceTexts {
 }  // namespace
 
 void askReplacing(QWidget* parent, const QString& path, std::function<void()> replace, std::function<void()> keep) {
-  const QFileInfo file(path);
-  if (!file.isFile()) {
+  askReplacing(parent, QStringList(path), std::move(replace), std::move(keep));
+}
+
+void askReplacing(QWidget* parent, const QStringList& paths, std::function<void()> replace,
+                  std::function<void()> keep) {
+  QList<QFileInfo> files;
+  for (const QString& path : paths)
+    if (QFileInfo(path).isFile()) files << QFileInfo(path);
+  if (files.isEmpty()) {
     replace();
     return;
   }
-  auto* box = new QMessageBox(QMessageBox::Warning, ReplaceTexts::tr("Replace a file"),
-                              ReplaceTexts::tr("Replace %1?").arg(file.fileName()), QMessageBox::Cancel, parent);
+  const QFileInfo& file = files.front();
+  const QString question =
+      files.size() == 1 ? ReplaceTexts::tr("Replace %1?").arg(file.fileName())
+                        : ReplaceTexts::tr("Replace %1 files, as far as they are written anew?").arg(files.size());
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, ReplaceTexts::tr("Replace a file"), question, QMessageBox::Cancel, parent);
   box->setObjectName(QStringLiteral("replaceQuestion"));
-  box->setInformativeText(ReplaceTexts::tr("This file is in %1 (%2, last changed %3). What is in it is lost.")
-                              .arg(QFileInfo(file.canonicalFilePath()).path(), QLocale().formattedDataSize(file.size()),
-                                   QLocale().toString(file.lastModified(), QLocale::ShortFormat)));
+  const QString folder = QFileInfo(file.canonicalFilePath()).path();
+  if (files.size() == 1) {
+    box->setInformativeText(ReplaceTexts::tr("This file is in %1 (%2, last changed %3). What is in it is lost.")
+                                .arg(folder, QLocale().formattedDataSize(file.size()),
+                                     QLocale().toString(file.lastModified(), QLocale::ShortFormat)));
+  } else {
+    constexpr qsizetype kNamed = 6;
+    QStringList names;
+    for (const QFileInfo& other : files.first(std::min(files.size(), kNamed))) names << other.fileName();
+    if (files.size() > kNamed) names << QStringLiteral("...");
+    box->setInformativeText(
+        ReplaceTexts::tr("They are in %1: %2. What is in them is lost.").arg(folder, names.join(QStringLiteral(", "))));
+  }
   box->setTextFormat(Qt::PlainText);
   QPushButton* yes = box->addButton(ReplaceTexts::tr("&Replace"), QMessageBox::AcceptRole);
   yes->setObjectName(QStringLiteral("replaceAccept"));

@@ -2,7 +2,9 @@
 #include "ui/window/result_export.hpp"
 
 #include <QBuffer>
+#include <QFileInfo>
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "core/io/formats/save.hpp"
@@ -11,6 +13,7 @@
 #include "footfall/report.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/window/export_dialog.hpp"
+#include "ui/window/export_files.hpp"
 #include "ui/window/file_dialogs.hpp"
 #include "ui/window/report_legend.hpp"
 
@@ -33,6 +36,15 @@ std::vector<ReportPicture> pngsOf(const std::vector<CaptionedImage>& images) {
   for (const auto& [caption, image] : images)
     if (!image.isNull()) pictures.push_back({caption, pngOf(image)});
   return pictures;
+}
+
+/// How many pages or layers a result has is known once they are made: what nobody was asked about is not replaced.
+void checkUnasked(const std::vector<OutputFile>& files, const std::set<std::string>* replaceable) {
+  if (!replaceable) return;
+  for (const OutputFile& file : files)
+    if (!replaceable->contains(file.path) && QFileInfo::exists(fromPath(file.path)))
+      throw InputError(FOOTFALL_TEXT("%1: is there already; export with the dialog, which asks whether to replace it"),
+                       file.path);
 }
 
 }  // namespace
@@ -59,7 +71,9 @@ ResultExport::ResultExport(const Uses& uses) : QObject(&uses.window), uses_(uses
   });
 }
 
-void ResultExport::showDialog() {
+void ResultExport::showDialog() { showDialog(rememberedTarget()); }
+
+void ResultExport::showDialog(const ExportTarget& target) {
   if (!uses_.level.environment()) return;
   ExportSource source;
   source.run = uses_.controller.finishedRun();
@@ -69,11 +83,11 @@ void ResultExport::showDialog() {
   source.view = uses_.view.size();
   source.devicePixelRatio = uses_.view.devicePixelRatioF();
   source.refusal = [this](const QString& path) { return uses_.writer.refusal(path, WrittenKind::Export); };
-  const ExportSettings settings = rememberedExport();
-  const QString suffix =
-      settings.kind == ExportKind::Png || settings.kind == ExportKind::Html ? QString() : QStringLiteral("-walkable");
-  auto* dialog = new ExportDialog(std::move(source), settings,
-                                  suggestedPath(uses_.level, suffix + QLatin1Char('.') + exportEnding(settings.kind)),
+  const QString suffix = isPlan(target.kind)       ? QStringLiteral("-plan")
+                         : meshFormat(target.kind) ? QStringLiteral("-walkable")
+                                                   : QString();
+  auto* dialog = new ExportDialog(std::move(source), rememberedExport(target),
+                                  suggestedPath(uses_.level, suffix + QLatin1Char('.') + exportEnding(target.kind)),
                                   &uses_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::exportRequested, this, [this](const QString& path, const ExportSettings& chosen) {
@@ -118,7 +132,8 @@ void ResultExport::forgetLast() {
 
 void ResultExport::write(const QString& path) {
   ExportSettings settings;
-  settings.kind = exportKindOf(path, ExportKind::Obj);
+  settings.target = &exportTargetOf(path, exportTargets().front());
+  settings.options.godot = settings.target->godot;
   write(path, settings);
 }
 
@@ -128,7 +143,10 @@ void ResultExport::write(const QString& path, const ExportSettings& settings) {
     return;
   }
   if (uses_.writer.refuses(path, WrittenKind::Export)) return;
-  const bool drawn = settings.kind == ExportKind::Png || (settings.kind == ExportKind::Html && settings.pictures);
+  if (hasFilesBeside(settings.kind()))
+    for (const std::string& other : existingOutputs(toPath(path)))
+      if (uses_.writer.refuses(fromPath(other), WrittenKind::Export)) return;
+  const bool drawn = settings.kind() == ExportKind::Png || (settings.kind() == ExportKind::Html && settings.pictures);
   const bool computed = uses_.controller.upToDate();
   if (computed && (!drawn || uses_.modes.upToDate())) {
     writeNow(path, settings);
@@ -141,12 +159,12 @@ void ResultExport::write(const QString& path, const ExportSettings& settings) {
 }
 
 void ResultExport::writeNow(const QString& path, const ExportSettings& settings) {
-  if (settings.kind == ExportKind::Png) {
+  if (settings.kind() == ExportKind::Png) {
     writePicture(path, settings);
-  } else if (settings.kind == ExportKind::Html) {
+  } else if (settings.kind() == ExportKind::Html) {
     writeReport(path, settings.pictures);
   } else {
-    writeMesh(path, settings);
+    writeFiles(path, settings);
   }
 }
 
@@ -167,16 +185,16 @@ QString ResultExport::takeWaiting() {
   return names.join(QStringLiteral(", "));
 }
 
-void ResultExport::writeMesh(const QString& path, const ExportSettings& settings) {
-  uses_.writer.write(
+void ResultExport::writeFiles(const QString& path, const ExportSettings& settings) {
+  uses_.writer.writeLong(
       [run = uses_.controller.finishedRun(), target = toPath(path), settings,
-       extras = settings.placed ? placedExtras() : std::vector<ExportExtra>()] {
-        const ExportHeader header = makeExportHeader(run->pipeline);
-        const NavigationMesh& mesh = *run->result.mesh;
-        const ExportBytes file =
-            formatExport(meshFormat(settings.kind)->format, mesh, header, settings.options, extras);
-        checkReplaced(target);
-        writeFileSafely(target, file.bytes);
+       extras = settings.placed ? placedExtras() : std::vector<ExportExtra>()](const RunContext& context) {
+        const std::vector<OutputFile> files = makeExport(settings, target, *run, extras, context).files;
+        if (meshFormat(settings.kind())) checkReplaced(target);
+        checkUnasked(files, settings.replaceable.get());
+        writeFilesSafely(files, context);
+        if (settings.replaceable)
+          for (const OutputFile& file : files) settings.replaceable->insert(file.path);
       },
       path);
 }
@@ -194,7 +212,13 @@ void ResultExport::writePicture(const QString& path, const ExportSettings& setti
                                    .arg(size.pixels.height()));
     return;
   }
-  uses_.writer.write([image, target = toPath(path)] { writeFileSafely(target, pngOf(image)); }, path);
+  uses_.writer.writeLong(
+      [image, target = toPath(path)](const RunContext& context) {
+        const std::string png = pngOf(image);
+        context.checkCancelled();
+        writeFileSafely(target, png);
+      },
+      path);
 }
 
 void ResultExport::writeReport(const QString& path, bool pictures) {
@@ -214,12 +238,15 @@ void ResultExport::writeReport(const QString& path, bool pictures) {
     take("From the top", kReportPicture, PictureCamera::Top);
     take("From above at an angle", kReportPicture, PictureCamera::Oblique);
   }
-  uses_.writer.write(
+  uses_.writer.writeLong(
       [run = uses_.controller.finishedRun(), environment = uses_.level.environment(), images, colours,
-       target = toPath(path)] {
+       target = toPath(path)](const RunContext& context) {
         const std::vector<ReportPicture> pictures = pngsOf(images), legend = pngsOf(colours);
+        context.checkCancelled();
         const ReportDetails details{reportDate(), pictures, legend};
-        writeFileSafely(target, formatHtmlReport(*environment, run->pipeline, run->result, {}, details));
+        const std::string html = formatHtmlReport(*environment, run->pipeline, run->result, {}, details);
+        context.checkCancelled();
+        writeFileSafely(target, html);
       },
       path);
 }

@@ -47,7 +47,9 @@ class ResultExport : public QObject {
 
   /// Off: choices of the dialog are not kept in the user's settings.
   void setRemembering(bool on) { remembering_ = on; }
+  /// For the target of the last export, or another one.
   void showDialog();
+  void showDialog(const ExportTarget& target);
   /// Replaces other files without a question, but not those that FileWriter refuses. The name's ending chooses the
   /// format; all there is, in the file's frame and units.
   void write(const QString& path);
@@ -74,7 +76,7 @@ class ResultExport : public QObject {
 
  private:
   void writeNow(const QString& path, const ExportSettings& settings);
-  void writeMesh(const QString& path, const ExportSettings& settings);
+  void writeFiles(const QString& path, const ExportSettings& settings);
   void writePicture(const QString& path, const ExportSettings& settings);
   void writeReport(const QString& path, bool pictures);
   void writeWaiting();

@@ -321,6 +321,10 @@ class NavigationMesh:
         drops: bool = True,
         up: Optional[str] = None,
         scale: float = 1.0,
+        godot: int = 4,
+        navmesh_node: bool = False,
+        part: Optional[int] = None,
+        coordinate_system: Optional[str] = None,
     ) -> float: ...
 
 class WalkableArea(NavigationMesh):
@@ -344,6 +348,10 @@ class WalkableArea(NavigationMesh):
         drops: bool = True,
         up: Optional[str] = None,
         scale: float = 1.0,
+        godot: int = 4,
+        navmesh_node: bool = False,
+        part: Optional[int] = None,
+        coordinate_system: Optional[str] = None,
     ) -> float: ...
 
 class ResultCache:

@@ -27,6 +27,18 @@ bool ClearanceCandidate::takesAll() const {
   return coplanar || (above && below);
 }
 
+bool ClearanceCandidate::coversFace() const {
+  return std::all_of(corners.begin(), corners.end(),
+                     [](const Signs& s) { return s[0] >= 0 && s[1] >= 0 && s[2] >= 0; });
+}
+
+// A place that is a little way from corner 0 to corner 1, and much less towards corner 2.
+bool ClearanceCandidate::coversStart() const {
+  return std::all_of(corners.begin(), corners.end(), [](const Signs& s) {
+    return (s[0] != 0 ? s[0] : s[1] != 0 ? s[1] : s[2]) > 0;
+  });
+}
+
 Box clearanceBox(const SourceMesh& mesh, Index face, double height) {
   Box box = boxOf(mesh, face);
   box.upper[2] = std::nextafter(box.upper[2] + height, std::numeric_limits<double>::infinity());
@@ -64,6 +76,8 @@ void ClearanceCandidates::begin(Index face) {
   ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
   floorZ_ = mesh_.vertices[f[0]].z;
   isLevel_ = mesh_.vertices[f[1]].z == floorZ_ && mesh_.vertices[f[2]].z == floorZ_;
+  for (int k = 0; k < 3; ++k) edges_[k] = lineThrough(f[k], f[next(k)]);
+  findEdgesInBox();
 }
 
 std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face) {
@@ -132,7 +146,7 @@ void ClearanceCandidates::sort() {
 
 void ClearanceCandidates::consider(Index obstacle) {
   if ((++polls_ & 255) == 0) poll_();
-  if (obstacle == face_ || (mesh_.facing[obstacle] != 0 && onlyTouchesBox(obstacle))) return;
+  if (obstacle == face_ || onlyTouches(obstacle)) return;
   ClearanceCandidate candidate;
   candidate.obstacle = obstacle;
   if (!findHeights(candidate)) return;
@@ -272,24 +286,29 @@ bool ClearanceCandidates::findHeights(ClearanceCandidate& candidate) {
   return on || (above && below);
 }
 
-// The kernel's orientation of a, b and p, which doubles decide at once on a grid of few bits. A point above one of the
-// ends is on the line.
-int ClearanceCandidates::sideOf(Index a, Index b, Index p) {
-  const Vec3 &from = mesh_.scaled[a], &to = mesh_.scaled[b], &at = mesh_.scaled[p];
-  const double left = (to.x - from.x) * (at.y - from.y), right = (to.y - from.y) * (at.x - from.x);
+ClearanceCandidates::Line ClearanceCandidates::lineThrough(Index from, Index to) const {
+  const Vec3 &a = mesh_.scaled[from], &b = mesh_.scaled[to];
+  return {from, to, a.x, a.y, b.x - a.x, b.y - a.y};
+}
+
+// The kernel's orientation, which doubles decide at once on a grid of few bits. A point above one of the ends is on the
+// line.
+int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
+  const Vec3& at = mesh_.scaled[vertex];
+  const double left = line.dx * (at.y - line.y), right = line.dy * (at.x - line.x);
   const double value = left - right;
+  if (exactOrientations_) return (value > 0) - (value < 0);
   // As in PlanKernel::orientation.
-  const double bound =
-      exactOrientations_ ? 0 : (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + kernel_.sign().slack;
+  const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + kernel_.sign().slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
-  if (exactOrientations_ || mesh_.planIds[p] == mesh_.planIds[a] || mesh_.planIds[p] == mesh_.planIds[b]) return 0;
-  return kernel_.orientation(a, b, p, fallbacks);
+  const auto& plan = mesh_.planIds;
+  if (plan[vertex] == plan[line.from] || plan[vertex] == plan[line.to]) return 0;
+  return kernel_.orientation(line.from, line.to, vertex, fallbacks);
 }
 
 bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
   const Index obstacle = candidate.obstacle;
-  const auto& f = mesh_.triangles[face_];
   const auto& o = mesh_.triangles[obstacle];
   const bool isWall = mesh_.facing[obstacle] == 0;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
@@ -297,34 +316,65 @@ bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
     auto& sides = candidate.sides[k];
     int most = -1, zeros = 0;
     for (int j = 0; j < 3; ++j) {
-      const int side = sideOf(f[k], f[next(k)], o[j]);
+      const int side = sideOf(edges_[k], o[j]);
       sides[j] = static_cast<std::int8_t>(side);
       most = std::max(most, side);
       zeros += side == 0;
     }
     if (most <= 0 && !(isWall && zeros >= 2)) return false;
   }
-  return !isSeparated(obstacle);
+  return !isSeparated(candidate);
 }
 
-// Most neighbours of a floor meet it along an edge at most.
-bool ClearanceCandidates::onlyTouchesBox(Index obstacle) const {
+void ClearanceCandidates::findEdgesInBox() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto& f = mesh_.triangles[face_];
+  const auto coordinate = [](const Vec3& v, int axis) { return axis == 0 ? v.x : v.y; };
+  const std::array<const Vec3*, 3> corners{&mesh_.vertices[f[0]], &mesh_.vertices[f[1]], &mesh_.vertices[f[2]]};
+  for (int axis = 0; axis < 2; ++axis)
+    for (int upper = 0; upper < 2; ++upper) {
+      const double side = upper != 0 ? box_.upper[axis] : box_.lower[axis];
+      auto& range = edgesInBox_[axis][upper];
+      range = {kInfinity, -kInfinity};
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 &a = *corners[k], &b = *corners[next(k)];
+        if (coordinate(a, axis) != side || coordinate(b, axis) != side) continue;
+        const double u = coordinate(a, 1 - axis), v = coordinate(b, 1 - axis);
+        range = {std::min(u, v), std::max(u, v)};
+      }
+    }
+}
+
+// Most neighbours of a floor meet it along an edge at most. Beside its box only a wall can matter, one that lies in a
+// side of the box and stands on an edge there.
+bool ClearanceCandidates::onlyTouches(Index obstacle) const {
   const auto& o = mesh_.triangles[obstacle];
   const Vec3 &a = mesh_.vertices[o[0]], &b = mesh_.vertices[o[1]], &c = mesh_.vertices[o[2]];
-  return std::max({a.x, b.x, c.x}) <= box_.lower[0] || std::min({a.x, b.x, c.x}) >= box_.upper[0] ||
-         std::max({a.y, b.y, c.y}) <= box_.lower[1] || std::min({a.y, b.y, c.y}) >= box_.upper[1];
+  const std::array<double, 2> low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})};
+  const std::array<double, 2> high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})};
+  for (int axis = 0; axis < 2; ++axis) {
+    const bool isBelow = high[axis] <= box_.lower[axis];
+    if (!isBelow && low[axis] < box_.upper[axis]) continue;
+    if (mesh_.facing[obstacle] != 0) return true;
+    const double side = isBelow ? box_.lower[axis] : box_.upper[axis];
+    const auto& [first, last] = edgesInBox_[axis][isBelow ? 0 : 1];
+    if (low[axis] != side || high[axis] != side || high[1 - axis] <= first || low[1 - axis] >= last) return true;
+  }
+  return false;
 }
 
 // Whether an edge of the obstacle, or the line of a wall, has the whole face on its outer side.
-bool ClearanceCandidates::isSeparated(Index obstacle) {
+bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
+  const Index obstacle = candidate.obstacle;
   const auto& f = mesh_.triangles[face_];
   const auto& o = mesh_.triangles[obstacle];
   const int facing = mesh_.facing[obstacle];
   if (facing != 0) {
     for (int k = 0; k < 3; ++k) {
-      const Index a = facing > 0 ? o[k] : o[next(k)];
-      const Index b = facing > 0 ? o[next(k)] : o[k];
-      if (sideOf(a, b, f[0]) <= 0 && sideOf(a, b, f[1]) <= 0 && sideOf(a, b, f[2]) <= 0) return true;
+      const Line edge = facing > 0 ? lineThrough(o[k], o[next(k)]) : lineThrough(o[next(k)], o[k]);
+      auto& sides = candidate.corners[k];
+      for (int j = 0; j < 3; ++j) sides[j] = static_cast<std::int8_t>(sideOf(edge, f[j]));
+      if (sides[0] <= 0 && sides[1] <= 0 && sides[2] <= 0) return true;
     }
     return false;
   }
@@ -332,9 +382,10 @@ bool ClearanceCandidates::isSeparated(Index obstacle) {
   Index a = -1, b = -1;
   for (int k = 0; k < 3 && a < 0; ++k)
     if (mesh_.planIds[o[k]] != mesh_.planIds[o[next(k)]]) a = o[k], b = o[next(k)];
+  const Line foot = lineThrough(a, b);
   int left = 0, right = 0;
   for (int j = 0; j < 3; ++j) {
-    const int s = sideOf(a, b, f[j]);
+    const int s = sideOf(foot, f[j]);
     left += s > 0;
     right += s < 0;
   }

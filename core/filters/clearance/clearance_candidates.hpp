@@ -26,10 +26,17 @@ struct ClearanceCandidate {
   Index obstacle = -1;
   Signs floor{}, ceiling{};      ///< for each corner of the obstacle: its height against the floor and the clearance
   std::array<Signs, 3> sides{};  ///< [edge of the face][corner of the obstacle]: +1 inside
+  /// [edge of the obstacle, counter-clockwise in the plan][corner of the face]: +1 inside; not of walls. The edge k is
+  /// that between the corners k and k + 1.
+  std::array<Signs, 3> corners{};
   bool coplanar = false;
 
   /// The whole triangle takes from the floor what lies under it.
   [[nodiscard]] bool takesAll() const;
+  /// Of an obstacle that is no wall: all of the face lies under it.
+  [[nodiscard]] bool coversFace() const;
+  /// ... or what lies beside the start of the face's edge from corner 0 to 1.
+  [[nodiscard]] bool coversStart() const;
 };
 
 /// Searches above one face after another; one object for each thread.
@@ -73,10 +80,19 @@ class ClearanceCandidates {
   [[nodiscard]] int compareToCeiling(double z) const;
   /// False when obstacle and face do not overlap in the plan; finds the sides.
   bool findOverlap(ClearanceCandidate& candidate);
-  /// Side of the line from a to b on which p lies in the plan; source vertices.
-  [[nodiscard]] int sideOf(Index a, Index b, Index p);
-  [[nodiscard]] bool onlyTouchesBox(Index obstacle) const;
-  bool isSeparated(Index obstacle);
+  /// A line of the plan through two source vertices, as doubles compute with it.
+  struct Line {
+    Index from = -1, to = -1;
+    double x = 0, y = 0, dx = 0, dy = 0;  ///< scaled
+  };
+  [[nodiscard]] Line lineThrough(Index from, Index to) const;
+  /// Side of the line on which the source vertex lies in the plan: +1 left.
+  [[nodiscard]] int sideOf(const Line& line, Index vertex);
+  /// Whether the boxes of face and obstacle have no more in common, in the plan, than a border on which nothing of the
+  /// obstacle can stand on the face. False says nothing.
+  [[nodiscard]] bool onlyTouches(Index obstacle) const;
+  void findEdgesInBox();
+  bool isSeparated(ClearanceCandidate& candidate);
   /// Whether each cell of a grid over the face lies under one obstacle that takes all.
   bool proveCover();
   /// Makes openCells() of the candidates when that is due.
@@ -96,7 +112,11 @@ class ClearanceCandidates {
   bool exactOrientations_ = false, exactHeights_ = false;
 
   Index face_ = -1;
-  Box box_;  ///< of the face and the clearance above it
+  Box box_;                    ///< of the face and the clearance above it
+  std::array<Line, 3> edges_;  ///< from corner k to k + 1
+  /// [axis][lower, upper]: from where to where, along the other axis, an edge of the face lies in that side of box_; of
+  /// a side with no edge the first is the larger.
+  std::array<std::array<std::array<double, 2>, 2>, 2> edgesInBox_{};
   // the floor's plane in doubles
   double nx_ = 0, ny_ = 0, nz_ = 0, ex_ = 0, ey_ = 0, ez_ = 0;
   bool isLevel_ = false;  ///< all corners of the floor have the same z

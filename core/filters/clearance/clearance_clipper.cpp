@@ -48,10 +48,7 @@ FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> side
   }
   FaceShare share;
   share.removed = !clipAll(candidates_.findWithin(face, box));
-  if (!share.removed) {
-    cancelSegments();
-    collect(share);
-  }
+  if (!share.removed) collect(share);
   share.edgeWalls = edgeWalls_;
   share.dependsOnFloors = candidates_.dependsOnFloors();
   share.candidates = candidates();
@@ -72,7 +69,10 @@ FaceCuts ClearanceClipper::joinShares(Index face, std::span<const FaceShare> sha
   std::vector<Index> points, lines;
   for (const FaceShare& share : shares) {
     poll_();
-    if (share.segments.empty() && share.pieces.empty()) continue;
+    if (share.segments.empty() && share.pieces.empty()) {
+      startWinding_ += share.startWinding;
+      continue;
+    }
     addCuts(share, points, lines);
     for (FaceShare::Piece piece : share.pieces) {
       CutSegment& s = piece.segment;
@@ -97,9 +97,7 @@ FaceCuts ClearanceClipper::joinShares(Index face, std::span<const FaceShare> sha
     if (whole.from < 0 || whole.to < 0) throw std::logic_error("a segment lost an end between two cells");
     addSegment(whole.from, whole.to, whole.line, 1, whole.winding, whole.wall);
   }
-  cancelSegments();
   collect(cuts);
-  cuts.edgeWalls = edgeWalls_;
   return cuts;
 }
 
@@ -117,7 +115,11 @@ ExactFallbacks ClearanceClipper::fallbacks() const {
 }
 
 bool ClearanceClipper::clipAll(std::span<const ClearanceCandidate> candidates) {
-  return std::all_of(candidates.begin(), candidates.end(), [this](const ClearanceCandidate& c) { return clipOne(c); });
+  edges_.clear();
+  if (!std::all_of(candidates.begin(), candidates.end(), [this](const ClearanceCandidate& c) { return clipOne(c); }))
+    return false;
+  clipEdges();
+  return true;
 }
 
 bool ClearanceClipper::clipOne(const ClearanceCandidate& candidate) {
@@ -126,6 +128,13 @@ bool ClearanceClipper::clipOne(const ClearanceCandidate& candidate) {
   if (isWall && isWallOfEdge(candidate)) return true;
   startGeometry();
   obstacle_ = candidate.obstacle;
+  if (!isWall && candidate.takesAll()) {
+    if (candidate.coversFace()) return false;
+    if (sides_.empty()) {  // the shares of a face need the pieces of each obstacle
+      addWholeArea(candidate);
+      return true;
+    }
+  }
   if (!isWall) return !addArea(candidate);
   addWall(candidate);
   return true;
@@ -135,11 +144,7 @@ FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
   FaceCuts cuts;
   cuts.removed =
       candidates_.areKnownToCover() || !(candidates_.areCrowd() ? clipCrowd(candidates) : clipAll(candidates));
-  if (!cuts.removed) {
-    cancelSegments();
-    collect(cuts);
-    cuts.edgeWalls = edgeWalls_;
-  }
+  if (!cuts.removed) collect(cuts);
   cuts.dependsOnFloors = candidates_.dependsOnFloors();
   return cuts;
 }
@@ -195,7 +200,9 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
     if (crowdProgress && i % 64 == 0) crowdProgress(static_cast<double>(i) / static_cast<double>(kept.size()));
     if (isReduced && !grid.mayReach(outlineInPlan(geometry_.kernel(), candidate.obstacle, geometry_.origin())))
       continue;
+    edges_.clear();
     if (!clipOne(candidate)) return false;
+    clipEdges();
     if (++added < std::max(kAtOnce, segmentCount() / 16) || kept.size() - i <= kAtOnce) continue;
     keepOutline(grid);
     if (grid.isClosed()) return false;
@@ -205,6 +212,46 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
   if (openCells == nullptr) return true;
   keepOutline(grid, openCells);
   return !grid.isClosed();
+}
+
+// Where two obstacles share an edge and lie on either side of it, nobody needs it: most edges vanish before anything is
+// computed of them.
+void ClearanceClipper::addWholeArea(const ClearanceCandidate& candidate) {
+  if (candidate.coversStart()) ++startWinding_;
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  const bool up = mesh_.facing[candidate.obstacle] > 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto isOutside = [&](const ClearanceCandidate::Signs& sides) { return sides[k] <= 0 && sides[next(k)] <= 0; };
+    if (std::any_of(candidate.sides.begin(), candidate.sides.end(), isOutside)) continue;
+    auto from = static_cast<std::int8_t>(k), to = static_cast<std::int8_t>(next(k));
+    int winding = up ? 1 : -1;
+    if (mesh_.planIds[o[from]] > mesh_.planIds[o[to]]) {
+      std::swap(from, to);
+      winding = -winding;
+    }
+    const auto low = static_cast<std::uint64_t>(mesh_.planIds[o[from]]);
+    edges_.push_back({low << 32U | static_cast<std::uint64_t>(mesh_.planIds[o[to]]), winding, from, to, &candidate});
+  }
+}
+
+void ClearanceClipper::clipEdges() {
+  std::sort(edges_.begin(), edges_.end(), [](const PlanEdge& x, const PlanEdge& y) { return x.ends < y.ends; });
+  for (std::size_t i = 0, j = 0; i < edges_.size(); i = j) {
+    const PlanEdge& edge = edges_[i];
+    int winding = 0;
+    for (j = i; j < edges_.size() && edges_[j].ends == edge.ends; ++j) winding += edges_[j].winding;
+    if (winding == 0) continue;
+    if ((++polls_ & 255) == 0) poll_();
+    const auto& o = mesh_.triangles[edge.candidate->obstacle];
+    const Index a = mesh_.planIds[o[edge.from]], b = mesh_.planIds[o[edge.to]];
+    const Index line = geometry_.edgeLine(a, b);
+    Place first{geometry_.point(PlanPoint::source(a)), edge.from, edge.from};
+    Place last{geometry_.point(PlanPoint::source(b)), edge.to, edge.to};
+    if (!clipToFace(line, first, last, *edge.candidate) || first.point == last.point ||
+        (geometry_.border(first.point) & geometry_.border(last.point)) != 0)
+      continue;
+    addSegment(first.point, last.point, line, 1, winding, false);
+  }
 }
 
 bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
@@ -218,7 +265,7 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
     const int i2 = up ? next(i) : previous(i);
     const Index a = plan[o[i]], b = plan[o[i2]];
     polygon.push({geometry_.point(PlanPoint::source(a)), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
-                  candidate.ceiling[i]});
+                  candidate.ceiling[i], false, static_cast<std::int8_t>(i)});
   }
   if (!candidate.coplanar) {
     clipToLevel(polygon, obstacle, false);
@@ -241,7 +288,7 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
       }
       continue;
     }
-    clipToEdge(polygon, k);
+    clipToEdge(polygon, k, s);
   }
   if (polygon.size < 3) return false;
   if (isWhole(polygon)) return true;
@@ -281,7 +328,7 @@ void ClearanceClipper::clipToLevel(Polygon& polygon, Index obstacle, bool ceilin
     const Corner& c = polygon.corners[i];
     const int a = value(c), b = value(polygon.corners[(i + 1) % polygon.size]);
     if (a == 0 && b < 0)
-      result.push({c.point, trace, keep, c.floor, c.ceiling});
+      result.push({c.point, trace, keep, c.floor, c.ceiling, false, c.corner});
     else if (a >= 0)
       result.push(c);
     if (a * b < 0) {
@@ -322,7 +369,11 @@ void ClearanceClipper::clipToSide(Polygon& polygon, std::size_t side) {
   made.line = sideLines_[side];
   made.direction = 1;
   made.cut = true;
-  keepPositive(polygon, signs, made, [&](Index line) { return geometry_.crossing(line, sideLines_[side]); });
+  keepPositive(polygon, signs, made, [&](const Corner& c, const Corner& d) {
+    const Index point = geometry_.crossing(c.line, sideLines_[side]);
+    geometry_.addBorder(point, geometry_.border(c.point) & geometry_.border(d.point));
+    return point;
+  });
 }
 
 // The most common wall stands on a whole edge of the face: between its ends, and in the clearance at both.
@@ -355,41 +406,63 @@ void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
   const auto& o = mesh_.triangles[candidate.obstacle];
   const auto& plan = mesh_.planIds;
   // Where the wall reaches into the clearance: its corners there, and where its edges pass floor and ceiling.
-  std::array<Index, 12> points{};
+  std::array<Place, 9> places;
   int count = 0;
+  const auto addPlace = [&](const PlanPoint& point, int from, int to) {
+    places[count++] = {geometry_.point(point), from, to};
+  };
   Index line = -1;
   for (int k = 0; k < 3; ++k) {
     const Index u = o[k], v = o[next(k)];
     const bool upright = plan[u] == plan[v];
     if (!upright && line < 0) line = geometry_.edgeLine(plan[u], plan[v]);
-    if (candidate.floor[k] >= 0 && candidate.ceiling[k] <= 0)
-      points[count++] = geometry_.point(PlanPoint::source(plan[u]));
-    const auto addCrossing = [&](Index level) {
-      points[count++] = upright ? geometry_.point(PlanPoint::source(plan[u]))
-                                : geometry_.point(PlanPoint::edgePlane(u, v, face_, level));
-    };
-    if (candidate.floor[k] * candidate.floor[next(k)] < 0) addCrossing(0);
-    if (candidate.ceiling[k] * candidate.ceiling[next(k)] < 0) addCrossing(level_);
+    const bool isWithin = candidate.floor[k] >= 0 && candidate.ceiling[k] <= 0;
+    if (isWithin) addPlace(PlanPoint::source(plan[u]), k, k);
+    const bool crossesFloor = candidate.floor[k] * candidate.floor[next(k)] < 0;
+    const bool crossesCeiling = candidate.ceiling[k] * candidate.ceiling[next(k)] < 0;
+    if (upright) {
+      if (!isWithin && (crossesFloor || crossesCeiling)) addPlace(PlanPoint::source(plan[u]), k, k);
+      continue;
+    }
+    if (crossesFloor) addPlace(PlanPoint::edgePlane(u, v, face_, 0), k, next(k));
+    if (crossesCeiling) addPlace(PlanPoint::edgePlane(u, v, face_, level_), k, next(k));
   }
   const PlanLine l = geometry_.lineAt(line);
   const Vec3 &start = mesh_.vertices[l.a], &end = mesh_.vertices[l.b];
   const double dx = end.x - start.x, dy = end.y - start.y;
   const int axis = std::fabs(dx) > std::fabs(dy) ? 0 : 1;
   const int along = (axis == 0 ? end.x > start.x : end.y > start.y) ? 1 : -1;
-  Index first = points[0], last = points[0];
+  Place first = places[0], last = places[0];
   for (int i = 1; i < count; ++i) {
-    if (geometry_.compare(points[i], first, axis) * along < 0) first = points[i];
-    if (geometry_.compare(points[i], last, axis) * along > 0) last = points[i];
+    if (geometry_.compare(places[i].point, first.point, axis) * along < 0) first = places[i];
+    if (geometry_.compare(places[i].point, last.point, axis) * along > 0) last = places[i];
   }
-  if (geometry_.compare(first, last, axis) == 0) return;
+  if (geometry_.compare(first.point, last.point, axis) == 0) return;
+  if (clipToFace(line, first, last, candidate)) addWallPiece(line, first.point, last.point);
+}
+
+int ClearanceClipper::sideOfEdge(int k, const Place& place, const ClearanceCandidate& candidate) {
+  if (place.from < 0) return geometry_.sideOfEdge(k, place.point);
+  const int a = candidate.sides[k][place.from], b = candidate.sides[k][place.to];
+  if (a * b < 0) return geometry_.sideOfEdge(k, place.point);
+  if (a == 0 && b == 0) geometry_.addBorder(place.point, static_cast<std::uint8_t>(1 << k));
+  return a != 0 ? a : b;
+}
+
+bool ClearanceClipper::clipToFace(Index line, Place& first, Place& last, const ClearanceCandidate& candidate) {
   for (int k = 0; k < 3; ++k) {
-    const int a = geometry_.sideOfEdge(k, first), b = geometry_.sideOfEdge(k, last);
-    if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return;
+    const int a = sideOfEdge(k, first, candidate), b = sideOfEdge(k, last, candidate);
+    if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return false;
     if (a * b >= 0) continue;
     const Index p = geometry_.crossing(line, k);
     geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
-    (a < 0 ? first : last) = p;
+    (a < 0 ? first : last) = {p, -1, -1};
   }
+  return true;
+}
+
+// What of a wall stands over the face, from one end to the other along its line.
+void ClearanceClipper::addWallPiece(Index line, Index first, Index last) {
   if (first == last) return;
   for (int k = 0; k < 3; ++k) {
     if ((first == k && last == next(k)) || (last == k && first == next(k))) {

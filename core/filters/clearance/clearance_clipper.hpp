@@ -43,12 +43,24 @@ class ClearanceClipper : private FaceCutter {
   /// False when one obstacle covers the whole face.
   bool clipAll(std::span<const ClearanceCandidate> candidates);
   bool clipOne(const ClearanceCandidate& candidate);
+  /// Adds what is left of the edges that wait.
+  void clipEdges();
   /// False when obstacles cover the whole face. What is left open is the same as after clipAll().
   bool clipCrowd(std::span<const ClearanceCandidate> candidates);
   FaceCuts cut(std::span<const ClearanceCandidate> candidates);
   bool addArea(const ClearanceCandidate& candidate);
+  void addWholeArea(const ClearanceCandidate& candidate);
   bool isWallOfEdge(const ClearanceCandidate& candidate);
   void addWall(const ClearanceCandidate& candidate);
+  void addWallPiece(Index line, Index first, Index last);
+  /// A place on an edge of the obstacle that is being clipped.
+  struct Place {
+    Index point = -1;
+    int from = -1, to = -1;  ///< corners between which it lies, or the same one twice; -1: an edge of the face made it
+  };
+  int sideOfEdge(int k, const Place& place, const ClearanceCandidate& candidate);
+  /// Clips a piece of `line` to the face; false when nothing is left.
+  bool clipToFace(Index line, Place& first, Place& last, const ClearanceCandidate& candidate);
   void clipToLevel(Polygon& polygon, Index obstacle, bool ceiling);
   void clipToSide(Polygon& polygon, std::size_t side);
   /// Whether the whole triangle lies beyond the border, strictly.
@@ -57,6 +69,15 @@ class ClearanceClipper : private FaceCutter {
 
   Index level_;
   ClearanceCandidates candidates_;
+
+  /// An edge of an obstacle that takes all under it, from the smaller plan id to the larger one.
+  struct PlanEdge {
+    std::uint64_t ends = 0;          ///< both plan ids
+    int winding = 0;                 ///< +1: the obstacle lies on its left
+    std::int8_t from = -1, to = -1;  ///< corners of the obstacle
+    const ClearanceCandidate* candidate = nullptr;
+  };
+  std::vector<PlanEdge> edges_;  ///< those that wait to be clipped
 };
 
 }  // namespace footfall::detail

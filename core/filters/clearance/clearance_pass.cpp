@@ -131,7 +131,19 @@ std::size_t ClearancePass::mesh(Index face, Worker& own) {
     mesh = earlier_->mesh(earlier_->faceBefore(face), own.copies_);
   else if (!(*cuts_)[face].segments.empty())
     mesh = std::make_shared<const FaceMesh>(own.mesher_.mesh(face, &(*cuts_)[face]));
+  return triangles(face);
+}
+
+std::size_t ClearancePass::triangles(Index face) const {
+  if (cuts_->isRemoved(face)) return 0;
+  const auto& mesh = (*meshes_)[face];
   return mesh ? mesh->cells.size() : 1;
+}
+
+void ClearancePass::setResult(Index face, std::shared_ptr<const FaceCuts> cuts, std::shared_ptr<const FaceMesh> mesh) {
+  isChanged_[face] = 1;
+  cuts_->set(face, std::move(cuts));
+  (*meshes_)[face] = std::move(mesh);
 }
 
 std::shared_ptr<const NavigationMesh> ClearancePass::preview(std::span<const Index> faces) const {

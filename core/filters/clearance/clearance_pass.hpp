@@ -62,6 +62,14 @@ class ClearancePass {
   [[nodiscard]] std::size_t segments(Index face) const {
     return cuts_->isRemoved(face) ? 0 : (*cuts_)[face].segments.size();
   }
+  /// What another process found for a floor, in place of clip() and mesh(); `mesh` is null where mesh() makes none.
+  void setResult(Index face, std::shared_ptr<const FaceCuts> cuts, std::shared_ptr<const FaceMesh> mesh);
+  /// What was found for a floor; null: nothing cuts it, or there is no mesh.
+  [[nodiscard]] const std::shared_ptr<const FaceCuts>& cutsOf(Index face) const { return cuts_->shared(face); }
+  [[nodiscard]] const std::shared_ptr<const FaceMesh>& meshOf(Index face) const { return (*meshes_)[face]; }
+  /// How many triangles are left of a floor that is finished.
+  [[nodiscard]] std::size_t triangles(Index face) const;
+  [[nodiscard]] const PlanKernel& kernel() const { return *result_->kernel; }
   /// Triangulates what the cuts of a floor leave, to be taken by finish(). Returns its number of triangles.
   std::size_t mesh(Index face, Worker& own);
   /// What the floors have become, for display.

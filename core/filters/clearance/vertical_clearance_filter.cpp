@@ -49,7 +49,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
       std::any_of(giants.begin(), giants.end(), [&](Index t) { return pass.mayBeCrowded(t); }) ? 0.25 : 0;
   std::vector<std::atomic<double>> giantsDone(giants.size());
   std::atomic<Index> done{0}, nextTask{0};
-  const auto tell = [&] {
+  const auto reportProgress = [&] {
     double sum = 0;
     for (const std::atomic<double>& one : giantsDone) sum += one.load(std::memory_order_relaxed);
     const double ofGiants = giants.empty() ? 0 : giantShare * sum / static_cast<double>(giants.size());
@@ -63,7 +63,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
       context.checkCancelled();
       pass.clip(giants[task], own, [&](double share) {
         giantsDone[task] = share;
-        tell();
+        reportProgress();
       });
       giantsDone[task] = 1;
       return;
@@ -74,7 +74,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
       if (state->walkable[t] != 0 && isGiant[t] == 0) pass.clip(t, own);
     }
     done.fetch_add(last - first, std::memory_order_relaxed);
-    tell();
+    reportProgress();
   });
   return pass.finish(state->walkable, state->removed, false);
 }

@@ -2,18 +2,23 @@
 //
 // Call a side inner when exactly one other triangle has its edge, on the other side of it; a triangle with another side
 // is a border triangle. All triangles face up. Take all overlapping pairs, and link (s, t) with (s', t), (s, t') and
-// (s', t') where s' and t' are neighbours across inner sides. Every set of linked pairs has a pair with a border
-// triangle in it:
+// (s', t') where s' and t' are neighbours across inner sides. Every set of linked pairs has a pair of which one
+// triangle has a border side that lies, along a piece of it, within the other one or on its border:
 //
-// Suppose not, and glue the intersections of the pairs of such a set along their edges. A point on the edge of the
-// intersection of s and t, corners aside, lies on a side of s, and within t or on a side of t as well (or the other way
-// round). That side is inner, so beyond it lies s', which overlaps t there; where sides of both meet, s' and t' overlap
-// beyond them. That pair is linked, so the glued surface goes on. Its image in the plan is then compact, not empty, and
-// has a finite number of border points at most; there is no such set.
+// Glue the intersections of the pairs of such a set along their edges. A point on the edge of the intersection of s and
+// t, corners aside, lies on a side of s, and within t or on a side of t as well (or the other way round). Where all
+// those sides are inner, s' beyond the one overlaps t there, or s' and t' beyond both overlap each other. That pair is
+// linked, so the glued surface goes on. If that were so everywhere, its image in the plan would be compact, not empty,
+// and would have a finite number of border points at most; there is no such set. So the surface ends along a border
+// side.
 //
 // So border triangles are looked up in a tree first. Of the others, only those need to be looked up that are in a pair
-// or across a side from one that is: from a border triangle's pair to any other one that it is linked with, each step
-// is found so. On a terrain, nearly no triangle needs to be looked up.
+// or across a side from one that is: from such a pair to any other one that it is linked with, each step is found so.
+// On a terrain, nearly no triangle needs to be looked up.
+//
+// Borders with thousands of vertices have needles, the boxes of which hold most of the others. Border sides are short
+// where there are many; so where there are many needles, they are looked up among boxes of parts of triangles, and only
+// triangles with a pair there as a whole. Beside a kerb, there is none.
 #include "core/filters/layers/plan_overlaps.hpp"
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -21,8 +26,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "core/base/box_tree.hpp"
@@ -37,7 +44,7 @@ class OverlapFinder {
  public:
   OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
       : mesh_(mesh), context_(context), locals_([&kernel, &mesh] {
-          return Local{MeshGeometry(kernel, mesh.vertices), {}};
+          return Local{MeshGeometry(kernel, mesh.vertices), {}, {}};
         }) {}
 
   /// False when there are more pairs than `most`.
@@ -84,9 +91,16 @@ class OverlapFinder {
     context_.checkCancelled();
     const Tree tree = treeOf(changed);
     lookUpBorders(tree);
-    lookUp(kept.size(), [&](Local& local, std::size_t i) {
+    forEach(kept.size(), [&](Local& local, std::size_t i) {
       tree.visitOverlapping(boundsOf(kept[i]), [&](Index o) { test(local, kept[i], o); });
     });
+  }
+
+  /// Of how many pairs it was asked whether they overlap.
+  [[nodiscard]] std::size_t tested() const {
+    std::size_t count = 0;
+    for (const Local& local : locals_) count += local.tested;
+    return count;
   }
 
   std::vector<Pair> take(ExactFallbacks& fallbacks) {
@@ -97,14 +111,36 @@ class OverlapFinder {
  private:
   // All pairs among these triangles (ascending), of which every inner side leads to another one of them.
   void findAmong(const std::vector<Index>& triangles) {
-    std::vector<Index> border, inner;
-    for (const Index t : triangles) (isAtBorder(t) ? border : inner).push_back(t);
-    const Tree borders = treeOf(border);
-    inner_ = treeOf(inner);
-    std::size_t known = pairs_.size();
-    lookUpBorders(borders);
+    findParts(triangles);
+    std::vector<Index> border, other;
+    for (const Index t : triangles) (isAtBorder(t) ? border : other).push_back(t);
+    if (parts_.empty()) {
+      for (const Index t : border) round_[t] = 0;
+      others_ = treeOf(other);
+      const std::size_t known = pairs_.size();
+      lookUpBorders(treeOf(border));
+      spread(known, 1);
+      return;
+    }
+    others_ = treeOf(triangles);
+    // In batches, so that of thousands of floors above each other few are before there are too many pairs.
+    Index round = 0;
+    std::size_t batch = kFirstBatch;
+    for (std::size_t begin = 0; begin < border.size() && !tooMany(); begin += batch, batch *= 2) {
+      std::vector<Index> queries;
+      for (const Index t : withPairsAtBorder({border.data() + begin, std::min(batch, border.size() - begin)}))
+        addQuery(t, round, queries);
+      const std::size_t known = pairs_.size();
+      lookUp(queries, round);
+      round = spread(known, round + 1);
+    }
+  }
+
+  // Looks up what the pairs from `known` on are linked with, beginning with a round that has not been; returns the next
+  // one.
+  Index spread(std::size_t known, Index round) {
     std::vector<Index> queries;
-    for (Index round = 0; !inner.empty() && !tooMany(); ++round) {
+    for (; known < pairs_.size() && !tooMany(); ++round) {
       for (; known < pairs_.size(); ++known) {
         if (known % 4096 == 0) context_.checkCancelled();
         for (const Index t : pairs_[known]) {
@@ -113,15 +149,17 @@ class OverlapFinder {
             if (across_[3 * t + k] >= 0) addQuery(across_[3 * t + k], round, queries);
         }
       }
-      if (queries.empty()) break;
-      lookUpInner(queries, round);
+      lookUp(queries, round);
       queries.clear();
     }
+    return round;
   }
 
   struct Local {
     MeshGeometry geometry;
     std::vector<Pair> found;
+    std::vector<Index> hits;
+    std::size_t tested = 0;
   };
   using Tree = BoxTree<2>;
 
@@ -165,14 +203,14 @@ class OverlapFinder {
   }
 
   void addQuery(Index t, Index round, std::vector<Index>& queries) {
-    if (round_[t] != kNever || isAtBorder(t)) return;
+    if (round_[t] != kNever) return;
     round_[t] = round;
     queries.push_back(t);
   }
 
   // Runs look(local, i) for all i below count on all threads, and takes what the threads found.
   template <class Look>
-  void lookUp(std::size_t count, Look look) {
+  void forEach(std::size_t count, Look look) {
     tbb::parallel_for(std::size_t{0}, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
       Local& local = locals_.local();
       for (std::size_t i = task * kPerTask; i < std::min((task + 1) * kPerTask, count) && !tooMany(); ++i) {
@@ -191,26 +229,133 @@ class OverlapFinder {
   [[nodiscard]] bool tooMany() const { return foundCount_.load(std::memory_order_relaxed) > most_; }
 
   void test(Local& local, Index t, Index o) const {
-    if (shareEdge(t, o)) return;
+    if (overlaps(local, t, o)) local.found.push_back({t, o});
+  }
+
+  [[nodiscard]] bool overlaps(Local& local, Index t, Index o) const {
+    if (shareEdge(t, o)) return false;
     context_.checkCancelled();
-    if (local.geometry.overlap(plan_[t], plan_[o])) local.found.push_back({t, o});
+    ++local.tested;
+    return local.geometry.overlap(plan_[t], plan_[o]);
+  }
+
+  /// Those of these triangles that were not looked up, and have a border side near a triangle that overlaps them.
+  std::vector<Index> withPairsAtBorder(std::span<const Index> triangles) {
+    forEach(triangles.size(), [&](Local& local, std::size_t i) {
+      const Index t = triangles[i];
+      if (round_[t] == kNever && hasPairAtBorder(local, t)) local.hits.push_back(t);
+    });
+    std::vector<Index> hits;
+    for (Local& local : locals_) {
+      hits.insert(hits.end(), local.hits.begin(), local.hits.end());
+      local.hits.clear();
+    }
+    return hits;
+  }
+
+  [[nodiscard]] bool hasPairAtBorder(Local& local, Index t) const {
+    bool isHit = false;
+    for (int k = 0; k < 3 && !isHit; ++k) {
+      if (across_[3 * t + k] >= 0) continue;
+      Index last = t;  // parts of one triangle often follow each other
+      partTree_.visitOverlapping(boundsOfSide(3 * t + k), [&](Index part) {
+        const Index o = parts_[part].triangle;
+        if (isHit || o == t || o == last) return;
+        last = o;
+        isHit = overlaps(local, t, o);
+      });
+    }
+    return isHit;
+  }
+
+  [[nodiscard]] Tree::Bounds boundsOfSide(Index side) const {
+    const PlanTriangle& p = plan_[side / 3];
+    const std::size_t a = side % 3, b = (a + 1) % 3;
+    return {{std::min(p.x[a], p.x[b]) - p.error, std::min(p.y[a], p.y[b]) - p.error},
+            {std::max(p.x[a], p.x[b]) + p.error, std::max(p.y[a], p.y[b]) + p.error}};
+  }
+
+  /// Into how many parts a triangle is to be cut: as many times fewer of them reach a place than of whole boxes.
+  [[nodiscard]] Index partCount(Index t) const {
+    const PlanTriangle& p = plan_[t];
+    const Tree::Bounds b = boundsOf(t);
+    const double area = std::fabs((p.x[1] - p.x[0]) * (p.y[2] - p.y[0]) - (p.x[2] - p.x[0]) * (p.y[1] - p.y[0]));
+    const double wasted = (b.upper[0] - b.lower[0]) * (b.upper[1] - b.lower[1]) / area / 4;
+    if (!(wasted >= 2)) return 1;
+    return wasted < kMostParts ? static_cast<Index>(wasted) : kMostParts;
+  }
+
+  void findParts(const std::vector<Index>& triangles) {
+    parts_.clear();
+    std::size_t needles = 0, count = 0;
+    for (const Index t : triangles) {
+      const Index own = partCount(t);
+      needles += own >= kPartsOfNeedle ? 1 : 0;
+      count += own;
+    }
+    if (needles < kFewNeedles) return;
+    Index most = kMostParts;
+    for (; most > 1 && count > kParts + 4 * triangles.size(); most /= 2) {
+      count = 0;
+      for (const Index t : triangles) count += std::min(partCount(t), most / 2);
+    }
+    for (const Index t : triangles) {
+      context_.checkCancelled();
+      const Index own = std::min(partCount(t), most);
+      for (Index i = 0; i < own; ++i) parts_.push_back({t, boundsOfPart(t, i, own)});
+    }
+    std::vector<Index> all(parts_.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    partTree_.build(
+        all, [this](Index part) { return parts_[part].bounds; }, context_);
+  }
+
+  // The part between two places along the longer side of the box. Rounded corners are off by the error, so each point
+  // of the triangle is that near to one of the rounded triangle, which is cut a little before and behind both places.
+  [[nodiscard]] Tree::Bounds boundsOfPart(Index t, Index number, Index count) const {
+    Tree::Bounds bounds = boundsOf(t);
+    if (count == 1) return bounds;
+    const PlanTriangle& p = plan_[t];
+    const std::array<double, 2> size{bounds.upper[0] - bounds.lower[0], bounds.upper[1] - bounds.lower[1]};
+    const int axis = size[0] >= size[1] ? 0 : 1;
+    const auto &along = axis == 0 ? p.x : p.y, &across = axis == 0 ? p.y : p.x;
+    const double step = size[axis] / count, start = bounds.lower[axis], margin = step / 64 + 4 * p.error;
+    if (number > 0) bounds.lower[axis] = start + number * step - margin;
+    if (number + 1 < count) bounds.upper[axis] = start + (number + 1) * step + margin;
+    const double low = bounds.lower[axis] - margin, high = bounds.upper[axis] + margin;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    const auto take = [&](double place) {
+      least = std::min(least, place);
+      most = std::max(most, place);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t n = (k + 1) % 3;
+      if (along[k] >= low && along[k] <= high) take(across[k]);
+      for (const double end : {low, high})
+        if (std::min(along[k], along[n]) < end && end < std::max(along[k], along[n]))
+          take(across[k] + (end - along[k]) / (along[n] - along[k]) * (across[n] - across[k]));
+    }
+    const double slack = p.error + (std::fabs(least) + std::fabs(most)) * 0x1p-48;
+    bounds.lower[1 - axis] = std::max(bounds.lower[1 - axis], least - slack);
+    bounds.upper[1 - axis] = std::min(bounds.upper[1 - axis], most + slack);
+    return bounds;
   }
 
   void lookUpBorders(const Tree& borders) {
-    lookUp(static_cast<std::size_t>(borders.size()), [&](Local& local, std::size_t place) {
+    forEach(static_cast<std::size_t>(borders.size()), [&](Local& local, std::size_t place) {
       const Index t = borders.idAt(static_cast<Index>(place));
       const Tree::Bounds bounds = boundsOf(t);
       borders.visitOverlapping(
           bounds, [&](Index o) { test(local, t, o); }, static_cast<Index>(place) + 1);
-      inner_.visitOverlapping(bounds, [&](Index o) { test(local, t, o); });
+      others_.visitOverlapping(bounds, [&](Index o) { test(local, t, o); });
     });
   }
 
   // Each pair is found when its first triangle is looked up, or the larger one when both are in the same round.
-  void lookUpInner(const std::vector<Index>& queries, Index round) {
-    lookUp(queries.size(), [&](Local& local, std::size_t i) {
+  void lookUp(const std::vector<Index>& queries, Index round) {
+    forEach(queries.size(), [&](Local& local, std::size_t i) {
       const Index t = queries[i];
-      inner_.visitOverlapping(boundsOf(t), [&](Index o) {
+      others_.visitOverlapping(boundsOf(t), [&](Index o) {
         if (round_[o] > round || (round_[o] == round && o < t)) test(local, t, o);
       });
     });
@@ -221,7 +366,9 @@ class OverlapFinder {
     return across_[3 * s] == t || across_[3 * s + 1] == t || across_[3 * s + 2] == t;
   }
 
-  static constexpr std::size_t kPerTask = 256;
+  static constexpr std::size_t kPerTask = 256, kFirstBatch = 256;
+  static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
+  static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
   static constexpr Index kTrianglesPerTask = 4096;
   static constexpr Index kNever = std::numeric_limits<Index>::max();
 
@@ -230,8 +377,16 @@ class OverlapFinder {
   tbb::enumerable_thread_specific<Local> locals_;
   std::vector<Index> across_;  ///< for each side the triangle beyond it when it is inner, else -1
   std::vector<PlanTriangle> plan_;
-  Tree inner_;
-  std::vector<Index> round_;  ///< in which each inner triangle was looked up
+  /// A triangle, or what of it is between two places.
+  struct Part {
+    Index triangle = -1;
+    Tree::Bounds bounds;
+  };
+
+  Tree others_;  ///< those that are not looked up at first
+  Tree partTree_;
+  std::vector<Part> parts_;   ///< empty: triangles are not cut
+  std::vector<Index> round_;  ///< in which each triangle was looked up
   std::vector<Pair> pairs_;
   std::size_t most_ = std::numeric_limits<std::size_t>::max();
   std::atomic<std::size_t> foundCount_{0};
@@ -241,9 +396,10 @@ class OverlapFinder {
 
 std::optional<std::vector<Pair>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                   const Adjacency& topology, std::size_t most, RunContext& context,
-                                                  ExactFallbacks& fallbacks) {
+                                                  ExactFallbacks& fallbacks, std::size_t* tested) {
   OverlapFinder finder(kernel, mesh, context);
   const bool isComplete = finder.findAll(topology, most);
+  if (tested != nullptr) *tested = finder.tested();
   if (!isComplete) return std::nullopt;  // where it stopped is a matter of threads: not even fall-backs are told
   return finder.take(fallbacks);
 }

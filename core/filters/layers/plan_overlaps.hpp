@@ -14,10 +14,11 @@
 namespace footfall::detail {
 
 /// All pairs of triangles whose insides overlap in the plan, exactly; each once, in no particular order. Empty when
-/// there are more than `most`.
+/// there are more than `most`. `tested` (may be null) gets of how many pairs it was asked exactly.
 std::optional<std::vector<std::array<Index, 2>>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                                   const Adjacency& topology, std::size_t most,
-                                                                  RunContext& context, ExactFallbacks& fallbacks);
+                                                                  RunContext& context, ExactFallbacks& fallbacks,
+                                                                  std::size_t* tested = nullptr);
 
 /// The pairs of which both triangles belong to one region, by findRegions().
 std::vector<std::array<Index, 2>> findPlanOverlapsWithin(const std::vector<Index>& region, Index regionCount,

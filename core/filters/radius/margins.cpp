@@ -426,7 +426,7 @@ class MarginFinder {
   ExactFallbacks& fallbacks_;
   double walls_ = 0, ledges_ = 0, least_ = 0;  ///< distances; the smaller one above 0
   MarginSurface surface_;
-  PlanBox box_;
+  ClipBox box_;
   double cosine_ = 0, sine_ = 0;
   double mostSlack_ = 0;
   std::size_t arcsPerMargin_ = 1;

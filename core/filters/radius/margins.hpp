@@ -1,15 +1,17 @@
 // What is too near the border of the walkable area (design section 7, RadiusFilter).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// D(p) is the least length, in the plan, of a straight walk from p over joined edges and links to a border of one kind,
-// a wall or a ledge, and r what is to stay free of that kind. The nearest border point of p is inside a border edge,
-// then p lies in the rectangle of height r over that edge; or it is the end of an edge, then p lies in a sector around
-// it. Where the border goes on with the same r, that is the sector between the normals of both edges, and there is one
-// only if it turns by more than half a turn on the walkable side. Where it goes on with another r, or with another
-// kind, each edge has its own: from its normal to the other edge, but no farther than straight on, because what is
-// beyond comes to the edge by nothing but its end, and single points do not count. Of two sectors in one direction the
-// smaller one lies in the larger. So the area with D(p) < r is within the union of these rectangles and sectors, taken
-// on the surface: on those triangles that a straight walk of at most r from the edge or corner reaches.
+// D(p) is the least length, in the plan, of a straight walk from p to a border of one kind, a wall or a ledge, and r
+// what is to stay free of that kind. One walks over joined edges, over steps, and over gaps where they have a bridge;
+// what that surface ends at is border. So nothing with D(p) < r is left, and nothing with D(p) > (1 + tolerance) r is
+// lost. The nearest border point of p is inside a border edge, then p lies in the rectangle of height r over that edge;
+// or it is the end of an edge, then p lies in a sector around it. Where the border goes on with the same r, that is the
+// sector between the normals of both edges, and there is one only if it turns by more than half a turn on the walkable
+// side. Where it goes on with another r, or with another kind, each edge has its own: from its normal to the other
+// edge, but no farther than straight on, because what is beyond comes to the edge by nothing but its end, and single
+// points do not count. Of two sectors in one direction the smaller one lies in the larger. So the area with D(p) < r is
+// within the union of these rectangles and sectors, taken on the surface: on those triangles that a straight walk of at
+// most r from the edge or corner reaches.
 //
 // Each shape is a convex polygon with double corners. The outer edges of a rectangle and the tangents that stand for
 // the arc of a sector are drawn at the distance R = r (1 + 2^-46) + m, where m is 32 units of the scaled coordinates
@@ -24,9 +26,11 @@
 // the bisector: what it would have had beyond is before the other edge, and not farther from that. Both edges must
 // reach the same triangles there.
 //
-// A gap that is stepped over is surface, too, as wide as it is: two triangles of no face between its borders
-// (core/mesh/gap_bridges.hpp). Where it ends, their sides are borders, so that both its corners are; a border that has
-// no bridge, as another one took its place, is taken as a border: that takes too much, and never too little.
+// A gap that is stepped over is surface, too, as wide as it is: two triangles of no face between its edges
+// (core/mesh/gap_bridges.hpp). Where no other bridge joins their sides, those are borders, as long as the gap is wide:
+// a post in a slit may touch nothing else of the surface. So are edges of a gap that have no bridge, as another one
+// took its place. Beside the area's own border that is more than the design asks for, at corners of gaps
+// (docs/decisions.md).
 //
 // What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
 // nearer still: if not, the straight walk from there to the nearest place of the edge would get there. Which triangles

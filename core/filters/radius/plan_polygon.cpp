@@ -30,7 +30,7 @@ void keep(std::vector<PlanVector>& corners, int axis, double sign, double border
 
 }  // namespace
 
-PlanBox::PlanBox(const MarginSurface& surface) {
+ClipBox::ClipBox(const MarginSurface& surface) {
   for (Index side = 0; side < surface.sideCount(); ++side) {
     const PlanVector p = surface.begin(side);
     lower_ = {std::min(lower_[0], p.x), std::min(lower_[1], p.y)};
@@ -44,7 +44,7 @@ PlanBox::PlanBox(const MarginSurface& surface) {
   }
 }
 
-void PlanBox::clip(std::vector<PlanVector>& corners) const {
+void ClipBox::clip(std::vector<PlanVector>& corners) const {
   for (int axis = 0; axis < 2; ++axis) {
     keep(corners, axis, 1, lower_[axis]);
     keep(corners, axis, -1, upper_[axis]);

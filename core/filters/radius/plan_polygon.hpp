@@ -15,9 +15,9 @@ inline double roundToUnit(double x) { return std::nearbyint(x / MarginSurface::k
 inline PlanVector roundToUnit(const PlanVector& p) { return {roundToUnit(p.x), roundToUnit(p.y)}; }
 
 /// What is left of polygons in a rectangle around a surface. What is cut off has corners in units again.
-class PlanBox {
+class ClipBox {
  public:
-  explicit PlanBox(const MarginSurface& surface);
+  explicit ClipBox(const MarginSurface& surface);
 
   [[nodiscard]] double diagonal() const { return length({upper_[0] - lower_[0], upper_[1] - lower_[1]}); }
   [[nodiscard]] bool holds(const PlanVector& p) const {

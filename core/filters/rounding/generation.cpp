@@ -25,7 +25,8 @@ constexpr Index kPolled = 1 << 14;
 
 class SoupBuilder {
  public:
-  explicit SoupBuilder(const WalkableState& state) : state_(state), source_(state.kernel->mesh()) {}
+  explicit SoupBuilder(const WalkableState& state, CoveredRecall* covered = nullptr)
+      : state_(state), source_(state.kernel->mesh()), covered_(covered) {}
 
   GenerationSoup build(const NavigationMesh* product, RunContext& context, ExactFallbacks& fallbacks) {
     if (product != nullptr)
@@ -96,13 +97,6 @@ class SoupBuilder {
     }
   }
 
-  /// What a floor's cuts cover, or all of a triangle that no cut divides.
-  struct CoveredParts {
-    Index face = -1;
-    std::vector<Vec3> places;
-    std::pmr::vector<FaceMesh::Cell> cells;
-  };
-
   [[nodiscard]] const FaceCuts* cutsOf(Index t) const {
     return state_.walkable[t] != 0 && state_.cuts ? &(*state_.cuts)[t] : nullptr;
   }
@@ -111,22 +105,33 @@ class SoupBuilder {
     return state_.removed[t] == 0 && cuts != nullptr && !cuts->removed && !cuts->segments.empty();
   }
 
-  // In the order of the faces.
-  std::vector<CoveredParts> findCoveredParts(RunContext& context, ExactFallbacks& fallbacks) const {
-    std::vector<CoveredParts> parts;
+  [[nodiscard]] std::shared_ptr<const CoveredPart> knownPart(Index face) const {
+    if (covered_ == nullptr || covered_->earlier == nullptr || !state_.cuts) return nullptr;
+    const EarlierResult& earlier = *covered_->earlier;
+    const Index before = earlier.faceBefore(face);
+    if (before < 0 || !earlier.state().cuts || !(*covered_->before)[before]) return nullptr;
+    return earlier.hasSameCuts(face, *state_.cuts) ? (*covered_->before)[before] : nullptr;
+  }
+
+  [[nodiscard]] CoveredParts findCoveredParts(RunContext& context, ExactFallbacks& fallbacks) const {
+    CoveredParts parts(source_.triangles.size());
+    std::vector<Index> faces;
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t)
-      if (isDivided(t)) parts.push_back({t, {}, {}});
+      if (isDivided(t)) faces.push_back(t);
     const Poll poll(context);
     tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), kFacesPerTask), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), kFacesPerTask), [&](const auto& range) {
       auto& mesher = meshers.local();
       if (!mesher) mesher = std::make_unique<FaceMesher>(*state_.kernel, poll);
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         poll();
-        const Index face = parts[i].face;
-        FaceMesh mesh = mesher->mesh(face, cutsOf(face), true);
-        parts[i].cells = std::move(mesh.cells);
-        parts[i].places.resize(mesh.points.size());
+        const Index face = faces[i];
+        parts[face] = knownPart(face);
+        if (parts[face]) continue;
+        const FaceMesh mesh = mesher->mesh(face, cutsOf(face), true);
+        const auto part = std::make_shared<CoveredPart>();
+        for (const FaceMesh::Cell& cell : mesh.cells) part->triangles.push_back(cell.corners);
+        part->places.resize(mesh.points.size());
         // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this
         // one's.
         tbb::this_task_arena::isolate([&] {
@@ -134,9 +139,10 @@ class SoupBuilder {
                             [&](const auto& points) {
                               poll();
                               for (std::size_t p = points.begin(); p != points.end(); ++p)
-                                parts[i].places[p] = state_.kernel->roundedPosition(mesh.points[p], face);
+                                part->places[p] = state_.kernel->roundedPosition(mesh.points[p], face);
                             });
         });
+        parts[face] = part;
       }
     });
     for (const auto& mesher : meshers) fallbacks += mesher->fallbacks();
@@ -144,25 +150,24 @@ class SoupBuilder {
   }
 
   void addSourceTriangles(RunContext& context, ExactFallbacks& fallbacks) {
-    std::vector<CoveredParts> divided = findCoveredParts(context, fallbacks);
+    CoveredParts divided = findCoveredParts(context, fallbacks);
     constexpr auto kNone = static_cast<VertexNumber>(-1);
     std::vector<VertexNumber> numbers(source_.vertices.size(), kNone);  // in the soup
     const auto vertexOf = [&](Index v) {
       if (numbers[v] == kNone) numbers[v] = addVertex(source_.vertices[v]);
       return numbers[v];
     };
-    auto parts = divided.begin();
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t) {
       if (t % kPolled == 0) context.checkCancelled();
       if (state_.removed[t] != 0) continue;
-      if (parts != divided.end() && parts->face == t) {
+      if (std::shared_ptr<const CoveredPart>& part = divided[t]) {
         const auto base = static_cast<VertexNumber>(result_.vertices.size());
-        result_.vertices.insert(result_.vertices.end(), parts->places.begin(), parts->places.end());
-        for (const FaceMesh::Cell& c : parts->cells)
-          addTriangle({base + static_cast<VertexNumber>(c.corners[0]), base + static_cast<VertexNumber>(c.corners[1]),
-                       base + static_cast<VertexNumber>(c.corners[2])},
+        result_.vertices.insert(result_.vertices.end(), part->places.begin(), part->places.end());
+        for (const auto& [a, b, c] : part->triangles)
+          addTriangle({base + static_cast<VertexNumber>(a), base + static_cast<VertexNumber>(b),
+                       base + static_cast<VertexNumber>(c)},
                       t, false);
-        *parts++ = {};
+        if (covered_ == nullptr) part = nullptr;
         continue;
       }
       const bool floor = state_.walkable[t] != 0;
@@ -172,6 +177,7 @@ class SoupBuilder {
       const auto& f = source_.triangles[t];
       addTriangle({vertexOf(f[0]), vertexOf(f[1]), vertexOf(f[2])}, t, floor && !covered);
     }
+    if (covered_ != nullptr) covered_->found = std::move(divided);
     for (const auto& [a, b] : source_.obstacleEdges) result_.obstacleEdges.push_back({vertexOf(a), vertexOf(b)});
   }
 
@@ -185,6 +191,7 @@ class SoupBuilder {
 
   const WalkableState& state_;
   const SourceMesh& source_;
+  CoveredRecall* covered_;
   GenerationSoup result_;
 };
 
@@ -197,8 +204,8 @@ GenerationSoup makeGenerationSoup(const StatePtr& state, RunContext& context, Ex
 }
 
 GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMesh& product, RunContext& context,
-                                  ExactFallbacks& fallbacks) {
-  return SoupBuilder(state).build(&product, context, fallbacks);
+                                  ExactFallbacks& fallbacks, CoveredRecall* covered) {
+  return SoupBuilder(state, covered).build(&product, context, fallbacks);
 }
 
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/assembly/earlier_result.hpp"
 #include "core/assembly/walkable_state.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
@@ -27,14 +28,30 @@ struct GenerationSoup {
   std::shared_ptr<const NavigationMesh> product;
 };
 
+/// What a floor's cuts cover, in triangles that face up.
+struct CoveredPart {
+  std::vector<Vec3> places;
+  std::vector<std::array<Index, 3>> triangles;
+};
+/// For each face of a state; null where no cut divides it.
+using CoveredParts = std::vector<std::shared_ptr<const CoveredPart>>;
+
+/// What another state's soup found, and what this one does.
+struct CoveredRecall {
+  const EarlierResult* earlier = nullptr;  ///< may be null
+  const CoveredParts* before = nullptr;    ///< of the earlier state
+  CoveredParts found;
+};
+
 /// Rounds the state's mesh (if it has one) and repairs it; where there are links, its floors are those of the product,
 /// whose borders know what they are linked to. Everything that is no floor (any more) is in the soup as an
 /// obstacle: rejected triangles, covered parts of floors, and what AreaFilter took away.
 GenerationSoup makeGenerationSoup(const StatePtr& state, RunContext& context, ExactFallbacks& fallbacks);
 
 /// The same, with a product of the state as its floors: they come first, in the product's order.
+/// `covered` (may be null) gives and receives what lies under floors' cuts.
 GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMesh& product, RunContext& context,
-                                  ExactFallbacks& fallbacks);
+                                  ExactFallbacks& fallbacks, CoveredRecall* covered = nullptr);
 
 /// The state that starts from a soup. Floors that are degenerate or do not face up any more are rejected. `faces` (may
 /// be null) receives for each triangle of the soup its number.

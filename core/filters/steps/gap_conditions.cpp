@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/sorted_list.hpp"
+#include "core/exact/sign_of_difference.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -44,15 +45,6 @@ bool keepPositive(std::array<double, 2>& ends, double atLow, double atHigh) {
   if (atLow < 0) ends[0] = zero;
   if (atHigh < 0) ends[1] = zero;
   return ends[1] - ends[0] > GapConditions::kShort;
-}
-
-/// Sign of a - b - c, exactly.
-int signOfDifference(double a, double b, double c) {
-  const double difference = a - b;
-  if (difference != c) return difference > c ? 1 : -1;  // rounding is monotonic
-  const double part = a - difference;
-  const double error = (a - (difference + part)) + (part - b);
-  return (error > 0) - (error < 0);
 }
 
 /// What is left of a convex polygon where `distance` is not negative.

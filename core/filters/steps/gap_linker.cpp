@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/steps/gap_linker.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -29,7 +27,11 @@ constexpr double kMostCoordinate = 0x1p36;
 constexpr int kRounds = 4;
 /// So far an end is drawn in from where an obstacle touches it: by more than GapConditions left to be compared exactly.
 constexpr double kDrawnIn = 4 * GapConditions::kSlack;
-constexpr std::size_t kBordersPerTask = 1024;
+/// For a first look at two borders by rounded vertices: what is taken for touching, scaled; how much longer than their
+/// errors borders are whose directions are known well enough; and a little less than the least cosine of two borders.
+constexpr double kRough = 1;
+constexpr double kLong = 0x1p12;
+constexpr double kRoughCosine = 0.48;
 
 Vec3 roundToUnit(const Vec3& p) {
   return {std::nearbyint(p.x / kUnit) * kUnit, std::nearbyint(p.y / kUnit) * kUnit, p.z};
@@ -42,15 +44,7 @@ double longerOf(const GapBorder& line, const Vec3& place) {
 }  // namespace
 
 GapLinker::GapLinker(BorderSplits& splits, double gap, RunContext& context)
-    : splits_(splits), context_(context), gap_(gap), lines_(splits.borders().size()) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines_.size(), kBordersPerTask), [&](const auto& range) {
-    context_.checkCancelled();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const MeshBorder& border = splits_.borders()[i];
-      lines_[i] = lineOf(splits_.vertex(border.from), splits_.vertex(border.to), border.face);
-    }
-  });
-}
+    : splits_(splits), context_(context), gap_(gap), lines_(splits.borders().size()) {}
 
 Vec3 GapLinker::placeOf(const MeshVertex& v) const {
   if (v.error < 2 * kUnit) return {v.x, v.y, v.z};
@@ -69,25 +63,57 @@ GapBorder GapLinker::lineOf(const MeshVertex& from, const MeshVertex& to, Index 
   return result;
 }
 
-std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions& conditions,
-                                        MeshGeometry& geometry) const {
+GapBorder GapLinker::computeLine(Index number) const {
+  const MeshBorder& border = splits_.border(number);
+  return lineOf(splits_.vertex(border.from), splits_.vertex(border.to), border.face);
+}
+
+const GapBorder& GapLinker::lineOf(Index border) {
+  std::optional<GapBorder>& line = lines_[border];
+  if (!line) line = computeLine(border);
+  return *line;
+}
+
+// Ways over a gap are at most 30 degrees from a right angle to either border: so each lies within the gap's width on
+// the right of the first border's line, and leads at most half as far along it.
+bool GapLinker::mayFace(const MeshBorder& e, const MeshBorder& f) const {
+  const MeshVertex &a = splits_.vertex(e.from), &b = splits_.vertex(e.to);
+  const std::array<const MeshVertex*, 2> ends{&splits_.vertex(f.to), &splits_.vertex(f.from)};
+  const double error = 8 * std::max({a.error, b.error, ends[0]->error, ends[1]->error}) + kRough;
+  const double ex = b.x - a.x, ey = b.y - a.y, length = std::sqrt(ex * ex + ey * ey);
+  const double fx = ends[1]->x - ends[0]->x, fy = ends[1]->y - ends[0]->y, other = std::sqrt(fx * fx + fy * fy);
+  if (!(length > kLong * error) || !(other > kLong * error)) return true;
+  if (ex * fx + ey * fy < kRoughCosine * length * other) return false;
+  const double gap = std::ldexp(gap_, splits_.kernel()->mesh().grid.scaleExponent());
+  std::array<double, 2> along{}, outwards{};
+  double slack = 0;
+  for (const int i : {0, 1}) {
+    const double x = ends[i]->x - a.x, y = ends[i]->y - a.y;
+    along[i] = (x * ex + y * ey) / length;
+    outwards[i] = (x * ey - y * ex) / length;
+    slack = std::max(slack, error * (1 + (std::fabs(x) + std::fabs(y)) / length));
+  }
+  const auto [nearest, farthest] = std::minmax({outwards[0], outwards[1]});
+  const auto [first, last] = std::minmax({along[0], along[1]});
+  return nearest <= gap + slack && farthest >= -slack && first <= length + gap / 2 + slack && last >= -gap / 2 - slack;
+}
+
+std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions& conditions) const {
   std::vector<GapStretch> found;
   const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
-  if (e.edge == f.edge) return found;
-  std::optional<GapPiece> piece = conditions.findNear(lines_[first], lines_[second]);
+  if (!mayFace(e, f)) return found;
+  const GapBorder line = computeLine(first), other = computeLine(second);
+  std::optional<GapPiece> piece = conditions.findNear(line, other);
   if (!piece) return found;
-  // Where they coincide, there is no gap.
-  const int from = geometry.orientation(e.from, e.to, f.from), to = geometry.orientation(e.from, e.to, f.to);
-  if (from == 0 && to == 0) return found;
-  for (GapPiece& free : conditions.findFree(lines_[first], lines_[second], *piece))
+  for (GapPiece& free : conditions.findFree(line, other, *piece))
     found.push_back({first, second, std::move(free), {}, false});
   return found;
 }
 
 std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, const std::array<GapBorder, 2>& edges,
-                                             GapConditions* conditions) const {
+                                             GapConditions* conditions) {
   std::vector<GapStretch> found;
-  const GapBorder &e = lines_[first], &f = lines_[second];
+  const GapBorder &e = lineOf(first), &f = lineOf(second);
   const std::optional<GapFrame> frame = GapConditions::frameOf(e, f);
   if (!frame) return found;
   const auto along = [&](const Vec3& place) { return frame->along(place.x, place.y); };
@@ -107,7 +133,7 @@ void GapLinker::add(std::vector<GapStretch> stretches) {
 
 Vec3 GapLinker::chainPlace(const MeshBorder& border, std::size_t i) {
   const std::vector<MeshVertex>& inside = splits_.of(border.edge);
-  const GapBorder& line = lines_[&border - splits_.borders().data()];
+  const GapBorder& line = lineOf(static_cast<Index>(&border - splits_.borders().data()));
   if (i == 0) return line.from;
   if (i == inside.size() + 1) return line.to;
   std::vector<Vec3>& places = places_[border.edge];
@@ -162,7 +188,7 @@ const MeshVertex* GapLinker::vertexAt(Index number, const GapFrame& frame, doubl
 void GapLinker::planCut(GapStretch& stretch, Index number, double along, Cuts& cuts) {
   const GapFrame& frame = stretch.piece.frame;
   if (vertexAt(number, frame, along) != nullptr) return;
-  const GapBorder& line = lines_[number];
+  const GapBorder& line = lineOf(number);
   const double begin = frame.along(line.from.x, line.from.y), end = frame.along(line.to.x, line.to.y);
   const double t = (along - begin) / (end - begin);
   const double across = frame.across(line.from.x, line.from.y) * (1 - t) + frame.across(line.to.x, line.to.y) * t;

@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -29,16 +30,16 @@ class GapLinker {
   /// `gap`: the widest, in environment units. `splits` must outlive this.
   GapLinker(BorderSplits& splits, double gap, RunContext& context);
 
-  /// The free pieces between two borders, in their order. Changes nothing: may be called by several threads, with
-  /// conditions and geometry of their own.
-  std::vector<GapStretch> find(Index first, Index second, GapConditions& conditions, MeshGeometry& geometry) const;
+  /// The free pieces between two borders that are not on one line in the plan, in their order. Changes nothing: may be
+  /// called by several threads, with conditions of their own.
+  std::vector<GapStretch> find(Index first, Index second, GapConditions& conditions) const;
   /// The same of a gap that was stepped over between two edges, and between what is left of their borders: the stretch
   /// along which all four lie. Nothing but obstacles is asked about, and they only where there are conditions.
   std::vector<GapStretch> findAgain(Index first, Index second, const std::array<GapBorder, 2>& edges,
-                                    GapConditions* conditions) const;
+                                    GapConditions* conditions);
   /// An edge with its ends as exact as they are needed.
   [[nodiscard]] GapBorder lineOf(const MeshVertex& from, const MeshVertex& to, Index face) const;
-  [[nodiscard]] const GapBorder& lineOf(Index border) const { return lines_[border]; }
+  [[nodiscard]] const GapBorder& lineOf(Index border);
 
   /// What to link; before split().
   void add(std::vector<GapStretch> stretches);
@@ -78,6 +79,9 @@ class GapLinker {
   };
 
   [[nodiscard]] Vec3 placeOf(const MeshVertex& v) const;
+  [[nodiscard]] GapBorder computeLine(Index border) const;
+  /// Whether two borders may face each other near enough, by rounded vertices. False is certain.
+  [[nodiscard]] bool mayFace(const MeshBorder& e, const MeshBorder& f) const;
   [[nodiscard]] Vec3 chainPlace(const MeshBorder& border, std::size_t i);
   [[nodiscard]] double alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i);
   [[nodiscard]] ChainPart partOf(Index border, const GapFrame& frame, double low, double high);
@@ -98,7 +102,7 @@ class GapLinker {
   BorderSplits& splits_;
   RunContext& context_;
   double gap_ = 0;
-  std::vector<GapBorder> lines_;                         ///< of all borders
+  std::vector<std::optional<GapBorder>> lines_;          ///< of borders that were asked for
   std::unordered_map<Index, std::vector<Vec3>> places_;  ///< of the new vertices of edges
   std::vector<GapStretch> gaps_;
   ExactFallbacks fallbacks_;

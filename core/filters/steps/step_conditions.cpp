@@ -7,9 +7,19 @@
 
 #include "core/base/geometry.hpp"
 #include "core/exact/face_geometry.hpp"
+#include "core/exact/sign_of_difference.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 
 namespace footfall::detail {
+namespace {
+
+/// Walls are grouped by looking at all edges before. Where there are more, each wall is judged by itself, then all
+/// together piece by piece.
+constexpr std::size_t kMostGroupEdges = 64;
+/// Corners of walls are looked for among so many of those before.
+constexpr Index kMostKnownCorners = 32;
+
+}  // namespace
 
 StepConditions::StepConditions(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height)
     : kernel_(kernel), mesh_(kernel.mesh()), removed_(removed), step_(step), height_(height), levels_{step, height} {}
@@ -27,34 +37,46 @@ int StepConditions::sideAt(const LinearSign& sign, const MeshVertex& p, MeshGeom
   return kernel_.side(sign.line, sign.face, p.point, mesh_.triangles[p.face][0], geometry.fallbacks);
 }
 
-int StepConditions::signBetween(const LinearSign& sign, const MeshVertex& a, const MeshVertex& b,
+int StepConditions::signBetween(const StretchSign& sign, const MeshVertex& a, const MeshVertex& b,
                                 MeshGeometry& geometry) const {
-  const int atA = sideAt(sign, a, geometry);
-  return atA != 0 ? atA : sideAt(sign, b, geometry);
+  if (!sign.changes()) return sign.begin != 0 ? sign.begin : sign.end;
+  const int atA = sideAt(sign.sign, a, geometry);
+  return sign.factor * (atA != 0 ? atA : sideAt(sign.sign, b, geometry));
 }
 
-// The height of the second floor over the first one, raised by the step and lowered by it.
-std::array<StepConditions::LinearSign, 2> StepConditions::stepSigns(const SharedStretch& stretch) const {
+bool StepConditions::isLevel(Index face) const {
+  const auto& f = mesh_.triangles[face];
+  return mesh_.vertices[f[1]].z == mesh_.vertices[f[0]].z && mesh_.vertices[f[2]].z == mesh_.vertices[f[0]].z;
+}
+
+void StepConditions::compareFloors(const SharedStretch& stretch, MeshGeometry& geometry) {
   const auto [below, above] = stretch.faces;
-  return {LinearSign{{PlanLine::Trace, above, step_}, below}, LinearSign{{PlanLine::Trace, above, -step_}, below}};
+  const bool areLevel = isLevel(below) && isLevel(above);
+  floorCount_ = below == above || (areLevel && heightOf(below) == heightOf(above)) ? 1 : 2;
+  for (const int side : {0, 1}) {
+    const Index level = side == 0 ? step_ : -step_;
+    StretchSign& rise = rises_[side];
+    rise = {{{PlanLine::Trace, above, level}, below}};
+    if (areLevel || floorCount_ == 1)
+      rise.begin = rise.end =
+          floorCount_ == 1 ? 2 * side - 1 : signOfDifference(heightOf(above), heightOf(below), lengthOf(level));
+    else
+      find(rise, stretch, geometry);
+  }
 }
 
-// `inside` is the line's sign on the side of the triangle.
-StepConditions::LinearSign StepConditions::edgeSign(Index triangle, int k, int& inside) const {
+StepConditions::StretchSign StepConditions::edgeSign(Index triangle, int k) const {
   const auto& f = mesh_.triangles[triangle];
   const Index a = mesh_.planIds[f[k]], b = mesh_.planIds[f[next(k)]];
-  inside = a < b ? mesh_.facing[triangle] : -mesh_.facing[triangle];
-  return {{PlanLine::Edge, std::min(a, b), std::max(a, b)}, -1};
+  const int inside = a < b ? mesh_.facing[triangle] : -mesh_.facing[triangle];
+  return {{{PlanLine::Edge, std::min(a, b), std::max(a, b)}, -1}, inside};
 }
 
 std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch& stretch, const Lines& lines,
                                                             MeshGeometry& geometry) {
   std::vector<std::array<MeshVertex, 2>> pieces;
-  const auto [over, under] = stepSigns(stretch);
-  for (const int wrong : {1, -1}) {
-    const LinearSign& sign = wrong > 0 ? over : under;
-    if (sideAt(sign, stretch.begin, geometry) == wrong && sideAt(sign, stretch.end, geometry) == wrong) return pieces;
-  }
+  compareFloors(stretch, geometry);
+  if ((rises_[0].begin > 0 && rises_[0].end > 0) || (rises_[1].begin < 0 && rises_[1].end < 0)) return pieces;
   if (!listObstacles(stretch, geometry)) return pieces;
   isUndecided_ = false;
   lines_.clear();
@@ -88,6 +110,10 @@ std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch&
 bool StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& geometry) {
   covers_.clear();
   walls_.clear();
+  corners_.clear();
+  zeros_.clear();
+  groups_.clear();
+  groupEdges_.clear();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box box = stretch.box;
   const int scale = mesh_.grid.scaleExponent();
@@ -95,113 +121,167 @@ bool StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& g
     box.lower[k] = std::ldexp(box.lower[k], -scale);
     box.upper[k] = std::ldexp(box.upper[k], -scale);
   }
-  box.lower[2] = std::nextafter(box.lower[2] + kernel_.heights()[step_ - 1], -kInfinity);
-  box.upper[2] = std::nextafter(box.upper[2] + kernel_.heights()[height_ - 1], kInfinity);
+  box.lower[2] = std::nextafter(box.lower[2] + lengthOf(step_), -kInfinity);
+  box.upper[2] = std::nextafter(box.upper[2] + lengthOf(height_), kInfinity);
   bool isOpen = true;
   mesh_.tree.visitOverlapping(box, stack_, [&](Index t) {
     if (removed_[t] != 0 || t == stretch.faces[0] || t == stretch.faces[1]) return true;
     if (mesh_.facing[t] == 0) {
-      const std::size_t before = walls_.size();
-      addWall(stretch, t, geometry);
-      isOpen = walls_.size() == before || !isBlockedThroughoutBy(stretch, walls_.back(), geometry);
-    } else if (mayCover(stretch, t, geometry)) {
-      covers_.push_back(t);
-      isOpen = !isBlockedThroughoutBy(stretch, t, geometry);
+      if (addWall(stretch, t, geometry)) isOpen = !isBlockedThroughoutByWalls();
+    } else if (addCover(stretch, t, geometry)) {
+      isOpen = !isBlockedThroughoutBy(covers_.back());
     }
     return isOpen;
   });
-  std::sort(covers_.begin(), covers_.end());
+  std::sort(covers_.begin(), covers_.end(), [](const Cover& a, const Cover& b) { return a.triangle < b.triangle; });
   return isOpen;
 }
 
-// False when an edge has the whole stretch on its outer side.
-bool StepConditions::mayCover(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const {
+bool StepConditions::addCover(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) {
+  Cover cover{triangle, {}, {}};
   for (int k = 0; k < 3; ++k) {
-    int inside = 0;
-    const LinearSign sign = edgeSign(triangle, k, inside);
-    const int atBegin = inside * sideAt(sign, stretch.begin, geometry);
-    if (atBegin <= 0) {
-      const int atEnd = inside * sideAt(sign, stretch.end, geometry);
-      if (atEnd < 0 || (atBegin < 0 && atEnd == 0)) return false;
-    }
+    StretchSign& edge = cover.edges[k];
+    edge = edgeSign(triangle, k);
+    edge.begin = edge.factor * sideAt(edge.sign, stretch.begin, geometry);
+    if (edge.begin > 0) continue;
+    edge.end = edge.factor * sideAt(edge.sign, stretch.end, geometry);
+    if (edge.end < 0 || (edge.begin < 0 && edge.end == 0)) return false;
   }
+  for (StretchSign& edge : cover.edges)
+    if (edge.begin > 0) edge.end = edge.factor * sideAt(edge.sign, stretch.end, geometry);
+  for (int floor = 0; floor < 2; ++floor)
+    for (int level = 0; level < 2; ++level) {
+      StretchSign& height = cover.heights[floor][level];
+      height = {{{PlanLine::Trace, triangle, levels_[level]}, stretch.faces[floor]}};
+      if (floor < floorCount_)
+        find(height, stretch, geometry);
+      else
+        height = cover.heights[0][level];
+    }
+  covers_.push_back(cover);
   return true;
+}
+
+std::array<std::array<int, 2>, 2> StepConditions::signsOver(const SharedStretch& stretch, Index vertex,
+                                                            MeshGeometry& geometry) const {
+  std::array<std::array<int, 2>, 2> signs{};
+  for (int floor = 0; floor < floorCount_; ++floor) {
+    const Index face = stretch.faces[floor];
+    const bool faceIsLevel = isLevel(face);
+    for (int level = 0; level < 2; ++level)
+      signs[floor][level] = faceIsLevel
+                                ? signOfDifference(mesh_.vertices[vertex].z, heightOf(face), lengthOf(levels_[level]))
+                                : kernel_.heightSign(face, vertex, levels_[level], geometry.fallbacks);
+  }
+  if (floorCount_ == 1) signs[1] = signs[0];
+  return signs;
+}
+
+Index StepConditions::cornerOf(const SharedStretch& stretch, Index vertex, MeshGeometry& geometry) {
+  const auto count = static_cast<Index>(corners_.size());
+  for (Index i = count; i-- > std::max<Index>(count - kMostKnownCorners, 0);)
+    if (corners_[i].vertex == vertex) return i;
+  WallCorner corner;
+  corner.vertex = vertex;
+  const MeshVertex &a = stretch.begin, &b = stretch.end;
+  corner.isOnLine =
+      !filteredOrientation({a.x, a.y, a.error}, {b.x, b.y, b.error}, approximateSource(vertex), kernel_.sign().slack) &&
+      kernel_.orientation(a.point, b.point, PlanPoint::source(mesh_.planIds[vertex]),
+                          mesh_.triangles[stretch.faces[0]][0], geometry.fallbacks) == 0;
+  if (corner.isOnLine) {
+    corner.place = placeOf(stretch, vertex);
+    corner.isAfterBegin = compareAlong(stretch, a, corner.place, geometry) < 0;
+    corner.isBeforeEnd = compareAlong(stretch, corner.place, b, geometry) < 0;
+    corner.signs = signsOver(stretch, vertex, geometry);
+  }
+  corners_.push_back(corner);
+  return count;
 }
 
 // A wall that is not parallel meets the line in one point.
-void StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) {
-  const auto& f = mesh_.triangles[triangle];
-  const Index origin = mesh_.triangles[stretch.faces[0]][0];
-  const MeshVertex &a = stretch.begin, &b = stretch.end;
-  for (const Index v : f) {
-    if (filteredOrientation({a.x, a.y, a.error}, {b.x, b.y, b.error}, approximateSource(v), kernel_.sign().slack))
-      return;
-    if (kernel_.orientation(a.point, b.point, PlanPoint::source(mesh_.planIds[v]), origin, geometry.fallbacks) != 0)
-      return;
-  }
-  std::array<WallCorner, 3> corners;
+bool StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) {
+  std::array<Index, 3> corners{};
   bool reachesUp = false, reachesDown = false;
   for (int k = 0; k < 3; ++k) {
-    corners[k].vertex = f[k];
-    for (int face = 0; face < 2; ++face) {
-      for (int level = 0; level < 2; ++level)
-        corners[k].signs[face][level] =
-            kernel_.heightSign(stretch.faces[face], f[k], levels_[level], geometry.fallbacks);
-      reachesUp = reachesUp || corners[k].signs[face][0] > 0;
-      reachesDown = reachesDown || corners[k].signs[face][1] < 0;
+    corners[k] = cornerOf(stretch, mesh_.triangles[triangle][k], geometry);
+    const WallCorner& corner = corners_[corners[k]];
+    if (!corner.isOnLine) return false;
+    for (const auto& [overStep, overHeight] : corner.signs) {
+      reachesUp = reachesUp || overStep > 0;
+      reachesDown = reachesDown || overHeight < 0;
     }
   }
-  if (!reachesUp || !reachesDown) return;
-  for (WallCorner& corner : corners) corner.place = placeOf(stretch, corner.vertex);
+  if (!reachesUp || !reachesDown) return false;
   Wall wall;
   for (int k = 0; k < 3; ++k) {
-    const WallCorner &p = corners[k], &q = corners[next(k)];
-    const int order = compareAlong(stretch, p.place, q.place, geometry);
-    if (order != 0) wall.push_back(order < 0 ? WallEdge{p, q} : WallEdge{q, p});  // else the other two span the same
+    const Index first = corners[k], second = corners[next(k)];
+    const int order = compareAlong(stretch, corners_[first].place, corners_[second].place, geometry);
+    if (order == 0) continue;  // the other two span the same
+    WallEdge& edge = wall.edges[wall.edgeCount++];
+    edge.begin = order < 0 ? first : second;
+    edge.end = order < 0 ? second : first;
+    edge.isWhole = !corners_[edge.begin].isAfterBegin && !corners_[edge.end].isBeforeEnd;
   }
-  walls_.push_back(std::move(wall));
-}
-
-// Linear functions that are nowhere negative at either end of the stretch, and positive at one, are positive between.
-bool StepConditions::isBlockedThroughoutBy(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const {
-  const auto isPositive = [&](const LinearSign& sign, int factor) {
-    const int begin = factor * sideAt(sign, stretch.begin, geometry);
-    if (begin < 0) return false;
-    const int end = factor * sideAt(sign, stretch.end, geometry);
-    return end >= 0 && begin + end > 0;
-  };
-  const auto reaches = [&](Index level, int factor) {
-    return std::any_of(stretch.faces.begin(), stretch.faces.end(), [&](Index face) {
-      return isPositive({{PlanLine::Trace, triangle, level}, face}, factor);
-    });
-  };
-  if (!reaches(step_, 1) || !reaches(height_, -1)) return false;
-  for (int k = 0; k < 3; ++k) {
-    int inside = 0;
-    const LinearSign sign = edgeSign(triangle, k, inside);
-    if (inside * sideAt(sign, stretch.begin, geometry) < 0 || inside * sideAt(sign, stretch.end, geometry) < 0)
-      return false;
-  }
+  walls_.push_back(wall);
   return true;
 }
 
-bool StepConditions::isBlockedThroughoutBy(const SharedStretch& stretch, const Wall& wall,
-                                           MeshGeometry& geometry) const {
-  bool reachesUp = false, reachesDown = false;
-  for (const WallEdge& edge : wall) {
-    if (compareAlong(stretch, stretch.begin, edge.begin.place, geometry) < 0 ||
-        compareAlong(stretch, edge.end.place, stretch.end, geometry) < 0)
-      continue;
-    for (int face = 0; face < 2; ++face) {
-      const auto reaches = [&](int level, int factor) {
-        const int begin = factor * edge.begin.signs[face][level], end = factor * edge.end.signs[face][level];
-        return begin >= 0 && end >= 0 && begin + end > 0;
+// Linear functions that are nowhere negative at either end of the stretch, and positive at one, are positive between.
+bool StepConditions::isBlockedThroughoutBy(const Cover& cover) const {
+  const auto& [overFirst, overSecond] = cover.heights;
+  if (!overFirst[0].isPositive() && !overSecond[0].isPositive()) return false;
+  if (!overFirst[1].isNegative() && !overSecond[1].isNegative()) return false;
+  return std::all_of(cover.edges.begin(), cover.edges.end(),
+                     [](const StretchSign& edge) { return edge.begin >= 0 && edge.end >= 0; });
+}
+
+// Over each place, a wall fills an interval of heights, and walls with an edge in common there fill one together. Where
+// that one begins below the highest place that must be free and ends above the lowest one, one of the walls does so as
+// well, as the former is above the latter: or else all walls were either below or above what must be free, and two that
+// have a point in common were of both kinds.
+bool StepConditions::isBlockedThroughoutByWalls() {
+  const Wall& wall = walls_.back();
+  WallGroup own;
+  for (int i = 0; i < wall.edgeCount; ++i) {
+    const WallEdge& edge = wall.edges[i];
+    if (!edge.isWhole) continue;
+    const WallCorner &begin = corners_[edge.begin], &end = corners_[edge.end];
+    for (int floor = 0; floor < floorCount_; ++floor) {
+      const auto signOver = [&](int level) {
+        return StretchSign{{}, 1, begin.signs[floor][level], end.signs[floor][level]};
       };
-      reachesUp = reachesUp || reaches(0, 1);
-      reachesDown = reachesDown || reaches(1, -1);
+      own.reachesUp = own.reachesUp || signOver(0).isPositive();
+      own.reachesDown = own.reachesDown || signOver(1).isNegative();
     }
   }
-  return reachesUp && reachesDown;
+  if (own.reachesUp && own.reachesDown) return true;
+  if (!(lengthOf(height_) > lengthOf(step_)) || groupEdges_.size() > kMostGroupEdges) return false;
+  const std::size_t number = groupOf(wall);
+  WallGroup& group = groups_[number];
+  group.reachesUp = group.reachesUp || own.reachesUp;
+  group.reachesDown = group.reachesDown || own.reachesDown;
+  return group.reachesUp && group.reachesDown;
+}
+
+// Joins the groups of all whole edges of the wall.
+std::size_t StepConditions::groupOf(const Wall& wall) {
+  const std::size_t own = groups_.size(), count = groupEdges_.size();
+  groups_.emplace_back();
+  for (int i = 0; i < wall.edgeCount; ++i) {
+    const WallEdge& edge = wall.edges[i];
+    if (!edge.isWhole) continue;
+    const auto [low, high] = std::minmax({corners_[edge.begin].vertex, corners_[edge.end].vertex});
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::size_t other = groupEdges_[j].group;
+      if (groupEdges_[j].low != low || groupEdges_[j].high != high || other == own) continue;
+      groups_[own].reachesUp = groups_[own].reachesUp || groups_[other].reachesUp;
+      groups_[own].reachesDown = groups_[own].reachesDown || groups_[other].reachesDown;
+      for (GroupEdge& joined : groupEdges_)
+        if (joined.group == other) joined.group = own;
+    }
+    groupEdges_.push_back({low, high, own});
+  }
+  return own;
 }
 
 MeshVertex StepConditions::placeOf(const SharedStretch& stretch, Index vertex) const {
@@ -210,95 +290,108 @@ MeshVertex StepConditions::placeOf(const SharedStretch& stretch, Index vertex) c
 }
 
 void StepConditions::addBreaks(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry) {
-  for (const LinearSign& sign : stepSigns(stretch)) addCrossing(stretch, sign, lines, geometry);
-  for (const Index t : covers_) {
-    for (int k = 0; k < 3; ++k) {
-      int inside = 0;
-      addCrossing(stretch, edgeSign(t, k, inside), lines, geometry);
-    }
-    for (const Index face : stretch.faces)
-      for (const Index level : {step_, height_})
-        addCrossing(stretch, {{PlanLine::Trace, t, level}, face}, lines, geometry);
+  for (const StretchSign& rise : rises_) addCrossing(stretch, rise, lines);
+  for (const Cover& cover : covers_) {
+    for (const StretchSign& edge : cover.edges) addCrossing(stretch, edge, lines);
+    for (int floor = 0; floor < floorCount_; ++floor)
+      for (const StretchSign& height : cover.heights[floor]) addCrossing(stretch, height, lines);
   }
-  for (const Wall& wall : walls_)
-    for (const WallEdge& edge : wall) {
-      addBreak(stretch, edge.begin.place, geometry);
-      addBreak(stretch, edge.end.place, geometry);
-      for (int face = 0; face < 2; ++face)
-        for (int level = 0; level < 2; ++level)
-          if (edge.begin.signs[face][level] * edge.end.signs[face][level] < 0)
-            addBreak(stretch, liftedVertex(kernel_, stretch.faces[0], zeroOf(stretch, edge, face, level)), geometry);
-    }
+  for (Wall& wall : walls_) addWallBreaks(stretch, wall, geometry);
 }
 
-void StepConditions::addCrossing(const SharedStretch& stretch, const LinearSign& sign, const Lines& lines,
-                                 MeshGeometry& geometry) {
-  const int atBegin = sideAt(sign, stretch.begin, geometry);
-  if (atBegin == 0 || atBegin * sideAt(sign, stretch.end, geometry) >= 0) return;
-  const bool isTrace = sign.line.kind == PlanLine::Trace;
+void StepConditions::addWallBreaks(const SharedStretch& stretch, Wall& wall, MeshGeometry& geometry) {
+  for (int i = 0; i < wall.edgeCount; ++i) {
+    WallEdge& edge = wall.edges[i];
+    const WallCorner &begin = corners_[edge.begin], &end = corners_[edge.end];
+    for (const WallCorner* corner : {&begin, &end})
+      if (corner->isAfterBegin && corner->isBeforeEnd) breaks_.push_back(corner->place);
+    for (int floor = 0; floor < 2; ++floor)
+      for (int level = 0; level < 2; ++level) {
+        WallSign& sign = edge.signs[floor][level];
+        if (floor >= floorCount_) {
+          sign = edge.signs[0][level];
+          continue;
+        }
+        sign = {begin.signs[floor][level], end.signs[floor][level]};
+        if (sign.before * sign.after >= 0) {
+          if (sign.before == 0) sign.before = sign.after;
+          continue;
+        }
+        const PlanPoint zero = PlanPoint::edgePlane(begin.vertex, end.vertex, stretch.faces[floor], levels_[level]);
+        const MeshVertex place = liftedVertex(kernel_, stretch.faces[0], zero);
+        if (addBreak(stretch, place, geometry)) {
+          sign.zero = static_cast<Index>(zeros_.size());
+          zeros_.push_back(place);
+        } else if (compareAlong(stretch, stretch.begin, place, geometry) >= 0) {
+          sign.before = sign.after;
+        }
+      }
+  }
+}
+
+void StepConditions::addCrossing(const SharedStretch& stretch, const StretchSign& sign, const Lines& lines) {
+  if (!sign.changes()) return;
+  const PlanLine& other = sign.sign.line;
+  const bool isTrace = other.kind == PlanLine::Trace;
   if (lines_.empty()) lines_ = lines();
   for (const auto& [line, face] : lines_) {
     const bool isOwnTrace = line.kind == PlanLine::Trace;
-    if (isTrace && isOwnTrace && face != sign.face) continue;  // a crossing knows one face
-    const Index taken = isTrace ? sign.face : isOwnTrace ? face : -1;
-    breaks_.push_back(liftedVertex(kernel_, stretch.faces[0], PlanPoint::crossing(line, sign.line, taken)));
+    if (isTrace && isOwnTrace && face != sign.sign.face) continue;  // a crossing knows one face
+    const Index taken = isTrace ? sign.sign.face : isOwnTrace ? face : -1;
+    breaks_.push_back(liftedVertex(kernel_, stretch.faces[0], PlanPoint::crossing(line, other, taken)));
     return;
   }
   isUndecided_ = true;
 }
 
-void StepConditions::addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry) {
-  if (compareAlong(stretch, stretch.begin, place, geometry) < 0 &&
-      compareAlong(stretch, place, stretch.end, geometry) < 0)
-    breaks_.push_back(place);
+bool StepConditions::addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry) {
+  if (compareAlong(stretch, stretch.begin, place, geometry) >= 0 ||
+      compareAlong(stretch, place, stretch.end, geometry) >= 0)
+    return false;
+  breaks_.push_back(place);
+  return true;
 }
 
 bool StepConditions::isFree(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b,
                             MeshGeometry& geometry) const {
-  const auto [over, under] = stepSigns(stretch);
-  if (signBetween(over, a, b, geometry) > 0 || signBetween(under, a, b, geometry) < 0) return false;
+  if (signBetween(rises_[0], a, b, geometry) > 0 || signBetween(rises_[1], a, b, geometry) < 0) return false;
   return std::none_of(covers_.begin(), covers_.end(),
-                      [&](Index t) { return isBlockedBy(stretch, t, a, b, geometry); }) &&
+                      [&](const Cover& cover) { return isBlockedBy(cover, a, b, geometry); }) &&
          std::none_of(walls_.begin(), walls_.end(),
                       [&](const Wall& wall) { return isBlockedBy(stretch, wall, a, b, geometry); });
 }
 
-bool StepConditions::isBlockedBy(const SharedStretch& stretch, Index triangle, const MeshVertex& a, const MeshVertex& b,
+bool StepConditions::isBlockedBy(const Cover& cover, const MeshVertex& a, const MeshVertex& b,
                                  MeshGeometry& geometry) const {
-  for (int k = 0; k < 3; ++k) {
-    int inside = 0;
-    const LinearSign sign = edgeSign(triangle, k, inside);
-    if (inside * signBetween(sign, a, b, geometry) < 0) return false;
-  }
-  const auto overFloor = [&](Index face, Index level) {
-    return signBetween({{PlanLine::Trace, triangle, level}, face}, a, b, geometry);
-  };
-  const auto& [f, g] = stretch.faces;
-  return (overFloor(f, step_) > 0 || overFloor(g, step_) > 0) &&
-         (overFloor(f, height_) < 0 || overFloor(g, height_) < 0);
+  for (const StretchSign& edge : cover.edges)
+    if (signBetween(edge, a, b, geometry) < 0) return false;
+  const auto overFloor = [&](int floor, int level) { return signBetween(cover.heights[floor][level], a, b, geometry); };
+  return (overFloor(0, 0) > 0 || (floorCount_ > 1 && overFloor(1, 0) > 0)) &&
+         (overFloor(0, 1) < 0 || (floorCount_ > 1 && overFloor(1, 1) < 0));
 }
 
 bool StepConditions::isBlockedBy(const SharedStretch& stretch, const Wall& wall, const MeshVertex& a,
                                  const MeshVertex& b, MeshGeometry& geometry) const {
   bool reachesUp = false, reachesDown = false;
-  for (const WallEdge& edge : wall) {
-    if (compareAlong(stretch, a, edge.begin.place, geometry) < 0 ||
-        compareAlong(stretch, edge.end.place, b, geometry) < 0)
+  for (int i = 0; i < wall.edgeCount; ++i) {
+    const WallEdge& edge = wall.edges[i];
+    if (!edge.isWhole && (compareAlong(stretch, a, corners_[edge.begin].place, geometry) < 0 ||
+                          compareAlong(stretch, corners_[edge.end].place, b, geometry) < 0))
       continue;
-    for (int face = 0; face < 2; ++face) {
-      reachesUp = reachesUp || heightBetween(stretch, edge, face, 0, b, geometry) > 0;
-      reachesDown = reachesDown || heightBetween(stretch, edge, face, 1, b, geometry) < 0;
+    for (int floor = 0; floor < floorCount_; ++floor) {
+      const auto& [overStep, overHeight] = edge.signs[floor];
+      reachesUp = reachesUp || signBefore(stretch, overStep, b, geometry) > 0;
+      reachesDown = reachesDown || signBefore(stretch, overHeight, b, geometry) < 0;
     }
+    if (reachesUp && reachesDown) return true;
   }
-  return reachesUp && reachesDown;
+  return false;
 }
 
-int StepConditions::heightBetween(const SharedStretch& stretch, const WallEdge& edge, int face, int level,
-                                  const MeshVertex& b, MeshGeometry& geometry) const {
-  const int begin = edge.begin.signs[face][level], end = edge.end.signs[face][level];
-  if (begin * end >= 0) return begin != 0 ? begin : end;
-  const MeshVertex zero = liftedVertex(kernel_, stretch.faces[0], zeroOf(stretch, edge, face, level));
-  return compareAlong(stretch, b, zero, geometry) <= 0 ? begin : end;
+int StepConditions::signBefore(const SharedStretch& stretch, const WallSign& sign, const MeshVertex& b,
+                               MeshGeometry& geometry) const {
+  if (sign.zero < 0 || compareAlong(stretch, b, zeros_[sign.zero], geometry) <= 0) return sign.before;
+  return sign.after;
 }
 
 }  // namespace footfall::detail

@@ -52,46 +52,99 @@ class StepConditions {
     PlanLine line;
     Index face = -1;
   };
-  /// A corner of a wall: its place in the plan, and the sign of its height over each floor (of SharedStretch::faces)
-  /// raised by the step and by the clearance.
+  /// The sign of something linear at both ends of the stretch, times a factor.
+  struct StretchSign {
+    LinearSign sign;
+    int factor = 1;
+    int begin = 0, end = 0;
+    [[nodiscard]] bool changes() const { return begin * end < 0; }
+    /// Positive on the whole stretch but for single points.
+    [[nodiscard]] bool isPositive() const { return begin >= 0 && end >= 0 && begin + end > 0; }
+    [[nodiscard]] bool isNegative() const { return begin <= 0 && end <= 0 && begin + end < 0; }
+  };
+  /// An obstacle over the stretch that is not vertical: on which side of its edges the stretch is, and how high it is
+  /// over each floor (of SharedStretch::faces) raised by the step and by the clearance.
+  struct Cover {
+    Index triangle = -1;
+    std::array<StretchSign, 3> edges;
+    std::array<std::array<StretchSign, 2>, 2> heights;
+  };
+  /// A corner of a vertical triangle. Where it is on the line of the stretch: its place in the plan, and the sign of
+  /// its height over each floor raised by the step and by the clearance.
   struct WallCorner {
     Index vertex = -1;
-    MeshVertex place;
+    bool isOnLine = false, isAfterBegin = false, isBeforeEnd = false;  ///< of the stretch
     std::array<std::array<int, 2>, 2> signs{};
+    MeshVertex place;
   };
-  /// An edge of a wall that is not vertical; its ends in the order of the stretch.
+  /// The sign of the height of a wall's edge over a floor and a level, along the stretch.
+  struct WallSign {
+    int before = 0, after = 0;
+    Index zero = -1;  ///< in zeros_, where it changes; -1: it is `before` everywhere
+  };
+  /// An edge of a wall that is not vertical; its corners, of corners_, in the order of the stretch.
   struct WallEdge {
-    WallCorner begin, end;
+    Index begin = -1, end = -1;
+    bool isWhole = false;  ///< the stretch is within it
+    std::array<std::array<WallSign, 2>, 2> signs;
   };
-  using Wall = std::vector<WallEdge>;
+  struct Wall {
+    std::array<WallEdge, 3> edges;
+    int edgeCount = 0;
+  };
+  /// Walls that hang together by edges along the whole stretch.
+  struct WallGroup {
+    bool reachesUp = false, reachesDown = false;  ///< on the whole stretch
+  };
+  struct GroupEdge {
+    Index low = -1, high = -1;  ///< vertices
+    std::size_t group = 0;
+  };
 
   [[nodiscard]] ApproximatePoint approximateSource(Index vertex) const;
-  [[nodiscard]] std::array<LinearSign, 2> stepSigns(const SharedStretch& stretch) const;
-  [[nodiscard]] LinearSign edgeSign(Index triangle, int k, int& inside) const;
-  /// False when one obstacle was found that blocks the whole stretch; then not all are listed.
+  /// Finds out how the floors lie to each other.
+  void compareFloors(const SharedStretch& stretch, MeshGeometry& geometry);
+  [[nodiscard]] bool isLevel(Index face) const;
+  /// In environment units, as what follows.
+  [[nodiscard]] double heightOf(Index face) const { return mesh_.vertices[mesh_.triangles[face][0]].z; }
+  [[nodiscard]] double lengthOf(Index level) const {
+    return level > 0 ? kernel_.heights()[level - 1] : -kernel_.heights()[-level - 1];
+  }
+  [[nodiscard]] StretchSign edgeSign(Index triangle, int k) const;
+  /// False when obstacles were found that block the whole stretch; then not all are listed.
   bool listObstacles(const SharedStretch& stretch, MeshGeometry& geometry);
-  bool mayCover(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const;
-  void addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry);
+  /// False when an edge has the whole stretch on its outer side.
+  bool addCover(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry);
+  /// Its number in corners_.
+  Index cornerOf(const SharedStretch& stretch, Index vertex, MeshGeometry& geometry);
+  /// False when it is none along the stretch, or too low or too high.
+  bool addWall(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry);
+  /// The signs of a source vertex over the floors, by floor and level.
+  [[nodiscard]] std::array<std::array<int, 2>, 2> signsOver(const SharedStretch& stretch, Index vertex,
+                                                            MeshGeometry& geometry) const;
   /// True only if an obstacle blocks every piece of the stretch, whatever the pieces are.
-  bool isBlockedThroughoutBy(const SharedStretch& stretch, Index triangle, MeshGeometry& geometry) const;
-  bool isBlockedThroughoutBy(const SharedStretch& stretch, const Wall& wall, MeshGeometry& geometry) const;
+  [[nodiscard]] bool isBlockedThroughoutBy(const Cover& cover) const;
+  /// The same of the last wall together with those before it.
+  bool isBlockedThroughoutByWalls();
+  std::size_t groupOf(const Wall& wall);
   void addBreaks(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry);
-  void addCrossing(const SharedStretch& stretch, const LinearSign& sign, const Lines& lines, MeshGeometry& geometry);
-  void addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry);
+  void addCrossing(const SharedStretch& stretch, const StretchSign& sign, const Lines& lines);
+  /// Whether the place is strictly within the stretch; then it is a break.
+  bool addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry);
+  void addWallBreaks(const SharedStretch& stretch, Wall& wall, MeshGeometry& geometry);
   bool isFree(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
-  bool isBlockedBy(const SharedStretch& stretch, Index triangle, const MeshVertex& a, const MeshVertex& b,
-                   MeshGeometry& geometry) const;
+  bool isBlockedBy(const Cover& cover, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
   bool isBlockedBy(const SharedStretch& stretch, const Wall& wall, const MeshVertex& a, const MeshVertex& b,
                    MeshGeometry& geometry) const;
   int sideAt(const LinearSign& sign, const MeshVertex& p, MeshGeometry& geometry) const;
-  /// A sign between two places between which it does not change.
-  int signBetween(const LinearSign& sign, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
-  /// The sign of the height of a wall's edge over a face and a level, between a place before `b` and `b`.
-  int heightBetween(const SharedStretch& stretch, const WallEdge& edge, int face, int level, const MeshVertex& b,
-                    MeshGeometry& geometry) const;
-  [[nodiscard]] PlanPoint zeroOf(const SharedStretch& stretch, const WallEdge& edge, int face, int level) const {
-    return PlanPoint::edgePlane(edge.begin.vertex, edge.end.vertex, stretch.faces[face], levels_[level]);
+  void find(StretchSign& sign, const SharedStretch& stretch, MeshGeometry& geometry) const {
+    sign.begin = sign.factor * sideAt(sign.sign, stretch.begin, geometry);
+    sign.end = sign.factor * sideAt(sign.sign, stretch.end, geometry);
   }
+  /// A sign between two places between which it does not change.
+  int signBetween(const StretchSign& sign, const MeshVertex& a, const MeshVertex& b, MeshGeometry& geometry) const;
+  /// The same of a wall's edge, between a place before `b` and `b`.
+  int signBefore(const SharedStretch& stretch, const WallSign& sign, const MeshVertex& b, MeshGeometry& geometry) const;
   /// A source vertex as a place of the plan; its height is not that of a floor.
   [[nodiscard]] MeshVertex placeOf(const SharedStretch& stretch, Index vertex) const;
   [[nodiscard]] int compareAlong(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b,
@@ -103,9 +156,15 @@ class StepConditions {
   const SourceMesh& mesh_;
   const std::vector<char>& removed_;
   Index step_, height_;
-  std::array<Index, 2> levels_;   ///< both
-  std::vector<Index> covers_;     ///< obstacles over the stretch that are not vertical
-  std::vector<Wall> walls_;       ///< vertical ones along it
+  std::array<Index, 2> levels_;       ///< both
+  std::array<StretchSign, 2> rises_;  ///< of the second floor over the first one, raised by the step and lowered by it
+  int floorCount_ = 2;                ///< 1: both floors are one plane, and what is asked of the second one is known
+  std::vector<Cover> covers_;
+  std::vector<Wall> walls_;  ///< vertical obstacles along the stretch
+  std::vector<WallCorner> corners_;
+  std::vector<MeshVertex> zeros_;
+  std::vector<WallGroup> groups_;
+  std::vector<GroupEdge> groupEdges_;
   std::vector<KnownLine> lines_;  ///< of the stretch, once they were asked for
   std::vector<MeshVertex> breaks_;
   bool isUndecided_ = false;

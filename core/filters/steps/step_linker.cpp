@@ -20,6 +20,7 @@ namespace {
 using Bounds = BoxTree<3>::Bounds;
 
 constexpr Index kBordersPerTask = 64;
+constexpr Index kDirectionsPerTask = 8192;
 
 }  // namespace
 
@@ -92,6 +93,20 @@ std::shared_ptr<const WalkableMesh> StepLinker::relink(const WalkableMesh& earli
   return makeMesh();
 }
 
+StepLinker::Direction StepLinker::directionOf(const MeshBorder& border) const {
+  const MeshVertex &a = splits_.vertex(border.from), &b = splits_.vertex(border.to);
+  const double size = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)});
+  return {b.x - a.x, b.y - a.y, (a.error + b.error + size * 0x1p-51) * 2};
+}
+
+// The product of both is off by at most |d| e' + |d'| e + 2 e e' and its own roundings.
+bool StepLinker::mayBeOpposite(Index first, Index second) const {
+  const Direction &d = directions_[first], &e = directions_[second];
+  const double size = std::fabs(d.x) + std::fabs(d.y), other = std::fabs(e.x) + std::fabs(e.y);
+  const double bound = (size + d.error) * e.error + (other + e.error) * d.error + size * other * 0x1p-50;
+  return !(d.x * e.x + d.y * e.y > bound);
+}
+
 StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
   const auto count = static_cast<Index>(splits_.borders().size());
   const int scale = splits_.kernel()->mesh().grid.scaleExponent();
@@ -100,26 +115,34 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
   tbb::enumerable_thread_specific<Worker> workers([&] { return makeWorker(limits, gap); });
+  directions_.resize(count);
+  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kDirectionsPerTask), [&](const auto& range) {
+    context_.checkCancelled();
+    for (Index i = range.begin(); i != range.end(); ++i) directions_[i] = directionOf(splits_.border(i));
+  });
+  const bool areAllNew = numberBefore_.empty();
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
     Worker& worker = workers.local();
     StepFindings& found = worker.found;
-    for (Index i = range.begin(); i != range.end(); ++i) {
+    for (Index place = range.begin(); place != range.end(); ++place) {
       context_.checkCancelled();
+      const Index i = splits_.tree().idAt(place);
       if (isKnown(i)) continue;
       Bounds query = boundsOf(splits_.border(i));
       for (const int k : {0, 1, 2}) {
         query.lower[k] -= k < 2 ? scaledGap : scaledStep;
         query.upper[k] += k < 2 ? scaledGap : scaledStep;
       }
-      splits_.tree().visitOverlapping(query, [&](Index other) {
+      const auto visit = [&](Index other) {
         // What is known does not look for others.
-        if (other == i || (other < i && !isKnown(other))) return;
+        if (other == i || (!areAllNew && other < i && !isKnown(other)) || !mayBeOpposite(i, other)) return;
         const Index first = std::min(i, other), second = std::max(i, other);
         const std::size_t undecided = worker.conditions.undecided();
-        tryPair(first, second, worker);
+        const bool areOnOneLine = tryPair(first, second, worker);
         found.undecided.insert(found.undecided.end(), worker.conditions.undecided() - undecided, {first, second});
-        if (gap > 0) append(found.gaps, gaps_->find(first, second, worker.gaps, worker.geometry));
-      });
+        if (gap > 0 && !areOnOneLine) append(found.gaps, gaps_->find(first, second, worker.gaps));
+      };
+      splits_.tree().visitOverlapping(query, visit, areAllNew ? place + 1 : 0);
     }
   });
   StepFindings all = std::move(known_);
@@ -138,19 +161,20 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
   return all;
 }
 
-void StepLinker::tryPair(Index first, Index second, Worker& worker) const {
+bool StepLinker::tryPair(Index first, Index second, Worker& worker) const {
   const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
   MeshGeometry& geometry = worker.geometry;
-  if (geometry.orientation(e.from, e.to, f.from) != 0 || geometry.orientation(e.from, e.to, f.to) != 0) return;
+  if (geometry.orientation(e.from, e.to, f.from) != 0 || geometry.orientation(e.from, e.to, f.to) != 0) return false;
   const int axis = BorderSplits::axisBetween(splits_.vertex(e.from), splits_.vertex(e.to), geometry);
-  if (axis < 0) return;
+  if (axis < 0) return true;
   const auto compare = [&](Index a, Index b) { return geometry.compare(a, b, axis); };
   const int direction = compare(e.to, e.from);
-  if (compare(f.to, f.from) != -direction) return;  // walkable sides on the same side
+  if (compare(f.to, f.from) != -direction) return true;  // walkable sides on the same side
   const Index begin = direction * compare(e.from, f.to) >= 0 ? e.from : f.to;
   const Index end = direction * compare(e.to, f.from) <= 0 ? e.to : f.from;
-  if (direction * compare(begin, end) >= 0) return;
+  if (direction * compare(begin, end) >= 0) return true;
   addFree({first, second, splits_.vertex(begin), splits_.vertex(end)}, axis, direction, worker);
+  return true;
 }
 
 void StepLinker::addFree(const Stretch& whole, int axis, int direction, Worker& worker) const {

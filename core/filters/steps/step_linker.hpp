@@ -56,13 +56,22 @@ class StepLinker {
     StepFindings found;
   };
 
+  /// From a border's first vertex to its last one in the plan, and what each of both is off by.
+  struct Direction {
+    double x = 0, y = 0, error = 0;
+  };
+
+  [[nodiscard]] Direction directionOf(const MeshBorder& border) const;
+  /// Whether two borders may run against each other, as those of a link do. False is certain.
+  [[nodiscard]] bool mayBeOpposite(Index first, Index second) const;
   [[nodiscard]] Worker makeWorker(const Limits& limits, double gap) const;
   [[nodiscard]] BoxTree<3>::Bounds boundsOf(const MeshBorder& border) const;
   /// Whether reuse() knows what is between this border and all others of which that is true as well.
   [[nodiscard]] bool isKnown(Index border) const { return !numberBefore_.empty() && numberBefore_[border] >= 0; }
   /// Between all pairs of borders that are near each other, in their order.
   [[nodiscard]] StepFindings findStretches(const Limits& limits, double gap);
-  void tryPair(Index first, Index second, Worker& worker) const;
+  /// Finds steps between two borders, if they lie on one line in the plan, which it returns.
+  bool tryPair(Index first, Index second, Worker& worker) const;
   /// The places of a stretch that can be stepped over, as stretches of their own.
   void addFree(const Stretch& whole, int axis, int direction, Worker& worker) const;
   /// What is left of the two borders of a link, which run against each other. `worker` may be null: nothing is asked.
@@ -80,8 +89,9 @@ class StepLinker {
   RunContext& context_;
   BorderSplits splits_;
   std::optional<GapLinker> gaps_;
-  std::vector<Index> numberBefore_;  ///< of borders, in an earlier run; -1: not known, or something changed
-  StepFindings known_;               ///< from there
+  std::vector<Direction> directions_;  ///< of borders
+  std::vector<Index> numberBefore_;    ///< of borders, in an earlier run; -1: not known, or something changed
+  StepFindings known_;                 ///< from there
   std::vector<Stretch> stretches_;
   std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges
   ExactFallbacks fallbacks_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,6 +40,10 @@ struct ExportOptions {
   int godot = 4;      ///< of a .tres: the version of Godot that is to read it, 3 or 4
   /// Of glTF: all triangles in one mesh whose node is "walkable-navmesh", which Godot imports as a navigation region.
   bool navmeshNode = false;
+  /// Of polygons (.wkt, .geojson): this connected part alone, from 0 on, largest first; empty: all.
+  std::optional<std::uint32_t> part = std::nullopt;
+  /// Of .geojson: the coordinate system that the environment is in already, "EPSG:25832"; nothing is moved.
+  std::string coordinateSystem = {};
 };
 
 /// The agent that a mesh was computed for, in the environment's units and degrees; empty: nothing was asked for.
@@ -65,21 +70,24 @@ struct ExportExtra {
 };
 
 /// Writes a mesh as OBJ (a name that ends in .obj, or has no ending), as glTF (.gltf: one JSON file) or binary (.glb),
-/// as a tile set of Detour (.bin) or as a NavigationMesh of Godot (.tres); docs/formats.md says what each of them
-/// keeps. OBJ is in the frame and units of the file that its environment came from, all others in metres and Y up. It
-/// is written beside `path` and renamed, so that a failure or a kill leaves an earlier file as it was; the same mesh
-/// gives the same bytes. Each layer is a group (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one "walkable";
+/// as a tile set of Detour (.bin), as a NavigationMesh of Godot (.tres), or as polygons with holes: well-known text
+/// (.wkt: "level-0.wkt", "level-1.wkt" and so on where there are several layers, and "level-links.wkt") or GeoJSON;
+/// docs/formats.md says what each of them keeps. OBJ is in the frame and units of the file that its environment came
+/// from, polygons in metres and Z up, all others in metres and Y up. Files are written beside their targets and renamed
+/// when all of them are whole, so that a failure or a kill leaves earlier files as they were; the same mesh gives the
+/// same bytes. Each layer is a group (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one "walkable";
 /// connections and obstacle edges are lines in "connections" and "obstacle_edges". Steps are faces in "steps", over the
 /// vertices of both borders: who reads them has the full connectivity; who does not has the surface alone. Drops are
 /// pairs of lines in "drops", from where an agent drops to where it lands, with vertices of their own.
 ///
-/// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ; all others have floats.
-/// Throws InputError for another ending, a scale that is out of range or makes coordinates infinite, coordinates that
-/// no float holds, a mesh that the format cannot hold (Detour: too many polygons; extras), a Detour file where the
-/// library was built without Detour; RunError for a read-only target, a full disk, a missing folder, a directory. Any
-/// thread may call it.
+/// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ and polygons; all others
+/// have floats. Throws InputError for another ending, a scale that is out of range or makes coordinates infinite,
+/// coordinates that no float holds, a mesh that the format cannot hold (Detour: too many polygons; extras), a part that
+/// is not there, a Detour file where the library was built without Detour; RunError for a read-only target, a full
+/// disk, a missing folder, a directory. Throws Cancelled when `context` (may be null) was cancelled; then nothing is
+/// written. Any thread may call it.
 double save(const NavigationMesh& mesh, const std::string& path, const ExportOptions& options = {},
-            const ExportHeader& header = {}, std::span<const ExportExtra> extras = {});
+            const ExportHeader& header = {}, std::span<const ExportExtra> extras = {}, RunContext* context = nullptr);
 
 struct NavigationMeshFile {
   std::string path;

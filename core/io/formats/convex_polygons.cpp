@@ -42,13 +42,16 @@ class PolygonMerger {
     slack_ = std::ldexp(largest, -23);
   }
 
-  void mergeAll() {
+  void mergeAll(Poll poll) {
+    constexpr std::size_t kEdgesPerPoll = 4096;
     std::vector<EdgeNumber> edges = longestFirst();
     // What is not convex can become so, as a polygon beside it grows: until nothing changes.
     for (bool isChanged = true; isChanged;) {
       isChanged = false;
-      for (const EdgeNumber e : edges)
-        if (twin_[e] != kNone) isChanged = tryEdge(e) || isChanged;
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i % kEdgesPerPoll == 0) poll();
+        if (twin_[edges[i]] != kNone) isChanged = tryEdge(edges[i]) || isChanged;
+      }
       std::erase_if(edges, [&](EdgeNumber e) { return twin_[e] == kNone; });
     }
   }
@@ -231,9 +234,10 @@ std::vector<std::uint32_t> oppositeEdges(std::span<const Triangle> triangles) {
 }
 
 ConvexPolygons mergeTriangles(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                              std::span<const std::uint32_t> groups, const MergeRules& rules) {
+                              std::span<const std::uint32_t> groups, const MergeRules& rules, Poll poll) {
+  poll();
   PolygonMerger merger(vertices, triangles, groups, rules);
-  merger.mergeAll();
+  merger.mergeAll(poll);
   return merger.result();
 }
 

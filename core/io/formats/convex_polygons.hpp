@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "footfall/geometry.hpp"
 
 namespace footfall::detail {
@@ -48,8 +49,9 @@ std::vector<std::uint32_t> oppositeEdges(std::span<const Triangle> triangles);
 ///
 /// "Convex" and "straight" are said to within 2^-23 of the largest coordinate in the plan: what a float can tell. So it
 /// is for formats with floats. `groups` (may be empty) has a number for each triangle: different ones never merge.
-/// Borders stay edge by edge, so that an edge of a link is an edge of a polygon. Same input, same result.
+/// Borders stay edge by edge, so that an edge of a link is an edge of a polygon. Same input, same result. Throws what
+/// `poll` throws.
 ConvexPolygons mergeTriangles(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                              std::span<const std::uint32_t> groups, const MergeRules& rules);
+                              std::span<const std::uint32_t> groups, const MergeRules& rules, Poll poll = {});
 
 }  // namespace footfall::detail

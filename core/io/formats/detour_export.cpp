@@ -110,9 +110,9 @@ TileData buildTile(const DetourTile& tile, const AgentSize& agent) {
 bool hasDetour() { return true; }
 
 DetourFile formatDetour(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options,
-                        const DetourLimits& limits) {
+                        const DetourLimits& limits, Poll poll) {
   const EngineMesh engine = engineMesh(mesh, options);
-  const DetourTiles set = detourTiles(engine, limits);
+  const DetourTiles set = detourTiles(engine, limits, poll);
   const AgentSize agent = agentSize(header.numbers, mesh.frame.metresPerUnit * options.scale, set.tiles.size() > 1);
   SetHeader setHeader;
   setHeader.tileCount = static_cast<int>(set.tiles.size());
@@ -135,6 +135,7 @@ DetourFile formatDetour(const NavigationMesh& mesh, const ExportHeader& header, 
   const std::unique_ptr<dtNavMesh, DetourFree> built(dtAllocNavMesh());
   if (!built || dtStatusFailed(built->init(&parameters))) failBuilding();
   for (const DetourTile& tile : set.tiles) {
+    poll();
     TileData data = buildTile(tile, agent);
     TileHeader tileHeader{0, data.size};
     // Adding a tile changes its bytes, so they are written before; the reference is known behind.

@@ -27,6 +27,6 @@ bool hasDetour();
 ///
 /// Throws InputError where this build has no Detour, and what engineMesh() and detourTiles() do.
 DetourFile formatDetour(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options = {},
-                        const DetourLimits& limits = {});
+                        const DetourLimits& limits = {}, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -7,7 +7,7 @@ namespace footfall::detail {
 
 bool hasDetour() { return false; }
 
-DetourFile formatDetour(const NavigationMesh&, const ExportHeader&, const ExportOptions&, const DetourLimits&) {
+DetourFile formatDetour(const NavigationMesh&, const ExportHeader&, const ExportOptions&, const DetourLimits&, Poll) {
   throw InputError(
       FOOTFALL_TEXT("this program was built without Detour and cannot write .bin; install librecast-dev and build it "
                     "again, or export as .obj or .glb"));

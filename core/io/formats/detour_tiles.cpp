@@ -104,13 +104,13 @@ std::uint64_t edgeKey(std::uint32_t from, std::uint32_t to) { return static_cast
 /// Fills the tiles of one grid.
 class TileMaker {
  public:
-  TileMaker(EngineMesh mesh, const Grid& grid, const DetourLimits& limits)
-      : mesh_(std::move(mesh)), grid_(grid), limits_(limits) {}
+  TileMaker(EngineMesh mesh, const Grid& grid, const DetourLimits& limits, Poll poll)
+      : mesh_(std::move(mesh)), grid_(grid), limits_(limits), poll_(poll) {}
 
   /// Empty where the limits are too tight.
   std::optional<std::vector<DetourTile>> make() {
-    for (int i = 1; i < grid_.columns; ++i) cutAlong(mesh_, 0, grid_.lineX(i));
-    for (int i = 1; i < grid_.rows; ++i) cutAlong(mesh_, 1, -static_cast<double>(grid_.lineZ(i)));
+    for (int i = 1; i < grid_.columns; ++i) cut(0, grid_.lineX(i));
+    for (int i = 1; i < grid_.rows; ++i) cut(1, -static_cast<double>(grid_.lineZ(i)));
     mergeByTiles();
     numberPolygons();
     if (std::ranges::any_of(sizes_, [&](std::size_t size) { return size > limits_.polygons; })) return {};
@@ -130,6 +130,12 @@ class TileMaker {
   }
 
  private:
+  static constexpr std::size_t kPolygonsPerPoll = 1024;
+
+  void cut(int axis, double place) {
+    poll_();
+    cutAlong(mesh_, axis, place);
+  }
   [[nodiscard]] std::size_t tileAt(const Vec3& p) const {
     return static_cast<std::size_t>(grid_.rowOf(-p.y) * grid_.columns + grid_.columnOf(p.x));
   }
@@ -148,7 +154,7 @@ class TileMaker {
       groups.push_back(static_cast<std::uint32_t>(tileOf(mesh_.triangles[t])) * layers +
                        (mesh_.layers.empty() ? 0 : mesh_.layers[t]));
     polygons_ = mergeTriangles(mesh_.vertices, mesh_.triangles, groups,
-                               {.maxCorners = kDetourCorners, .maxTriangles = kMaxTriangles});
+                               {.maxCorners = kDetourCorners, .maxTriangles = kMaxTriangles}, poll_);
   }
 
   void numberPolygons() {
@@ -177,6 +183,7 @@ class TileMaker {
     opposite_ = oppositeEdges(mesh_.triangles);
     slot_.assign(polygons_.corners.size(), 0);
     for (std::size_t polygon = 0; polygon < polygons_.size(); ++polygon) {
+      if (polygon % kPolygonsPerPoll == 0) poll_();
       DetourTile& tile = tiles_[tile_[polygon]];
       const std::size_t first = polygons_.first[polygon], count = polygons_.first[polygon + 1] - first;
       const std::size_t start = tile.polygons.size();
@@ -304,6 +311,7 @@ class TileMaker {
   EngineMesh mesh_;
   const Grid& grid_;
   const DetourLimits& limits_;
+  Poll poll_;
   ConvexPolygons polygons_;
   std::vector<DetourTile> tiles_;
   std::vector<std::size_t> sizes_;                   ///< polygons of each tile
@@ -327,14 +335,15 @@ void setBounds(DetourTile& tile, const Grid& grid, double margin) {
 
 }  // namespace
 
-DetourTiles detourTiles(const EngineMesh& mesh, const DetourLimits& limits) {
+DetourTiles detourTiles(const EngineMesh& mesh, const DetourLimits& limits, Poll poll) {
   DetourTiles result;
   if (mesh.triangles.empty()) return result;
   const Bounds bounds = boundsOf(mesh.vertices);
   for (std::size_t count = 1; count <= kMaxTiles; count *= 2) {
+    poll();
     const Grid grid = gridFor(mesh.vertices, bounds, count);
     if (mesh.triangles.size() > 6 * limits.polygons * count) continue;  // polygons are rarely larger
-    std::optional<std::vector<DetourTile>> tiles = TileMaker(mesh, grid, limits).make();
+    std::optional<std::vector<DetourTile>> tiles = TileMaker(mesh, grid, limits, poll).make();
     if (!tiles) continue;
     std::size_t largest = 1;
     for (DetourTile& tile : *tiles) {

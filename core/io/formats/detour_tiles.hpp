@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/io/formats/engine_mesh.hpp"
 
 namespace footfall::detail {
@@ -61,7 +62,7 @@ struct DetourTiles {
 /// from. Only where an edge has two links, or tiles part them, it becomes a jump. Tiles are cut where no vertex is; a
 /// common edge on the border of two tiles that is shorter than what Detour joins (2 cm) gets a jump as well.
 ///
-/// Throws InputError where polygons of 32 bits cannot be numbered: above some 2 million.
-DetourTiles detourTiles(const EngineMesh& mesh, const DetourLimits& limits = {});
+/// Throws InputError where polygons of 32 bits cannot be numbered: above some 2 million; and what `poll` throws.
+DetourTiles detourTiles(const EngineMesh& mesh, const DetourLimits& limits = {}, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -9,6 +9,7 @@
 
 #include "core/base/counted_text.hpp"
 #include "core/io/formats/detour_tiles.hpp"
+#include "core/io/formats/geojson_export.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
@@ -22,6 +23,7 @@ constexpr std::array kFormats{
         .keeps = FOOTFALL_TEXT("everything, in doubles; footfall compare and other tools read it back"),
         .loses = FOOTFALL_TEXT("nothing"),
         .hasFrame = true,
+        .hasFloats = false,
     },
     FormatDescriptor{
         .format = ExportFormat::Gltf,
@@ -29,6 +31,7 @@ constexpr std::array kFormats{
         .name = FOOTFALL_TEXT("glTF, text: metres, Y up"),
         .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
         .loses = FOOTFALL_TEXT("doubles"),
+        .hasNavmeshNode = true,
     },
     FormatDescriptor{
         .format = ExportFormat::Glb,
@@ -36,6 +39,7 @@ constexpr std::array kFormats{
         .name = FOOTFALL_TEXT("glTF, binary: metres, Y up"),
         .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
         .loses = FOOTFALL_TEXT("doubles"),
+        .hasNavmeshNode = true,
     },
     FormatDescriptor{
         .format = ExportFormat::Detour,
@@ -57,6 +61,33 @@ constexpr std::array kFormats{
         .hasLines = false,
         .hasDrops = false,
         .hasExtras = false,
+        .hasGodotVersion = true,
+    },
+    FormatDescriptor{
+        .format = ExportFormat::Wkt,
+        .ending = ".wkt",
+        .name = FOOTFALL_TEXT("Well-known text: polygons with holes, metres"),
+        .keeps =
+            FOOTFALL_TEXT("polygons with holes, a file for each layer, in doubles; connections, steps, gaps, drops "
+                          "and thin walls as lines in another file"),
+        .loses = FOOTFALL_TEXT("heights, triangles, what links lead to, the agent, placed obstacles"),
+        .hasExtras = false,
+        .hasParts = true,
+        .hasFloats = false,
+        .hasFilesBeside = true,
+    },
+    FormatDescriptor{
+        .format = ExportFormat::GeoJson,
+        .ending = ".geojson",
+        .name = FOOTFALL_TEXT("GeoJSON: polygons with holes, metres"),
+        .keeps =
+            FOOTFALL_TEXT("polygons with holes and heights, layer, part and area of each, in doubles; connections, "
+                          "steps, gaps, drops and thin walls as lines"),
+        .loses = FOOTFALL_TEXT("triangles, the agent, placed obstacles"),
+        .hasExtras = false,
+        .hasParts = true,
+        .hasCoordinateSystem = true,
+        .hasFloats = false,
     },
 };
 
@@ -92,6 +123,22 @@ ExportFormat exportFormatOf(const std::string& path) {
     if (ending == format.ending) return format.format;
   throw InputError(FOOTFALL_TEXT("%1: cannot be written in the format \"%2\"; give a name that ends in %3"), path,
                    ending.substr(1), exportEndings());
+}
+
+void checkOptions(ExportFormat format, const ExportOptions& options) {
+  const FormatDescriptor& descriptor = descriptorOf(format);
+  const ExportOptions usual;
+  const auto check = [&](bool isAsked, bool isKnown, Pattern option) {
+    if (isAsked && !isKnown)
+      throw InputError(FOOTFALL_TEXT("a file that ends in %1 has no choice of %2; leave that out"), descriptor.ending,
+                       Text(option));
+  };
+  check(options.up.has_value(), descriptor.hasFrame, FOOTFALL_TEXT("an up axis"));
+  check(options.godot != usual.godot, descriptor.hasGodotVersion, FOOTFALL_TEXT("a version of Godot"));
+  check(options.navmeshNode, descriptor.hasNavmeshNode, FOOTFALL_TEXT("a node for Godot"));
+  check(options.part.has_value(), descriptor.hasParts, FOOTFALL_TEXT("a connected part"));
+  check(!options.coordinateSystem.empty(), descriptor.hasCoordinateSystem, FOOTFALL_TEXT("a coordinate system"));
+  if (!options.coordinateSystem.empty()) checkCoordinateSystem(options.coordinateSystem);
 }
 
 Text lossesOf(ExportFormat format, const NavigationMesh& mesh, const ExportOptions& options) {

@@ -11,19 +11,10 @@
 namespace footfall::detail {
 namespace {
 
-void checkCoordinateSystem(const std::string& name) {
-  constexpr std::string_view kAuthority = "EPSG:";
-  const bool isOne =
-      name.starts_with(kAuthority) && name.size() > kAuthority.size() && name.size() < 15 &&
-      std::all_of(name.begin() + kAuthority.size(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!isOne)
-    throw InputError(FOOTFALL_TEXT("%1: not the name of a coordinate system; give one such as EPSG:25832"), name);
-}
-
 class GeoJsonWriter {
  public:
-  GeoJsonWriter(const NavigationMesh& mesh, const PlanPolygons& polygons, const GeoJsonOptions& options)
-      : mesh_(mesh), polygons_(polygons), options_(options), metres_(mesh.frame.metresPerUnit) {}
+  GeoJsonWriter(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options)
+      : mesh_(mesh), polygons_(polygons), options_(options), metres_(mesh.frame.metresPerUnit * options.scale) {}
 
   std::string write() {
     text_ = "{\"type\": \"FeatureCollection\",\n";
@@ -93,7 +84,7 @@ class GeoJsonWriter {
       planArea += doubleAreaOf(mesh_, hole);
     }
     beginProperties("walkable");
-    property("layer", polygon.layer);
+    if (options_.layers) property("layer", polygon.layer);
     property("part", polygon.part + 1);
     property("area", polygon.area * metres_ * metres_);
     property("plan_area", planArea / 2 * metres_ * metres_);
@@ -117,8 +108,10 @@ class GeoJsonWriter {
     if (!beginLine(edge[0], edge[1], kind)) return;
     property("height", height * metres_);
     property("width", width * metres_);
-    property("from_layer", layerOf(from));
-    property("to_layer", layerOf(to));
+    if (options_.layers) {
+      property("from_layer", layerOf(from));
+      property("to_layer", layerOf(to));
+    }
     property("from_part", partOf(from) + 1);
     property("to_part", partOf(to) + 1);
     end();
@@ -146,18 +139,21 @@ class GeoJsonWriter {
         end();
       }
     };
-    addEdges(mesh_.connections, "connection");
-    for (const StepLink& link : mesh_.links)
-      addLink({mesh_.vertices[link.from[0]], mesh_.vertices[link.from[1]]}, link.kind == StepKind::Gap ? "gap" : "step",
-              link.fromTriangle, link.toTriangle, link.height, link.width);
-    for (const DropLink& drop : mesh_.drops)
-      addLink(drop.start, "drop", drop.fromTriangle, drop.toTriangle, drop.depth, 0);
-    addEdges(polygons_.barriers, "barrier");
+    if (options_.connections) addEdges(mesh_.connections, "connection");
+    if (options_.steps)
+      for (const StepLink& link : mesh_.links)
+        addLink({mesh_.vertices[link.from[0]], mesh_.vertices[link.from[1]]},
+                link.kind == StepKind::Gap ? "gap" : "step", link.fromTriangle, link.toTriangle, link.height,
+                link.width);
+    if (options_.drops)
+      for (const DropLink& drop : mesh_.drops)
+        addLink(drop.start, "drop", drop.fromTriangle, drop.toTriangle, drop.depth, 0);
+    if (options_.obstacleEdges) addEdges(polygons_.barriers, "barrier");
   }
 
   const NavigationMesh& mesh_;
   const PlanPolygons& polygons_;
-  const GeoJsonOptions& options_;
+  const ExportOptions& options_;
   double metres_;
   std::string text_;
   bool isFirst_ = true;
@@ -165,9 +161,20 @@ class GeoJsonWriter {
 
 }  // namespace
 
-std::string formatGeoJson(const NavigationMesh& mesh, const GeoJsonOptions& options, Poll poll) {
+void checkCoordinateSystem(const std::string& name) {
+  constexpr std::string_view kAuthority = "EPSG:";
+  const bool isOne =
+      name.starts_with(kAuthority) && name.size() > kAuthority.size() && name.size() < 15 &&
+      std::all_of(name.begin() + kAuthority.size(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!isOne)
+    throw InputError(FOOTFALL_TEXT("%1: not the name of a coordinate system; give one such as EPSG:25832"), name);
+}
+
+std::string formatGeoJson(const NavigationMesh& mesh, const ExportOptions& options, Poll poll) {
   if (!options.coordinateSystem.empty()) checkCoordinateSystem(options.coordinateSystem);
   const PlanPolygons polygons = makePlanPolygons(mesh, poll);
+  checkPolygonOptions(mesh, polygons, options);
+  poll();
   return GeoJsonWriter(mesh, polygons, options).write();
 }
 

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/io/formats/plan_polygons.hpp"
 
 namespace footfall::detail {
 
-struct GeoJsonOptions {
-  /// The coordinate system that the coordinates are in, "EPSG:25832"; empty: none is named. Nothing is moved.
-  std::string coordinateSystem = {};
-  std::optional<std::uint32_t> part = std::nullopt;  ///< from 0; empty: all connected parts
-};
+/// Throws InputError for a name that is no "EPSG:" and a number.
+void checkCoordinateSystem(const std::string& name);
 
 /// One FeatureCollection (RFC 7946, or with a coordinate system its predecessor of 2008, which has the member "crs" for
 /// that). Coordinates are metres as in WKT, with heights. Polygons have the properties `kind` ("walkable"), `layer` (as
@@ -22,7 +17,8 @@ struct GeoJsonOptions {
 /// `kind`: "connection" (where layers meet; with `part`), "step", "gap" and "drop" (the edge that an
 /// agent leaves from; with `height`, `width`, `from_layer`, `to_layer`, `from_part` and `to_part`, steps and gaps in
 /// both directions), "barrier" (inside a polygon, not to be crossed; with `part`). Same mesh, same bytes. Throws
-/// InputError for a name that is no "EPSG:" and a number, and what `poll` throws.
-std::string formatGeoJson(const NavigationMesh& mesh, const GeoJsonOptions& options = {}, Poll poll = {});
+/// InputError for a name that is no "EPSG:" and a number, and what checkPolygonOptions() and `poll` throw. Without
+/// layers `layer` is left out.
+std::string formatGeoJson(const NavigationMesh& mesh, const ExportOptions& options = {}, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -20,6 +20,7 @@ namespace {
 
 /// In metres: what heights may be off where Godot divides a polygon into other triangles than it was made of.
 constexpr double kFlatness = 0.001;
+constexpr std::size_t kPolygonsPerPoll = 1024;
 
 using Place = std::array<double, 3>;
 using Polygon = std::vector<std::uint32_t>;
@@ -29,15 +30,19 @@ Place placeOf(const Vec3& p) { return {p.x, p.y, p.z}; }
 /// The polygons of the surface and of the steps, over the vertices of `mesh` and some more.
 class GodotPolygons {
  public:
-  explicit GodotPolygons(EngineMesh& mesh) : mesh_(mesh) {
+  GodotPolygons(EngineMesh& mesh, Poll poll) : mesh_(mesh) {
     const ConvexPolygons merged =
-        mergeTriangles(mesh.vertices, mesh.triangles, {}, {.maxCorners = 1000, .maxHeight = kFlatness});
+        mergeTriangles(mesh.vertices, mesh.triangles, {}, {.maxCorners = 1000, .maxHeight = kFlatness}, poll);
     for (const EngineLink& link : mesh.links) {
       if (isOnePlace(link)) joined_.insert(key(link.from[0], link.from[1]));
       for (const Edge& edge : {link.from, link.to}) ++pieces_[edge].count;
     }
     for (auto& [edge, pieces] : pieces_) divide(edge, pieces);
-    for (std::size_t i = 0; i < merged.size(); ++i) addSurface(merged, i);
+    countInnerEdges(merged);
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+      if (i % kPolygonsPerPoll == 0) poll();
+      addSurface(merged, i);
+    }
     for (const EngineLink& link : mesh.links) addStep(link);
   }
 
@@ -51,6 +56,26 @@ class GodotPolygons {
     std::size_t count = 0, used = 0;
     std::vector<std::uint32_t> vertices;  ///< count + 1 from end to end
   };
+
+  /// Where an edge of the border lies on one between two polygons (another surface begins in a fold), that place is
+  /// taken: Godot would join a third polygon there.
+  void countInnerEdges(const ConvexPolygons& merged) {
+    std::set<Key> borders, inner;
+    const auto each = [&](const auto& use) {
+      for (std::size_t polygon = 0; polygon < merged.size(); ++polygon) {
+        const std::span<const std::uint32_t> corners = merged.cornersOf(polygon);
+        for (std::size_t k = 0; k < corners.size(); ++k)
+          use(merged.neighbours[merged.first[polygon] + k] == kNoPolygon,
+              key(corners[k], corners[(k + 1) % corners.size()]));
+      }
+    };
+    each([&](bool isBorder, const Key& place) {
+      if (isBorder) borders.insert(place);
+    });
+    each([&](bool isBorder, const Key& place) {
+      if (!isBorder && borders.contains(place)) borders_[place] = 1;
+    });
+  }
 
   void divide(const Edge& edge, Pieces& pieces) {
     pieces.vertices.push_back(edge[0]);
@@ -157,12 +182,12 @@ std::string quoted(const std::string& name) {
 
 }  // namespace
 
-GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options) {
+GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options, Poll poll) {
   if (options.godot != 3 && options.godot != 4)
     throw InputError(FOOTFALL_TEXT("there is no format for Godot %1; choose 3 or 4"), options.godot);
   const bool isThree = options.godot == 3;
   EngineMesh engine = engineMesh(mesh, options);
-  const GodotPolygons made(engine);
+  const GodotPolygons made(engine, poll);
   GodotFile file;
   file.largestError = engine.largestError;
   file.polygons = made.polygons().size();
@@ -174,6 +199,7 @@ GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, co
   if (!name.empty()) text += "resource_name = " + quoted(name) + '\n';
   text += isThree ? "vertices = PoolVector3Array(" : "vertices = PackedVector3Array(";
   const char* separator = " ";
+  poll();
   for (const Vec3& p : engine.vertices)
     for (const double x : {p.x, p.z, -p.y}) {
       text += std::exchange(separator, ", ");

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "core/base/poll.hpp"
 #include "footfall/io.hpp"
 
 namespace footfall::detail {
@@ -24,7 +25,8 @@ struct GodotFile {
 /// is a polygon between both borders (an edge with several of them is divided, as Godot joins two polygons on an edge
 /// at most), and of the two sides of an obstacle edge one gets a corner in its middle, which
 /// keeps them apart. Agent: height, radius, step and slope, where they are known. Throws what engineMesh() throws, and
-/// InputError for another version.
-GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options = {});
+/// InputError for another version, and what `poll` throws.
+GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options = {},
+                      Poll poll = {});
 
 }  // namespace footfall::detail

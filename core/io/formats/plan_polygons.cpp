@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
+#include "core/io/export.hpp"
+#include "footfall/errors.hpp"
 
 namespace footfall::detail {
 
@@ -29,6 +31,14 @@ PlanPolygons makePlanPolygons(const NavigationMesh& mesh, Poll poll) {
     }
   }
   return made;
+}
+
+void checkPolygonOptions(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options) {
+  checkScale(options, mesh);
+  const std::size_t count = polygons.parts.areas.size();
+  if (options.part && *options.part >= count)
+    throw InputError(FOOTFALL_TEXT("there is no connected part %1, the last is %2; choose another one"),
+                     std::size_t{*options.part} + 1, count);
 }
 
 }  // namespace footfall::detail

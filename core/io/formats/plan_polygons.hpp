@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mesh/plan_outline.hpp"
+#include "footfall/io.hpp"
 
 namespace footfall::detail {
 
@@ -29,5 +30,8 @@ struct PlanPolygons {
 /// Within a layer, triangles of one connected part that share an edge in the plan are one polygon, whatever their
 /// heights: polygons have no slits. Polygons of different parts may share a border. `poll` may throw.
 PlanPolygons makePlanPolygons(const NavigationMesh& mesh, Poll poll = {});
+
+/// Throws InputError where `options` ask for a part that is not there, or a scale that is none (checkScale()).
+void checkPolygonOptions(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options);
 
 }  // namespace footfall::detail

@@ -10,12 +10,14 @@ namespace {
 
 class WktWriter {
  public:
-  explicit WktWriter(const NavigationMesh& mesh) : mesh_(mesh) {}
+  explicit WktWriter(const NavigationMesh& mesh, const ExportOptions& options = {})
+      : mesh_(mesh), options_(options), metres_(mesh.frame.metresPerUnit * options.scale) {}
 
-  void layer(const PlanPolygons& polygons, std::uint32_t layer, std::optional<std::uint32_t> part) {
+  void layer(const PlanPolygons& polygons, std::optional<std::uint32_t> layer, std::optional<std::uint32_t> part) {
     std::vector<const PlanPart*> chosen;
     for (const PlanPolygon& polygon : polygons.polygons)
-      if (polygon.layer == layer && polygon.part == part.value_or(polygon.part)) chosen.push_back(&polygon.outline);
+      if (polygon.layer == layer.value_or(polygon.layer) && polygon.part == part.value_or(polygon.part))
+        chosen.push_back(&polygon.outline);
     if (chosen.empty()) text += "POLYGON EMPTY";
     if (chosen.size() == 1) polygon(*chosen.front());
     if (chosen.size() < 2) return;
@@ -45,11 +47,15 @@ class WktWriter {
       return found;
     };
     std::vector<std::array<Vec3, 2>> steps, gaps, drops;
-    for (const StepLink& link : mesh_.links)
-      (link.kind == StepKind::Gap ? gaps : steps)
-          .push_back({mesh_.vertices[link.from[0]], mesh_.vertices[link.from[1]]});
-    for (const DropLink& drop : mesh_.drops) drops.push_back(drop.start);
-    list(std::array{edgesOf(mesh_.connections), steps, gaps, drops, edgesOf(polygons.barriers)},
+    if (options_.steps)
+      for (const StepLink& link : mesh_.links)
+        (link.kind == StepKind::Gap ? gaps : steps)
+            .push_back({mesh_.vertices[link.from[0]], mesh_.vertices[link.from[1]]});
+    if (options_.drops)
+      for (const DropLink& drop : mesh_.drops) drops.push_back(drop.start);
+    const std::vector<std::array<std::uint32_t, 2>> none;
+    list(std::array{edgesOf(options_.connections ? mesh_.connections : none), steps, gaps, drops,
+                    edgesOf(options_.obstacleEdges ? polygons.barriers : none)},
          [this](const auto& kind) { lines(kind); });
   }
 
@@ -67,9 +73,9 @@ class WktWriter {
   }
 
   void place(const Vec3& p) {
-    appendNumber(text, p.x * mesh_.frame.metresPerUnit);
+    appendNumber(text, p.x * metres_);
     text += ' ';
-    appendNumber(text, p.y * mesh_.frame.metresPerUnit);
+    appendNumber(text, p.y * metres_);
   }
 
   void ring(const PlanRing& vertices) {
@@ -91,19 +97,28 @@ class WktWriter {
   }
 
   const NavigationMesh& mesh_;
+  const ExportOptions options_;
+  double metres_;
 };
 
 }  // namespace
 
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
                            std::optional<std::uint32_t> part) {
-  WktWriter writer(mesh);
-  writer.layer(polygons, layer, part);
+  ExportOptions options;
+  options.part = part;
+  return formatLayerWkt(mesh, polygons, std::optional(layer), options);
+}
+
+std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
+                           const ExportOptions& options) {
+  WktWriter writer(mesh, options);
+  writer.layer(polygons, layer, options.part);
   return writer.text + '\n';
 }
 
-std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons) {
-  WktWriter writer(mesh);
+std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options) {
+  WktWriter writer(mesh, options);
   writer.text = "GEOMETRYCOLLECTION (";
   writer.links(polygons);
   return writer.text + ")\n";
@@ -119,6 +134,25 @@ std::string formatWkt(const NavigationMesh& mesh, Poll poll) {
   }
   writer.links(polygons);
   return writer.text + ")\n";
+}
+
+std::vector<OutputFile> makeWktFiles(const NavigationMesh& mesh, const std::string& path, const ExportOptions& options,
+                                     Poll poll) {
+  const PlanPolygons polygons = makePlanPolygons(mesh, poll);
+  checkPolygonOptions(mesh, polygons, options);
+  std::vector<OutputFile> files;
+  if (polygons.layerCount == 1 || !options.layers) {
+    files.push_back({path, formatLayerWkt(mesh, polygons, std::nullopt, options)});
+  } else {
+    for (std::uint32_t layer = 0; layer < polygons.layerCount; ++layer) {
+      poll();
+      files.push_back(
+          {besideName(path, std::to_string(layer)), formatLayerWkt(mesh, polygons, std::optional(layer), options)});
+    }
+  }
+  poll();
+  files.push_back({besideName(path, std::string(kLinksSuffix)), formatLinksWkt(mesh, polygons, options)});
+  return files;
 }
 
 }  // namespace footfall::detail

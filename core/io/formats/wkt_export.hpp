@@ -5,24 +5,33 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/io/formats/plan_polygons.hpp"
+#include "core/io/output_files.hpp"
 
 namespace footfall::detail {
 
-// All coordinates are metres in the plan (X, Y of a Z-up frame): the environment's units times its metresPerUnit, which
-// changes nothing where that is 1. Numbers are the shortest that read back equal; outer rings are counter-clockwise.
-// Each text ends with a line break, and the same mesh gives the same bytes.
+// All coordinates are metres in the plan (X, Y of a Z-up frame) times ExportOptions::scale: the environment's units
+// times its metresPerUnit, which changes nothing where that is 1. Numbers are the shortest that read back equal; outer
+// rings are counter-clockwise. Each text ends with a line break, and the same mesh gives the same bytes.
 
-/// The polygons of a layer: POLYGON where there is one, POLYGON EMPTY where there is none, else a GEOMETRYCOLLECTION of
-/// them; no MULTIPOLYGON, as that forbids the borders that neighbouring parts share. With `part` (from 0), only those
-/// of that connected part.
+/// The polygons of a layer, or of all layers: POLYGON where there is one, POLYGON EMPTY where there is none, else a
+/// GEOMETRYCOLLECTION of them; no MULTIPOLYGON, as that forbids the borders that neighbouring parts share. With `part`
+/// (from 0), only those of that connected part.
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
                            std::optional<std::uint32_t> part = std::nullopt);
+std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
+                           const ExportOptions& options);
 
 /// A GEOMETRYCOLLECTION of five MULTILINESTRINGs, EMPTY where there is nothing: the edges where layers meet, those over
 /// which steps, gaps and drops lead, and the edges inside polygons that cannot be crossed.
-std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons);
+std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options = {});
+
+/// `path` for a single layer or without layers, else "level-0.wkt" and so on beside it, and "level-links.wkt". Throws
+/// what checkPolygonOptions() and `poll` throw.
+std::vector<OutputFile> makeWktFiles(const NavigationMesh& mesh, const std::string& path,
+                                     const ExportOptions& options = {}, Poll poll = {});
 
 /// Everything in one GEOMETRYCOLLECTION: the layers, each as above, and then the five MULTILINESTRINGs.
 std::string formatWkt(const NavigationMesh& mesh, Poll poll = {});

@@ -51,6 +51,25 @@ class Files(unittest.TestCase):
             "--no-obstacle-edges", "--no-steps", "--no-drops", "--export-up", "y", "--export-scale", "2", ending=".obj")
         self.assertEqual(target.read_bytes(), expected)
 
+    def test_formats_give_the_bytes_of_the_program(self):
+        sample = next(s for s in SAMPLES if s.name == "house.obj")
+        area = footfall.run(footfall.load(sample))
+        for ending, options, arguments in [
+                (".tres", {}, []), (".tres", {"godot": 3}, ["--godot", "3"]),
+                (".gltf", {"navmesh_node": True}, ["--navmesh-node"]),
+                (".geojson", {"part": 0, "coordinate_system": "EPSG:25832"}, ["--part", "1", "--crs", "EPSG:25832"])]:
+            with self.subTest(ending=ending, options=options):
+                target = self.folder / ("python" + ending)
+                area.save(target, **options)
+                self.assertEqual(target.read_bytes(), self.written_by_program(sample, *arguments, ending=ending))
+        area.save(self.folder / "level.wkt")
+        self.assertIn("POLYGON", (self.folder / "level-0.wkt").read_text())
+        self.assertIn("MULTILINESTRING", (self.folder / "level-links.wkt").read_text())
+        with self.assertRaisesRegex(footfall.InputError, "a version of Godot"):
+            area.save(self.folder / "a.obj", godot=3)
+        with self.assertRaisesRegex(footfall.InputError, "no connected part 100000"):
+            area.save(self.folder / "a.wkt", part=99999)
+
     def test_roles_give_the_bytes_of_the_program(self):
         sample = next(s for s in SAMPLES if s.name == "house.obj")
         level = footfall.load(sample)

@@ -61,6 +61,27 @@ class TestCommandPalette : public QObject {
     QCOMPARE(filterNames(*window_).size(), 1);
   }
 
+  void aToolIsFoundBeforeItsPanel() {
+    QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
+    for (const char* tool : {"Why?", "Try it", "Measure"}) {
+      CommandPalette& palette = openPalette();
+      QTest::keyClicks(palette.field(), tool);
+      QCOMPARE(palette.titles().front(), QString(tool));
+      QTest::keyClick(palette.field(), Qt::Key_Return);
+      QTRY_VERIFY2(window_->view().tool(), tool);
+      window_->view().setTool(nullptr);
+    }
+  }
+
+  void wordsOfTheHelpAreFound() {
+    QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
+    CommandPalette& palette = openPalette();
+    // No title has it; a sample whose title has these letters somewhere must not come first.
+    QTest::keyClicks(palette.field(), "report");
+    QVERIFY2(palette.titles().front().startsWith("Export"), qPrintable(palette.titles().front()));
+    QTest::keyClick(palette.field(), Qt::Key_Escape);
+  }
+
   void theMouseChoosesToo() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
     CommandPalette& palette = openPalette();

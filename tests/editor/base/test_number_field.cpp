@@ -47,6 +47,15 @@ class TestNumberField : public QObject {
   }
   void cleanup() { window_.reset(); }
 
+  void aDoubleClickSelectsAllOfTheNumber() {
+    field_->setValue(0.25);
+    QTest::mouseClick(field_, Qt::LeftButton);
+    QTest::mouseDClick(field_, Qt::LeftButton, Qt::NoModifier, QPoint(field_->width() - 12, field_->height() / 2));
+    QCOMPARE(field_->selectedText(), QString("0.25"));
+    QTest::keyClicks(field_, "1.5");
+    QCOMPARE(field_->value(), 1.5);
+  }
+
   void draggingTheLabelChangesTheValueAsOneEdit() {
     QList<int> sessions;
     connect(field_, &NumberField::valueEdited, this, [&] { sessions << field_->editSession(); });

@@ -194,6 +194,23 @@ class TestPanels : public QObject {
     QApplication::setFont(usual);
   }
 
+  void panelsFitTheDocksThatTheyOpenIn() {
+    window_.reset();
+    open(QSize(1440, 900));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()),
+                    "AutoStrategy\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nLayerSubdivisionFilter\n"));
+    for (QDockWidget* dock : docksOf(*window_)) {
+      const auto* area = dock->findChild<PanelArea*>("panelArea");
+      if (!area) continue;
+      bringToFront(*dock);
+      QTest::qWait(50);
+      QVERIFY2(area->widget()->width() <= area->viewport()->width(), qPrintable(QString("%1: %2 in %3")
+                                                                                    .arg(dock->objectName())
+                                                                                    .arg(area->widget()->width())
+                                                                                    .arg(area->viewport()->width())));
+    }
+  }
+
   void theFirstWindowFitsItsScreen() {
     const QMargins frame(4, 30, 4, 4);
     const QRect small(0, 28, 1440, 872);
@@ -204,6 +221,13 @@ class TestPanels : public QObject {
     placeAtFirst(window, {9000, 9000});
     QVERIFY(window.screen()->availableGeometry().contains(window.geometry()));
     QVERIFY(window.height() < window.screen()->availableGeometry().height());
+  }
+
+  void f11FillsTheScreen() {
+    QTest::keyClick(window_.get(), Qt::Key_F11);
+    QTRY_VERIFY(window_->isFullScreen());
+    QTest::keyClick(window_.get(), Qt::Key_F11);
+    QTRY_VERIFY(!window_->isFullScreen());
   }
 
   void menusAreShortAndTheirKeysUnique() {

@@ -109,6 +109,23 @@ class TestTheme : public QObject {
     QVERIFY(backgroundUpper().lightness() > 200);
   }
 
+  // Pictures are kept while the camera rests.
+  void theViewFollowsTheTheme() {
+    const QTemporaryDir folder;
+    EditorWindow window;
+    window.resize(1000, 700);
+    QVERIFY(showWindow(window));
+    Theme::instance()->setChoice(ThemeChoice::Light);
+    QVERIFY(openZUp(window, writeFile(folder, "table.obj", tableObj()), "SlopeFilter 45\n"));
+    const auto background = [&] { return window.view().grabFramebuffer().pixelColor(3, 3).lightness(); };
+    QVERIFY(background() > 180);
+    for (const auto& [id, dark] : {std::pair{"view.theme.dark", true}, std::pair{"view.theme.light", false}}) {
+      window.commands().find(id)->trigger();
+      QTRY_COMPARE(isDarkTheme(), dark);
+      QCOMPARE(background() < 80, dark);
+    }
+  }
+
   void theChoiceIsKept() {
     Theme::instance()->setChoice(ThemeChoice::Dark);
     QCOMPARE(QSettings().value("theme").toString(), QString("dark"));

@@ -36,10 +36,10 @@ class TestTimeEstimate : public QObject {
     EndEstimate end;
     end.begin(0);
     QCOMPARE(end.at(1).kind, Kind::Nothing);
-    end.tell(1, 0.1, 9);
+    end.update(1, 0.1, 9);
     QCOMPARE(end.at(1).kind, Kind::Left);
     QCOMPARE(end.at(4).seconds, 6.0);
-    end.tell(5, 0.5, 5);
+    end.update(5, 0.5, 5);
     QCOMPARE(end.at(6).seconds, 4.0);
   }
 
@@ -47,7 +47,7 @@ class TestTimeEstimate : public QObject {
     // Nothing is told any more.
     EndEstimate silent;
     silent.begin(0);
-    silent.tell(2, 0.9, 1);
+    silent.update(2, 0.9, 1);
     QCOMPARE(silent.at(3).kind, Kind::Left);
     QCOMPARE(silent.at(6).kind, Kind::Late);
     // The same second is told again and again.
@@ -55,20 +55,20 @@ class TestTimeEstimate : public QObject {
     frozen.begin(0);
     int left = 0, late = 0;
     for (double now = 2; now < 60; now += 0.25) {
-      frozen.tell(now, 0.9 + now / 10000, 1);
+      frozen.update(now, 0.9 + now / 10000, 1);
       ++(frozen.at(now).kind == Kind::Late ? late : left);
     }
     QVERIFY2(left < 20 && late > 200, qPrintable(QString("%1 %2").arg(left).arg(late)));
     // It goes on after all.
-    frozen.tell(61, 0.99 + 0.02, 3);
+    frozen.update(61, 0.99 + 0.02, 3);
     QCOMPARE(frozen.at(61).kind, Kind::Left);
   }
 
   void aMuchLaterEndIsBelievedInTime() {
     EndEstimate end;
     end.begin(0);
-    end.tell(2, 0.2, 8);
-    end.tell(4, 0.21, 30);
+    end.update(2, 0.2, 8);
+    end.update(4, 0.21, 30);
     QCOMPARE(end.at(20).kind, Kind::Left);
     QCOMPARE(end.at(20).seconds, 14.0);
     QCOMPARE(end.at(60).kind, Kind::Late);
@@ -77,15 +77,15 @@ class TestTimeEstimate : public QObject {
   void nothingToGoByIsSaidAfterAWhile() {
     EndEstimate end;
     end.begin(10);
-    end.tell(11, 0, std::nullopt);
+    end.update(11, 0, std::nullopt);
     QCOMPARE(end.at(12).kind, Kind::Nothing);
     QCOMPARE(end.at(16).kind, Kind::Unknown);
-    end.tell(17, 0.5, kInfinite);
+    end.update(17, 0.5, kInfinite);
     QCOMPARE(end.at(17).kind, Kind::Unknown);
     // After a promise, no end is a late one.
-    end.tell(18, 0.6, 4);
+    end.update(18, 0.6, 4);
     QCOMPARE(end.at(18).kind, Kind::Left);
-    end.tell(19, 0.6, kInfinite);
+    end.update(19, 0.6, kInfinite);
     QCOMPARE(end.at(19).kind, Kind::Late);
   }
 };

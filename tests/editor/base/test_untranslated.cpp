@@ -129,13 +129,13 @@ Texts textsOf(const QWidget& window) {
 
 /// The same in both languages, and why.
 const QSet<QString>& equalWords() {
-  static const QSet<QString> words{// names of programs, of formats, and of what pipelines are written in
-                                   "Footfall", "Unity", "Unreal", "Godot", "Recast", "OBJ", "glTF", "GLB", "HTML",
-                                   "PNG", "CSV", "Shift", "m", "s", "ms", "x", "y", "z", "X", "Y", "Z",
-                                   // words that German shares with English
-                                   "Name", "Filter", "Agent", "Block", "Format", "Parallel", "Threads", "Material",
-                                   "Import", "Export", "Pipeline", "Status", "Start", "Version", "Modus", "OK", "Alt",
-                                   "Plan", "Radius", "Villa", "Arena", "Docks"};
+  static const QSet<QString> words{
+      // names of programs, of formats, and of what pipelines are written in
+      "Footfall", "Unity", "Unreal", "Godot", "Recast", "Blender", "OBJ", "glTF", "GLB", "glb", "HTML", "PNG", "CSV",
+      "EPSG", "Shift", "m", "s", "ms", "x", "y", "z", "X", "Y", "Z",
+      // words that German shares with English
+      "Name", "Filter", "Agent", "Block", "Format", "Parallel", "Threads", "Material", "Import", "Export", "Pipeline",
+      "Status", "Start", "Version", "Modus", "OK", "Alt", "Plan", "Radius", "Villa", "Arena", "Docks"};
   return words;
 }
 

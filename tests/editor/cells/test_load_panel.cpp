@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/editor/block_builder.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "ui/cells/cell_legend.hpp"
 #include "ui/cells/load_panel.hpp"
 #include "ui/run/run_threads.hpp"
 
@@ -41,6 +42,40 @@ class TestLoadPanel : public QObject {
     QVERIFY(!panel_->showsEmptyState());
     model_->setBlocks({});
     QVERIFY(panel_->showsEmptyState());
+  }
+
+  void noTextIsCut_data() {
+    QTest::addColumn<double>("scale");
+    QTest::newRow("usual font") << 1.0;
+    QTest::newRow("large font") << 1.6;
+  }
+  void noTextIsCut() {
+    QFETCH(double, scale);
+    const QFont usual = QApplication::font();
+    QFont font = usual;
+    font.setPointSizeF(usual.pointSizeF() * scale);
+    QApplication::setFont(font);
+    const auto back = qScopeGuard([&] { QApplication::setFont(usual); });
+    panel_.reset();
+    panel_ = std::make_unique<LoadPanel>(*model_, threads_);
+    panel_->resize(1100, 300);
+    panel_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
+    model_->setBlocks({fourCells()});
+    CellLegend legend(*model_, nullptr);
+    legend.show();
+    legend.fitInto({1400, 900});
+    QTest::qWait(50);
+    for (QWidget* part : std::initializer_list<QWidget*>{panel_.get(), &legend}) {
+      for (const QLabel* label : part->findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->text().isEmpty()) continue;
+        const bool ignored = label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
+        const int height =
+            label->wordWrap() ? label->heightForWidth(label->width()) : label->minimumSizeHint().height();
+        QVERIFY2(ignored || label->width() >= label->minimumSizeHint().width(), qPrintable(label->text()));
+        QVERIFY2(label->height() >= height, qPrintable(label->text()));
+      }
+    }
   }
 
   void hoveringABarHighlightsItsCell() {

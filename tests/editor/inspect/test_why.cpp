@@ -95,6 +95,28 @@ class TestWhy : public QObject {
     QVERIFY(window_->view().tool() == nullptr && !action->isChecked());
   }
 
+  void howFarWallsAndLedgesAre() {
+    const QTemporaryDir folder;
+    const QByteArray walled = floorObj() + "v -4 -4 3\nv -4 4 3\nf 1 4 6 5\n";  // a wall at x = -4
+    QVERIFY(openZUp(*window_, writeFile(folder, "walled.obj", walled),
+                    "SlopeFilter 45\nVerticalClearanceFilter 2\nRadiusFilter 0.5\n"));
+    window_->view().cameraController().viewFromTop();
+    QTest::keyClick(window_.get(), Qt::Key_Y);
+    const auto borders = [this] { return panel().findChild<QLabel*>(QStringLiteral("whyBorders"))->text(); };
+    clickAt({-3, 0, 0});
+    QVERIFY(answered());
+    // As it is before the radius narrows it; a pixel is some 0.01.
+    const PlaceExplanation told = *feature_->watch().explanation();
+    QVERIFY(told.wallDistance && std::abs(*told.wallDistance - 1) < 0.03);
+    QVERIFY(told.ledgeDistance && std::abs(*told.ledgeDistance - 4) < 0.03);
+    QVERIFY2(borders().contains("a wall at ") && borders().contains(", a ledge at "), qPrintable(borders()));
+    // In the margin as well.
+    clickAt({3.75, 0, 0});
+    QVERIFY(answered());
+    QCOMPARE(panel().headline(), QStringLiteral("Not walkable: too near a ledge"));
+    QVERIFY2(borders().contains("a ledge at 0.2"), qPrintable(borders()));
+  }
+
   // The doorway's story: click it, read why, look at the lintel, go to the filter, change it, and see it open.
   void whyADoorwayIsClosed() {
     const QTemporaryDir folder;

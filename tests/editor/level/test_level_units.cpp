@@ -1,4 +1,4 @@
-// Lengths and places in metres, feet and the file's units, along the axes of files with any axis up.
+// Lengths and places in metres, millimetres, feet and the file's units, along the axes of files with any axis up.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
@@ -38,6 +38,9 @@ class TestLevelUnits : public QObject {
     QCOMPARE(known.area(10000), QString::fromUtf8("6.45 m²"));
     QCOMPARE(units(UpAxis::Z, 0.0254, true, LengthUnit::Feet).length(12), QString("1 ft"));
     QCOMPARE(units(UpAxis::Z, 0.0254, true, LengthUnit::FileUnits).length(12), QString("12 units"));
+    const LevelUnits millimetres = units(UpAxis::Z, 0.0254, true, LengthUnit::Millimetres);
+    QCOMPARE(millimetres.length(100), QString("2540 mm"));
+    QCOMPARE(millimetres.area(10000), QString::fromUtf8("6.45 m²"));
   }
 
   void placesAreTheFiles() {
@@ -65,7 +68,8 @@ class TestLevelUnits : public QObject {
 
   void whatIsTypedComesBack() {
     for (const double scale : {1.0, 0.0254, 0.01, 0.3048, 12.3}) {
-      for (const LengthUnit wanted : {LengthUnit::Metres, LengthUnit::Feet, LengthUnit::FileUnits}) {
+      for (const LengthUnit wanted :
+           {LengthUnit::Metres, LengthUnit::Millimetres, LengthUnit::Feet, LengthUnit::FileUnits}) {
         const LevelUnits level = units(UpAxis::Z, scale, true, wanted);
         for (const double typed : {2.0, 2.5, 0.1, 99.9, 1e-3, 1.23456789}) {
           QCOMPARE(level.shown(level.stored(typed)), typed);

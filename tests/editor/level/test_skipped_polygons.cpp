@@ -30,12 +30,15 @@ class TestSkippedPolygons : public QObject {
     auto* feature = window.findChild<SkippedFeature*>();
     QVERIFY(feature);
     QVERIFY(feature->showButton()->isVisible());
+    // Told once, by the button.
+    QVERIFY(!window.findChild<QLabel*>("environmentFigures")->text().contains("polygon"));
     QTest::mouseClick(feature->showButton(), Qt::LeftButton);
     QTableWidget* table = feature->panel().table();
     QTRY_VERIFY(table->isVisible());
     QCOMPARE(table->rowCount(), 3);
     QCOMPARE(table->item(0, 0)->text(), QString("line 7"));
     QCOMPARE(table->item(0, 1)->text(), QString("has two corners; a polygon needs three"));
+    QVERIFY(table->columnWidth(1) > table->fontMetrics().horizontalAdvance(table->item(0, 1)->text()));
     QCOMPARE(table->item(1, 0)->text(), QString("line 8"));
     QVERIFY(table->item(1, 2)->text().contains('4'));
     QCOMPARE(table->item(2, 2)->text(), QString("nowhere"));

@@ -138,8 +138,10 @@ class TestUnits : public QObject {
     QVERIFY(figures().contains("units"));
     QVERIFY(panel.yesButton()->isVisible());
     QCOMPARE(panel.questionText(), QString("1 unit = 1 m?"));
+    panel.yesButton()->setFocus();
     QTest::mouseClick(panel.yesButton(), Qt::LeftButton);
     QVERIFY(!panel.yesButton()->isVisible());
+    QVERIFY(window_->view().hasFocus());  // and not the next button, which Space would press
     QCOMPARE(rowOfClearance()->unitOf(0), QString("m"));
     QVERIFY2(figures().contains(QString::fromUtf8("8 × 8 × 0 m")), qPrintable(figures()));
     QVERIFY(summary().contains(QString::fromUtf8("area 64.00 m²")));
@@ -164,6 +166,15 @@ class TestUnits : public QObject {
     QCOMPARE(rowOfClearance()->unitOf(0), QString("ft"));
     QVERIFY(field()->text().startsWith("8.2020997"));
     QCOMPARE(window_->document().filters()[1].step.values[0], 98.4251968504);
+    window_->commands().find("view.lengths.millimetres")->trigger();
+    QCOMPARE(rowOfClearance()->unitOf(0), QString("mm"));
+    QCOMPARE(field()->text(), QString("2500"));
+    field()->setFocus();
+    field()->selectAll();
+    QTest::keyClicks(field(), "2540");
+    QCOMPARE(window_->document().filters()[1].step.values[0], 100.0);
+    field()->selectAll();
+    QTest::keyClicks(field(), "2500");
     window_->units().choose(LengthUnit::FileUnits);
     QCOMPARE(field()->text(), QString("98.4251968504"));
     // The choice is kept for the next window.

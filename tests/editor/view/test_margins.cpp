@@ -45,6 +45,57 @@ class TestMargins : public QObject {
     QVERIFY(removalStyle(Removal::NearWall).paint.pattern != removalStyle(Removal::NearLedge).paint.pattern);
   }
 
+  void theResultIsThereBeforeItsKinds() {
+    QStringList seen;
+    connect(&window_->controller(), &RunController::contentReady, this, [&](const ViewContent& content) {
+      QStringList reasons{content.firstRemoval ? content.firstRemoval->reason : QString()};
+      for (const ViewContent::Removed& removed : content.removed) reasons << removed.style->reason;
+      seen << reasons.join('+') + (content.hasMixedMargins ? "?" : "");
+    });
+    open(QByteArray(kClearance) + "RadiusFilter 1\n");
+    seen.removeAll("");
+    QCOMPARE(seen, (QStringList{"Too near a border?", "Too near a wall+Too near a ledge"}));
+    // A known result has them at once, one that was left before they were found finds them when it comes again.
+    QUndoStack* const edits = window_->document().undoStack();
+    bool left = false;
+    connect(&window_->controller(), &RunController::finished, this, [&] {
+      if (std::exchange(left, true)) return;
+      QVERIFY(window_->controller().seeksMarginKinds());
+      edits->undo();
+    });
+    window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(left, 20000);
+    QVERIFY(window_->controller().upToDate() && !window_->controller().seeksMarginKinds());
+    QCOMPARE(seen.last(), QString("Too near a wall+Too near a ledge"));
+    QCOMPARE(window_->controller().finishedRun()->pipeline.steps[2].values[0], 1.0);
+    edits->redo();
+    QVERIFY(window_->controller().upToDate());
+    QCOMPARE(seen.last(), QString("Too near a border?"));
+    QTRY_COMPARE_WITH_TIMEOUT(seen.last(), QString("Too near a wall+Too near a ledge"), 20000);
+  }
+
+  void cancellingLeavesThemAsTheyAre() {
+    open(QByteArray(kClearance) + "RadiusFilter 1\n");
+    connect(&window_->controller(), &RunController::finished, this, [&] { window_->controller().cancel(); });
+    window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, 1);
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(!window_->controller().seeksMarginKinds() && window_->controller().upToDate());
+    QTest::qWait(200);
+    QCOMPARE(reasons(), (QStringList{"Too near a border"}));
+  }
+
+  void aDragHasTheKindsAtItsEnd() {
+    open(QByteArray(kClearance) + "RadiusFilter 1\n");
+    window_->controller().setDragging(true);
+    window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, 1);
+    QVERIFY(waitUntilIdle(*window_));
+    QTest::qWait(300);
+    QVERIFY(window_->controller().seeksMarginKinds());
+    window_->controller().setDragging(false);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
+    QCOMPARE(reasons(), (QStringList{"Too near a wall", "Too near a ledge"}));
+  }
+
   void switchesOfTheLegend() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     click("Too near a ledge");
@@ -58,6 +109,7 @@ class TestMargins : public QObject {
     // Other content keeps them.
     window_->document().setValue(window_->document().filters()[2].id, 0, 1.25, 0);
     QVERIFY(waitUntilIdle(*window_));
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
     QVERIFY(hasPaint({-2.9, 0, 0}, undecidedPaint().colour));
   }
 
@@ -108,6 +160,7 @@ class TestMargins : public QObject {
   void open(const QByteArray& pipeline) { openText(walledFloor(), pipeline); }
   void openText(const QByteArray& text, const QByteArray& pipeline) {
     QVERIFY(openZUp(*window_, writeFile(folder_, "level.obj", text), pipeline));
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
     window_->view().cameraController().viewFromTop();
   }
   QStringList reasons() {

@@ -157,8 +157,17 @@ class TestSceneRules : public QObject {
     }
   }
 
+  void hiddenLayersAreNotRejected_data() {
+    QTest::addColumn<QByteArray>("more");
+    QTest::newRow("once") << QByteArray();
+    // The clearance keeps one of both.
+    QTest::newRow("copied") << QByteArray("f 13 14 15\nf 13 15 16\n");
+    QTest::newRow("copied otherwise") << QByteArray("f 13 14 16\nf 14 15 16\n");
+  }
   void hiddenLayersAreNotRejected() {
-    open();
+    QFETCH(QByteArray, more);
+    QVERIFY(openZUp(*window_, writeFile(folder_, "doubled.obj", storeysObj() + more), kPipeline));
+    view().cameraController().viewFromTop();
     QCOMPARE(window_->controller().finishedRun()->result.mesh->layerCount, 2U);
     SceneParts parts;
     parts.outlines = false;
@@ -169,8 +178,14 @@ class TestSceneRules : public QObject {
     for (const Vec3& place : {Vec3{3, -3, 3}, Vec3{1, 0, 3}, Vec3{2, -1, 3}}) {
       const auto seen = view().pick(at(place));
       QVERIFY(!seen || seen->point.z < 2.95);
-      QVERIFY(!sameHue(colourAt(place), removalStyle(FilterType::Slope)->paint.colour));
+      for (const FilterType type : {FilterType::Slope, FilterType::VerticalClearance})
+        QVERIFY(!sameHue(colourAt(place), removalStyle(type)->paint.colour));
     }
+    // No line is left of them, nor of their copies.
+    const QColor without = colourAt({2, 0, 3});
+    parts.outlines = true;
+    view().setParts(parts);
+    QCOMPARE(colourAt({2, 0, 3}), without);
     // A layer goes on its own triangles as well where nothing else is drawn.
     look_->modes().setMode(ViewMode::WalkableOnly);
     QCOMPARE(colourAt({3, -3, 3}).hsvSaturationF() < 0.12F, !view().pick(at({3, -3, 3})).has_value());

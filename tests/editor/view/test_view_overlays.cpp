@@ -10,6 +10,7 @@
 #include "ui/level/level_look.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/view/camera_tools.hpp"
+#include "ui/view/label_layout.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -83,7 +84,7 @@ class TestViewOverlays : public QObject {
 
   void aHintFitsIntoEveryView() {
     ViewHint& hint = *view().findChild<ViewHint*>();
-    hint.tell(QStringLiteral("Roofs and outer walls are open: Shift+I closes them.\nThe handles show one storey."));
+    hint.showText(QStringLiteral("Roofs and outer walls are open: Shift+I closes them.\nThe handles show one storey."));
     auto* close = hint.findChild<QToolButton*>("hintClose");
     HeightSlider& heights = window_->heightSlider();
     QVERIFY(heights.isVisible());
@@ -189,6 +190,85 @@ class TestViewOverlays : public QObject {
     for (const QPoint& place : {QPoint(view().width() - 4, 300), QPoint(300, 2), QPoint(view().width() - 2, 2),
                                 QPoint(view().width() - 2, view().height() - 2), QPoint(2, view().height() - 2)})
       QVERIFY2(inkAt(place) > 0.9 * whole, qPrintable(QString("%1, %2").arg(place.x()).arg(place.y())));
+  }
+
+  void labelsKeepOffEachOther() {
+    const QSizeF label(80, 20);
+    const QRectF slider(300, 50, 90, 200);
+    const QRectF mark(195, 195, 10, 10);
+    const QRectF room(0, 0, 400, 300);
+    LabelLayout layout(room.size(), {slider, mark});
+    std::vector<QRectF> taken{slider, mark};
+    // In the open, all at one place, beside the slider, under it, at an edge, and outside.
+    for (const QPointF& at : {QPointF(100, 100), QPointF(200, 200), QPointF(200, 200), QPointF(200, 200),
+                              QPointF(200, 200), QPointF(200, 200), QPointF(200, 200), QPointF(290, 120),
+                              QPointF(345, 160), QPointF(398, 290), QPointF(2, 2), QPointF(-70, 40)}) {
+      const QRectF box = layout.place(label, at);
+      QCOMPARE(box.size(), label);
+      QVERIFY(room.contains(box));
+      for (const QRectF& other : taken)
+        QVERIFY2(!box.intersects(other), qPrintable(QString("%1, %2").arg(at.x()).arg(at.y())));
+      taken.push_back(box);
+    }
+    // As near as can be: above to the right, where nothing is in the way.
+    QCOMPARE(taken[2].bottomLeft(), QPointF(110, 96));
+    // Without any room, inside all the same.
+    LabelLayout full(room.size(), {room});
+    QVERIFY(room.contains(full.place(label, {200, 200})));
+  }
+
+  void nothingCoversLabels() {
+    const QRect slider = window_->heightSlider().geometry();
+    QVERIFY(window_->heightSlider().isVisible());
+    SceneParts none;
+    none.environment = none.walkable = none.removed = none.outlines = none.obstacleEdges = false;
+    view().setParts(none);
+    view().cameraController().viewFromTop();
+    const auto inkOf = [&](const std::vector<QPoint>& places) {
+      view().removeOverlay("words");
+      const QImage empty = view().grab().toImage();
+      ViewOverlay overlay;
+      for (const QPoint& place : places) {
+        const Ray ray = view().rayAt(place);
+        overlay.labels.push_back({pointOn(ray, -ray.origin.z / ray.direction.z), QStringLiteral("Target: 12.25 m")});
+      }
+      view().setOverlay("words", overlay);
+      const QImage picture = view().grab().toImage();
+      int ink = 0;
+      for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x)
+          ink += picture.pixelColor(x, y).lightness() < 100 && empty.pixelColor(x, y).lightness() > 150 ? 1 : 0;
+      }
+      return ink;
+    };
+    const QPoint open(view().width() / 2, 300);
+    const int whole = inkOf({open});
+    QVERIFY(whole > 100);
+    QVERIFY(inkOf({open, open}) > 1.9 * whole);
+    QVERIFY(inkOf({QPoint(slider.left() - 4, slider.center().y())}) > 0.9 * whole);
+    QVERIFY(inkOf({slider.center()}) > 0.9 * whole);
+  }
+
+  void aFoldedLegendStaysFolded() {
+    class Frame : public OverlayFrame {
+     public:
+      explicit Frame(QWidget* parent) : OverlayFrame("Words", "testFrame", parent), words(new QLabel(this)) {
+        body().addWidget(words);
+      }
+      QLabel* words;
+    };
+    Frame frame(&view());
+    frame.words->setFixedSize(150, 300);
+    frame.fitInto({900, 600});
+    QVERIFY(frame.folded());
+    // With fewer entries it does not open over what somebody looks at; in a larger view it does.
+    frame.words->setFixedSize(150, 60);
+    frame.fitInto({900, 600});
+    QVERIFY(frame.folded());
+    frame.fitInto({1200, 800});
+    QVERIFY(!frame.folded());
+    frame.fitInto({900, 600});
+    QVERIFY(!frame.folded());
   }
 
   void theSelectionIsFramed() {

@@ -1,11 +1,16 @@
 // Exports by mouse and keyboard in the real window: formats, options, pictures, reports, and what goes wrong.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "core/io/gltf_export.hpp"
 #include "footfall/report.hpp"
@@ -124,22 +129,85 @@ class TestExportDialog : public QObject {
                                            *run->result.mesh, makeExportHeader(run->pipeline));
       QCOMPARE(bytes, QByteArray::fromStdString(expected.bytes));
     }
-    // The format is remembered, and the suggested name has its ending.
+    // The target is remembered, and the suggested name has its ending.
     QVERIFY(openDialog()->path().endsWith("table-walkable.glb"));
-    QCOMPARE(box("exportUp")->isEnabled(), false);
+    QCOMPARE(box("exportUp")->isVisible(), false);
   }
 
-  void theNameFollowsTheFormat() {
+  void theNameFollowsTheTarget() {
     ExportDialog* dialog = openDialog();
-    box("exportFormat")->setFocus();
-    QStringList endings;
-    for (int i = 0; i < 6; ++i) {
-      QTest::keyClick(box("exportFormat"), Qt::Key_Down);
+    QStringList endings{QFileInfo(dialog->path()).suffix()};
+    for (std::size_t i = 1; i < exportTargets().size(); ++i) {
+      box("exportTarget")->setFocus();
+      QTest::keyClick(box("exportTarget"), Qt::Key_Down);
+      const ExportTarget& target = exportTargets()[i];
+      QVERIFY(dialog->settings().target == &target);
       endings << QFileInfo(dialog->path()).suffix();
+      QCOMPARE(label("exportKeeps").isEmpty(), target.kind == ExportKind::Png || target.kind == ExportKind::Html);
+      if (const FormatDescriptor* format = meshFormat(target.kind)) {
+        QCOMPARE(label("exportKeeps"), QString(format->keeps.english));
+        QCOMPARE(label("exportLoses"), QString(format->loses.english));
+      }
+      QCOMPARE(box("planPages")->isVisible(), isPlan(target.kind));
+      QVERIFY2(button("exportAccept")->isEnabled(), target.id);
     }
-    QCOMPARE(endings, (QStringList{"gltf", "glb", "bin", "tres", "png", "html"}));
+    QCOMPARE(endings, (QStringList{"obj", "glb", "tres", "tres", "glb", "bin", "glb", "gltf", "wkt", "geojson", "pdf",
+                                   "svg", "png", "html"}));
     QVERIFY(!box("exportPictureSize")->isVisible());
     shoot(*dialog, "export-html");
+  }
+
+  // What was chosen for one target is there again for it, in the dialog, in the next one, and after a start.
+  void optionsAreRememberedForEachTarget() {
+    openDialog();
+    chooseTarget("godot-3");
+    toggle("exportSteps");
+    chooseTarget("obj");
+    QVERIFY(dialog()->settings().options.steps);
+    toggle("exportLayers");
+    chooseTarget("godot-3");
+    QVERIFY(!dialog()->settings().options.steps && dialog()->settings().options.layers);
+    const QByteArray three = accept("level.tres");
+    QVERIFY2(three.contains("format=2"), three.left(100).constData());
+    window_.reset();
+    window_ = std::make_unique<EditorWindow>();
+    window_->resize(1024, 700);
+    QVERIFY(showWindow(*window_));
+    QVERIFY(openZUp(*window_, folder_->filePath("table.obj"), kPipeline));
+    QVERIFY(openDialog()->settings().target == &exportTarget("godot-3"));
+    QVERIFY(!dialog()->settings().options.steps);
+    chooseTarget("godot-4");
+    QVERIFY(dialog()->settings().options.steps);
+    QVERIFY(accept("level4.tres").contains("format=3"));
+    // Again and after each run keep to it.
+    QVERIFY(QFile::remove(folder_->filePath("level4.tres")));
+    window_->commands().find("file.exportAgain")->trigger();
+    QTRY_VERIFY(readFile(folder_->filePath("level4.tres")).contains("format=3"));
+  }
+
+  void polygonsOfAPart() {
+    openDialog();
+    chooseTarget("maps");
+    auto* part = dialog()->findChild<QSpinBox*>("exportPart");
+    auto* system = dialog()->findChild<QLineEdit*>("exportCoordinateSystem");
+    QVERIFY(part->isVisible() && system->isVisible());
+    system->setFocus();
+    QTest::keyClicks(system, "25832");
+    QVERIFY(!button("exportAccept")->isEnabled());
+    QVERIFY(label("rowError").contains("EPSG:25832"));
+    QTest::keyClick(system, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(system, "EPSG:25832");
+    part->setValue(99);
+    QTRY_VERIFY(label("exportSize").contains("no connected part 99"));
+    part->setValue(1);
+    const QByteArray json = accept("level.geojson");
+    QVERIFY(json.contains("EPSG::25832") && json.contains("\"part\": 1") && !json.contains("\"part\": 2"));
+    openDialog();
+    chooseTarget("simulators");
+    QVERIFY(!dialog()->findChild<QLineEdit*>("exportCoordinateSystem")->isVisible());
+    QTRY_VERIFY(label("exportSize").contains("files, the first is "));
+    QVERIFY(accept("level.wkt").contains("POLYGON (("));
+    QVERIFY(QFile::exists(folder_->filePath("level-links.wkt")));
   }
 
   void picturesInAllSizes() {
@@ -226,6 +294,31 @@ class TestExportDialog : public QObject {
     QVERIFY(waitUntilIdle(*window_));
   }
 
+  void cancelledExportsLeaveTheFile() {
+    const QString target = folder_->filePath("kept.obj");
+    writeFile(*folder_, "kept.obj", "before");
+    // One that goes on until it is cancelled, also when a run ends meanwhile.
+    std::atomic<bool> begun{false};
+    window_->writer().writeLong(
+        [&begun, target](const RunContext& context) {
+          begun = true;
+          for (;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) context.checkCancelled();
+        },
+        target);
+    QTRY_VERIFY(begun);
+    window_->controller().runNow();
+    QTRY_VERIFY(!window_->controller().busy());
+    QVERIFY(window_->cancelButton()->isVisible());
+    QTest::mouseClick(window_->cancelButton(), Qt::LeftButton);
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(!window_->cancelButton()->isVisible());
+    QVERIFY2(window_->messageBar().text().contains("not written, as it was cancelled"),
+             qPrintable(window_->messageBar().text()));
+    QCOMPARE(readFile(target), QByteArray("before"));
+    window_->exportResult(target);
+    QTRY_VERIFY(readFile(target).contains("# pipeline: "));
+  }
+
   void waitsForTheRun() {
     DocumentState next = window_->document().state();
     next.filters.front().step.values[0] = 80;  // the ramp is walkable now
@@ -234,6 +327,25 @@ class TestExportDialog : public QObject {
     window_->exportResult(target);
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(target) && window_->idle(); }, 20000));
     QVERIFY(readFile(target).contains("# pipeline: SlopeFilter 80\n"));
+  }
+
+  void everythingHasItsHeight() {
+    openDialog();
+    for (const ExportTarget& target : exportTargets()) {
+      chooseTarget(target.id);
+      QVERIFY(QTest::qWaitFor([&] { return label("exportSize") != "Size: ..."; }));
+      QCoreApplication::processEvents();
+      for (const QCheckBox* box : dialog()->findChildren<QCheckBox*>())
+        if (box->isVisible()) QVERIFY2(box->height() >= box->sizeHint().height(), target.id);
+      for (const QLabel* text : dialog()->findChildren<QLabel*>()) {
+        if (!text->isVisible() || !text->hasHeightForWidth()) continue;
+        const int needed = text->heightForWidth(text->width());
+        QVERIFY2(
+            text->height() >= needed && text->height() < needed + text->fontMetrics().height(),
+            qPrintable(
+                QString("%1: %2 has %3 of %4").arg(target.id, text->objectName()).arg(text->height()).arg(needed)));
+      }
+    }
   }
 
   void everythingIsReachedByTab() {
@@ -245,7 +357,7 @@ class TestExportDialog : public QObject {
       QTest::keyClick(dialog()->focusWidget(), Qt::Key_Tab);
     }
     for (const char* wanted :
-         {"fileNameEdit", "exportBrowse", "exportFormat", "exportLayers", "exportConnections", "exportObstacleEdges",
+         {"fileNameEdit", "exportBrowse", "exportTarget", "exportLayers", "exportConnections", "exportObstacleEdges",
           "exportDrops", "exportUp", "exportScale", "exportAccept", "exportCancel"})
       QVERIFY2(order.contains(wanted), qPrintable(wanted + QString(": ") + order.join(' ')));
     QVERIFY(order.lastIndexOf("fileNameEdit") > 0);  // and around again
@@ -254,11 +366,18 @@ class TestExportDialog : public QObject {
  private:
   ExportDialog* dialog() { return qobject_cast<ExportDialog*>(QApplication::activeModalWidget()); }
   ExportDialog* openDialog() {
+    window_->activateWindow();  // after a dialog before it, without a window manager
+    if (!QTest::qWaitForWindowActive(window_.get())) qFatal("the window does not get the focus");
     QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
     if (!QTest::qWaitFor([&] { return dialog() != nullptr; })) qFatal("no dialog for exports");
     dialog()->activateWindow();
     if (!QTest::qWaitForWindowActive(dialog())) qFatal("the dialog does not get the focus");
     return dialog();
+  }
+  void chooseTarget(const char* id) {
+    const int index = static_cast<int>(&exportTarget(id) - exportTargets().data());
+    box("exportTarget")->setCurrentIndex(index);
+    emit box("exportTarget")->activated(index);
   }
   QString label(const char* name) { return dialog()->findChild<QLabel*>(name)->text(); }
   QComboBox* box(const char* name) { return dialog()->findChild<QComboBox*>(name); }

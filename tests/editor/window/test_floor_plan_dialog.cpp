@@ -1,13 +1,14 @@
-// Floor plans from the menu: the dialog, the file, and what is refused.
+// Floor plans in the dialog for exports: options, files, and what is not replaced.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QComboBox>
-#include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 
 #include "tests/editor/editor_driver.hpp"
-#include "ui/window/floor_plan_dialog.hpp"
+#include "ui/window/export_dialog.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -39,61 +40,110 @@ class TestFloorPlanDialog : public QObject {
 
   void pdfOfTheStoreys() {
     open();
-    FloorPlanDialog* dialog = showDialog();
-    QVERIFY(dialog->options().pages == PlanPages::Storeys && !dialog->options().scale && !dialog->options().paper);
+    ExportDialog* dialog = showDialog();
+    QCOMPARE(dialog->path(), folder_->filePath("table-plan.pdf"));
+    const PlanOptions plan = dialog->settings().plan;
+    QVERIFY(plan.pages == PlanPages::Storeys && !plan.scale && !plan.paper);
+    QVERIFY(!dialog->findChild<QLabel*>("exportKeeps")->text().isEmpty());
+    QTRY_VERIFY(dialog->findChild<QLabel*>("exportSize")->text().startsWith("Size: "));
+    shoot(*dialog, "export-plan");
     save("plan.pdf");
     QVERIFY(readFile(folder_->filePath("plan.pdf")).startsWith("%PDF-"));
   }
 
   void svgAsChosen() {
     open();
-    FloorPlanDialog* dialog = showDialog();
+    ExportDialog* dialog = showDialog();
+    name()->setText(folder_->filePath("plan.svg"));
+    emit name()->textEdited(name()->text());
     choose("planPages", "One for each layer");
     choose("planScale", "1:200");
     choose("planPaper", "A3");
     choose("planColours", "Black and white");
-    const PlanOptions options = dialog->options();
+    const PlanOptions options = dialog->settings().plan;
     QVERIFY(options.scale == 200 && options.paper == Paper::A3 && options.colours == PlanColours::BlackAndWhite);
     save("plan.svg");
     const QByteArray svg = readFile(folder_->filePath("plan.svg"));
     QVERIFY2(svg.contains("1:200") && svg.contains("Layer 0") && svg.contains("297mm"), svg.left(300).constData());
     QVERIFY(!svg.contains("#d6f0e6"));
+    // Of another plan they are remembered, but for the scale.
+    showDialog("plan-svg");
+    const PlanOptions again = this->dialog()->settings().plan;
+    QVERIFY(!again.scale && again.paper == Paper::A3 && again.pages == PlanPages::Layers);
+  }
+
+  // A tower has a page for each layer; what is there under one of their names is asked about.
+  void pagesAreNotReplacedUnasked() {
+    window_->openWith(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/tower/tower.obj"), parsePipeline(kPipeline, "test"),
+                      {});
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->controller().finishedRun()->result.mesh->layerCount > 1);
+    writeFile(*folder_, "plan-1.svg", "mine");
+    showDialog("plan-svg");
+    choose("planPages", "One for each layer");
+    name()->setText(folder_->filePath("plan.svg"));
+    QTest::keyClick(name(), Qt::Key_Return);
+    QMessageBox* question = nullptr;
+    QVERIFY(
+        QTest::qWaitFor([&] { return (question = window_->findChild<QMessageBox*>("replaceQuestion")) != nullptr; }));
+    QVERIFY2(question->text().contains("plan-1.svg"), qPrintable(question->text()));
+    QTest::keyClick(question, Qt::Key_Escape);
+    QTRY_VERIFY(!window_->findChild<QMessageBox*>("replaceQuestion"));
+    QVERIFY(!QFile::exists(folder_->filePath("plan-0.svg")));
+    QCOMPARE(readFile(folder_->filePath("plan-1.svg")), QByteArray("mine"));
+    QTest::keyClick(name(), Qt::Key_Return);
+    QVERIFY(
+        QTest::qWaitFor([&] { return (question = window_->findChild<QMessageBox*>("replaceQuestion")) != nullptr; }));
+    question->findChild<QPushButton*>("replaceAccept")->click();
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(folder_->filePath("plan-0.svg")) && window_->idle(); }, 20000));
+    QVERIFY(readFile(folder_->filePath("plan-1.svg")).startsWith("<?xml"));
+    // Again: its own pages may go, but not what came since.
+    QVERIFY(QFile::remove(folder_->filePath("plan-0.svg")));
+    window_->commands().find("file.exportAgain")->trigger();
+    QTRY_VERIFY(QFile::exists(folder_->filePath("plan-0.svg")));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->messageBar().text().isEmpty());
   }
 
   void theEnvironmentIsNotWrittenOver() {
     open();
     showDialog();
     const QByteArray before = readFile(folder_->filePath("table.obj"));
-    save("table.obj", false);
+    name()->setText(folder_->filePath("table.obj"));
+    emit name()->textEdited(name()->text());
+    QVERIFY(!dialog()->findChild<QPushButton*>("exportAccept")->isEnabled());
     QCOMPARE(readFile(folder_->filePath("table.obj")), before);
   }
 
  private:
   void open() { QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline)); }
 
-  FloorPlanDialog* showDialog() {
+  ExportDialog* dialog() { return qobject_cast<ExportDialog*>(QApplication::activeModalWidget()); }
+  QLineEdit* name() { return dialog()->findChild<QLineEdit*>("fileNameEdit"); }
+
+  ExportDialog* showDialog(const char* target = nullptr) {
     window_->commands().find("file.plan")->trigger();
-    FloorPlanDialog* dialog = nullptr;
-    if (!QTest::qWaitFor([&] { return (dialog = window_->findChild<FloorPlanDialog*>()) != nullptr; }))
-      qFatal("no dialog");
-    return dialog;
+    if (!QTest::qWaitFor([&] { return dialog() != nullptr; })) qFatal("no dialog");
+    if (target) {
+      auto* box = dialog()->findChild<QComboBox*>("exportTarget");
+      box->setCurrentIndex(static_cast<int>(&exportTarget(target) - exportTargets().data()));
+      emit box->activated(box->currentIndex());
+    }
+    return dialog();
   }
 
   void choose(const char* name, const QString& text) {
-    auto* box = window_->findChild<FloorPlanDialog*>()->findChild<QComboBox*>(name);
-    QVERIFY(box->findText(text) >= 0);
+    auto* box = dialog()->findChild<QComboBox*>(name);
+    QVERIFY(box->isVisible() && box->findText(text) >= 0);
     box->setCurrentIndex(box->findText(text));
   }
 
-  void save(const QString& name, bool isWritten = true) {
-    auto* dialog = window_->findChild<FloorPlanDialog*>();
-    QTest::mouseClick(dialog->findChild<QPushButton*>("planSave"), Qt::LeftButton);
-    QFileDialog* files = nullptr;
-    QVERIFY(QTest::qWaitFor([&] { return (files = window_->findChild<QFileDialog*>()) != nullptr; }));
-    files->findChild<QLineEdit*>("fileNameEdit")->setText(folder_->filePath(name));
-    QMetaObject::invokeMethod(files, "accept");
+  void save(const QString& file) {
+    name()->setText(folder_->filePath(file));
+    emit name()->textEdited(name()->text());
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("exportAccept"), Qt::LeftButton);
+    QTRY_VERIFY(QFile::exists(folder_->filePath(file)));
     QVERIFY(waitUntilIdle(*window_));
-    if (isWritten) QTRY_VERIFY(QFile::exists(folder_->filePath(name)));
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

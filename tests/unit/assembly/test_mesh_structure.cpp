@@ -100,6 +100,20 @@ Pairs overlapsFound(const WalkableState& state) {
   return result;
 }
 
+/// Two floors along a border on which each has vertices where the other one has none, one a step above the other.
+Soup kerb(int n) {
+  Soup soup;
+  for (int i = 0; i < n; ++i) {
+    soup.floor(i, -10, i + 1, 0, 0);
+    soup.floor(i + 0.5, 0, i + 1.5, 10, 0.125);
+  }
+  return soup;
+}
+
+StatePtr simplified(const Soup& soup) {
+  return runFilters(soup.environment(), minimalPipeline(2) + "StepFilter 0.4 0\nSimplificationFilter\n");
+}
+
 std::multiset<std::array<std::array<std::string, 3>, 3>> placesOf(const StatePtr& state, double below) {
   std::multiset<std::array<std::array<std::string, 3>, 3>> result;
   for (const ExactTriangle& t : exactWalkableTriangles(*state))
@@ -130,6 +144,32 @@ class TestMeshStructure : public QObject {
         RC_ASSERT(std::equal(found.begin(), found.end(), sides.begin(), sides.end()));
       }
     }));
+  }
+
+  // The floors of a kerb become needles; a bridge, a beam and a ramp lie above some of them.
+  void needlesOverlapLikeOthers() {
+    Soup soup = kerb(600);
+    soup.floor(100.25, -3, 101.5, 4, 5);
+    soup.floor(300, -8, 300.125, -0.5, 5);
+    soup.quad({400, -5, 5}, {450, -5, 5}, {450, 0, 6}, {400, 0, 6});
+    const StatePtr state = simplified(soup);
+    const Pairs expected = overlapsOnePair(*state);
+    QVERIFY(expected.size() > 50);
+    QVERIFY(overlapsFound(*state) == expected);
+  }
+
+  void kerbsAreNotTestedPairByPair() {
+    for (const int n : {1000, 4000}) {
+      const StatePtr state = simplified(kerb(n));
+      RunContext context;
+      ExactFallbacks fallbacks;
+      std::size_t tested = 0;
+      const auto found = findPlanOverlaps(*state->kernel, *state->mesh, topologyOf(*state->mesh),
+                                          std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
+      QVERIFY(found && found->empty());
+      const std::size_t triangles = state->mesh->triangles.size(), pairs = triangles * (triangles - 1) / 2;
+      QVERIFY2(tested < pairs / 50, qPrintable(QString("%1 of %2 pairs").arg(tested).arg(pairs)));
+    }
   }
 
   void boxesAreFound() {

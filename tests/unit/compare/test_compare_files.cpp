@@ -6,8 +6,10 @@
 #include <QProcess>
 #include <QtTest>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/io/export.hpp"
+#include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/unit/environment_files.hpp"
@@ -87,6 +89,9 @@ class TestCompareFiles : public QObject {
 
   void exportsReadBack_data();
   void exportsReadBack();
+  void gltfReadsBackWhatObjDoes_data();
+  void gltfReadsBackWhatObjDoes();
+  void damagedGltfIsRefused();
   void groupsAmongPolygons();
   void upAxes();
   void refusedFiles_data();
@@ -135,6 +140,80 @@ void TestCompareFiles::exportsReadBack() {
   }
   std::stable_sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   QVERIFY(found == expected);
+}
+
+void TestCompareFiles::gltfReadsBackWhatObjDoes_data() {
+  QTest::addColumn<QString>("sample");
+  QTest::addColumn<QString>("ending");
+  QTest::addColumn<bool>("layers");
+  QTest::newRow("house, binary") << "house"
+                                 << ".glb" << true;
+  QTest::newRow("house, text") << "house"
+                               << ".gltf" << true;
+  QTest::newRow("house, no layers") << "house"
+                                    << ".glb" << false;
+  QTest::newRow("villa") << "villa"
+                         << ".glb" << true;
+}
+
+void TestCompareFiles::gltfReadsBackWhatObjDoes() {
+  QFETCH(QString, sample);
+  QFETCH(QString, ending);
+  QFETCH(bool, layers);
+  const std::string filters =
+      std::string("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nAreaFilter 1\n") +
+      (layers ? "LayerSubdivisionFilter\n" : "") + "DropFilter 1.5 0.3\n";
+  const Product product = exported(sample.toUtf8(), filters);
+  const auto obj = readNavigationMesh(folder_.write("a.obj", product.text));
+  const std::string path = folder_.path(qPrintable("a" + ending));
+  save(product.mesh, path);
+  const auto gltf = readNavigationMesh(path);
+  QVERIFY(gltf.isExport && gltf.statedUp == UpAxis::Y && gltf.metresPerUnit == 1);
+  QCOMPARE(gltf.mesh.triangles.size(), obj.mesh.triangles.size());
+  QCOMPARE(gltf.mesh.layerCount, obj.mesh.layerCount);
+  QCOMPARE(gltf.mesh.connections.size(), obj.mesh.connections.size());
+  QCOMPARE(gltf.mesh.obstacleEdges.size(), obj.mesh.obstacleEdges.size());
+  QCOMPARE(gltf.mesh.drops.size(), obj.mesh.drops.size());
+  QCOMPARE(findComponents(gltf.mesh).list.size(), findComponents(obj.mesh).list.size());
+  // Each link between the same places, at the same triangles, as far as floats tell.
+  QVERIFY(!obj.mesh.links.empty());
+  QCOMPARE(gltf.mesh.links.size(), obj.mesh.links.size());
+  const auto rounded = [](const Vec3& p) {
+    return std::array<float, 3>{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  };
+  const auto linksOf = [&](const NavigationMesh& mesh) {
+    std::multiset<std::pair<std::array<std::array<float, 3>, 4>, StepKind>> links;
+    for (const StepLink& link : mesh.links) {
+      std::array<std::array<float, 3>, 4> places{
+          rounded(mesh.vertices[link.from[0]]), rounded(mesh.vertices[link.from[1]]),
+          rounded(mesh.vertices[link.to[0]]), rounded(mesh.vertices[link.to[1]])};
+      if (std::array{places[2], places[3]} < std::array{places[0], places[1]}) {
+        std::swap(places[0], places[2]);
+        std::swap(places[1], places[3]);
+      }
+      links.insert({places, link.kind});
+    }
+    return links;
+  };
+  QVERIFY(linksOf(gltf.mesh) == linksOf(obj.mesh));
+}
+
+void TestCompareFiles::damagedGltfIsRefused() {
+  const Product product = exported("house", "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\n");
+  const std::string path = folder_.path("whole.glb");
+  save(product.mesh, path);
+  QFile written(QString::fromStdString(path));
+  QVERIFY(written.open(QIODevice::ReadOnly));
+  const QByteArray whole = written.readAll();
+  for (const int size : {static_cast<int>(whole.size()) - 8, static_cast<int>(whole.size()) / 2}) {
+    const QString told = message(folder_.write("cut.glb", whole.left(size)));
+    QVERIFY2(told.contains("its glTF is damaged") && !told.contains('\n'), qPrintable(told));
+  }
+  QByteArray wrong = whole;
+  const auto indices = wrong.lastIndexOf(QByteArray::fromHex("00000000"));
+  QVERIFY(indices > 0);
+  wrong.replace(indices, 4, QByteArray::fromHex("ffffffff"));
+  QVERIFY(message(folder_.write("wrong.glb", wrong)).contains("its glTF is damaged"));
 }
 
 void TestCompareFiles::groupsAmongPolygons() {

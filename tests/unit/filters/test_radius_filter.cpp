@@ -124,6 +124,35 @@ class TestRadiusFilter : public QObject {
     QCOMPARE(area(narrowed(stairs, 1)), 0.0);  // without steps, each tread is an island
   }
 
+  // A walk to the edge of a gap ends there, though a floor's border is just below, and the one behind the gap leans so
+  // that the place is beyond another of its sides.
+  void gapsHaveAWidth() {
+    Soup floors = Soup().floor(0, 0, 10, 4, 0).floor(0, 0, 10, 4, -3);
+    floors = turned(floors.triangle({0, 4.04, 0}, {10, 4.04, 0}, {-1000, 9, 0}));
+    std::mt19937 random(static_cast<unsigned>(seed()));
+    const Tally tally =
+        checkPromise(floors.environment(), minimalPipeline(2) + "\nStepFilter 0.4 0.05", 0.5, rounds(6000), random);
+    QCOMPARE(tally.wrong, std::size_t{0});
+    QVERIFY(tally.near > 1000 && tally.far > 500);
+  }
+
+  // At a corner of a gap some bridges end beside others: their sides are borders for who walks there, to the filter and
+  // to the definition alike.
+  void gapsWithCorners() {
+    std::mt19937 random(static_cast<unsigned>(seed()));
+    for (const double turn : {0.1, 0.3, 0.5}) {
+      Soup floors;
+      floors.triangle({0, 0, 0}, {5, 5, 0}, {0, 5, 0}).triangle({0, 0, 0}, {10, 5 - 5 * turn, 0}, {5, 5, 0});
+      floors.triangle({0, 5.03, 0}, {5, 5.03, 0}, {0, 10, 0});
+      floors.triangle({5, 5.03, 0}, {10, 5.03 - 5 * turn, 0}, {10, 10, 0})
+          .triangle({5, 5.03, 0}, {10, 10, 0}, {0, 10, 0});
+      const Tally tally =
+          checkPromise(floors.environment(), minimalPipeline(2) + "\nStepFilter 0.4 0.05", 0.5, rounds(3000), random);
+      QCOMPARE(tally.wrong, std::size_t{0});
+      QVERIFY(tally.near > 300 && tally.far > 300);
+    }
+  }
+
   void pipelines() {
     const Soup room = Soup().floor(0, 0, 10, 10, 0).box({4, 4, 0}, {6, 6, 3});
     // More filters, before and behind, also those that begin anew.
@@ -411,6 +440,44 @@ class TestRadiusFilter : public QObject {
     }
     edited.remove(id);
     QVERIFY(agrees(edited.environment(), pipeline, cache));
+  }
+
+  // Random edits of stairs, slits and rooms under a low ceiling, with one distance and with two: what is taken over
+  // must be what a run from nothing finds. Some obstacles stand on the grid of all else, some do not.
+  void randomEditsGiveTheSame() {
+    Soup level = Soup().floor(0, 0, 12, 5, 0).floor(0, 5.03, 6, 9, 0.1).ceiling(8, 1, 11, 3, 1.5);
+    level.wall(5, -1, 5, 2, 0, 3).wall(5, 4, 5, 5, 0, 3).floor(2, 1, 4, 3, 2.5);
+    for (int i = 0; i < 5; ++i) level.floor(6 + 0.5 * i, 5, 6.5 + 0.5 * i, 8, 0.2 * i);
+    std::mt19937 random(static_cast<unsigned>(seed()));
+    std::uniform_real_distribution<double> share(0, 1);
+    for (const char* narrow :
+         {"RadiusFilter 0.4\n", "RadiusFilter 0.4 0.1\n", "RadiusFilter 0.2\nRadiusFilter 0.1\n"}) {
+      const std::string pipeline = minimalPipeline(2) + "\nStepFilter 0.3 0.05\n" + narrow + "AreaFilter 0.1\n";
+      ResultCache cache;
+      EditableEnvironment edited(level.environment());
+      QVERIFY(agrees(edited.environment(), pipeline, cache));
+      std::vector<ObstacleId> placed;
+      const auto crate = [&] {
+        const double unit = share(random) < 0.5 ? 0.25 : 1e-7;
+        const auto at = [&](double most) { return unit * std::round(most * share(random) / unit); };
+        const Vec3 low{at(11), at(8), share(random) < 0.2 ? 1.5 : 0.0};
+        const Soup box = Soup().box(low, {low.x + 0.25 + at(1), low.y + 0.25 + at(1), low.z + 1});
+        return soupFor(share(random) < 0.2 ? turned(box) : box);
+      };
+      for (int i = 0; i < rounds(12); ++i) {
+        const double what = share(random);
+        const auto which = static_cast<std::ptrdiff_t>(share(random) * static_cast<double>(placed.size()));
+        if (placed.size() < 2 || what < 0.3) {
+          placed.push_back(edited.add(crate()));
+        } else if (what < 0.8) {
+          edited.replace(placed[which], crate());
+        } else {
+          edited.remove(placed[which]);
+          placed.erase(placed.begin() + which);
+        }
+        QVERIFY2(agrees(edited.environment(), pipeline, cache), qPrintable(QString("%1: %2").arg(narrow).arg(i)));
+      }
+    }
   }
 };
 

@@ -1,6 +1,8 @@
-// RadiusFilter's promise on whole environments: at FOOTFALL_TEST_ROUNDS times 4,000 places of each.
+// RadiusFilter's promise on whole environments: 4,000 places of each, FOOTFALL_TEST_ROUNDS times, in short batches.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <algorithm>
+#include <memory>
 #include <random>
 
 #include "footfall/io.hpp"
@@ -13,6 +15,31 @@ using namespace footfall;
 using namespace footfall::test;
 using reference::RadiusTally;
 
+namespace {
+
+constexpr int kBatch = 50000;
+
+/// Batch after batch, on an environment that is prepared once.
+class Batches {
+ public:
+  const reference::RadiusCase& of(const QString& file, double height, const reference::RadiusDistances& distances) {
+    const QString name = QString("%1 %2 %3 %4").arg(file).arg(height).arg(distances.walls).arg(distances.ledges);
+    if (prepared_ && name == name_) return *prepared_;
+    prepared_.reset();
+    prepared_ = std::make_unique<reference::RadiusCase>(
+        importEnvironment(file.toStdString()), minimalPipeline(height) + "\nStepFilter " + std::to_string(height / 5),
+        distances);
+    name_ = name;
+    return *prepared_;
+  }
+
+ private:
+  QString name_;
+  std::unique_ptr<reference::RadiusCase> prepared_;
+};
+
+}  // namespace
+
 class TestRadiusPromise : public QObject {
   Q_OBJECT
 
@@ -22,9 +49,16 @@ class TestRadiusPromise : public QObject {
     QTest::addColumn<double>("height");
     QTest::addColumn<double>("walls");
     QTest::addColumn<double>("ledges");
-    const auto add = [](const char* name, const QString& file, double height) {
+    QTest::addColumn<int>("batch");
+    const int batches = (rounds(4000) - 1) / kBatch + 1;
+    const auto addRows = [&](const QString& name, const QString& file, double height, double walls, double ledges) {
+      for (int i = 0; i < batches; ++i)
+        QTest::newRow(qPrintable(batches == 1 ? name : QString("%1, %2 of %3").arg(name).arg(i + 1).arg(batches)))
+            << file << height << walls << ledges << i;
+    };
+    const auto add = [&](const char* name, const QString& file, double height) {
       const double radius = 0.15 * height;  // 0.3 m for 2 m
-      QTest::newRow(name) << file << height << radius << radius;
+      addRows(name, file, height, radius, radius);
     };
     for (const char* name : {"nav_test", "complex", "fortitude"}) add(name, QString("%1.obj").arg(name), 2);
     add("level", "level.obj", 0.35);
@@ -38,22 +72,21 @@ class TestRadiusPromise : public QObject {
       add(name, QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2);
     // With distances of their own for walls and for ledges.
     for (const char* name : {"house", "villa"})
-      QTest::newRow(qPrintable(QString("%1, walls and ledges").arg(name)))
-          << QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name) << 2.0 << 0.3 << 0.1;
-    QTest::newRow("nav_test, walls alone") << "nav_test.obj" << 2.0 << 0.3 << 0.0;
+      addRows(QString("%1, walls and ledges").arg(name), QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2,
+              0.3, 0.1);
+    addRows("nav_test, walls alone", "nav_test.obj", 2, 0.3, 0);
   }
   void isKept() {
     QFETCH(QString, file);
     QFETCH(double, height);
     QFETCH(double, walls);
     QFETCH(double, ledges);
+    QFETCH(int, batch);
     const bool isShared = !file.startsWith('/');
     if (isShared && sharedEnvironments().isEmpty()) QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
-    const auto environment = importEnvironment((isShared ? sharedEnvironments() + "/" + file : file).toStdString());
-    std::mt19937 random(static_cast<unsigned>(seed()));
-    const RadiusTally tally =
-        reference::lookAtRadius(environment, minimalPipeline(height) + "\nStepFilter " + std::to_string(height / 5),
-                                {walls, ledges}, rounds(4000), random);
+    std::mt19937 random(static_cast<unsigned>(seed()) + static_cast<unsigned>(batch));
+    const RadiusTally tally = batches_.of(isShared ? sharedEnvironments() + "/" + file : file, height, {walls, ledges})
+                                  .look(std::min(kBatch, rounds(4000) - batch * kBatch), random);
     qInfo("%zu places nearer, %zu farther, %zu between, %zu on needles, %zu near them, %zu wrong", tally.near,
           tally.far, tally.between, tally.onNeedles, tally.doubtful, tally.wrong);
     for (const std::string& report : tally.reports) qWarning("%s", report.c_str());
@@ -61,6 +94,9 @@ class TestRadiusPromise : public QObject {
     QVERIFY(tally.near + tally.far > 10 * tally.doubtful);
     QVERIFY(tally.near > 0);
   }
+
+ private:
+  Batches batches_;
 };
 
 QTEST_GUILESS_MAIN(TestRadiusPromise)

@@ -130,6 +130,20 @@ class TestComponents : public QObject {
     QVERIFY(check(mesh, components));
   }
 
+  // Areas that no double holds: infinite, and no NaN in what is told of them.
+  void beyondAllDoubles() {
+    NavigationMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {2e300, 2e300, 0}, {3e300, 2e300, 0}, {2e300, 3e300, 0}};
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+    const Components components = findComponents(mesh);
+    QCOMPARE(components.list.size(), std::size_t{2});
+    for (const Component& component : components.list) {
+      QVERIFY(std::isinf(component.area));
+      QVERIFY(std::isfinite(component.centre.x) && std::isfinite(component.centre.y));
+    }
+    QCOMPARE(components.connectedShare(), 0.5);
+  }
+
   // Three treads and, apart from them, a table: without steps four parts, with them two.
   void stepsJoin() {
     Soup soup;

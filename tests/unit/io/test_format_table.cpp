@@ -70,7 +70,8 @@ class TestFormatTable : public QObject {
       const QString out = QString::fromStdString(folder.path("level")) + format.ending;
       const Outcome outcome = runProgram({"run", tower, "-o", out});
       QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
-      QVERIFY(QFileInfo(out).size() > 1000);
+      const QString first = format.format == ExportFormat::Wkt ? QString(out).replace(".wkt", "-0.wkt") : out;
+      QVERIFY2(QFileInfo(first).size() > 200, qPrintable(first));
       QCOMPARE(outcome.err.contains("cannot hold"), format.format == ExportFormat::Godot);
     }
     const QString out = QString::fromStdString(folder.path("three.tres"));

@@ -187,6 +187,17 @@ class TestGodotExport : public QObject {
     QCOMPARE(folder.files(), QStringList{"level.tres"});
   }
 
+  // A fold in one surface, and the border of another one at the very same place (nav_test has such a place).
+  void aBorderInAFoldStaysClosed() {
+    NavigationMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {0, 4, 0}, {-4, 2, 2}, {4, 2, 2}, {0, 0, 0}, {0, 4, 0}, {3, 2, 3}};
+    mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {5, 4, 6}};
+    QCOMPARE(partsOf(mesh), 2);
+    const Resource resource = parse(formatGodot(mesh, {}).text);
+    QCOMPARE(godotParts(resource), 2);
+    QCOMPARE(resource.polygons.size(), std::size_t{3});
+  }
+
   /// Its server of version 3 loads the file and is asked for ways.
   void godotFindsTheSameWays() {
     const QString program = QStandardPaths::findExecutable("godot3-server");

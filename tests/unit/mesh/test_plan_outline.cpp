@@ -86,6 +86,13 @@ for feature in json.load(open(sys.argv[1]))["features"]:
 
 bool hasShapely() { return QProcess::execute("/usr/bin/python3", {"-c", "import shapely.geometry"}) == 0; }
 
+template <class Change>
+ExportOptions with(Change change) {
+  ExportOptions options;
+  change(options);
+  return options;
+}
+
 }  // namespace
 
 class TestPlanOutline : public QObject {
@@ -203,7 +210,8 @@ class TestPlanOutline : public QObject {
     Soup soup;
     soup.floor(0, 0, 4, 4, 0).floor(4, 0, 8, 4, 0.25).wall(4, 0, 4, 4, 0, 0.25).floor(20, 0, 21, 1, 0);
     const auto mesh = resultOf(soup, kStepsAndLayers);
-    const auto json = nlohmann::json::parse(formatGeoJson(*mesh, {"EPSG:25832", {}}));
+    const auto json =
+        nlohmann::json::parse(formatGeoJson(*mesh, with([&](ExportOptions& o) { o.coordinateSystem = "EPSG:25832"; })));
     QVERIFY(json.at("crs").at("properties").at("name") == "urn:ogc:def:crs:EPSG::25832");
     int polygons = 0, steps = 0;
     for (const auto& feature : json.at("features")) {
@@ -222,12 +230,21 @@ class TestPlanOutline : public QObject {
     }
     QCOMPARE(polygons, 2);
     QVERIFY(steps > 0);
-    const auto second = nlohmann::json::parse(formatGeoJson(*mesh, {{}, 1}));
+    const auto second = nlohmann::json::parse(formatGeoJson(*mesh, with([&](ExportOptions& o) { o.part = 1; })));
     QVERIFY(!second.contains("crs"));
     QCOMPARE(second.at("features").size(), std::size_t{1});
     QVERIFY(formatGeoJson(*mesh) == formatGeoJson(*mesh));
+    QVERIFY_EXCEPTION_THROWN(formatGeoJson(*mesh, with([&](ExportOptions& o) { o.part = 2; })), InputError);
+    const auto large = nlohmann::json::parse(formatGeoJson(*mesh, with([](ExportOptions& o) {
+      o.layers = o.steps = false;
+      o.scale = 10;
+    })));
+    QCOMPARE(large.at("features").size(), std::size_t{2});
+    QCOMPARE(large.at("features")[1].at("properties").at("area").get<double>(), 100.0);
+    QVERIFY(!large.at("features")[0].at("properties").contains("layer"));
     for (const char* wrong : {"25832", "EPSG:", "EPSG:1\"", "epsg:1", "EPSG:12345678901"})
-      QVERIFY_EXCEPTION_THROWN(formatGeoJson(*mesh, {wrong, {}}), InputError);
+      QVERIFY_EXCEPTION_THROWN(formatGeoJson(*mesh, with([&](ExportOptions& o) { o.coordinateSystem = wrong; })),
+                               InputError);
   }
 
   void partsAreThoseOfFindComponents() {

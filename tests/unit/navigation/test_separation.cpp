@@ -85,7 +85,7 @@ double leastLargest(std::vector<std::vector<double>> way, std::size_t from, std:
 /// All pairs of borders: first as far as an agent is high, over what it could climb; then whatever is nearest.
 struct AllPairs {
   explicit AllPairs(const Level& level) {
-    const std::vector<BorderEdge> borders = findBorders(*level.mesh, level.topology(), level.parts);
+    const std::vector<SurfaceBorder> borders = findBorders(*level.mesh, level.topology(), level.parts);
     const std::size_t count = level.parts.count;
     open.assign(count, std::vector<double>(count, kInfinity));
     any = open;

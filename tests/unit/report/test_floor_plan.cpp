@@ -5,7 +5,9 @@
 #include <QXmlStreamReader>
 #include <cmath>
 
+#include "core/environment/part_rules.hpp"
 #include "core/report/floor_plan.hpp"
+#include "core/report/plan_doors.hpp"
 #include "core/report/plan_label.hpp"
 #include "core/report/plan_layout.hpp"
 #include "core/report/plan_pages.hpp"
@@ -99,6 +101,49 @@ class TestFloorPlan : public QObject {
   Q_OBJECT
 
  private slots:
+  // A file's doors are open, so their triangles are not in the environment that is drawn.
+  void doorsAreFoundByTheirClass() {
+    Soup soup = room();
+    Environment file = *soup.environment();
+    file.parts = {{"IfcWall", "Ground: Wall"}, {"IfcDoor", "Ground: Door"}, {"IfcDoor", "Ground: Hatch"}};
+    file.usualRoles = {PartRole::Floor, PartRole::Ignored, PartRole::Ignored};
+    file.partOf.assign(file.triangles.size(), 0);
+    const auto add = [&](std::uint32_t part, const std::vector<Vec3>& corners) {
+      const auto first = static_cast<std::uint32_t>(file.vertices.size());
+      file.vertices.insert(file.vertices.end(), corners.begin(), corners.end());
+      for (std::uint32_t i = 0; i + 2 < corners.size(); ++i) {
+        file.triangles.push_back({first, first + i + 1, first + i + 2});
+        file.partOf.push_back(part);
+      }
+    };
+    // Two doors of one name: one along x, with a handle, and one that is turned by 3:4.
+    add(1, {{2, -0.2, 0}, {2, 0, 0}, {2, 0, 2}, {2, -0.2, 2}});
+    add(1, {{3, -0.2, 0}, {3, 0, 0}, {3, 0, 2}, {3, -0.2, 2}});
+    add(1, {{2, -0.1, 0}, {3, -0.1, 0}, {3, -0.1, 2}, {2, -0.1, 2}});
+    add(1, {{2.1, -0.05, 1}, {2.15, 0.08, 1}, {2.15, -0.04, 1.02}});
+    add(1, {{7, 3, 0}, {7.8, 3.6, 0}, {7.68, 3.76, 2}, {6.88, 3.16, 2}});
+    add(2, {{5, 5, 0}, {6, 5, 0}, {6, 5, 0.3}});  // too low for a door
+    if (!file.obstacleOnly.empty()) file.obstacleOnly.resize(file.triangles.size(), 0);
+    auto base = std::make_shared<const Environment>(std::move(file));
+    Level level(soup, kNoTops);
+    level.environment = applyPartRules(base, {});
+    QVERIFY(level.environment->triangles.size() < base->triangles.size());
+    const std::vector<PlanDoor> doors = findDoors(*level.environment);
+    QCOMPARE(doors.size(), std::size_t{2});
+    const auto length = [](const PlanPlace& a, const PlanPlace& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
+    for (const PlanDoor& door : doors) {
+      QVERIFY(std::abs(length(door.corners[0], door.corners[1]) - 1) < 1e-9);
+      QVERIFY(std::abs(length(door.corners[1], door.corners[2]) - 0.2) < 1e-9);
+      QCOMPARE(door.lower, 0.0);
+      QCOMPARE(door.upper, 2.0);
+    }
+    const Sheet sheet = level.draw().front();
+    QVERIFY(says(sheet, "door"));
+    QVERIFY(!says(Level(soup, kNoTops).draw().front(), "door"));
+    base.reset();  // nobody holds the file any more
+    QVERIFY(findDoors(*level.environment).empty());
+  }
+
   void scaleAndPaper_data() {
     QTest::addColumn<double>("width");
     QTest::addColumn<double>("metresPerUnit");

@@ -44,6 +44,7 @@ class TestSamples : public QObject {
   void pipelinesParse_data();
   void pipelinesParse();
   void villaHasMeshErrors();
+  void aSmallCityIsTheBeginningOfALargerOne();
 };
 
 namespace {
@@ -66,6 +67,19 @@ void TestSamples::filesAreWhatTheGeneratorMakes() {
   const QByteArray made = contents(generated_.filePath(name + "/" + name + ".obj"));
   QVERIFY(!made.isEmpty());
   QVERIFY2(made == contents(sampleFile(name, "obj")), "write it again: footfall-samples samples");
+}
+
+void TestSamples::aSmallCityIsTheBeginningOfALargerOne() {
+  const auto city = [this](const QString& triangles) {
+    const QString path = generated_.filePath("city.obj");
+    const int code = QProcess::execute(FOOTFALL_BINARY_DIR "/footfall-samples", {"city", triangles, path});
+    return code == 0 ? contents(path) : QByteArray();
+  };
+  const QByteArray small = city("1"), large = city("60000");
+  QVERIFY(small.count("\nf ") > 10000 && large.count("\nf ") >= 60000);
+  QVERIFY(large.startsWith(small) && large.size() > small.size());
+  QVERIFY(city("60000") == large);
+  for (const char* wrong : {"", "0", "-1", "1e6", "100x"}) QVERIFY(city(wrong).isEmpty());
 }
 
 void TestSamples::sizes_data() {

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/floor_plan_dialog.hpp"
+#include "ui/window/plan_choices.hpp"
 
-#include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QPushButton>
-#include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
 
-FloorPlanDialog::FloorPlanDialog(QWidget* parent) : QDialog(parent) {
-  setObjectName(QStringLiteral("floorPlanDialog"));
-  setWindowTitle(tr("Floor plan"));
-  auto* form = new QFormLayout;
+PlanChoices::PlanChoices(QWidget* parent) : QWidget(parent) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
   const auto addChoice = [this, form](const char* id, const QString& label, const QString& help) {
     auto* choice = new QComboBox(this);
     choice->setObjectName(QString::fromLatin1(id));
     choice->setToolTip(help);
+    connect(choice, &QComboBox::currentIndexChanged, this, &PlanChoices::changed);
     form->addRow(label, choice);
     return choice;
   };
@@ -35,26 +33,25 @@ FloorPlanDialog::FloorPlanDialog(QWidget* parent) : QDialog(parent) {
   colours_ = addChoice("planColours", tr("&Colours"), tr("For the screen or for printing"));
   colours_->addItem(tr("In colour"), static_cast<int>(PlanColours::Colour));
   colours_->addItem(tr("Black and white"), static_cast<int>(PlanColours::BlackAndWhite));
-
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  QPushButton* save = buttons->addButton(tr("Save as..."), QDialogButtonBox::AcceptRole);
-  save->setObjectName(QStringLiteral("planSave"));
-  save->setToolTip(tr("Choose the file, PDF or SVG, and draw the plan"));
-  save->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(form);
-  layout->addWidget(buttons);
 }
 
-PlanOptions FloorPlanDialog::options() const {
+PlanOptions PlanChoices::options() const {
   PlanOptions options;
   options.pages = static_cast<PlanPages>(pages_->currentData().toInt());
   options.colours = static_cast<PlanColours>(colours_->currentData().toInt());
   if (const double scale = scale_->currentData().toDouble(); scale > 0) options.scale = scale;
   if (const int paper = paper_->currentData().toInt(); paper >= 0) options.paper = static_cast<Paper>(paper);
   return options;
+}
+
+void PlanChoices::setOptions(const PlanOptions& options) {
+  const auto choose = [](QComboBox* box, const QVariant& value) {
+    box->setCurrentIndex(std::max(0, box->findData(value)));
+  };
+  choose(pages_, static_cast<int>(options.pages));
+  choose(scale_, options.scale.value_or(0));
+  choose(paper_, options.paper ? static_cast<int>(*options.paper) : -1);
+  choose(colours_, static_cast<int>(options.colours));
 }
 
 }  // namespace footfall::ui

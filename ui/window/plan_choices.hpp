@@ -1,21 +1,25 @@
-// The dialog for floor plans: pages, scale, paper and colours. The file is asked for afterwards.
+// Pages, scale, paper and colours of a floor plan, as rows of a dialog.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QComboBox>
-#include <QDialog>
+#include <QWidget>
 
 #include "core/report/floor_plan.hpp"
 
 namespace footfall::ui {
 
-class FloorPlanDialog : public QDialog {
+class PlanChoices : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FloorPlanDialog(QWidget* parent);
+  explicit PlanChoices(QWidget* parent = nullptr);
 
   [[nodiscard]] detail::PlanOptions options() const;
+  void setOptions(const detail::PlanOptions& options);
+
+ signals:
+  void changed();
 
  private:
   QComboBox *pages_, *scale_, *paper_, *colours_;

@@ -1,0 +1,81 @@
+// `footfall-mpi run`, to be started by mpirun or by Slurm: one environment, several processes. The only program that
+// needs MPI.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/mpi/mpi_program.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/version.hpp"
+
+namespace {
+
+using namespace footfall;
+
+enum ExitCode { kDone = 0, kRunFailed = 1, kWrongInput = 2 };
+
+// MPI and we have threads that know nothing of signals; a thread of ours waits for them.
+void blockSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+// Before MPI is there: what is wrong with the options is told once.
+bool isFirstByName() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+    if (const char* rank = std::getenv(name)) return std::strcmp(rank, "0") == 0;
+  return true;
+}
+
+void runCommandLine(int argc, const char* const* argv, app::MpiProgram& program) {
+  CLI::App app("Computes the exact walkable area of 3D environments, with several processes.", "footfall-mpi");
+  app.set_version_flag("--version", "footfall-mpi " FOOTFALL_VERSION, "Print the version and exit");
+  app.require_subcommand(1);
+  app::addRunCommand(app, program);
+  try {
+    app.parse(argc, argv);  // and runs the command
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
+      throw InputError(std::string(error.what()) + "; `footfall-mpi --help` tells what can be given");
+    if (isFirstByName()) app.exit(error);  // --help and --version
+    app::print({});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  blockSignals();
+  app::MpiProgram program;
+  int code = kDone;
+  const auto fail = [&](ExitCode exitCode, const std::string& problem) {
+    if (program.fail(problem) && isFirstByName()) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
+    // mpirun ends with the code of whoever is first to have one.
+    code = program.hasExitCode() ? exitCode : kDone;
+  };
+  try {
+    runCommandLine(argc, argv, program);
+  } catch (const InputError& error) {
+    fail(kWrongInput, error.what());
+  } catch (const RunError& error) {
+    fail(kRunFailed, error.what());
+  } catch (const Cancelled&) {
+    fail(kRunFailed, program.failure().value_or("cancelled"));
+  } catch (const std::bad_alloc&) {
+    fail(kRunFailed, "memory ran out; close other programs, use more machines or a smaller environment");
+  } catch (const std::exception& error) {
+    fail(kRunFailed, "internal error (" + std::string(error.what()) + "); please report it with what you typed");
+  }
+  program.leave(code);
+  return code;
+}

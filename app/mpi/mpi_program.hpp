@@ -1,0 +1,60 @@
+// `footfall-mpi run`: as `footfall run`, by several processes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/mpi/mpi_transport.hpp"
+#include "app/run_program.hpp"
+#include "core/base/process_usage.hpp"
+
+namespace footfall::app {
+
+class MpiProgram : public RunProgram {
+ public:
+  ~MpiProgram() override;
+
+  void addOptions(CLI::App& command) override;
+  void begin(int threads) override;
+  [[nodiscard]] bool showsProgress() const override { return showsProgress_; }
+  void setContext(RunContext* context) override;
+  [[nodiscard]] bool writes() const override { return transport_->rank() == 0; }
+  RunResult run(CommandSession& session, const std::shared_ptr<const Environment>& environment,
+                const Pipeline& pipeline, const PipelineOptions& options, double loadMs) override;
+  std::string statistics(std::string json) override;
+  std::string trace(std::string json) override;
+  std::string summary(std::string text) override;
+  void end() override;
+
+  /// The command failed: tells the other ranks. Returns whether this process has to tell the user.
+  bool fail(const std::string& problem);
+  /// Which rank failed, and why, where that is what ended the run.
+  [[nodiscard]] std::optional<std::string> failure() const;
+  /// Whether the exit code of this process is the one that counts: that of rank 0, or of any before there are ranks.
+  [[nodiscard]] bool hasExitCode() const { return !transport_ || writes(); }
+  /// The command is over: waits for the other ranks, or ends them all where one does not answer. Behind that, the
+  /// process has nothing to do but to return `exitCode`.
+  void leave(int exitCode);
+
+ private:
+  void tell(const Text& note) const;
+  [[nodiscard]] double overheadMs() const;
+
+  const detail::Stopwatch total_;
+  std::string workFolder_;
+  bool showsProgress_ = false;
+  std::unique_ptr<MpiTransport> transport_;
+  std::unique_ptr<detail::RankExchange> exchange_;
+  std::mutex contextMutex_;
+  RunContext* context_ = nullptr;  ///< that of the run, as long as it lives
+  std::atomic<bool> isStopped_{false};
+  std::vector<detail::RankStatistics> ranks_;
+  double mergingMs_ = 0;
+};
+
+}  // namespace footfall::app

@@ -1,0 +1,163 @@
+// The exchange of shares between ranks: processes that run the same pipeline over the same environment, of which rank 0
+// goes on behind the last block (thesis 4.1.1, Algorithm 4).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/base/process_usage.hpp"
+#include "core/distributed/cell_exchange.hpp"
+#include "core/distributed/work_folder.hpp"
+#include "footfall/text.hpp"
+
+namespace footfall::detail {
+
+/// What carries messages. All functions are called by one thread, and return at once.
+class Transport {
+ public:
+  struct Message {
+    int from = 0;
+    std::string bytes;
+  };
+
+  virtual ~Transport() = default;
+  [[nodiscard]] virtual int rank() const = 0;
+  [[nodiscard]] virtual int size() const = 0;
+  /// Messages between two ranks arrive in their order.
+  virtual void send(int to, std::string bytes) = 0;
+  virtual std::optional<Message> receive() = 0;
+  /// Whether everything was sent.
+  virtual bool isIdle() = 0;
+};
+
+/// What one rank did, in milliseconds of wall time.
+struct RankStatistics {
+  int threads = 1;
+  std::uint64_t cells = 0;      ///< that it ran
+  std::uint64_t bytesSent = 0;  ///< shares, to all other ranks
+  double startUpMs = 0;         ///< before anything was read
+  double readingMs = 0;
+  double runningMs = 0;        ///< of its cells
+  double waitingMs = 0;        ///< for others: before cells are divided, and for shares when its own cells are done
+  double communicationMs = 0;  ///< in which messages were sent or received, while cells ran or not
+};
+
+/// One object for one run. Its thread sends and receives; Transport is used by that thread only.
+class RankExchange : public CellExchange {
+ public:
+  struct Options {
+    int threads = 1;         ///< of this rank
+    double startUpMs = 0;    ///< see RankStatistics
+    std::string workFolder;  ///< empty: none
+    /// Told what the user should know; called by any thread.
+    std::function<void(const Text&)> note = [](const Text&) {};
+    /// Called by the exchange's thread when another rank ended the run.
+    std::function<void()> stop = [] {};
+  };
+  /// Throws RunError when the work folder cannot be had.
+  RankExchange(Transport& transport, Options options);
+  /// Ends the run as a failure where nobody ended it.
+  ~RankExchange() override;
+  RankExchange(const RankExchange&) = delete;
+  RankExchange& operator=(const RankExchange&) = delete;
+
+  void setReadingMs(double ms) { own_.readingMs = ms; }
+
+  std::vector<char> begin(const CellPhase& phase, RunContext& context) override;
+  [[nodiscard]] bool merges() const override { return rank_ == 0 || !phase_.isLast; }
+  [[nodiscard]] bool wantsOwn() const override;
+  void give(Index cell, std::string bytes) override;
+  std::optional<ArrivedShare> take() override;
+  void ownFinished() override;
+  void throwFailure() const override;
+  [[nodiscard]] int threads() const override;
+
+  /// What all ranks did, by rank. Rank 0 waits for them; others have their own only, and tell rank 0.
+  std::vector<RankStatistics> collect(RunContext& context);
+  /// Rank 0: the run ended well, and its shares are not needed any more. Others: waits until rank 0 says so. Throws
+  /// RunError or Cancelled.
+  void end(RunContext& context);
+  /// Ends the run for all ranks: with `problem`, which rank 0 tells, or because it was cancelled.
+  void fail(const std::string& problem) noexcept;
+  /// True when another rank ended the run, which then has nothing to tell.
+  [[nodiscard]] bool wasStopped() const;
+  /// Which rank failed first, and why; none while none has.
+  [[nodiscard]] std::optional<std::string> failure() const;
+  /// Behind end() or fail(): another rank did not answer any more.
+  [[nodiscard]] bool isCutOff() const;
+
+ private:
+  enum class Kind : char { Hello, Plan, Share, Done, Failed, End, Stop, Bye };
+  /// What a rank says before the first cells are divided.
+  struct Hello {
+    int threads = 1;
+    double beganMs = 0;  ///< by the system's clock
+  };
+  struct Plan {
+    std::uint64_t phase = 0;
+    Digest::Value key{};
+    std::vector<Hello> ranks;
+    std::vector<Index> stored;
+  };
+
+  struct Incoming {
+    int from = -1;  ///< -1: the folder
+    ShareName name;
+    std::string sealed;
+  };
+
+  void pump();
+  bool sendOutgoing();
+  bool receiveAll();
+  void close() noexcept;
+  void handle(const Transport::Message& message);
+  void post(int to, std::string bytes);
+  void postToOthers(const std::string& bytes);
+  /// Waits until `ready` holds; throws what ended the run meanwhile. `lock` holds mutex_.
+  void wait(std::unique_lock<std::mutex>& lock, RunContext& context, const std::function<bool()>& ready);
+  void checkFailed() const;
+  void failHere(int rank, const std::string& problem);
+  [[noreturn]] void throwDiffers(int rank) const;
+  void greet(const CellPhase& phase);
+  Plan makePlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase, RunContext& context);
+  void sendPlan(const Plan& plan);
+  static Plan readPlan(ByteReader& in);
+  Plan awaitPlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase, RunContext& context);
+  [[nodiscard]] std::vector<char> schedule(const Plan& plan) const;
+
+  Transport& transport_;
+  const int rank_, size_;
+  Options options_;
+  std::optional<WorkFolder> folder_;
+  CellPhase phase_;
+  std::vector<Hello> ranks_;
+  std::vector<Digest::Value> keys_;  ///< of all passes so far
+  const Stopwatch clock_;
+
+  mutable std::mutex mutex_;  ///< of all that follows
+  RankStatistics own_;
+  double phaseMs_ = 0, finishedMs_ = 0;  ///< of clock_: when the pass began, and when the own cells were done
+  std::size_t cellsExpected_ = 0;        ///< of others, that did not come yet
+  std::condition_variable changed_;
+  std::deque<std::pair<int, std::string>> outgoing_;
+  std::vector<std::optional<Hello>> hellos_;
+  std::deque<Plan> plans_;
+  std::deque<Incoming> shares_;
+  std::vector<std::optional<RankStatistics>> done_;
+  std::optional<std::pair<int, std::string>> failure_;
+  bool hasPlanned_ = false;
+  std::size_t byes_ = 0;  ///< other ranks that say nothing more
+  bool isEnded_ = false, isStopped_ = false, isClosing_ = false, isCutOff_ = false, folderFails_ = false;
+  std::thread pump_;
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,40 @@
+// A share with what it is a share of, sealed: the same bytes as a message and as a file of a work folder.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/distributed/byte_stream.hpp"
+#include "core/distributed/digest.hpp"
+
+namespace footfall::detail {
+
+/// To be raised with each change of what shares say, of their bytes, or of what a clearance filter finds.
+constexpr std::uint64_t kShareVersion = 2;
+
+/// Which share.
+struct ShareName {
+  Digest::Value key{};      ///< of the pass: CellPhase::key
+  std::uint64_t phase = 0;  ///< CellPhase::number
+  std::uint64_t cell = 0;
+  bool operator==(const ShareName&) const = default;
+};
+
+/// Bytes of the head.
+constexpr std::size_t kShareHead = 72;
+
+/// `bytes` with a head and a check sum in front.
+std::string sealShare(const ShareName& name, std::string_view bytes);
+
+/// The name in the head of a sealed share, and the bytes in it, which point into `sealed`.
+struct OpenedShare {
+  ShareName name;
+  std::string_view bytes;
+};
+/// Throws BadBytes: no share, of another version, cut off or damaged. The message is the end of a sentence that begins
+/// with the file's name.
+OpenedShare openShare(std::string_view sealed);
+
+}  // namespace footfall::detail

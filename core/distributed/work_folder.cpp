@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/distributed/work_folder.hpp"
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+
+#include "core/io/export.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnding = ".share";
+
+std::string nameOf(const Digest::Value& key) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%016llx%016llx", static_cast<unsigned long long>(key[0]),
+                static_cast<unsigned long long>(key[1]));
+  return text;
+}
+
+// Empty when there is no such file; throws BadBytes when it cannot be read.
+std::optional<std::string> contentOf(const std::string& path) {
+  std::error_code error;
+  if (!fs::exists(path, error) && !error) return std::nullopt;
+  if (!fs::is_regular_file(path, error)) throw BadBytes("is no file");
+  std::ifstream file(path, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file.good() && !file.eof()) throw BadBytes("cannot be read");
+  return content;
+}
+
+// Files that were being written when their process was killed. Those of processes at work are young.
+bool isLeftOver(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  if (name.rfind(".footfall-", 0) != 0 || entry.path().extension() != ".tmp") return false;
+  return fs::file_time_type::clock::now() - entry.last_write_time() > std::chrono::minutes(10);
+}
+
+}  // namespace
+
+WorkFolder::WorkFolder(std::string path) : path_(std::move(path)) {
+  std::error_code error;
+  fs::create_directory(path_, error);
+  if (error || !fs::is_directory(path_))
+    throw RunError(FOOTFALL_TEXT("%1: this folder for shares cannot be made (%2); name a folder that can be written"),
+                   path_, error ? error.message() : std::string(std::strerror(ENOTDIR)));
+}
+
+std::vector<WorkFolder::Stored> WorkFolder::load(const Digest::Value& key, std::size_t phase, std::size_t cells,
+                                                 std::vector<Text>& notes) {
+  std::vector<Stored> found;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const ShareName name{key, phase, cell};
+    const std::string file = fileOf(name);
+    try {
+      std::optional<std::string> sealed = contentOf(file);
+      if (!sealed) continue;
+      if (openShare(*sealed).name != name) throw BadBytes("is a share of another cell or run");
+      found.push_back({static_cast<Index>(cell), std::move(*sealed)});
+    } catch (const BadBytes& error) {
+      notes.emplace_back(FOOTFALL_TEXT("%1 %2; its cell runs again"), file, std::string(error.what()));
+    }
+  }
+  return found;
+}
+
+void WorkFolder::store(const ShareName& name, const std::string& sealed) { writeFileSafely(fileOf(name), sealed); }
+
+void WorkFolder::remove(const Digest::Value& key) noexcept {
+  try {
+    const std::string begin = nameOf(key);
+    std::vector<fs::path> gone;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+      const bool isShare = entry.path().filename().string().rfind(begin, 0) == 0 && entry.path().extension() == kEnding;
+      if (isShare || isLeftOver(entry)) gone.push_back(entry.path());
+    }
+    std::error_code ignored;
+    for (const fs::path& path : gone) fs::remove(path, ignored);
+  } catch (const std::exception&) {
+    // What cannot be removed takes room and does no harm.
+  }
+}
+
+std::string WorkFolder::fileOf(const ShareName& name) const {
+  return (fs::path(path_) / (nameOf(name.key) + '-' + std::to_string(name.phase) + '-' + std::to_string(name.cell) +
+                             std::string(kEnding)))
+      .string();
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,42 @@
+// Shares of cells as files, so that a run that was killed goes on where it was.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/geometry.hpp"
+#include "core/distributed/digest.hpp"
+#include "core/distributed/share_file.hpp"
+#include "footfall/text.hpp"
+
+namespace footfall::detail {
+
+/// Files of several environments and pipelines can lie in one folder: their names begin with the key. All processes of
+/// a run see the same folder. Each file is written beside its name and then renamed.
+class WorkFolder {
+ public:
+  /// Makes the folder, but not those above it. Throws RunError.
+  explicit WorkFolder(std::string path);
+
+  struct Stored {
+    Index cell = -1;
+    std::string sealed;
+  };
+  /// The sound shares of a pass over `cells` cells, ascending. What is not sound is told in `notes` (a sentence each)
+  /// and left to be written anew.
+  std::vector<Stored> load(const Digest::Value& key, std::size_t phase, std::size_t cells, std::vector<Text>& notes);
+  /// Throws RunError, for example when the disk is full; there is no half of a file then.
+  void store(const ShareName& name, const std::string& sealed);
+  /// Removes the shares of a pass, and what killed processes left of files they were writing. Never throws.
+  void remove(const Digest::Value& key) noexcept;
+
+ private:
+  [[nodiscard]] std::string fileOf(const ShareName& name) const;
+
+  std::string path_;
+};
+
+}  // namespace footfall::detail

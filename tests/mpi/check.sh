@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# check.sh: footfall-mpi by mpirun, with 1 to 4 processes, gives the bytes of footfall for every strategy, and says what
+# is wrong once. Environment: FOOTFALL, FOOTFALL_MPI, FOOTFALL_MPIRUN (programs), FOOTFALL_SAMPLES (folder).
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+# shellcheck source=tests/mpi/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+fail() {
+  echo "failed: $*"
+  exit 1
+}
+
+# compare SAMPLE RANKS STRATEGY
+compare() {
+  local sample="${FOOTFALL_SAMPLES}/$1/$1.obj" count="$2" strategy="$3"
+  local steps=(--filter DegeneracyFilter --filter "${strategy}" --filter "SlopeFilter 45"
+    --filter "VerticalClearanceFilter 2" --filter Collapse --filter "StepFilter 0.4" --filter "AreaFilter 1"
+    --filter SimplificationFilter --filter LayerSubdivisionFilter)
+  local one="${work}/$1-${strategy// /_}.obj"
+  [ -f "${one}" ] || "${FOOTFALL}" run "${sample}" "${steps[@]}" --quiet -o "${one}"
+  rm -f "${work}/many.obj"
+  ranks "${count}" "${FOOTFALL_MPI}" run "${sample}" "${steps[@]}" --quiet --threads 1 -o "${work}/many.obj" \
+    --stats "${work}/stats.json" --trace "${work}/trace.json" || fail "$* ended with $?"
+  cmp "${one}" "${work}/many.obj" || fail "$*: other bytes"
+  [ "$(grep -c '"bytes_sent"' "${work}/stats.json")" -eq "${count}" ] || fail "$*: statistics of other ranks"
+  grep -q "rank $((count - 1)), thread 0" "${work}/trace.json" || fail "$*: the trace lacks a rank"
+  grep -q '"t_distributed_ms"' "${work}/stats.json" || fail "$*: no t_distributed"
+}
+
+strategies=("GridStrategy 4 4" "RecursiveStrategy 50 3 true" "SortedRecursiveStrategy 50 4 true"
+  "HeightAwareStrategy 50 4" AutoStrategy)
+for count in 1 2 3 4; do
+  for strategy in "${strategies[@]}"; do compare house "${count}" "${strategy}"; done
+done
+compare docks 2 "SortedRecursiveStrategy 50 4 true"
+compare docks 3 AutoStrategy
+
+# Without mpirun it is one process.
+"${FOOTFALL_MPI}" run "${FOOTFALL_SAMPLES}/house/house.obj" --quiet -o "${work}/alone.obj"
+"${FOOTFALL}" run "${FOOTFALL_SAMPLES}/house/house.obj" --quiet -o "${work}/one.obj"
+cmp "${work}/one.obj" "${work}/alone.obj" || fail "without mpirun: other bytes"
+
+# What is wrong is told once, and by the exit code.
+tells() {
+  local code="$1" words="$2" seen=0
+  shift 2
+  ranks 3 "${FOOTFALL_MPI}" run "$@" >"${work}/out" 2>"${work}/err" || seen=$?
+  [ "${seen}" -eq "${code}" ] || fail "$*: exit code ${seen}, not ${code}: $(cat "${work}/err")"
+  [ "$(grep -c "^footfall-mpi: .*${words}" "${work}/err")" -eq 1 ] || fail "$*: $(cat "${work}/err")"
+}
+tells 2 "missing.obj" "${work}/missing.obj"
+tells 2 "max_slope" "${FOOTFALL_SAMPLES}/house/house.obj" --filter "SlopeFilter 91"
+tells 2 "nonsense" "${FOOTFALL_SAMPLES}/house/house.obj" --nonsense
+tells 1 "cannot be made" "${FOOTFALL_SAMPLES}/house/house.obj" --work "${work}/missing/work"
+echo "all the same"

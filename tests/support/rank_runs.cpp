@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/rank_runs.hpp"
+
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/pipeline/runner.hpp"
+
+namespace footfall::test {
+using namespace detail;
+namespace {
+
+struct Mail {
+  std::mutex mutex;
+  std::vector<std::deque<Transport::Message>> boxes;
+};
+
+class MailTransport : public Transport {
+ public:
+  MailTransport(Mail& mail, int rank) : mail_(mail), rank_(rank) {}
+  [[nodiscard]] int rank() const override { return rank_; }
+  [[nodiscard]] int size() const override { return static_cast<int>(mail_.boxes.size()); }
+  void send(int to, std::string bytes) override {
+    const std::lock_guard lock(mail_.mutex);
+    mail_.boxes[static_cast<std::size_t>(to)].push_back({rank_, std::move(bytes)});
+  }
+  std::optional<Message> receive() override {
+    const std::lock_guard lock(mail_.mutex);
+    auto& box = mail_.boxes[static_cast<std::size_t>(rank_)];
+    if (box.empty()) return std::nullopt;
+    Message message = std::move(box.front());
+    box.pop_front();
+    return message;
+  }
+  bool isIdle() override { return true; }
+
+ private:
+  Mail& mail_;
+  int rank_;
+};
+
+}  // namespace
+
+RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
+                       const RankOptions& options) {
+  const auto count = static_cast<std::size_t>(options.ranks);
+  Mail mail;
+  mail.boxes.resize(count);
+  RankOutcome outcome;
+  std::vector<char> hasResult(count, 0);
+  std::mutex mutex;
+  const auto runRank = [&](int rank) {
+    MailTransport transport(mail, rank);
+    RunContext context([&](const RunEvent& event) {
+      if (event.kind == RunEvent::Kind::CellFinished) options.cellDone(rank);
+    });
+    std::optional<RankExchange> exchange;
+    try {
+      RankExchange::Options own;
+      own.threads = options.threads;
+      own.workFolder = options.workFolder;
+      own.note = [&](const Text& note) {
+        const std::lock_guard lock(mutex);
+        outcome.notes.push_back(note);
+      };
+      own.stop = [&context] { context.cancel(); };
+      exchange.emplace(transport, std::move(own));
+      const auto ownEnvironment = options.environmentOf ? options.environmentOf(rank) : environment;
+      RunResult result = runTogether(ownEnvironment, pipeline, context, *exchange, options.threads);
+      hasResult[static_cast<std::size_t>(rank)] = result.mesh ? 1 : 0;
+      std::vector<RankStatistics> ranks = exchange->collect(context);
+      exchange->end(context);
+      if (rank != 0) return;
+      outcome.result = std::move(result);
+      outcome.ranks = std::move(ranks);
+    } catch (const std::exception& error) {
+      if (exchange) exchange->fail(error.what());
+      if (rank == 0) outcome.error = error.what();
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int rank = 0; rank < options.ranks; ++rank) threads.emplace_back(runRank, rank);
+  for (std::thread& thread : threads) thread.join();
+  outcome.hasResult.assign(hasResult.begin(), hasResult.end());
+  return outcome;
+}
+
+}  // namespace footfall::test

@@ -1,0 +1,37 @@
+// Several ranks in one process: threads instead of MPI.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/distributed/rank_exchange.hpp"
+#include "footfall/run.hpp"
+
+namespace footfall::test {
+
+struct RankOptions {
+  int ranks = 2;
+  int threads = 1;         ///< of each rank
+  std::string workFolder;  ///< empty: none
+  /// Called by a rank whenever one of its cells is done; may throw, which fails the rank.
+  std::function<void(int rank)> cellDone = [](int) {};
+  /// The environment of a rank, where it is not the one that all have.
+  std::function<std::shared_ptr<const Environment>(int rank)> environmentOf = nullptr;
+};
+
+struct RankOutcome {
+  RunResult result;         ///< of rank 0; its mesh is null where something failed
+  std::string error;        ///< that rank 0 tells
+  std::vector<Text> notes;  ///< of all ranks
+  std::vector<detail::RankStatistics> ranks;
+  std::vector<bool> hasResult;  ///< for each rank
+};
+
+/// Runs the pipeline on all ranks as footfall-mpi does.
+RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
+                       const RankOptions& options);
+
+}  // namespace footfall::test

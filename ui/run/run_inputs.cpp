@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run/run_inputs.hpp"
+
+#include <utility>
+
+#include "core/pipeline/block_structure.hpp"
+#include "ui/base/core_text.hpp"
+
+namespace footfall::ui {
+
+void RunInputs::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
+  editEnvironment(std::move(environment));
+  centre_ = centre;
+  cache_ = std::make_shared<ResultCache>();
+}
+
+void RunInputs::editEnvironment(std::shared_ptr<const Environment> environment) {
+  environment_ = std::move(environment);
+  stepMeshes_ = std::make_shared<StepMeshes>();
+}
+
+bool RunInputs::setThreads(int threads) {
+  if (std::exchange(threads_, threads) == threads) return false;
+  cache_ = std::make_shared<ResultCache>();
+  return true;
+}
+
+Pipeline RunInputs::pipeline() const {
+  Pipeline pipeline;
+  for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
+  return pipeline;
+}
+
+std::optional<RunInputs::PlacedStep> RunInputs::find(int id) const {
+  std::string prefix;
+  for (const FilterEntry& entry : filters_) {
+    if (!entry.step.enabled) continue;
+    if (entry.id == id) return PlacedStep{std::move(prefix), entry.step};
+    prefix = extendPrefix(prefix, entry.step);
+  }
+  return std::nullopt;
+}
+
+std::shared_ptr<RunJob> RunInputs::makeJob(const Pipeline& pipeline) const {
+  std::shared_ptr<RunJob> job = makeRunJob(pipeline);
+  job->environment = environment_;
+  job->centre = centre_;
+  job->threads = threads_;
+  job->stepMeshes = stepMeshes_;
+  job->cache = cache_;
+  return job;
+}
+
+std::shared_ptr<RunJob> RunInputs::makeListJob() const {
+  std::shared_ptr<RunJob> job = makeJob(pipeline());
+  for (const FilterEntry& entry : filters_) {
+    if (entry.step.enabled) job->ids.push_back(entry.id);
+  }
+  return job;
+}
+
+std::optional<InvalidStep> RunInputs::findInvalidStep() const {
+  const Pipeline pipeline = this->pipeline();
+  const auto error = findStructureError(pipeline);
+  if (!error) return std::nullopt;
+  return InvalidStep{filters_[error->step].id, coreText(placeOfStep(pipeline, error->step)), coreText(error->message)};
+}
+
+}  // namespace footfall::ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/frame_pacing.hpp"
+
+#include <limits>
+
+namespace footfall::ui {
+namespace {
+
+constexpr double kSlowMs = 30;  // of a frame
+constexpr double kFirstMs = 8;  // of a picture with the frame that first lacks it: enough with a graphics card
+constexpr int kRestMs = 200;    // without movement
+
+}  // namespace
+
+FramePacing::FramePacing() {
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&rest_, &QTimer::timeout, this, &FramePacing::frameDue);
+  slices_.setSingleShot(true);
+  slices_.setInterval(0);
+  connect(&slices_, &QTimer::timeout, this, [this] {
+    if (!isMoving()) emit sliceDue();
+  });
+}
+
+SceneRenderer::Haste FramePacing::begin() {
+  begun_ = std::chrono::steady_clock::now();
+  SceneRenderer::Haste haste;
+  haste.moving = isMoving();
+  // What is not known yet may take long.
+  haste.hurried = wholeMs_ == 0 || wholeMs_ > kSlowMs;
+  haste.ms = unhurried_ ? std::numeric_limits<double>::infinity() : kFirstMs;
+  return haste;
+}
+
+void FramePacing::end(const SceneRenderer::Haste& haste, bool whole, double wholeMs) {
+  whole_ = whole;
+  lastMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
+  if (!haste.moving && whole) wholeMs_ = wholeMs;
+  if (haste.moving && !haste.hurried) wholeMs_ = lastMs_;
+  if (whole) {
+    slices_.stop();
+  } else {
+    slices_.start();
+  }
+}
+
+void FramePacing::endSlice(bool complete) {
+  if (complete) {
+    emit frameDue();
+  } else {
+    slices_.start();
+  }
+}
+
+}  // namespace footfall::ui
