@@ -1413,7 +1413,7 @@
     </message>
     <message>
         <source>polygons with holes, a file for each layer, in doubles; connections, steps, gaps, drops and thin walls as lines in another file</source>
-        <translation>Polygone mit Löchern, eine Datei für jede Schicht, in doppelter Genauigkeit; Übergänge, Stufen, Lücken, Sprünge nach unten und dünne Wände als Linien in einer weiteren Datei</translation>
+        <translation>Polygone mit Löchern, eine Datei für jede Ebene, in doppelter Genauigkeit; Übergänge, Stufen, Lücken, Sprünge nach unten und dünne Wände als Linien in einer weiteren Datei</translation>
     </message>
     <message>
         <source>heights, triangles, what links lead to, the agent, placed obstacles</source>
@@ -1425,7 +1425,7 @@
     </message>
     <message>
         <source>polygons with holes and heights, layer, part and area of each, in doubles; connections, steps, gaps, drops and thin walls as lines</source>
-        <translation>Polygone mit Löchern und Höhen, je mit Schicht, Teil und Flächeninhalt, in doppelter Genauigkeit; Übergänge, Stufen, Lücken, Sprünge nach unten und dünne Wände als Linien</translation>
+        <translation>Polygone mit Löchern und Höhen, je mit Ebene, Teil und Flächeninhalt, in doppelter Genauigkeit; Übergänge, Stufen, Lücken, Sprünge nach unten und dünne Wände als Linien</translation>
     </message>
     <message>
         <source>triangles, the agent, placed obstacles</source>
@@ -1498,6 +1498,42 @@
     <message>
         <source>%1: is there already; export with the dialog, which asks whether to replace it</source>
         <translation>%1: Diese Datei gibt es schon; exportieren Sie über den Dialog, der fragt, ob sie ersetzt werden soll</translation>
+    </message>
+    <message>
+        <source>A mesh for each layer</source>
+        <translation>Ein Netz je Ebene</translation>
+    </message>
+    <message>
+        <source>Layers as areas</source>
+        <translation>Ebenen als Areas</translation>
+    </message>
+    <message>
+        <source>Steps that can be crossed</source>
+        <translation>Stufen, die man überqueren kann</translation>
+    </message>
+    <message>
+        <source>Steps as polygons</source>
+        <translation>Stufen als Polygone</translation>
+    </message>
+    <message>
+        <source>A file for each layer</source>
+        <translation>Eine Datei je Ebene</translation>
+    </message>
+    <message>
+        <source>Steps as lines</source>
+        <translation>Stufen als Linien</translation>
+    </message>
+    <message>
+        <source>The layer of each polygon</source>
+        <translation>Die Ebene jedes Polygons</translation>
+    </message>
+    <message>
+        <source>A group for each layer</source>
+        <translation>Eine Gruppe je Ebene</translation>
+    </message>
+    <message>
+        <source>Steps as faces</source>
+        <translation>Stufen als Flächen</translation>
     </message>
 </context>
 <context>
@@ -3936,14 +3972,6 @@
         <translation>Die Datei in einem Dialog wählen</translation>
     </message>
     <message>
-        <source>A group for each layer</source>
-        <translation>Eine Gruppe je Ebene</translation>
-    </message>
-    <message>
-        <source>Off: all walkable triangles in one group</source>
-        <translation>Aus: alle begehbaren Dreiecke in einer Gruppe</translation>
-    </message>
-    <message>
         <source>Connections as lines</source>
         <translation>Verbindungen als Linien</translation>
     </message>
@@ -4096,10 +4124,6 @@
         <translation>%1 oben</translation>
     </message>
     <message>
-        <source>Steps as faces</source>
-        <translation>Stufen als Flächen</translation>
-    </message>
-    <message>
         <source>step</source>
         <translation>Stufe</translation>
     </message>
@@ -4148,10 +4172,6 @@
         <translation>Wofür die Datei ist; die Einstellungen werden für jedes Ziel gemerkt</translation>
     </message>
     <message>
-        <source>Faces between the two borders of each step, over their vertices; lines beside polygons</source>
-        <translation>Flächen zwischen den beiden Rändern jeder Stufe, über deren Ecken; bei Polygonen Linien</translation>
-    </message>
-    <message>
         <source>Which axis points up in an OBJ; other formats have one</source>
         <translation>Welche Achse in einer OBJ nach oben zeigt; andere Formate haben eine feste</translation>
     </message>
@@ -4196,16 +4216,16 @@
         <translation>Polygone.</translation>
     </message>
     <message>
-        <source>A file for each layer</source>
-        <translation>Eine Datei für jede Schicht</translation>
-    </message>
-    <message>
-        <source>Steps as lines</source>
-        <translation>Stufen als Linien</translation>
-    </message>
-    <message>
         <source>%1 files, the first is %2</source>
         <translation>%1 Dateien, die erste ist %2</translation>
+    </message>
+    <message>
+        <source>Off: all that is walkable together</source>
+        <translation>Aus: alles Begehbare zusammen</translation>
+    </message>
+    <message>
+        <source>Off: agents cannot climb what they could; only level ways are in the file</source>
+        <translation>Aus: Agenten steigen nirgends; nur ebene Wege stehen in der Datei</translation>
     </message>
 </context>
 <context>
@@ -6257,7 +6277,7 @@ Material: %2</translation>
     </message>
     <message>
         <source>One for each layer</source>
-        <translation>Eine für jede Schicht</translation>
+        <translation>Eine für jede Ebene</translation>
     </message>
     <message>
         <source>&amp;Scale</source>
@@ -6499,7 +6519,7 @@ Material: %2</translation>
     </message>
     <message>
         <source>Draw plans of the storeys or layers to scale, as PDF or SVG</source>
-        <translation>Grundrisse der Geschosse oder Schichten im Maßstab zeichnen, als PDF oder SVG</translation>
+        <translation>Grundrisse der Geschosse oder Ebenen im Maßstab zeichnen, als PDF oder SVG</translation>
     </message>
 </context>
 <context>

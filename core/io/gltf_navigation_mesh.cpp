@@ -22,6 +22,7 @@ using Json = nlohmann::json;
 using Place = std::array<float, 3>;
 using Edge = std::array<std::uint32_t, 2>;
 
+constexpr std::size_t kRangePerPoll = 4096;
 constexpr std::string_view kDataUri = "data:application/octet-stream;base64,";
 
 std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
@@ -67,12 +68,13 @@ struct GltfMesh {
 
 class MeshReader {
  public:
-  explicit MeshReader(const GltfParts& parts) : json_(parts.json), numbers_(parts.numbers) {}
+  MeshReader(const GltfParts& parts, Poll poll) : json_(parts.json), numbers_(parts.numbers), poll_(poll) {}
 
   [[nodiscard]] std::vector<GltfMesh> all() const {
     std::vector<GltfMesh> meshes;
     if (!json_.contains("meshes")) return meshes;
     for (const Json& node : json_.at("nodes")) {
+      poll_();
       if (!node.contains("mesh")) continue;
       const Json& mesh = json_.at("meshes").at(node.at("mesh").get<std::size_t>());
       const Json& primitive = mesh.at("primitives").at(0);
@@ -106,10 +108,13 @@ class MeshReader {
 
   const Json& json_;
   const std::string& numbers_;
+  Poll poll_;
 };
 
 class MeshMaker {
  public:
+  explicit MeshMaker(Poll poll) : poll_(poll) {}
+
   GltfNavigationMesh make(const std::vector<GltfMesh>& meshes) {
     for (const GltfMesh& mesh : meshes)
       if (mesh.name.starts_with("layer_") || mesh.name.starts_with("walkable")) addLayer(mesh);
@@ -145,16 +150,19 @@ class MeshMaker {
       if (isLayer) result_.mesh.layers.push_back(layer);
     }
     for (std::size_t t = result_.mesh.triangles.size() - mesh.corners.size() / 3; t < result_.mesh.triangles.size();
-         ++t)
+         ++t) {
+      if (t % kRangePerPoll == 0) poll_();
       for (std::size_t k = 0; k < 3; ++k) {
         const Edge edge{result_.mesh.triangles[t][k], result_.mesh.triangles[t][(k + 1) % 3]};
         edges_[{places_[edge[0]], places_[edge[1]]}].push_back(edge);
       }
+    }
   }
 
   /// Vertices of different layers that a connection has in common.
   void joinLayers(const GltfMesh& mesh) {
     for (std::size_t i = 0; i + 1 < mesh.corners.size(); i += 2) {
+      if (i % kRangePerPoll == 0) poll_();
       const Ends ends{mesh.places[mesh.corners[i]], mesh.places[mesh.corners[i + 1]]};
       std::optional<Edge> kept;
       for (const Edge& edge : edgesAt(ends)) {
@@ -181,6 +189,7 @@ class MeshMaker {
     std::vector<std::uint32_t> numberOf(places_.size());
     std::map<Index, std::uint32_t> numberOfSet;
     for (std::size_t v = 0; v < places_.size(); ++v) {
+      if (v % kRangePerPoll == 0) poll_();
       const auto [at, isNew] = numberOfSet.try_emplace(sets.find(static_cast<Index>(v)),
                                                        static_cast<std::uint32_t>(result_.mesh.vertices.size()));
       if (isNew) result_.mesh.vertices.push_back(wide(places_[v]));
@@ -199,6 +208,7 @@ class MeshMaker {
   void addObstacleEdges(const GltfMesh& mesh) {
     std::set<Edge> taken;
     for (std::size_t i = 0; i + 1 < mesh.corners.size(); i += 2) {
+      if (i % kRangePerPoll == 0) poll_();
       const Ends ends{mesh.places[mesh.corners[i]], mesh.places[mesh.corners[i + 1]]};
       bool isFound = false;
       for (const Ends& way : {ends, Ends{ends[1], ends[0]}})
@@ -217,6 +227,7 @@ class MeshMaker {
     stated = faces.size();
     std::size_t at = 0;
     for (const Json& count : faces) {
+      poll_();
       const auto own = count.get<std::size_t>();
       if (own < 1 || own > 2 || at + 3 * own > mesh.corners.size()) throw std::out_of_range("no such face");
       const auto place = [&](std::size_t corner) { return mesh.places[mesh.corners[at + corner]]; };
@@ -239,6 +250,7 @@ class MeshMaker {
   }
   static Vec3 wide(const Place& p) { return {p[0], p[1], p[2]}; }
 
+  Poll poll_;
   GltfNavigationMesh result_;
   std::vector<Place> places_;
   std::vector<std::uint32_t> layerOf_;       ///< of places
@@ -248,12 +260,12 @@ class MeshMaker {
 
 }  // namespace
 
-std::optional<GltfNavigationMesh> readGltfNavigationMesh(const std::string& path, std::string_view text) {
+std::optional<GltfNavigationMesh> readGltfNavigationMesh(const std::string& path, std::string_view text, Poll poll) {
   try {
     if (text.find("\"generator\"") == std::string_view::npos) return std::nullopt;
     const GltfParts parts = partsOf(text);
     if (!parts.json.at("asset").value("generator", "").starts_with("Footfall ")) return std::nullopt;
-    return MeshMaker().make(MeshReader(parts).all());
+    return MeshMaker(poll).make(MeshReader(parts, poll).all());
   } catch (const Json::exception&) {
   } catch (const std::out_of_range&) {
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/io/drop_reading.hpp"
 #include "footfall/navigation_mesh.hpp"
 
@@ -27,7 +28,8 @@ struct GltfNavigationMesh {
   std::size_t statedSteps = 0, statedGaps = 0;
 };
 
-/// Empty where the text is no glTF of Footfall's. Throws InputError for one that is damaged.
-std::optional<GltfNavigationMesh> readGltfNavigationMesh(const std::string& path, std::string_view text);
+/// Empty where the text is no glTF of Footfall's. Throws InputError for one that is damaged, and what `poll` throws.
+std::optional<GltfNavigationMesh> readGltfNavigationMesh(const std::string& path, std::string_view text,
+                                                         Poll poll = {});
 
 }  // namespace footfall::detail

@@ -302,7 +302,7 @@ NavigationMeshFile readNavigationMesh(const std::string& path, std::optional<UpA
                                       RunContext* context) {
   std::string text = readInputFile(path, context);
   if (isGltf(text)) {
-    if (auto gltf = readGltfNavigationMesh(path, text)) return fileOf(std::move(*gltf), path, up);
+    if (auto gltf = readGltfNavigationMesh(path, text, Poll(context))) return fileOf(std::move(*gltf), path, up);
     failInput(path, 0,
               FOOTFALL_TEXT("glTF has numbers of 24 bits and no exact surfaces, and its steps and drops are not read"),
               FOOTFALL_TEXT("export as OBJ, which holds all of it"));

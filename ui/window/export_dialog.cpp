@@ -130,14 +130,13 @@ QWidget* ExportDialog::createMeshOptions() {
   auto* options = new QWidget(this);
   auto* mesh = new QVBoxLayout(options);
   mesh->setContentsMargins(0, 0, 0, 0);
-  layers_ = addBox(mesh, QStringLiteral("exportLayers"), tr("A group for each layer"),
-                   tr("Off: all walkable triangles in one group"));
+  layers_ = addBox(mesh, QStringLiteral("exportLayers"), {}, tr("Off: all that is walkable together"));
   connections_ = addBox(mesh, QStringLiteral("exportConnections"), tr("Connections as lines"),
                         tr("The edges on which two layers meet"));
   obstacleEdges_ = addBox(mesh, QStringLiteral("exportObstacleEdges"), tr("Obstacle edges as lines"),
                           tr("Edges that agents cannot cross though both sides are walkable"));
-  steps_ = addBox(mesh, QStringLiteral("exportSteps"), tr("Steps as faces"),
-                  tr("Faces between the two borders of each step, over their vertices; lines beside polygons"));
+  steps_ = addBox(mesh, QStringLiteral("exportSteps"), {},
+                  tr("Off: agents cannot climb what they could; only level ways are in the file"));
   drops_ = addBox(mesh, QStringLiteral("exportDrops"), tr("Drops as lines"),
                   tr("Lines from where an agent drops to where it lands"));
   placed_ = addBox(mesh, QStringLiteral("exportPlaced"), tr("Placed obstacles"),
@@ -398,8 +397,8 @@ void ExportDialog::refresh() {
   const FormatDescriptor* format = meshFormat(kind());
   const bool isMesh = format != nullptr;
   if (format) {
-    layers_->setText(format->hasFilesBeside ? tr("A file for each layer") : tr("A group for each layer"));
-    steps_->setText(format->hasParts ? tr("Steps as lines") : tr("Steps as faces"));
+    layers_->setText(coreText(Text(format->layersAs)));
+    steps_->setText(coreText(Text(format->stepsAs)));
     layers_->setVisible(format->hasLayers && !shown_->navmeshNode);
     for (QCheckBox* box : {connections_, obstacleEdges_}) box->setVisible(format->hasLines);
     drops_->setVisible(format->hasDrops);

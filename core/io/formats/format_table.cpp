@@ -32,6 +32,7 @@ constexpr std::array kFormats{
         .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
         .loses = FOOTFALL_TEXT("doubles"),
         .hasNavmeshNode = true,
+        .layersAs = FOOTFALL_TEXT("A mesh for each layer"),
     },
     FormatDescriptor{
         .format = ExportFormat::Glb,
@@ -40,6 +41,7 @@ constexpr std::array kFormats{
         .keeps = FOOTFALL_TEXT("everything, in metres; agent, areas and links as extras"),
         .loses = FOOTFALL_TEXT("doubles"),
         .hasNavmeshNode = true,
+        .layersAs = FOOTFALL_TEXT("A mesh for each layer"),
     },
     FormatDescriptor{
         .format = ExportFormat::Detour,
@@ -50,6 +52,8 @@ constexpr std::array kFormats{
         .loses = FOOTFALL_TEXT("doubles; more than 58 layers; placed obstacles"),
         .hasLines = false,
         .hasExtras = false,
+        .layersAs = FOOTFALL_TEXT("Layers as areas"),
+        .stepsAs = FOOTFALL_TEXT("Steps that can be crossed"),
     },
     FormatDescriptor{
         .format = ExportFormat::Godot,
@@ -62,6 +66,7 @@ constexpr std::array kFormats{
         .hasDrops = false,
         .hasExtras = false,
         .hasGodotVersion = true,
+        .stepsAs = FOOTFALL_TEXT("Steps as polygons"),
     },
     FormatDescriptor{
         .format = ExportFormat::Wkt,
@@ -75,6 +80,8 @@ constexpr std::array kFormats{
         .hasParts = true,
         .hasFloats = false,
         .hasFilesBeside = true,
+        .layersAs = FOOTFALL_TEXT("A file for each layer"),
+        .stepsAs = FOOTFALL_TEXT("Steps as lines"),
     },
     FormatDescriptor{
         .format = ExportFormat::GeoJson,
@@ -88,6 +95,8 @@ constexpr std::array kFormats{
         .hasParts = true,
         .hasCoordinateSystem = true,
         .hasFloats = false,
+        .layersAs = FOOTFALL_TEXT("The layer of each polygon"),
+        .stepsAs = FOOTFALL_TEXT("Steps as lines"),
     },
 };
 

@@ -30,6 +30,9 @@ struct FormatDescriptor {
   bool hasCoordinateSystem = false;
   bool hasFloats = true;        ///< coordinates are rounded
   bool hasFilesBeside = false;  ///< a file for each layer, and more: existingOutputs()
+  // What becomes of them, for a choice that people make.
+  Pattern layersAs = FOOTFALL_TEXT("A group for each layer");
+  Pattern stepsAs = FOOTFALL_TEXT("Steps as faces");
 };
 
 /// All formats, the usual one first.

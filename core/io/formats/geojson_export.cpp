@@ -11,10 +11,16 @@
 namespace footfall::detail {
 namespace {
 
+constexpr std::size_t kPlacesPerPoll = 4096;
+
 class GeoJsonWriter {
  public:
-  GeoJsonWriter(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options)
-      : mesh_(mesh), polygons_(polygons), options_(options), metres_(mesh.frame.metresPerUnit * options.scale) {}
+  GeoJsonWriter(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options, Poll poll)
+      : mesh_(mesh),
+        polygons_(polygons),
+        options_(options),
+        metres_(mesh.frame.metresPerUnit * options.scale),
+        poll_(poll) {}
 
   std::string write() {
     text_ = "{\"type\": \"FeatureCollection\",\n";
@@ -55,6 +61,7 @@ class GeoJsonWriter {
   void end() { text_ += "}}"; }
 
   void place(const Vec3& p) {
+    if (++places_ % kPlacesPerPoll == 0) poll_();
     text_ += '[';
     appendNumber(text_, p.x * metres_);
     text_ += ", ";
@@ -155,6 +162,8 @@ class GeoJsonWriter {
   const PlanPolygons& polygons_;
   const ExportOptions& options_;
   double metres_;
+  Poll poll_;
+  std::size_t places_ = 0;
   std::string text_;
   bool isFirst_ = true;
 };
@@ -175,7 +184,7 @@ std::string formatGeoJson(const NavigationMesh& mesh, const ExportOptions& optio
   const PlanPolygons polygons = makePlanPolygons(mesh, poll);
   checkPolygonOptions(mesh, polygons, options);
   poll();
-  return GeoJsonWriter(mesh, polygons, options).write();
+  return GeoJsonWriter(mesh, polygons, options, poll).write();
 }
 
 }  // namespace footfall::detail

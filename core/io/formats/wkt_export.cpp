@@ -8,10 +8,12 @@
 namespace footfall::detail {
 namespace {
 
+constexpr std::size_t kPlacesPerPoll = 4096;
+
 class WktWriter {
  public:
-  explicit WktWriter(const NavigationMesh& mesh, const ExportOptions& options = {})
-      : mesh_(mesh), options_(options), metres_(mesh.frame.metresPerUnit * options.scale) {}
+  explicit WktWriter(const NavigationMesh& mesh, const ExportOptions& options = {}, Poll poll = {})
+      : mesh_(mesh), options_(options), metres_(mesh.frame.metresPerUnit * options.scale), poll_(poll) {}
 
   void layer(const PlanPolygons& polygons, std::optional<std::uint32_t> layer, std::optional<std::uint32_t> part) {
     std::vector<const PlanPart*> chosen;
@@ -73,6 +75,7 @@ class WktWriter {
   }
 
   void place(const Vec3& p) {
+    if (++places_ % kPlacesPerPoll == 0) poll_();
     appendNumber(text, p.x * metres_);
     text += ' ';
     appendNumber(text, p.y * metres_);
@@ -99,6 +102,8 @@ class WktWriter {
   const NavigationMesh& mesh_;
   const ExportOptions options_;
   double metres_;
+  Poll poll_;
+  std::size_t places_ = 0;
 };
 
 }  // namespace
@@ -111,14 +116,15 @@ std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polyg
 }
 
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
-                           const ExportOptions& options) {
-  WktWriter writer(mesh, options);
+                           const ExportOptions& options, Poll poll) {
+  WktWriter writer(mesh, options, poll);
   writer.layer(polygons, layer, options.part);
   return writer.text + '\n';
 }
 
-std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options) {
-  WktWriter writer(mesh, options);
+std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options,
+                           Poll poll) {
+  WktWriter writer(mesh, options, poll);
   writer.text = "GEOMETRYCOLLECTION (";
   writer.links(polygons);
   return writer.text + ")\n";
@@ -126,7 +132,7 @@ std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polyg
 
 std::string formatWkt(const NavigationMesh& mesh, Poll poll) {
   const PlanPolygons polygons = makePlanPolygons(mesh, poll);
-  WktWriter writer(mesh);
+  WktWriter writer(mesh, {}, poll);
   writer.text = "GEOMETRYCOLLECTION (";
   for (std::uint32_t layer = 0; layer < polygons.layerCount; ++layer) {
     writer.layer(polygons, layer, {});
@@ -142,16 +148,16 @@ std::vector<OutputFile> makeWktFiles(const NavigationMesh& mesh, const std::stri
   checkPolygonOptions(mesh, polygons, options);
   std::vector<OutputFile> files;
   if (polygons.layerCount == 1 || !options.layers) {
-    files.push_back({path, formatLayerWkt(mesh, polygons, std::nullopt, options)});
+    files.push_back({path, formatLayerWkt(mesh, polygons, std::nullopt, options, poll)});
   } else {
     for (std::uint32_t layer = 0; layer < polygons.layerCount; ++layer) {
       poll();
-      files.push_back(
-          {besideName(path, std::to_string(layer)), formatLayerWkt(mesh, polygons, std::optional(layer), options)});
+      files.push_back({besideName(path, std::to_string(layer)),
+                       formatLayerWkt(mesh, polygons, std::optional(layer), options, poll)});
     }
   }
   poll();
-  files.push_back({besideName(path, std::string(kLinksSuffix)), formatLinksWkt(mesh, polygons, options)});
+  files.push_back({besideName(path, std::string(kLinksSuffix)), formatLinksWkt(mesh, polygons, options, poll)});
   return files;
 }
 

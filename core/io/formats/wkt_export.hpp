@@ -22,11 +22,12 @@ namespace footfall::detail {
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
                            std::optional<std::uint32_t> part = std::nullopt);
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
-                           const ExportOptions& options);
+                           const ExportOptions& options, Poll poll = {});
 
 /// A GEOMETRYCOLLECTION of five MULTILINESTRINGs, EMPTY where there is nothing: the edges where layers meet, those over
 /// which steps, gaps and drops lead, and the edges inside polygons that cannot be crossed.
-std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options = {});
+std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options = {},
+                           Poll poll = {});
 
 /// `path` for a single layer or without layers, else "level-0.wkt" and so on beside it, and "level-links.wkt". Throws
 /// what checkPolygonOptions() and `poll` throw.

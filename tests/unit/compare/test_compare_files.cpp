@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/io/export.hpp"
+#include "core/io/gltf_navigation_mesh.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
 #include "tests/support/run_filters.hpp"
@@ -92,6 +93,7 @@ class TestCompareFiles : public QObject {
   void gltfReadsBackWhatObjDoes_data();
   void gltfReadsBackWhatObjDoes();
   void damagedGltfIsRefused();
+  void readingGltfIsCancelled();
   void groupsAmongPolygons();
   void upAxes();
   void refusedFiles_data();
@@ -199,7 +201,8 @@ void TestCompareFiles::gltfReadsBackWhatObjDoes() {
 }
 
 void TestCompareFiles::damagedGltfIsRefused() {
-  const Product product = exported("house", "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\n");
+  const Product product =
+      exported("house", "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nLayerSubdivisionFilter\n");
   const std::string path = folder_.path("whole.glb");
   save(product.mesh, path);
   QFile written(QString::fromStdString(path));
@@ -214,6 +217,31 @@ void TestCompareFiles::damagedGltfIsRefused() {
   QVERIFY(indices > 0);
   wrong.replace(indices, 4, QByteArray::fromHex("ffffffff"));
   QVERIFY(message(folder_.write("wrong.glb", wrong)).contains("its glTF is damaged"));
+  // Some triangles in layers, others not.
+  const std::string text = folder_.path("whole.gltf");
+  save(product.mesh, text);
+  QByteArray mixed = contentOf(QString::fromStdString(text));
+  QVERIFY(mixed.contains("\"layer_1\""));
+  mixed.replace("\"layer_1\"", "\"walkable\"");
+  QVERIFY(message(folder_.write("mixed.gltf", mixed)).contains("its glTF is damaged"));
+}
+
+void TestCompareFiles::readingGltfIsCancelled() {
+  const Product product =
+      exported("tower", "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nLayerSubdivisionFilter\n");
+  const std::string path = folder_.path("long.glb");
+  save(product.mesh, path);
+  const QByteArray content = contentOf(QString::fromStdString(path));
+  const std::string_view text(content.constData(), static_cast<std::size_t>(content.size()));
+  int polls = 0;
+  QVERIFY(readGltfNavigationMesh(path, text, [&polls] { ++polls; }).has_value());
+  QVERIFY(polls > 5);
+  for (int last = 1; last <= polls; ++last) {
+    int asked = 0;
+    QVERIFY_THROWS_EXCEPTION(Cancelled, readGltfNavigationMesh(path, text, [&] {
+                               if (++asked == last) throw Cancelled();
+                             }));
+  }
 }
 
 void TestCompareFiles::groupsAmongPolygons() {
