@@ -89,6 +89,18 @@ class TestParameterHandles : public QObject {
     QCOMPARE(value(Clearance), 2.0);
   }
 
+  void aClickOnAHandleEditsNothing() {
+    window_->document().setValue(id(Clearance), 0, 1.987654321, 1);
+    QVERIFY(waitUntilIdle(*window_));
+    choose(Clearance);
+    const int edits = window_->document().undoStack()->count();
+    const Vec3 handle = handles_->measures()[0].handle();
+    press(handle);
+    release(handle);
+    QCOMPARE(value(Clearance), 1.987654321);
+    QCOMPARE(window_->document().undoStack()->count(), edits);
+  }
+
   void anAngleIsTurned() {
     choose(Slope);
     const ParameterMeasure measure = handles_->measures()[0];

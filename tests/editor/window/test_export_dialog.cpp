@@ -95,6 +95,26 @@ class TestExportDialog : public QObject {
     QCOMPARE(readFile(path), first);
   }
 
+  // A file for each layer: a second layer means a file that nobody was asked about.
+  void againReplacesNothingUnasked() {
+    openDialog();
+    QVERIFY(!accept("again.wkt").isEmpty());
+    const QString second = folder_->filePath("again-1.wkt");
+    writeFile(*folder_, "again-1.wkt", "mine");
+    window_->document().replacePipeline(
+        parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 0.5\nLayerSubdivisionFilter\n", "test"), "filters");
+    QVERIFY(waitUntilIdle(*window_));
+    window_->commands().find("file.exportAgain")->trigger();
+    QTRY_VERIFY2(window_->messageBar().text().contains("again-1.wkt: is there already"),
+                 qPrintable(window_->messageBar().text()));
+    QCOMPARE(readFile(second), QByteArray("mine"));
+    QVERIFY(!QFile::exists(folder_->filePath("again-0.wkt")));
+    QVERIFY(QFile::remove(second));
+    window_->commands().find("file.exportAgain")->trigger();
+    QTRY_VERIFY(QFile::exists(second));
+    QVERIFY(readFile(second).startsWith("POLYGON"));
+  }
+
   void objWithOptions() {
     openDialog();
     for (const char* name : {"exportLayers", "exportConnections", "exportObstacleEdges"}) toggle(name);
