@@ -4,8 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -30,13 +28,6 @@ void blockSignals() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-// Before MPI is there: what is wrong with the options is told once.
-bool isFirstByName() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (const char* rank = std::getenv(name)) return std::strcmp(rank, "0") == 0;
-  return true;
-}
-
 void runCommandLine(int argc, const char* const* argv, app::MpiProgram& program) {
   CLI::App app("Computes the exact walkable area of 3D environments, with several processes.", "footfall-mpi");
   app.set_version_flag("--version", "footfall-mpi " FOOTFALL_VERSION, "Print the version and exit");
@@ -47,7 +38,7 @@ void runCommandLine(int argc, const char* const* argv, app::MpiProgram& program)
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
       throw InputError(std::string(error.what()) + "; `footfall-mpi --help` tells what can be given");
-    if (isFirstByName()) app.exit(error);  // --help and --version
+    if (app::MpiProgram::isFirstByName()) app.exit(error);  // --help and --version
     app::print({});
   }
 }
@@ -59,7 +50,7 @@ int main(int argc, char** argv) {
   app::MpiProgram program;
   int code = kDone;
   const auto fail = [&](ExitCode exitCode, const std::string& problem) {
-    if (program.fail(problem) && isFirstByName()) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
+    if (program.fail(problem)) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
     // mpirun ends with the code of whoever is first to have one.
     code = program.hasExitCode() ? exitCode : kDone;
   };

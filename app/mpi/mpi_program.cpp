@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -23,6 +25,12 @@ std::string format(const char* pattern, double value) {
 }
 
 }  // namespace
+
+bool MpiProgram::isFirstByName() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+    if (const char* rank = std::getenv(name)) return std::strcmp(rank, "0") == 0;
+  return true;
+}
 
 MpiProgram::~MpiProgram() {
   exchange_ = nullptr;
@@ -134,10 +142,11 @@ void MpiProgram::end() {
 }
 
 bool MpiProgram::fail(const std::string& problem) {
-  if (!exchange_) return !transport_ || writes();
+  if (!exchange_) return transport_ ? writes() : isFirstByName();
   const bool wasStopped = exchange_->wasStopped();
   exchange_->fail(problem);
-  return writes() && !wasStopped;
+  // Rank 0 tells, unless it is busy where it cannot be stopped: then this rank ends all, and has to say why.
+  return (writes() || exchange_->isCutOff()) && !wasStopped;
 }
 
 void MpiProgram::leave(int exitCode) {

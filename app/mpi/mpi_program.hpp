@@ -31,12 +31,16 @@ class MpiProgram : public RunProgram {
   std::string summary(std::string text) override;
   void end() override;
 
+  /// Before MPI is there: whether this process is rank 0, by what started it. What is wrong with the options is told
+  /// once.
+  [[nodiscard]] static bool isFirstByName();
   /// The command failed: tells the other ranks. Returns whether this process has to tell the user.
   bool fail(const std::string& problem);
   /// Which rank failed, and why, where that is what ended the run.
   [[nodiscard]] std::optional<std::string> failure() const;
-  /// Whether the exit code of this process is the one that counts: that of rank 0, or of any before there are ranks.
-  [[nodiscard]] bool hasExitCode() const { return !transport_ || writes(); }
+  /// Whether the exit code of this process is the one that counts: that of rank 0, of a rank that rank 0 does not
+  /// answer, or of any before there are ranks.
+  [[nodiscard]] bool hasExitCode() const { return !transport_ || writes() || (exchange_ && exchange_->isCutOff()); }
   /// The command is over: waits for the other ranks, or ends them all where one does not answer. Behind that, the
   /// process has nothing to do but to return `exitCode`.
   void leave(int exitCode);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/distributed/work_folder.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -39,6 +41,16 @@ std::optional<std::string> contentOf(const std::string& path) {
   return content;
 }
 
+void checkShare(std::string_view sealed, const ShareName& name, const CellPhase& phase) {
+  const OpenedShare opened = openShare(sealed);
+  if (opened.name != name) throw BadBytes("is a share of another cell or run");
+  try {
+    phase.check(static_cast<Index>(name.cell), opened.bytes);
+  } catch (const BadBytes& error) {
+    throw BadBytes(std::string("is no share that can be used (") + error.what() + ')');
+  }
+}
+
 // Files that were being written when their process was killed. Those of processes at work are young.
 bool isLeftOver(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
@@ -56,20 +68,26 @@ WorkFolder::WorkFolder(std::string path) : path_(std::move(path)) {
                    path_, error ? error.message() : std::string(std::strerror(ENOTDIR)));
 }
 
-std::vector<WorkFolder::Stored> WorkFolder::load(const Digest::Value& key, std::size_t phase, std::size_t cells,
-                                                 std::vector<Text>& notes) {
+std::vector<WorkFolder::Stored> WorkFolder::load(const CellPhase& phase, std::vector<Text>& notes) {
+  const std::size_t cells = phase.costs.size();
+  std::vector<std::optional<std::string>> sealed(cells);
+  std::vector<std::string> problems(cells);
+  tbb::parallel_for(std::size_t{0}, cells, [&](std::size_t cell) {
+    const ShareName name{phase.key, phase.number, cell};
+    try {
+      sealed[cell] = contentOf(fileOf(name));
+      if (sealed[cell]) checkShare(*sealed[cell], name, phase);
+    } catch (const BadBytes& error) {
+      sealed[cell].reset();
+      problems[cell] = error.what();
+    }
+  });
   std::vector<Stored> found;
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    const ShareName name{key, phase, cell};
-    const std::string file = fileOf(name);
-    try {
-      std::optional<std::string> sealed = contentOf(file);
-      if (!sealed) continue;
-      if (openShare(*sealed).name != name) throw BadBytes("is a share of another cell or run");
-      found.push_back({static_cast<Index>(cell), std::move(*sealed)});
-    } catch (const BadBytes& error) {
-      notes.emplace_back(FOOTFALL_TEXT("%1 %2; its cell runs again"), file, std::string(error.what()));
-    }
+    if (sealed[cell]) found.push_back({static_cast<Index>(cell), std::move(*sealed[cell])});
+    if (!problems[cell].empty())
+      notes.emplace_back(FOOTFALL_TEXT("%1 %2; its cell runs again"), fileOf({phase.key, phase.number, cell}),
+                         problems[cell]);
   }
   return found;
 }

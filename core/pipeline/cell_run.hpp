@@ -17,6 +17,7 @@
 #include "core/distributed/cell_share.hpp"
 #include "core/filters/clearance/clearance_pass.hpp"
 #include "core/partitioning/strategies.hpp"
+#include "core/pipeline/cell_share_reader.hpp"
 #include "footfall/run_context.hpp"
 #include "footfall/statistics.hpp"
 
@@ -33,6 +34,7 @@ struct CellFilters {
 struct CellsElsewhere {
   CellExchange* exchange = nullptr;  ///< null: there are none
   std::vector<char> isMine;          ///< for each cell, once the exchange has begun the pass
+  std::shared_ptr<const CellShareReader> reader;
 };
 
 /// One phase of a block. Reports are those of the block's cells and grow with each phase.

@@ -20,6 +20,8 @@ struct RankOptions {
   std::function<void(int rank)> cellDone = [](int) {};
   /// The environment of a rank, where it is not the one that all have.
   std::function<std::shared_ptr<const Environment>(int rank)> environmentOf = nullptr;
+  std::function<Pipeline(int rank)> pipelineOf = nullptr;  ///< likewise
+  double patienceMs = 10000;                               ///< RankExchange::Options
 };
 
 struct RankOutcome {
@@ -28,6 +30,7 @@ struct RankOutcome {
   std::vector<Text> notes;  ///< of all ranks
   std::vector<detail::RankStatistics> ranks;
   std::vector<bool> hasResult;  ///< for each rank
+  std::vector<bool> isCutOff;   ///< for each rank
 };
 
 /// Runs the pipeline on all ranks as footfall-mpi does.
