@@ -1,13 +1,15 @@
-// `footfall-mpi run`, to be started by mpirun or by Slurm: one environment, several processes. The only program that
-// needs MPI.
+// `footfall-mpi run` and `cells`, to be started by mpirun or by Slurm: one environment, several processes. The only
+// program that needs MPI.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 
+#include "app/command_options.hpp"
 #include "app/commands.hpp"
 #include "app/mpi/mpi_program.hpp"
 #include "footfall/errors.hpp"
@@ -28,11 +30,28 @@ void blockSignals() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
+// What the editor starts.
+void addCellsCommand(CLI::App& app, app::MpiProgram& program) {
+  struct Options {
+    std::string job;
+    int threads = 0;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("cells", "Run the cells of a job that the editor left in a folder");
+  command
+      .add_option("JOB", options->job,
+                  "The folder of the job. What is found stays there for the editor, which goes on with it")
+      ->required();
+  app::addThreads(command, options->threads);
+  command.callback([options, &program] { program.runCells(options->job, options->threads); });
+}
+
 void runCommandLine(int argc, const char* const* argv, app::MpiProgram& program) {
   CLI::App app("Computes the exact walkable area of 3D environments, with several processes.", "footfall-mpi");
   app.set_version_flag("--version", "footfall-mpi " FOOTFALL_VERSION, "Print the version and exit");
   app.require_subcommand(1);
   app::addRunCommand(app, program);
+  addCellsCommand(app, program);
   try {
     app.parse(argc, argv);  // and runs the command
   } catch (const CLI::ParseError& error) {

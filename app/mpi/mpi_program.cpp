@@ -10,7 +10,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/distributed/job_folder.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/pipeline.hpp"
 
 namespace footfall::app {
 using namespace detail;
@@ -53,6 +55,7 @@ void MpiProgram::begin(int threads) {
   options.threads = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
   options.startUpMs = total_.wallMs();
   options.workFolder = workFolder_;
+  options.leavesShares = leavesShares_;
   options.note = [this](const Text& note) { tell(note); };
   options.stop = [this] {
     isStopped_ = true;
@@ -60,6 +63,24 @@ void MpiProgram::begin(int threads) {
     if (context_ != nullptr) context_->cancel();
   };
   exchange_ = std::make_unique<RankExchange>(*transport_, std::move(options));
+}
+
+void MpiProgram::runCells(const std::string& job, int threads) {
+  workFolder_ = job;
+  leavesShares_ = true;
+  begin(threads);
+  CommandSession session(threads, true);
+  setContext(&session.context());
+  const auto forget = [](MpiProgram* running) { running->setContext(nullptr); };
+  const std::unique_ptr<MpiProgram, decltype(forget)> forgotten(this, forget);
+  const Stopwatch reading;
+  Job given = readJob(job);
+  const auto environment = std::make_shared<const Environment>(std::move(given.environment));
+  const Pipeline pipeline = parsePipeline(given.pipeline, job);
+  exchange_->setReadingMs(reading.wallMs());
+  session.run(environment, pipeline, {}, nullptr, exchange_.get());
+  exchange_->collect(session.context());
+  end();
 }
 
 void MpiProgram::setContext(RunContext* context) {

@@ -21,6 +21,9 @@ class MpiProgram : public RunProgram {
 
   void addOptions(CLI::App& command) override;
   void begin(int threads) override;
+  /// In place of run(), for the command `cells`: leaves the shares of a job in its folder. Calls all of the above and
+  /// end().
+  void runCells(const std::string& job, int threads);
   [[nodiscard]] bool showsProgress() const override { return showsProgress_; }
   void setContext(RunContext* context) override;
   [[nodiscard]] bool writes() const override { return transport_->rank() == 0; }
@@ -51,6 +54,7 @@ class MpiProgram : public RunProgram {
 
   const detail::Stopwatch total_;
   std::string workFolder_;
+  bool leavesShares_ = false;
   bool showsProgress_ = false;
   std::unique_ptr<MpiTransport> transport_;
   std::unique_ptr<detail::RankExchange> exchange_;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/distributed/job_folder.hpp"
 #include "core/partitioning/load_balancing.hpp"
 #include "footfall/errors.hpp"
 
@@ -274,11 +275,18 @@ RankExchange::Plan RankExchange::makePlan(std::unique_lock<std::mutex>& lock, co
   }
   for (const WorkFolder::Stored& share : stored) plan.stored.push_back(share.cell);
   sendPlan(plan);
+  if (options_.leavesShares && phase.number == 0) sayRanks(plan);
   for (WorkFolder::Stored& share : stored) {
     if (!phase.isLast()) postToOthers(static_cast<char>(Kind::Share) + share.sealed);
     shares_.push_back({-1, {phase.key, phase.number, static_cast<std::uint64_t>(share.cell)}, std::move(share.sealed)});
   }
   return plan;
+}
+
+void RankExchange::sayRanks(const Plan& plan) const {
+  std::vector<JobRank> ranks;
+  for (const Hello& rank : plan.ranks) ranks.push_back({rank.threads, rank.beganMs});
+  writeRanks(options_.workFolder, ranks);
 }
 
 RankExchange::Plan RankExchange::awaitPlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase,
@@ -340,6 +348,7 @@ void RankExchange::give(Index cell, std::string bytes) {
     try {
       folder_->store(name, sealed);
     } catch (const RunError& error) {
+      if (options_.leavesShares) throw;  // nobody else has it
       std::unique_lock lock(mutex_);
       const bool isFirst = !std::exchange(folderFails_, true);
       lock.unlock();
@@ -352,7 +361,7 @@ void RankExchange::give(Index cell, std::string bytes) {
   const std::size_t before = outgoing_.size();
   if (!phase_.isLast())
     postToOthers(message);
-  else if (rank_ != 0)
+  else if (rank_ != 0 && !options_.leavesShares)
     post(0, message);
   own_.bytesSent += (outgoing_.size() - before) * message.size();
 }
@@ -422,7 +431,7 @@ std::vector<RankStatistics> RankExchange::collect(RunContext& context) {
 
 void RankExchange::end(RunContext& context) {
   // Before the others are told: they do not wait long for a rank that says nothing.
-  if (rank_ == 0 && folder_)
+  if (rank_ == 0 && folder_ && !options_.leavesShares)
     for (const Digest::Value& key : keys_) folder_->remove(key);
   {
     std::unique_lock lock(mutex_);

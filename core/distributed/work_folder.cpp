@@ -4,15 +4,15 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 
+#include "core/distributed/job_folder.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 
@@ -28,17 +28,6 @@ std::string nameOf(const Digest::Value& key) {
   std::snprintf(text, sizeof(text), "%016llx%016llx", static_cast<unsigned long long>(key[0]),
                 static_cast<unsigned long long>(key[1]));
   return text;
-}
-
-// Empty when there is no such file; throws BadBytes when it cannot be read.
-std::optional<std::string> contentOf(const std::string& path) {
-  std::error_code error;
-  if (!fs::exists(path, error) && !error) return std::nullopt;
-  if (!fs::is_regular_file(path, error)) throw BadBytes("is no file");
-  std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof()) throw BadBytes("cannot be read");
-  return content;
 }
 
 void checkShare(std::string_view sealed, const ShareName& name, const CellPhase& phase) {
@@ -90,6 +79,30 @@ std::vector<WorkFolder::Stored> WorkFolder::load(const CellPhase& phase, std::ve
                          problems[cell]);
   }
   return found;
+}
+
+std::vector<Index> WorkFolder::cellsOf(const CellPhase& phase) const {
+  const std::string begin = nameOf(phase.key) + '-' + std::to_string(phase.number) + '-';
+  std::vector<Index> cells;
+  std::error_code error;
+  for (fs::directory_iterator entry(path_, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.rfind(begin, 0) != 0 || !name.ends_with(kEnding)) continue;
+    Index cell = -1;
+    const char* last = name.data() + name.size() - kEnding.size();
+    const auto [stop, problem] = std::from_chars(name.data() + begin.size(), last, cell);
+    if (problem == std::errc() && stop == last && cell >= 0 && static_cast<std::size_t>(cell) < phase.costs.size())
+      cells.push_back(cell);
+  }
+  return cells;
+}
+
+std::string WorkFolder::read(const ShareName& name) const {
+  std::optional<std::string> sealed = contentOf(fileOf(name));
+  if (!sealed) throw BadBytes("it is gone");
+  if (openShare(*sealed).name != name) throw BadBytes("it is a share of another cell or run");
+  sealed->erase(0, kShareHead);
+  return std::move(*sealed);
 }
 
 void WorkFolder::store(const ShareName& name, const std::string& sealed) { writeFileSafely(fileOf(name), sealed); }

@@ -62,6 +62,7 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
       own.threads = options.threads;
       own.patienceMs = options.patienceMs;
       own.workFolder = options.workFolder;
+      own.leavesShares = options.leavesShares;
       own.note = [&](const Text& note) {
         const std::lock_guard lock(mutex);
         outcome.notes.push_back(note);

@@ -14,8 +14,9 @@ namespace footfall::test {
 
 struct RankOptions {
   int ranks = 2;
-  int threads = 1;         ///< of each rank
-  std::string workFolder;  ///< empty: none
+  int threads = 1;            ///< of each rank
+  std::string workFolder;     ///< empty: none
+  bool leavesShares = false;  ///< RankExchange::Options
   /// Called by a rank whenever one of its cells is done; may throw, which fails the rank.
   std::function<void(int rank)> cellDone = [](int) {};
   /// The environment of a rank, where it is not the one that all have.
