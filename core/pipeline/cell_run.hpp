@@ -113,9 +113,9 @@ class CellRun {
   [[nodiscard]] bool merges() const { return elsewhere_.exchange == nullptr || elsewhere_.exchange->merges(); }
   [[nodiscard]] bool isWholeOf(Index cell, Index face) const;
   bool takeArrived(int thread);
-  void addArrived(const ArrivedShare& arrived);
+  void addArrived(const ArrivedShare& arrived, int thread);
   void addFaces(Index cell, CellShare& share);
-  void addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived);
+  void addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived, int thread);
   void give(Index cell);
   void done(Index cell, std::size_t items);
   void reportItems(std::size_t done) const;

@@ -20,7 +20,7 @@ bool CellRun::takeArrived(int thread) {
   if (!arrived) return false;
   context_.checkCancelled();
   try {
-    addArrived(*arrived);
+    addArrived(*arrived, thread);
   } catch (const BadBytes& error) {
     throw RunError(FOOTFALL_TEXT("the share of cell %1 that arrived cannot be used (%2); give all processes the "
                                  "same version of the program"),
@@ -30,14 +30,14 @@ bool CellRun::takeArrived(int thread) {
   return true;
 }
 
-void CellRun::addArrived(const ArrivedShare& arrived) {
+void CellRun::addArrived(const ArrivedShare& arrived, int thread) {
   const Index cell = arrived.cell;
   if (cell < 0 || static_cast<std::size_t>(cell) >= cells_.size() || isMine(cell) ||
       cells_[cell].rest.exchange(Rest::Ready) == Rest::Ready)
     throw BadBytes("nobody waits for it");
   CellShare share = elsewhere_.reader->read(cell, arrived.bytes);
   addFaces(cell, share);
-  if (arrived.hasTimes) addTimes(cell, share.times, arrived);
+  if (arrived.hasTimes) addTimes(cell, share.times, arrived, thread);
   CellWork& work = cells_[cell];
   const std::size_t sum = itemsDone_.fetch_add(work.floors.size(), std::memory_order_relaxed);
   reportItems(sum);
@@ -63,12 +63,14 @@ void CellRun::addFaces(Index cell, CellShare& share) {
   work.trianglesOut += triangles;
 }
 
-void CellRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived) {
+void CellRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived, int thread) {
   const std::lock_guard lock(cells_[cell].mutex);
   CellReport& report = reports_[cell];
   report.thread = times.thread + arrived.firstThread;
   report.startMs = times.startMs + arrived.shiftMs;
   report.endMs = times.endMs + arrived.shiftMs;
+  // What a filter took elsewhere is its time, too.
+  for (const ShareTimes::Span& span : times.spans) records_[thread].workMs[span.filter] += span.endMs - span.startMs;
   for (const ShareTimes::Span& span : times.spans)
     report.spans.push_back({filters_.names[span.filter], span.thread + arrived.firstThread,
                             span.startMs + arrived.shiftMs, span.endMs + arrived.shiftMs});
