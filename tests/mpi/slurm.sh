@@ -145,4 +145,11 @@ code=0
 submit --wait -- "${work}/missing.obj" || code=$?
 [ "${code}" -eq 2 ] || fail "an environment that is missing: exit code ${code}, not 2"
 grep -q "missing.obj" "${work}"/job-* || fail "nothing is told of an environment that is missing"
-echo "the same by srun, by mpirun and behind a cancelled job that left ${kept} shares"
+# Jobs of the editor, where its tests are built.
+editor="not there"
+if [ -x "${FOOTFALL_TESTS:-}/test_run_place" ]; then
+  editor=tried
+  QT_QPA_PLATFORM=offscreen "${FOOTFALL_TESTS}/test_run_place" machinesOfSlurm >"${work}/editor.log" 2>&1 ||
+    fail "jobs of the editor"
+fi
+echo "the same by srun, by mpirun and behind a cancelled job that left ${kept} shares; jobs of the editor: ${editor}"

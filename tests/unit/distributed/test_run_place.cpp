@@ -10,6 +10,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/base/child_process.hpp"
 #include "core/distributed/folder_exchange.hpp"
 #include "core/distributed/run_place.hpp"
 #include "core/io/export.hpp"
@@ -44,6 +45,38 @@ RunPlace placeOf(RunPlace::Kind kind) {
   place.processes = 3;
   return place;
 }
+
+RunPrograms programs() { return findPrograms((QCoreApplication::applicationDirPath() + "/..").toStdString()); }
+
+/// The house by processes of a place, as the editor does it.
+struct JobRun {
+  JobRun(const QTemporaryDir& folder, const RunPlace& place)
+      : house(std::make_shared<Environment>(load(std::string(FOOTFALL_SOURCE_DIR) + "/samples/house/house.obj"))),
+        pipeline(parsePipeline(
+            "GridStrategy 3 4\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nLayerSubdivisionFilter\n", "test")),
+        given(formatPipeline(pipeline)) {
+    options.folder = folder.filePath("job").toStdString();
+    const int threads = place.kind == RunPlace::Kind::Processes ? 1 : 0;
+    options.work = [this, place, threads](const std::string& job, Poll poll) {
+      writeJob(job, *house, given);
+      return runJob(job, place, programs(), threads, poll);
+    };
+  }
+  bool givesTheSame() {
+    FolderExchange exchange(options);
+    const RunResult result = runTogether(house, pipeline, context, exchange, 1);
+    threadsOfRanks = exchange.threadsOfRanks();
+    RunContext own;
+    return formatObj(*result.mesh, {}) == formatObj(*runPipeline(house, pipeline, own).mesh, {});
+  }
+
+  std::shared_ptr<const Environment> house;
+  Pipeline pipeline;
+  std::string given;  ///< the pipeline of the job
+  RunContext context;
+  FolderExchange::Options options;
+  std::vector<int> threadsOfRanks;
+};
 
 }  // namespace
 
@@ -131,41 +164,72 @@ class TestRunPlace : public QObject {
 
   // By mpirun and footfall-mpi, where both are there.
   void processesOfThisMachine() {
-    const RunPrograms programs = findPrograms((QCoreApplication::applicationDirPath() + "/..").toStdString());
     const RunPlace place = placeOf(RunPlace::Kind::Processes);
-    if (const Text problem = problemOf(place, programs); !problem.empty()) QSKIP(problem.str().c_str());
+    if (const Text problem = problemOf(place, programs()); !problem.empty()) QSKIP(problem.str().c_str());
     QTemporaryDir folder;
-    const auto house =
-        std::make_shared<Environment>(load(std::string(FOOTFALL_SOURCE_DIR) + "/samples/house/house.obj"));
-    const Pipeline pipeline = parsePipeline(
-        "GridStrategy 3 4\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nLayerSubdivisionFilter\n", "test");
-    RunContext context;
-    FolderExchange::Options options;
-    options.folder = folder.filePath("job").toStdString();
-    options.work = [&](const std::string& job, Poll poll) {
-      writeJob(job, *house, formatPipeline(pipeline));
-      return runJob(job, place, programs, 1, poll);
-    };
-    {
-      FolderExchange exchange(options);
-      const RunResult result = runTogether(house, pipeline, context, exchange, 1);
-      QCOMPARE(exchange.threadsOfRanks(), (std::vector<int>{1, 1, 1}));
-      QVERIFY(formatObj(*result.mesh, {}) == formatObj(*runPipeline(house, pipeline, context).mesh, {}));
-    }
+    JobRun run(folder, place);
+    QVERIFY(run.givesTheSame());
+    QCOMPARE(run.threadsOfRanks, (std::vector<int>{1, 1, 1}));
     QVERIFY(QDir(folder.path()).isEmpty());
 
     // What the processes tell is what the run tells.
-    options.work = [&](const std::string& job, Poll poll) {
-      writeJob(job, *house, "NoSuchFilter\n");
-      return runJob(job, place, programs, 1, poll);
-    };
-    FolderExchange exchange(options);
+    run.given = "NoSuchFilter\n";
     try {
-      runTogether(house, pipeline, context, exchange, 1);
+      run.givesTheSame();
       QFAIL("it ran");
     } catch (const RunError& error) {
       QVERIFY2(has(error.what(), "NoSuchFilter") && has(error.what(), "exit code 2"), error.what());
     }
+  }
+
+  // Two processes of a list whose only machine is this one.
+  void machinesOfAHostFile() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("hosts"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("localhost slots=2\n") > 0);
+    file.close();
+    RunPlace place = placeOf(RunPlace::Kind::Hosts);
+    place.processes = 2;
+    place.hostFile = file.fileName().toStdString();
+    if (const Text problem = problemOf(place, programs()); !problem.empty()) QSKIP(problem.str().c_str());
+    if (QStandardPaths::findExecutable("ssh").isEmpty()) QSKIP("mpirun wants ssh for a host file");
+    JobRun run(folder, place);
+    QVERIFY(run.givesTheSame());
+    QCOMPARE(run.threadsOfRanks.size(), std::size_t{2});
+  }
+
+  // Of a Slurm that is there: tests/mpi/slurm.sh brings one up.
+  void machinesOfSlurm() {
+    RunPlace place = placeOf(RunPlace::Kind::Slurm);
+    place.processes = 2;
+    if (!qEnvironmentVariableIsSet("SLURM_CONF")) QSKIP("SLURM_CONF names no Slurm");
+    if (const Text problem = problemOf(place, programs()); !problem.empty()) QSKIP(problem.str().c_str());
+    QTemporaryDir folder;
+    JobRun run(folder, place);
+    QVERIFY(run.givesTheSame());
+    QCOMPARE(run.threadsOfRanks, (std::vector<int>{2, 2}));
+
+    // A job that is cancelled leaves the queue.
+    std::atomic<bool> isOver{false};
+    std::thread canceller([&] {
+      while (!isOver && !QFile::exists(folder.filePath("job/ranks")))
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      run.context.cancel();
+    });
+    run.options.work = [&, work = run.options.work](const std::string& job, Poll poll) {
+      const Text told = work(job, poll);
+      isOver = true;
+      return told;
+    };
+    try {
+      run.givesTheSame();
+    } catch (const Cancelled&) {
+    }
+    isOver = true;
+    canceller.join();
+    const auto queue = [] { return runChild({"squeue", "--noheader"}, {}).output; };
+    for (int i = 0; i < 300 && !queue().empty(); ++i) QTest::qWait(100);
+    QCOMPARE(queue(), std::string());
   }
 };
 
