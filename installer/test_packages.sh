@@ -74,7 +74,8 @@ dpkg-deb --extract "${python_deb}" "${scratch}/extracted-python"
 say "contents of $(basename -- "${mpi_deb}")"
 dpkg-deb --info "${mpi_deb}" | sed -n '/^ Package:/,$p'
 contents="$(dpkg-deb --contents "${mpi_deb}" | awk '{ print $6 }')"
-for wanted in usr/bin/footfall-mpi usr/share/man/man1/footfall-mpi.1.gz usr/share/doc/footfall-mpi/copyright; do
+for wanted in usr/bin/footfall-mpi usr/share/man/man1/footfall-mpi.1.gz usr/share/doc/footfall-mpi/copyright \
+  usr/share/footfall/footfall.slurm; do
   grep -qxF "./${wanted}" <<<"${contents}" || fail "the package of footfall-mpi lacks ${wanted}"
 done
 dpkg-deb --field "${mpi_deb}" Depends | grep -q openmpi || fail "the package of footfall-mpi does not ask for MPI"

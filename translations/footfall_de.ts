@@ -1464,10 +1464,6 @@
         <translation>seine glTF-Daten sind beschädigt</translation>
     </message>
     <message>
-        <source>the share of cell %1 that arrived cannot be used (%2); run again without the work folder</source>
-        <translation>Der angekommene Anteil der Zelle %1 ist nicht zu gebrauchen (%2); starten Sie noch einmal ohne den Arbeitsordner</translation>
-    </message>
-    <message>
         <source>a drawing to scale, all pages in one file: walkable area, walls, steps, drops, doors, areas</source>
         <translation>eine Zeichnung im Maßstab, alle Seiten in einer Datei: begehbare Fläche, Wände, Stufen, Sprünge nach unten, Türen, Flächeninhalte</translation>
     </message>
@@ -1534,6 +1530,54 @@
     <message>
         <source>Steps as faces</source>
         <translation>Stufen als Flächen</translation>
+    </message>
+    <message>
+        <source>the processes ended, and their results are not in %1; name a folder that all of them see</source>
+        <translation>die Prozesse sind zu Ende, und ihre Ergebnisse sind nicht in %1; einen Ordner nennen, den sie alle sehen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>the share of cell %1 that arrived cannot be used (%2); give all processes the same version of the program</source>
+        <translation>der Anteil von Zelle %1, der ankam, ist nicht zu verwenden (%2); allen Prozessen dieselbe Version des Programms geben</translation>
+    </message>
+    <message>
+        <source>%1 %2; use the same version of Footfall everywhere, and a folder that all processes see</source>
+        <translation>%1 %2; überall dieselbe Version von Footfall verwenden, und einen Ordner, den alle Prozesse sehen</translation>
+    </message>
+    <message>
+        <source>%1 was not found; install the package footfall-mpi, or run on this program alone</source>
+        <translation>%1 wurde nicht gefunden; das Paket footfall-mpi installieren oder nur mit diesem Programm rechnen</translation>
+    </message>
+    <message>
+        <source>%1 was not found; Slurm has to be installed on this machine, too</source>
+        <translation>%1 wurde nicht gefunden; Slurm muss auch auf diesem Rechner installiert sein</translation>
+    </message>
+    <message>
+        <source>%1 was not found; install Open MPI (Debian: openmpi-bin)</source>
+        <translation>%1 wurde nicht gefunden; Open MPI installieren (Debian: openmpi-bin)</translation>
+    </message>
+    <message>
+        <source>%1: this host file cannot be read; name a file with a machine in each line</source>
+        <translation>%1: diese Rechnerliste ist nicht lesbar; eine Datei mit einem Rechner je Zeile nennen</translation>
+    </message>
+    <message>
+        <source>%1 ended with exit code %2</source>
+        <translation>%1 endete mit Code %2</translation>
+    </message>
+    <message>
+        <source>%1 (exit code %2 of %3)</source>
+        <translation>%1 (Code %2 von %3)</translation>
+    </message>
+    <message>
+        <source>run_on is &apos;%1&apos;; give this_program, processes, hosts or slurm</source>
+        <translation>run_on ist &apos;%1&apos;; this_program, processes, hosts oder slurm angeben</translation>
+    </message>
+    <message>
+        <source>run_on: %1 processes; give 1 to %2</source>
+        <translation>run_on: %1 Prozesse; 1 bis %2 angeben</translation>
     </message>
 </context>
 <context>
@@ -2674,6 +2718,18 @@
         <source>Show and type lengths in millimetres, and areas in square metres, where the scale of the level is known</source>
         <translation>Längen in Millimetern und Flächen in Quadratmetern zeigen und eingeben, wo der Maßstab des Levels bekannt ist</translation>
     </message>
+    <message>
+        <source>Thread %1</source>
+        <translation>Thread %1</translation>
+    </message>
+    <message>
+        <source>Editor, thread %1</source>
+        <translation>Editor, Thread %1</translation>
+    </message>
+    <message>
+        <source>Rank %1, thread %2</source>
+        <translation>Rang %1, Thread %2</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::AgentModel</name>
@@ -2987,6 +3043,14 @@
         <source>Thread %1 was busy for %2</source>
         <translation>Thread %1 war %2 lang beschäftigt</translation>
     </message>
+    <message>
+        <source>Rank %1</source>
+        <translation>Rang %1</translation>
+    </message>
+    <message>
+        <source>Rank %1 was busy for %2</source>
+        <translation>Rang %1 war %2 lang beschäftigt</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::CameraTools</name>
@@ -3183,6 +3247,21 @@
             <numerusform>Thread %1: %2 %, %3, %n Zellen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Rank that ran the cell; its share of the work:</source>
+        <translation>Rang, der die Zelle berechnete; sein Anteil an der Arbeit:</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rank %1: %2 %, %3, %n cell(s)</source>
+        <translation>
+            <numerusform>Rang %1: %2 %, %3, %n Zelle</numerusform>
+            <numerusform>Rang %1: %2 %, %3, %n Zellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::CellModel</name>
@@ -3245,6 +3324,10 @@
     <message>
         <source>height (%1)</source>
         <translation>Höhe (%1)</translation>
+    </message>
+    <message>
+        <source>rank</source>
+        <translation>Rang</translation>
     </message>
 </context>
 <context>
@@ -3921,6 +4004,10 @@
     <message>
         <source>Stop loading, running or exporting; the last result stays (Esc)</source>
         <translation>Laden, Lauf oder Export anhalten; das letzte Ergebnis bleibt (Esc)</translation>
+    </message>
+    <message>
+        <source>Run &amp;on</source>
+        <translation>Rechnen a&amp;uf</translation>
     </message>
 </context>
 <context>
@@ -5309,6 +5396,21 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on 1 thread</source>
         <translation>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; auf 1 Thread</translation>
     </message>
+    <message>
+        <source>Run on</source>
+        <translation>Rechnen auf</translation>
+    </message>
+    <message>
+        <source>What computes the cells of a run; the result is the same</source>
+        <translation>Was die Zellen eines Laufs berechnet; das Ergebnis ist dasselbe</translation>
+    </message>
+    <message numerus="yes">
+        <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n rank(s)</source>
+        <translation>
+            <numerusform>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; auf %n Rang</numerusform>
+            <numerusform>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; auf %n Rängen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::LogPanel</name>
@@ -6659,6 +6761,88 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::RunPlaceDialog</name>
+    <message>
+        <source>Run on: %1</source>
+        <translation>Rechnen auf: %1</translation>
+    </message>
+    <message>
+        <source>Machines, a process each:</source>
+        <translation>Rechner, je ein Prozess:</translation>
+    </message>
+    <message>
+        <source>Processes:</source>
+        <translation>Prozesse:</translation>
+    </message>
+    <message>
+        <source>Host file:</source>
+        <translation>Rechnerliste:</translation>
+    </message>
+    <message>
+        <source>Slurm&apos;s usual one</source>
+        <translation>die übliche von Slurm</translation>
+    </message>
+    <message>
+        <source>Partition:</source>
+        <translation>Partition:</translation>
+    </message>
+    <message>
+        <source>Folder that all machines see:</source>
+        <translation>Ordner, den alle Rechner sehen:</translation>
+    </message>
+    <message>
+        <source>Jobs are left there while they run, and removed in the end</source>
+        <translation>Aufträge liegen dort, solange sie laufen, und werden am Ende entfernt</translation>
+    </message>
+    <message>
+        <source>Browse...</source>
+        <translation>Durchsuchen...</translation>
+    </message>
+    <message>
+        <source>%1 is no folder; name one that all machines see</source>
+        <translation>%1 ist kein Ordner; einen nennen, den alle Rechner sehen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::RunPlaces</name>
+    <message>
+        <source>This program</source>
+        <translation>Dieses Programm</translation>
+    </message>
+    <message>
+        <source>Processes of this machine</source>
+        <translation>Prozesse dieses Rechners</translation>
+    </message>
+    <message>
+        <source>Machines of a host file</source>
+        <translation>Rechner einer Liste</translation>
+    </message>
+    <message>
+        <source>Machines of Slurm</source>
+        <translation>Rechner von Slurm</translation>
+    </message>
+    <message>
+        <source>%1 processes here</source>
+        <translation>%1 Prozesse hier</translation>
+    </message>
+    <message>
+        <source>%1 processes of %2</source>
+        <translation>%1 Prozesse aus %2</translation>
+    </message>
+    <message>
+        <source>%1 machines of Slurm</source>
+        <translation>%1 Rechner von Slurm</translation>
+    </message>
+    <message>
+        <source>%1 machines of %2</source>
+        <translation>%1 Rechner von %2</translation>
+    </message>
+    <message>
+        <source>What computes the cells of a run; the result is the same</source>
+        <translation>Was die Zellen eines Laufs berechnet; das Ergebnis ist dasselbe</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::RunThreads</name>
     <message>
         <source>All threads (%1)</source>
@@ -7159,10 +7343,6 @@ Material: %2</translation>
     <message>
         <source>time since the run began (ms)</source>
         <translation>Zeit seit Beginn des Laufs (ms)</translation>
-    </message>
-    <message>
-        <source>Thread %1</source>
-        <translation>Thread %1</translation>
     </message>
     <message>
         <source>Whole environment</source>

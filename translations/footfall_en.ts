@@ -17,6 +17,13 @@
             <numerusform>Thread %1: %2 %, %3, %n cells</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Rank %1: %2 %, %3, %n cell(s)</source>
+        <translation>
+            <numerusform>Rank %1: %2 %, %3, %n cell</numerusform>
+            <numerusform>Rank %1: %2 %, %3, %n cells</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::CompareFeature</name>
@@ -35,6 +42,16 @@
         <translation>
             <numerusform>The largest %1 of %n region are listed.</numerusform>
             <numerusform>The largest %1 of %n regions are listed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::LoadPanel</name>
+    <message numerus="yes">
+        <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n rank(s)</source>
+        <translation>
+            <numerusform>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n rank</numerusform>
+            <numerusform>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n ranks</numerusform>
         </translation>
     </message>
 </context>

@@ -1,15 +1,15 @@
-// `footfall-mpi run`, to be started by mpirun or by Slurm: one environment, several processes. The only program that
-// needs MPI.
+// `footfall-mpi run` and `cells`, to be started by mpirun or by Slurm: one environment, several processes. The only
+// program that needs MPI.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 
+#include "app/command_options.hpp"
 #include "app/commands.hpp"
 #include "app/mpi/mpi_program.hpp"
 #include "footfall/errors.hpp"
@@ -30,11 +30,20 @@ void blockSignals() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-// Before MPI is there: what is wrong with the options is told once.
-bool isFirstByName() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (const char* rank = std::getenv(name)) return std::strcmp(rank, "0") == 0;
-  return true;
+// What the editor starts.
+void addCellsCommand(CLI::App& app, app::MpiProgram& program) {
+  struct Options {
+    std::string job;
+    int threads = 0;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("cells", "Run the cells of a job that the editor left in a folder");
+  command
+      .add_option("JOB", options->job,
+                  "The folder of the job. What is found stays there for the editor, which goes on with it")
+      ->required();
+  app::addThreads(command, options->threads);
+  command.callback([options, &program] { program.runCells(options->job, options->threads); });
 }
 
 void runCommandLine(int argc, const char* const* argv, app::MpiProgram& program) {
@@ -42,12 +51,13 @@ void runCommandLine(int argc, const char* const* argv, app::MpiProgram& program)
   app.set_version_flag("--version", "footfall-mpi " FOOTFALL_VERSION, "Print the version and exit");
   app.require_subcommand(1);
   app::addRunCommand(app, program);
+  addCellsCommand(app, program);
   try {
     app.parse(argc, argv);  // and runs the command
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
       throw InputError(std::string(error.what()) + "; `footfall-mpi --help` tells what can be given");
-    if (isFirstByName()) app.exit(error);  // --help and --version
+    if (app::MpiProgram::isFirstByName()) app.exit(error);  // --help and --version
     app::print({});
   }
 }
@@ -59,7 +69,7 @@ int main(int argc, char** argv) {
   app::MpiProgram program;
   int code = kDone;
   const auto fail = [&](ExitCode exitCode, const std::string& problem) {
-    if (program.fail(problem) && isFirstByName()) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
+    if (program.fail(problem)) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
     // mpirun ends with the code of whoever is first to have one.
     code = program.hasExitCode() ? exitCode : kDone;
   };

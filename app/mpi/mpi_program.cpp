@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/distributed/job_folder.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/pipeline.hpp"
 
 namespace footfall::app {
 using namespace detail;
@@ -23,6 +27,12 @@ std::string format(const char* pattern, double value) {
 }
 
 }  // namespace
+
+bool MpiProgram::isFirstByName() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+    if (const char* rank = std::getenv(name)) return std::strcmp(rank, "0") == 0;
+  return true;
+}
 
 MpiProgram::~MpiProgram() {
   exchange_ = nullptr;
@@ -45,6 +55,7 @@ void MpiProgram::begin(int threads) {
   options.threads = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
   options.startUpMs = total_.wallMs();
   options.workFolder = workFolder_;
+  options.leavesShares = leavesShares_;
   options.note = [this](const Text& note) { tell(note); };
   options.stop = [this] {
     isStopped_ = true;
@@ -52,6 +63,24 @@ void MpiProgram::begin(int threads) {
     if (context_ != nullptr) context_->cancel();
   };
   exchange_ = std::make_unique<RankExchange>(*transport_, std::move(options));
+}
+
+void MpiProgram::runCells(const std::string& job, int threads) {
+  workFolder_ = job;
+  leavesShares_ = true;
+  begin(threads);
+  CommandSession session(threads, true);
+  setContext(&session.context());
+  const auto forget = [](MpiProgram* running) { running->setContext(nullptr); };
+  const std::unique_ptr<MpiProgram, decltype(forget)> forgotten(this, forget);
+  const Stopwatch reading;
+  Job given = readJob(job);
+  const auto environment = std::make_shared<const Environment>(std::move(given.environment));
+  const Pipeline pipeline = parsePipeline(given.pipeline, job);
+  exchange_->setReadingMs(reading.wallMs());
+  session.run(environment, pipeline, {}, nullptr, exchange_.get());
+  exchange_->collect(session.context());
+  end();
 }
 
 void MpiProgram::setContext(RunContext* context) {
@@ -134,10 +163,11 @@ void MpiProgram::end() {
 }
 
 bool MpiProgram::fail(const std::string& problem) {
-  if (!exchange_) return !transport_ || writes();
+  if (!exchange_) return transport_ ? writes() : isFirstByName();
   const bool wasStopped = exchange_->wasStopped();
   exchange_->fail(problem);
-  return writes() && !wasStopped;
+  // Rank 0 tells, unless it is busy where it cannot be stopped: then this rank ends all, and has to say why.
+  return (writes() || exchange_->isCutOff()) && !wasStopped;
 }
 
 void MpiProgram::leave(int exitCode) {

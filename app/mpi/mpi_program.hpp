@@ -21,6 +21,9 @@ class MpiProgram : public RunProgram {
 
   void addOptions(CLI::App& command) override;
   void begin(int threads) override;
+  /// In place of run(), for the command `cells`: leaves the shares of a job in its folder. Calls all of the above and
+  /// end().
+  void runCells(const std::string& job, int threads);
   [[nodiscard]] bool showsProgress() const override { return showsProgress_; }
   void setContext(RunContext* context) override;
   [[nodiscard]] bool writes() const override { return transport_->rank() == 0; }
@@ -31,12 +34,16 @@ class MpiProgram : public RunProgram {
   std::string summary(std::string text) override;
   void end() override;
 
+  /// Before MPI is there: whether this process is rank 0, by what started it. What is wrong with the options is told
+  /// once.
+  [[nodiscard]] static bool isFirstByName();
   /// The command failed: tells the other ranks. Returns whether this process has to tell the user.
   bool fail(const std::string& problem);
   /// Which rank failed, and why, where that is what ended the run.
   [[nodiscard]] std::optional<std::string> failure() const;
-  /// Whether the exit code of this process is the one that counts: that of rank 0, or of any before there are ranks.
-  [[nodiscard]] bool hasExitCode() const { return !transport_ || writes(); }
+  /// Whether the exit code of this process is the one that counts: that of rank 0, of a rank that rank 0 does not
+  /// answer, or of any before there are ranks.
+  [[nodiscard]] bool hasExitCode() const { return !transport_ || writes() || (exchange_ && exchange_->isCutOff()); }
   /// The command is over: waits for the other ranks, or ends them all where one does not answer. Behind that, the
   /// process has nothing to do but to return `exitCode`.
   void leave(int exitCode);
@@ -47,6 +54,7 @@ class MpiProgram : public RunProgram {
 
   const detail::Stopwatch total_;
   std::string workFolder_;
+  bool leavesShares_ = false;
   bool showsProgress_ = false;
   std::unique_ptr<MpiTransport> transport_;
   std::unique_ptr<detail::RankExchange> exchange_;

@@ -21,6 +21,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr int kPollMs = 20;
+constexpr int kGraceMs = 5000;
 constexpr std::size_t kMostErrors = 64 * 1024;
 
 class Descriptor {
@@ -57,6 +58,10 @@ Pipe makePipe() {
 /// A process that does not outlive this.
 class Child {
  public:
+  explicit Child(ChildEnding ending) : ending_(ending) {}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
   /// The error of starting it, or 0.
   int start(const std::vector<std::string>& arguments, int output, int errors) {
     std::vector<char*> pointers;
@@ -82,6 +87,13 @@ class Child {
   }
   ~Child() {
     if (id_ < 0) return;
+    if (ending_ == ChildEnding::Asked) {
+      ::kill(id_, SIGTERM);
+      for (int waited = 0; waited < kGraceMs; waited += kPollMs) {
+        if (::waitpid(id_, nullptr, WNOHANG) == id_) return;
+        ::poll(nullptr, 0, kPollMs);
+      }
+    }
     ::kill(id_, SIGKILL);
     while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
     }
@@ -101,15 +113,16 @@ class Child {
   }
 
  private:
+  ChildEnding ending_;
   pid_t id_ = -1;
 };
 
 }  // namespace
 
-ChildResult runChild(const std::vector<std::string>& arguments, Poll poll) {
+ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending) {
   Pipe output = makePipe(), errors = makePipe();
   ChildResult result;
-  Child child;
+  Child child(ending);
   if (const int error = child.start(arguments, output.to.number(), errors.to.number()); error != 0) {
     result.status = 127;
     result.errors = std::strerror(error);

@@ -15,9 +15,15 @@ struct ChildResult {
   std::string errors;  ///< the same of standard error, 64 KiB at most
 };
 
+/// How a program ends that is not waited for any more.
+enum class ChildEnding {
+  Killed,  ///< at once
+  Asked    ///< it is asked to end, and killed when it has not done so within five seconds
+};
+
 /// Runs `arguments[0]`, looked for in PATH, with the others and without input, and waits for its end. `poll` is called
-/// at least every 20 ms; what it throws ends the program first. Throws RunError when the system gives no pipe or no
-/// process.
-ChildResult runChild(const std::vector<std::string>& arguments, Poll poll);
+/// at least every 20 ms; what it throws ends the program first, as `ending` says. Throws RunError when the system gives
+/// no pipe or no process.
+ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending = ChildEnding::Killed);
 
 }  // namespace footfall::detail

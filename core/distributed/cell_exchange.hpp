@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/geometry.hpp"
@@ -16,10 +18,15 @@ namespace footfall::detail {
 /// One pass of a clearance filter over the cells of a block.
 struct CellPhase {
   std::size_t number = 0;     ///< among all such passes of the run
-  bool isLast = false;        ///< only one process goes on behind it
+  std::size_t count = 1;      ///< of all such passes of the run
   Digest::Value key{};        ///< of all that its shares depend on
   std::vector<double> costs;  ///< estimated, of each cell
   double nowMs = 0;           ///< since the run of this process began
+  /// Throws BadBytes where the bytes are no share of that cell. Called by any thread, during begin() only.
+  std::function<void(Index cell, std::string_view bytes)> check = [](Index, std::string_view) {};
+
+  /// Only one process goes on behind the last one.
+  [[nodiscard]] bool isLast() const { return number + 1 == count; }
 };
 
 /// The share of a cell that another process ran, or that an earlier run left.

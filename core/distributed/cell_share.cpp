@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/distributed/cell_share.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -158,15 +159,25 @@ class ShareReader {
     }
     share.times = times();
     in_.expectEnd();
+    expectEachFloorOnce(share);
     return share;
   }
   std::shared_ptr<const FaceCuts> cuts() {
     auto cuts = std::make_shared<FaceCuts>();
     common(*cuts);
+    // A floor that regions cover from border to border is removed.
+    if (cuts->segments.empty() && cuts->startWinding != 0) throw BadBytes("a winding number has no segments");
     return cuts;
   }
 
  private:
+  static void expectEachFloorOnce(const CellShare& share) {
+    std::vector<Index> floors;
+    for (const FaceResult& result : share.faces) floors.push_back(result.face);
+    for (const FacePart& part : share.parts) floors.push_back(part.face);
+    std::sort(floors.begin(), floors.end());
+    if (std::adjacent_find(floors.begin(), floors.end()) != floors.end()) throw BadBytes("a floor is there twice");
+  }
   Index orNone(std::size_t end) { return in_.below(static_cast<std::int64_t>(end) + 1) - 1; }
 
   Index level() {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/distributed/job_folder.hpp"
 #include "core/partitioning/load_balancing.hpp"
 #include "footfall/errors.hpp"
 
@@ -16,8 +17,6 @@ using namespace std::chrono_literals;
 // How often the exchange's thread looks for messages: while some are under way, and else.
 constexpr auto kBusyPause = 50us;
 constexpr auto kIdlePause = 1ms;
-// Longer, and a rank that does not say good-bye is taken for dead.
-constexpr double kPatienceMs = 10000;
 
 double systemMs() {
   return std::chrono::duration<double, std::milli>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -38,7 +37,6 @@ RankExchange::RankExchange(Transport& transport, Options options)
       options_(std::move(options)),
       hellos_(static_cast<std::size_t>(size_)),
       done_(static_cast<std::size_t>(size_)) {
-  phase_.isLast = true;  // until it is known that there are several
   own_.threads = options_.threads;
   own_.startUpMs = options_.startUpMs;
   pump_ = std::thread([this] { pump(); });
@@ -71,7 +69,7 @@ void RankExchange::pump() {
     if (isClosing_) {
       if (!closing) closing.emplace();
       if (isIdle && outgoing_.empty() && byes_ + 1 >= static_cast<std::size_t>(size_)) return;
-      if (closing->wallMs() > kPatienceMs) {
+      if (closing->wallMs() > options_.patienceMs) {
         isCutOff_ = true;
         return;
       }
@@ -228,6 +226,7 @@ void RankExchange::sendPlan(const Plan& plan) {
   ByteWriter out;
   out.bytes.push_back(static_cast<char>(Kind::Plan));
   out.number(plan.phase);
+  out.number(plan.phases);
   for (const std::uint64_t word : plan.key) out.fixed(word);
   out.number(plan.ranks.size());
   for (const Hello& rank : plan.ranks) {
@@ -242,6 +241,7 @@ void RankExchange::sendPlan(const Plan& plan) {
 RankExchange::Plan RankExchange::readPlan(ByteReader& in) {
   Plan plan;
   plan.phase = in.number();
+  plan.phases = in.number();
   for (std::uint64_t& word : plan.key) word = in.fixed();
   plan.ranks.resize(in.count(9));
   for (Hello& rank : plan.ranks) {
@@ -263,23 +263,30 @@ RankExchange::Plan RankExchange::makePlan(std::unique_lock<std::mutex>& lock, co
   for (int rank = 1; rank < size_; ++rank)
     if (done_[static_cast<std::size_t>(rank)]) throwDiffers(rank);
   hasPlanned_ = true;
-  Plan plan{phase.number, phase.key, {}, {}};
+  Plan plan{phase.number, phase.count, phase.key, {}, {}};
   for (const auto& hello : hellos_) plan.ranks.push_back(*hello);
   std::vector<WorkFolder::Stored> stored;
   if (folder_) {
     std::vector<Text> notes;
     lock.unlock();
-    stored = folder_->load(phase.key, phase.number, phase.costs.size(), notes);
+    stored = folder_->load(phase, notes);
     for (const Text& note : notes) options_.note(note);
     lock.lock();
   }
   for (const WorkFolder::Stored& share : stored) plan.stored.push_back(share.cell);
   sendPlan(plan);
+  if (options_.leavesShares && phase.number == 0) sayRanks(plan);
   for (WorkFolder::Stored& share : stored) {
-    if (!phase.isLast) postToOthers(static_cast<char>(Kind::Share) + share.sealed);
+    if (!phase.isLast()) postToOthers(static_cast<char>(Kind::Share) + share.sealed);
     shares_.push_back({-1, {phase.key, phase.number, static_cast<std::uint64_t>(share.cell)}, std::move(share.sealed)});
   }
   return plan;
+}
+
+void RankExchange::sayRanks(const Plan& plan) const {
+  std::vector<JobRank> ranks;
+  for (const Hello& rank : plan.ranks) ranks.push_back({rank.threads, rank.beganMs});
+  writeRanks(options_.workFolder, ranks);
 }
 
 RankExchange::Plan RankExchange::awaitPlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase,
@@ -287,7 +294,8 @@ RankExchange::Plan RankExchange::awaitPlan(std::unique_lock<std::mutex>& lock, c
   wait(lock, context, [this] { return !plans_.empty(); });
   Plan plan = std::move(plans_.front());
   plans_.pop_front();
-  if (plan.phase != phase.number || plan.key != phase.key) throw RunError(differs());
+  // A rank with more passes than rank 0 would wait for shares that nobody sends.
+  if (plan.phase != phase.number || plan.phases != phase.count || plan.key != phase.key) throw RunError(differs());
   return plan;
 }
 
@@ -316,6 +324,7 @@ std::vector<char> RankExchange::begin(const CellPhase& phase, RunContext& contex
   std::unique_lock lock(mutex_);
   const double before = clock_.wallMs();
   phase_ = phase;
+  phase_.check = nullptr;  // which is for this call
   keys_.push_back(phase.key);
   if (ranks_.empty()) greet(phase);
   const Plan plan = rank_ == 0 ? makePlan(lock, phase, context) : awaitPlan(lock, phase, context);
@@ -330,7 +339,7 @@ std::vector<char> RankExchange::begin(const CellPhase& phase, RunContext& contex
   return mine;
 }
 
-bool RankExchange::wantsOwn() const { return folder_ || rank_ != 0 || (size_ > 1 && !phase_.isLast); }
+bool RankExchange::wantsOwn() const { return folder_ || rank_ != 0 || (size_ > 1 && !phase_.isLast()); }
 
 void RankExchange::give(Index cell, std::string bytes) {
   const ShareName name{phase_.key, phase_.number, static_cast<std::uint64_t>(cell)};
@@ -339,6 +348,7 @@ void RankExchange::give(Index cell, std::string bytes) {
     try {
       folder_->store(name, sealed);
     } catch (const RunError& error) {
+      if (options_.leavesShares) throw;  // nobody else has it
       std::unique_lock lock(mutex_);
       const bool isFirst = !std::exchange(folderFails_, true);
       lock.unlock();
@@ -349,9 +359,9 @@ void RankExchange::give(Index cell, std::string bytes) {
   const std::lock_guard lock(mutex_);
   const std::string message = static_cast<char>(Kind::Share) + sealed;
   const std::size_t before = outgoing_.size();
-  if (!phase_.isLast)
+  if (!phase_.isLast())
     postToOthers(message);
-  else if (rank_ != 0)
+  else if (rank_ != 0 && !options_.leavesShares)
     post(0, message);
   own_.bytesSent += (outgoing_.size() - before) * message.size();
 }
@@ -421,7 +431,7 @@ std::vector<RankStatistics> RankExchange::collect(RunContext& context) {
 
 void RankExchange::end(RunContext& context) {
   // Before the others are told: they do not wait long for a rank that says nothing.
-  if (rank_ == 0 && folder_)
+  if (rank_ == 0 && folder_ && !options_.leavesShares)
     for (const Digest::Value& key : keys_) folder_->remove(key);
   {
     std::unique_lock lock(mutex_);

@@ -58,6 +58,10 @@ class RankExchange : public CellExchange {
     int threads = 1;         ///< of this rank
     double startUpMs = 0;    ///< see RankStatistics
     std::string workFolder;  ///< empty: none
+    /// The shares stay in the work folder for another process, which goes on (FolderExchange); no rank does.
+    bool leavesShares = false;
+    /// How long a rank that ends waits for the good-bye of the others, before isCutOff().
+    double patienceMs = 10000;
     /// Told what the user should know; called by any thread.
     std::function<void(const Text&)> note = [](const Text&) {};
     /// Called by the exchange's thread when another rank ended the run.
@@ -73,7 +77,7 @@ class RankExchange : public CellExchange {
   void setReadingMs(double ms) { own_.readingMs = ms; }
 
   std::vector<char> begin(const CellPhase& phase, RunContext& context) override;
-  [[nodiscard]] bool merges() const override { return rank_ == 0 || !phase_.isLast; }
+  [[nodiscard]] bool merges() const override { return !phase_.isLast() || (rank_ == 0 && !options_.leavesShares); }
   [[nodiscard]] bool wantsOwn() const override;
   void give(Index cell, std::string bytes) override;
   std::optional<ArrivedShare> take() override;
@@ -103,7 +107,7 @@ class RankExchange : public CellExchange {
     double beganMs = 0;  ///< by the system's clock
   };
   struct Plan {
-    std::uint64_t phase = 0;
+    std::uint64_t phase = 0, phases = 0;  ///< CellPhase::number and count
     Digest::Value key{};
     std::vector<Hello> ranks;
     std::vector<Index> stored;
@@ -130,6 +134,7 @@ class RankExchange : public CellExchange {
   void greet(const CellPhase& phase);
   Plan makePlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase, RunContext& context);
   void sendPlan(const Plan& plan);
+  void sayRanks(const Plan& plan) const;
   static Plan readPlan(ByteReader& in);
   Plan awaitPlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase, RunContext& context);
   [[nodiscard]] std::vector<char> schedule(const Plan& plan) const;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/distributed/work_folder.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <system_error>
 
+#include "core/distributed/job_folder.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 
@@ -28,15 +30,14 @@ std::string nameOf(const Digest::Value& key) {
   return text;
 }
 
-// Empty when there is no such file; throws BadBytes when it cannot be read.
-std::optional<std::string> contentOf(const std::string& path) {
-  std::error_code error;
-  if (!fs::exists(path, error) && !error) return std::nullopt;
-  if (!fs::is_regular_file(path, error)) throw BadBytes("is no file");
-  std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof()) throw BadBytes("cannot be read");
-  return content;
+void checkShare(std::string_view sealed, const ShareName& name, const CellPhase& phase) {
+  const OpenedShare opened = openShare(sealed);
+  if (opened.name != name) throw BadBytes("is a share of another cell or run");
+  try {
+    phase.check(static_cast<Index>(name.cell), opened.bytes);
+  } catch (const BadBytes& error) {
+    throw BadBytes(std::string("is no share that can be used (") + error.what() + ')');
+  }
 }
 
 // Files that were being written when their process was killed. Those of processes at work are young.
@@ -56,22 +57,52 @@ WorkFolder::WorkFolder(std::string path) : path_(std::move(path)) {
                    path_, error ? error.message() : std::string(std::strerror(ENOTDIR)));
 }
 
-std::vector<WorkFolder::Stored> WorkFolder::load(const Digest::Value& key, std::size_t phase, std::size_t cells,
-                                                 std::vector<Text>& notes) {
+std::vector<WorkFolder::Stored> WorkFolder::load(const CellPhase& phase, std::vector<Text>& notes) {
+  const std::size_t cells = phase.costs.size();
+  std::vector<std::optional<std::string>> sealed(cells);
+  std::vector<std::string> problems(cells);
+  tbb::parallel_for(std::size_t{0}, cells, [&](std::size_t cell) {
+    const ShareName name{phase.key, phase.number, cell};
+    try {
+      sealed[cell] = contentOf(fileOf(name));
+      if (sealed[cell]) checkShare(*sealed[cell], name, phase);
+    } catch (const BadBytes& error) {
+      sealed[cell].reset();
+      problems[cell] = error.what();
+    }
+  });
   std::vector<Stored> found;
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    const ShareName name{key, phase, cell};
-    const std::string file = fileOf(name);
-    try {
-      std::optional<std::string> sealed = contentOf(file);
-      if (!sealed) continue;
-      if (openShare(*sealed).name != name) throw BadBytes("is a share of another cell or run");
-      found.push_back({static_cast<Index>(cell), std::move(*sealed)});
-    } catch (const BadBytes& error) {
-      notes.emplace_back(FOOTFALL_TEXT("%1 %2; its cell runs again"), file, std::string(error.what()));
-    }
+    if (sealed[cell]) found.push_back({static_cast<Index>(cell), std::move(*sealed[cell])});
+    if (!problems[cell].empty())
+      notes.emplace_back(FOOTFALL_TEXT("%1 %2; its cell runs again"), fileOf({phase.key, phase.number, cell}),
+                         problems[cell]);
   }
   return found;
+}
+
+std::vector<Index> WorkFolder::cellsOf(const CellPhase& phase) const {
+  const std::string begin = nameOf(phase.key) + '-' + std::to_string(phase.number) + '-';
+  std::vector<Index> cells;
+  std::error_code error;
+  for (fs::directory_iterator entry(path_, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.rfind(begin, 0) != 0 || !name.ends_with(kEnding)) continue;
+    Index cell = -1;
+    const char* last = name.data() + name.size() - kEnding.size();
+    const auto [stop, problem] = std::from_chars(name.data() + begin.size(), last, cell);
+    if (problem == std::errc() && stop == last && cell >= 0 && static_cast<std::size_t>(cell) < phase.costs.size())
+      cells.push_back(cell);
+  }
+  return cells;
+}
+
+std::string WorkFolder::read(const ShareName& name) const {
+  std::optional<std::string> sealed = contentOf(fileOf(name));
+  if (!sealed) throw BadBytes("it is gone");
+  if (openShare(*sealed).name != name) throw BadBytes("it is a share of another cell or run");
+  sealed->erase(0, kShareHead);
+  return std::move(*sealed);
 }
 
 void WorkFolder::store(const ShareName& name, const std::string& sealed) { writeFileSafely(fileOf(name), sealed); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/geometry.hpp"
+#include "core/distributed/cell_exchange.hpp"
 #include "core/distributed/digest.hpp"
 #include "core/distributed/share_file.hpp"
 #include "footfall/text.hpp"
@@ -25,9 +26,13 @@ class WorkFolder {
     Index cell = -1;
     std::string sealed;
   };
-  /// The sound shares of a pass over `cells` cells, ascending. What is not sound is told in `notes` (a sentence each)
-  /// and left to be written anew.
-  std::vector<Stored> load(const Digest::Value& key, std::size_t phase, std::size_t cells, std::vector<Text>& notes);
+  /// The sound shares of a pass, ascending by cell. What is not sound, or no share of its cell (CellPhase::check), is
+  /// told in `notes` (a sentence each) and left to be written anew. Uses the threads of the present arena.
+  std::vector<Stored> load(const CellPhase& phase, std::vector<Text>& notes);
+  /// The cells of a pass whose shares are there, in any order. None when the folder cannot be read.
+  [[nodiscard]] std::vector<Index> cellsOf(const CellPhase& phase) const;
+  /// The bytes of a share, without head. Throws BadBytes.
+  [[nodiscard]] std::string read(const ShareName& name) const;
   /// Throws RunError, for example when the disk is full; there is no half of a file then.
   void store(const ShareName& name, const std::string& sealed);
   /// Removes the shares of a pass, and what killed processes left of files they were writing. Never throws.

@@ -17,6 +17,7 @@
 #include "core/distributed/cell_share.hpp"
 #include "core/filters/clearance/clearance_pass.hpp"
 #include "core/partitioning/strategies.hpp"
+#include "core/pipeline/cell_share_reader.hpp"
 #include "footfall/run_context.hpp"
 #include "footfall/statistics.hpp"
 
@@ -33,6 +34,7 @@ struct CellFilters {
 struct CellsElsewhere {
   CellExchange* exchange = nullptr;  ///< null: there are none
   std::vector<char> isMine;          ///< for each cell, once the exchange has begun the pass
+  std::shared_ptr<const CellShareReader> reader;
 };
 
 /// One phase of a block. Reports are those of the block's cells and grow with each phase.
@@ -111,9 +113,9 @@ class CellRun {
   [[nodiscard]] bool merges() const { return elsewhere_.exchange == nullptr || elsewhere_.exchange->merges(); }
   [[nodiscard]] bool isWholeOf(Index cell, Index face) const;
   bool takeArrived(int thread);
-  void addArrived(const ArrivedShare& arrived);
+  void addArrived(const ArrivedShare& arrived, int thread);
   void addFaces(Index cell, CellShare& share);
-  void addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived);
+  void addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived, int thread);
   void give(Index cell);
   void done(Index cell, std::size_t items);
   void reportItems(std::size_t done) const;

@@ -20,28 +20,24 @@ bool CellRun::takeArrived(int thread) {
   if (!arrived) return false;
   context_.checkCancelled();
   try {
-    addArrived(*arrived);
+    addArrived(*arrived, thread);
   } catch (const BadBytes& error) {
-    throw RunError(FOOTFALL_TEXT("the share of cell %1 that arrived cannot be used (%2); run again without the work "
-                                 "folder"),
+    throw RunError(FOOTFALL_TEXT("the share of cell %1 that arrived cannot be used (%2); give all processes the "
+                                 "same version of the program"),
                    arrived->cell + 1, std::string(error.what()));
   }
   for (Join next; takeJoin(next);) join(next, thread);
   return true;
 }
 
-void CellRun::addArrived(const ArrivedShare& arrived) {
+void CellRun::addArrived(const ArrivedShare& arrived, int thread) {
   const Index cell = arrived.cell;
   if (cell < 0 || static_cast<std::size_t>(cell) >= cells_.size() || isMine(cell) ||
       cells_[cell].rest.exchange(Rest::Ready) == Rest::Ready)
     throw BadBytes("nobody waits for it");
-  const PlanKernel& kernel = filters_.clearance->kernel();
-  CellShare share =
-      decodeCellShare(arrived.bytes, {static_cast<Index>(kernel.mesh().scaled.size()),
-                                      static_cast<Index>(kernel.mesh().triangles.size()),
-                                      static_cast<Index>(kernel.heights().size()), filters_.names.size()});
+  CellShare share = elsewhere_.reader->read(cell, arrived.bytes);
   addFaces(cell, share);
-  if (arrived.hasTimes) addTimes(cell, share.times, arrived);
+  if (arrived.hasTimes) addTimes(cell, share.times, arrived, thread);
   CellWork& work = cells_[cell];
   const std::size_t sum = itemsDone_.fetch_add(work.floors.size(), std::memory_order_relaxed);
   reportItems(sum);
@@ -50,20 +46,9 @@ void CellRun::addArrived(const ArrivedShare& arrived) {
 
 void CellRun::addFaces(Index cell, CellShare& share) {
   CellWork& work = cells_[cell];
-  const auto isOf = [&](Index face) { return std::binary_search(work.floors.begin(), work.floors.end(), face); };
   const auto isDivided = [&](Index face) { return sharesOf_[face] >= 0 && filters_.clearance->canShare(face); };
-  for (FaceResult& result : share.faces) {
-    if (!isOf(result.face) || isDivided(result.face) || (sharesOf_[result.face] >= 0 && !isWholeOf(cell, result.face)))
-      throw BadBytes("it has a floor of another cell");
+  for (FaceResult& result : share.faces)
     filters_.clearance->setResult(result.face, std::move(result.cuts), std::move(result.mesh));
-  }
-  std::sort(share.parts.begin(), share.parts.end(),
-            [](const FacePart& a, const FacePart& b) { return a.face < b.face; });
-  for (std::size_t i = 0; i < share.parts.size(); ++i) {
-    const Index face = share.parts[i].face;
-    if (!isOf(face) || !isDivided(face)) throw BadBytes("it has a part of a floor of another cell");
-    if (i > 0 && share.parts[i - 1].face == face) throw BadBytes("it has a part twice");
-  }
   auto part = share.parts.begin();
   std::uint64_t triangles = 0;
   for (const Index face : work.floors) {
@@ -78,12 +63,14 @@ void CellRun::addFaces(Index cell, CellShare& share) {
   work.trianglesOut += triangles;
 }
 
-void CellRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived) {
+void CellRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived, int thread) {
   const std::lock_guard lock(cells_[cell].mutex);
   CellReport& report = reports_[cell];
   report.thread = times.thread + arrived.firstThread;
   report.startMs = times.startMs + arrived.shiftMs;
   report.endMs = times.endMs + arrived.shiftMs;
+  // What a filter took elsewhere is its time, too.
+  for (const ShareTimes::Span& span : times.spans) records_[thread].workMs[span.filter] += span.endMs - span.startMs;
   for (const ShareTimes::Span& span : times.spans)
     report.spans.push_back({filters_.names[span.filter], span.thread + arrived.firstThread,
                             span.startMs + arrived.shiftMs, span.endMs + arrived.shiftMs});

@@ -115,7 +115,7 @@ class Block {
       filters.clearance = &*pass;
     }
     CellsElsewhere elsewhere;
-    if (pass && request_.exchange != nullptr) elsewhere = divideCells(k + tests.size());
+    if (pass && request_.exchange != nullptr) elsewhere = divideCells(k + tests.size(), tests, *pass);
     CellRun cells(partition_, floors_, *mesh_, state_->walkable, std::move(filters), outcome_.report.cells, clock_,
                   context_, elsewhere);
     cells.run();
@@ -142,11 +142,14 @@ class Block {
     outcome_.steps.back().fallbacks = outcome.fallbacks;
   }
 
-  // Which cells of the pass of step k this process runs.
-  CellsElsewhere divideCells(std::size_t k) {
+  // Which cells of the pass of step k this process runs. `tests` and `pass` have to stay as long as the answer.
+  CellsElsewhere divideCells(std::size_t k, const std::vector<FaceTest>& tests, const ClearancePass& pass) {
+    const auto reader =
+        std::make_shared<const CellShareReader>(floors_, state_->walkable, tests, pass, tests.size() + 1);
     CellPhase phase;
+    phase.check = [&reader](Index cell, std::string_view bytes) { static_cast<void>(reader->read(cell, bytes)); };
     phase.number = request_.phasesBefore + countPhases(request_.steps, k);
-    phase.isLast = phase.number + 1 == request_.phases;
+    phase.count = request_.phases;
     Digest digest;
     digest.add(request_.key).add(prefixKey(request_.steps, k + 1));
     for (const std::vector<double>& borders : partition_.borders) digest.add(std::span<const double>(borders));
@@ -155,7 +158,7 @@ class Block {
     phase.key = digest.value();
     for (const Cell& cell : partition_.cells) phase.costs.push_back(cell.cost);
     phase.nowMs = clock_.wallMs();
-    return {request_.exchange, request_.exchange->begin(phase, context_)};
+    return {request_.exchange, request_.exchange->begin(phase, context_), reader};
   }
 
   // What the cells found, as the filter's own state.

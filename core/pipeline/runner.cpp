@@ -248,7 +248,8 @@ class Run {
     request.firstStep = first;
     request.state = current_.state;
     request.summary = current_.summary;
-    request.recall = recall(last + 1);
+    // What other processes find comes without what a later run could copy.
+    if (exchange_ == nullptr) request.recall = recall(last + 1);
     request.threads = threads_;
     if (exchange_ != nullptr) {
       request.exchange = exchange_;
@@ -377,9 +378,9 @@ RunResult runAll(std::shared_ptr<const Environment> environment, const Pipeline&
 }  // namespace
 
 RunResult runTogether(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
-                      CellExchange& exchange, int threads) {
+                      CellExchange& exchange, int threads, ResultCache* cache) {
   try {
-    return runAll(std::move(environment), pipeline, context, nullptr, &exchange, threads);
+    return runAll(std::move(environment), pipeline, context, cache, &exchange, threads);
   } catch (const Cancelled&) {
     exchange.throwFailure();  // a process that fails stops the others
     throw;

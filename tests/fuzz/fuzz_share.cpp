@@ -16,6 +16,15 @@ namespace {
 
 const ShareRange kRange{1 << 20, 1 << 20, 4, 4};
 
+void requireInRange(const FaceMesh::Cell& cell, const FaceMesh& mesh) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    require(cell.corners[k] >= 0 && static_cast<std::size_t>(cell.corners[k]) < mesh.points.size(),
+            "a corner is out of range");
+    require(cell.lines[k] >= -1 && cell.lines[k] < static_cast<Index>(mesh.lines.size()), "a line is out of range");
+    if ((cell.outlineEdges >> k & 1) != 0) require(cell.lines[k] >= 0, "an outline has no line");
+  }
+}
+
 void requireInRange(const CellShare& share) {
   for (const FaceResult& result : share.faces) {
     require(result.cuts != nullptr, "a floor has no cuts");
@@ -27,11 +36,10 @@ void requireInRange(const CellShare& share) {
                   static_cast<std::size_t>(s.line) < result.cuts->lines.size(),
               "a segment is out of range");
     if (!result.mesh) continue;
-    for (const FaceMesh::Cell& cell : result.mesh->cells)
-      for (const auto corner : cell.corners)
-        require(corner >= 0 && static_cast<std::size_t>(corner) < result.mesh->points.size(),
-                "a corner is out of range");
+    for (const FaceMesh::Cell& cell : result.mesh->cells) requireInRange(cell, *result.mesh);
   }
+  for (std::size_t i = 0; i < share.faces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) require(share.faces[i].face != share.faces[j].face, "a floor is there twice");
 }
 
 }  // namespace

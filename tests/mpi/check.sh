@@ -6,6 +6,7 @@ set -euo pipefail
 # shellcheck source=tests/mpi/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
+export FOOTFALL_TEST_LIMIT=300
 fail() {
   echo "failed: $*"
   exit 1
@@ -53,4 +54,15 @@ tells 2 "missing.obj" "${work}/missing.obj"
 tells 2 "max_slope" "${FOOTFALL_SAMPLES}/house/house.obj" --filter "SlopeFilter 91"
 tells 2 "nonsense" "${FOOTFALL_SAMPLES}/house/house.obj" --nonsense
 tells 1 "cannot be made" "${FOOTFALL_SAMPLES}/house/house.obj" --work "${work}/missing/work"
+
+# A rank fails while rank 0 reads for longer than anybody waits, a pipeline that never comes: that rank says why, and ends
+# all.
+mkfifo "${work}/slow.pipeline"
+seen=0
+# shellcheck disable=SC2016 # for the shell of the rank
+ranks 2 sh -c 'if [ "${OMPI_COMM_WORLD_RANK}" = 0 ]; then exec "$1" run "$3" -p "$2/slow.pipeline"; fi
+  exec "$1" run "$2/missing.obj"' rank "${FOOTFALL_MPI}" "${work}" "${FOOTFALL_SAMPLES}/house/house.obj" \
+  >"${work}/out" 2>"${work}/err" || seen=$?
+[ "${seen}" -eq 2 ] || fail "rank 0 reads for long: exit code ${seen}, not 2: $(cat "${work}/err")"
+[ "$(grep -c "^footfall-mpi: .*missing.obj" "${work}/err")" -eq 1 ] || fail "rank 0 reads for long: $(cat "${work}/err")"
 echo "all the same"

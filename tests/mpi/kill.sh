@@ -29,7 +29,7 @@ start() {
   ranks "$1" "${FOOTFALL_MPI}" run "${sample}" "${steps[@]}" --quiet --threads 1 --work "${folder}" -o "${out}"
 }
 finish() {
-  start "$1" >"${work}/out" 2>"${work}/err" || fail "the run behind it ended with $?"
+  FOOTFALL_TEST_LIMIT=300 start "$1" >"${work}/out" 2>"${work}/err" || fail "the run behind it ended with $?"
   cmp "${work}/one.obj" "${out}" || fail "other bytes"
   [ -z "$(ls "${folder}")" ] || [ -z "$(ls "${folder}"/*.share 2>/dev/null)" ] || fail "shares are left"
 }

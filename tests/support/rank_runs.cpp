@@ -49,7 +49,7 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
   Mail mail;
   mail.boxes.resize(count);
   RankOutcome outcome;
-  std::vector<char> hasResult(count, 0);
+  std::vector<char> hasResult(count, 0), isCutOff(count, 0);
   std::mutex mutex;
   const auto runRank = [&](int rank) {
     MailTransport transport(mail, rank);
@@ -60,7 +60,9 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
     try {
       RankExchange::Options own;
       own.threads = options.threads;
+      own.patienceMs = options.patienceMs;
       own.workFolder = options.workFolder;
+      own.leavesShares = options.leavesShares;
       own.note = [&](const Text& note) {
         const std::lock_guard lock(mutex);
         outcome.notes.push_back(note);
@@ -68,7 +70,8 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
       own.stop = [&context] { context.cancel(); };
       exchange.emplace(transport, std::move(own));
       const auto ownEnvironment = options.environmentOf ? options.environmentOf(rank) : environment;
-      RunResult result = runTogether(ownEnvironment, pipeline, context, *exchange, options.threads);
+      const Pipeline ownPipeline = options.pipelineOf ? options.pipelineOf(rank) : pipeline;
+      RunResult result = runTogether(ownEnvironment, ownPipeline, context, *exchange, options.threads);
       hasResult[static_cast<std::size_t>(rank)] = result.mesh ? 1 : 0;
       std::vector<RankStatistics> ranks = exchange->collect(context);
       exchange->end(context);
@@ -79,11 +82,13 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
       if (exchange) exchange->fail(error.what());
       if (rank == 0) outcome.error = error.what();
     }
+    isCutOff[static_cast<std::size_t>(rank)] = exchange && exchange->isCutOff() ? 1 : 0;
   };
   std::vector<std::thread> threads;
   for (int rank = 0; rank < options.ranks; ++rank) threads.emplace_back(runRank, rank);
   for (std::thread& thread : threads) thread.join();
   outcome.hasResult.assign(hasResult.begin(), hasResult.end());
+  outcome.isCutOff.assign(isCutOff.begin(), isCutOff.end());
   return outcome;
 }
 

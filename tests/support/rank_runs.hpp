@@ -14,12 +14,15 @@ namespace footfall::test {
 
 struct RankOptions {
   int ranks = 2;
-  int threads = 1;         ///< of each rank
-  std::string workFolder;  ///< empty: none
+  int threads = 1;            ///< of each rank
+  std::string workFolder;     ///< empty: none
+  bool leavesShares = false;  ///< RankExchange::Options
   /// Called by a rank whenever one of its cells is done; may throw, which fails the rank.
   std::function<void(int rank)> cellDone = [](int) {};
   /// The environment of a rank, where it is not the one that all have.
   std::function<std::shared_ptr<const Environment>(int rank)> environmentOf = nullptr;
+  std::function<Pipeline(int rank)> pipelineOf = nullptr;  ///< likewise
+  double patienceMs = 10000;                               ///< RankExchange::Options
 };
 
 struct RankOutcome {
@@ -28,6 +31,7 @@ struct RankOutcome {
   std::vector<Text> notes;  ///< of all ranks
   std::vector<detail::RankStatistics> ranks;
   std::vector<bool> hasResult;  ///< for each rank
+  std::vector<bool> isCutOff;   ///< for each rank
 };
 
 /// Runs the pipeline on all ranks as footfall-mpi does.

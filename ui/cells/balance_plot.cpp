@@ -33,6 +33,12 @@ LoadFigures figuresOf(const CellBlock& block) {
   figures.busyMs = block.report.busyMs(threads);
   figures.workMs = std::accumulate(figures.busyMs.begin(), figures.busyMs.end(), 0.0);
   figures.imbalance = block.report.imbalance(threads);
+  if (!block.ranks.empty()) {
+    figures.busyMs = block.busyMsOfRanks();
+    const double mean =
+        std::accumulate(figures.busyMs.begin(), figures.busyMs.end(), 0.0) / static_cast<double>(figures.busyMs.size());
+    figures.imbalance = mean > 0 ? std::ranges::max(figures.busyMs) / mean : 1;
+  }
   if (block.report.parallelMs > 0) figures.speedUp = figures.workMs / block.report.parallelMs;
   return figures;
 }
@@ -68,12 +74,14 @@ BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
 
 void BusyPlot::show(const CellBlock& block) {
   planned_ = false;
+  hasRanks_ = !block.ranks.empty();
   xAxis->setLabel(tr("busy with cells (ms); line: mean"));
   showLoads(figuresOf(block).busyMs);
 }
 
 void BusyPlot::showPlan(const std::vector<double>& loads) {
   planned_ = true;
+  hasRanks_ = false;
   xAxis->setLabel(tr("estimated work (units); line: mean"));
   showLoads(loads);
 }
@@ -86,7 +94,8 @@ void BusyPlot::showLoads(const std::vector<double>& loads) {
   bars_->setData(keys, QVector<double>(loads.begin(), loads.end()), true);
   bars_->setBrush(planned_ ? QColor(150, 160, 173) : toColour(kBlue));
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-  for (int i = 0; i < threads; i += std::max(1, threads / 12)) ticker->addTick(i, tr("Thread %1").arg(i));
+  for (int i = 0; i < threads; i += std::max(1, threads / 12))
+    ticker->addTick(i, (hasRanks_ ? tr("Rank %1") : tr("Thread %1")).arg(i));
   yAxis->setTicker(ticker);
   yAxis->setRange(-0.5, std::max(1, threads) - 0.5);
   const double largest = loads.empty() ? 0 : std::ranges::max(loads);
@@ -105,7 +114,9 @@ void BusyPlot::mouseMoveEvent(QMouseEvent* event) {
   if (thread >= 0 && thread < static_cast<int>(loads_.size())) {
     const double load = loads_[static_cast<std::size_t>(thread)];
     text = planned_ ? tr("Thread %1 would have %2").arg(thread).arg(valueText(CellColouring::Cost, load))
-                    : tr("Thread %1 was busy for %2").arg(thread).arg(durationText(load));
+                    : (hasRanks_ ? tr("Rank %1 was busy for %2") : tr("Thread %1 was busy for %2"))
+                          .arg(thread)
+                          .arg(durationText(load));
   }
   QToolTip::showText(event->globalPosition().toPoint(), text, this);
 }

@@ -27,7 +27,7 @@ struct PhaseTime {
 };
 std::array<PhaseTime, 6> phasesOf(const RunTimes& times);
 
-/// One bar a thread: how long it was busy with cells; a line at the mean.
+/// One bar a thread, or a rank where there are ranks: how long it was busy with cells; a line at the mean.
 class BusyPlot : public QCustomPlot {
   Q_OBJECT
 
@@ -47,7 +47,7 @@ class BusyPlot : public QCustomPlot {
   QCPBars* bars_;
   QCPItemStraightLine* mean_;
   std::vector<double> loads_;
-  bool planned_ = false;
+  bool planned_ = false, hasRanks_ = false;
 };
 
 /// One bar for the run, a piece for each phase.

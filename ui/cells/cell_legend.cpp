@@ -90,6 +90,8 @@ CellLegend::CellLegend(CellModel& model, QWidget* parent)
 void CellLegend::describe() {
   colouring_->setCurrentIndex(static_cast<int>(model_.colouring()));
   const CellBlock* block = model_.shownBlock();
+  const bool hasRanks = block && !block->ranks.empty();
+  colouring_->setItemText(0, tr("Colours: %1").arg(hasRanks ? tr("Rank") : labelOf(kCellColourings[0])));
   if (!block) {
     title_->setText(tr("No cells"));
     colours_->hide();
@@ -121,13 +123,17 @@ void CellLegend::describeThreads(const CellScale& scale) {
   const std::vector<ThreadShare> shares = threadShares(*model_.shownBlock());
   double all = 0;
   for (const ThreadShare& share : shares) all += share.ms;
-  QStringList lines{tr("Thread that began the cell; its share of the work:")};
+  const bool hasRanks = !model_.shownBlock()->ranks.empty();
+  QStringList lines{hasRanks ? tr("Rank that ran the cell; its share of the work:")
+                             : tr("Thread that began the cell; its share of the work:")};
   for (const ThreadShare& share : shares) {
     if (lines.size() > kThreadsListed) {
       lines << tr("%n more", nullptr, static_cast<int>(shares.size()) - kThreadsListed);
       break;
     }
-    lines << tr("Thread %1: %2 %, %3, %n cell(s)", nullptr, static_cast<int>(share.cells))
+    const auto cells = static_cast<int>(share.cells);
+    lines << (hasRanks ? tr("Rank %1: %2 %, %3, %n cell(s)", nullptr, cells)
+                       : tr("Thread %1: %2 %, %3, %n cell(s)", nullptr, cells))
                  .arg(share.thread)
                  .arg(all > 0 ? std::round(100 * share.ms / all) : 0)
                  .arg(durationText(share.ms));

@@ -149,9 +149,12 @@ QString CellModel::describe(CellId id) const {
     for (const int thread : threads.keys()) {
       if (thread != cell.thread) helpers << QString::number(thread);
     }
-    row(tr("thread"), helpers.isEmpty()
-                          ? QString::number(cell.thread)
-                          : tr("%1, helped by %2").arg(cell.thread).arg(helpers.join(QStringLiteral(", "))));
+    if (!block.ranks.empty())
+      row(tr("rank"), QString::number(block.ranks.placeOf(cell.thread).rank));
+    else
+      row(tr("thread"), helpers.isEmpty()
+                            ? QString::number(cell.thread)
+                            : tr("%1, helped by %2").arg(cell.thread).arg(helpers.join(QStringLiteral(", "))));
     for (const auto& [name, time] : filters) row(name, durationText(time));
   } else if (cell.trianglesIn > 0) {
     row(tr("triangles"), tr("%1 in").arg(countText(cell.trianglesIn)));

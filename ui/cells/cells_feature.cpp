@@ -3,6 +3,8 @@
 
 #include <QMenu>
 
+#include "ui/cells/run_place_dialog.hpp"
+
 namespace footfall::ui {
 namespace {
 
@@ -20,7 +22,7 @@ CellsFeature::CellsFeature(const FeatureHost& host, LevelView& view, ViewLayout&
       controller_(controller),
       sections_(host.sections),
       legend_(new CellLegend(model_, &view)),
-      panel_(new LoadPanel(model_, threads_, &host.window)),
+      panel_(new LoadPanel(model_, threads_, places_, &host.window)),
       dock_(panels_.addDock(tr("Load"), QStringLiteral("loadDock"), panel_, Qt::BottomDockWidgetArea)),
       watch_(new CellWatch(document, controller, view, model_, this)) {
   legend_->hide();
@@ -42,6 +44,7 @@ CellsFeature::~CellsFeature() {
 
 void CellsFeature::addCommands(CommandRegistry& commands) {
   addThreadCommands(commands, threads_);
+  addPlaceCommands(commands, places_, [this](RunPlace::Kind kind) { askForPlace(kind); });
   const QString blocks = QStringLiteral("blocks");
   QAction* parallel =
       commands.add({QStringLiteral("pipeline.parallel"), CommandMenu::Pipeline, blocks, tr("Run in &parallel"),
@@ -94,6 +97,13 @@ void CellsFeature::addCommands(CommandRegistry& commands) {
 void CellsFeature::connectParts(const FeatureHost& host, FilterList& filters) {
   controller_.setThreads(threads_.chosen());
   connect(&threads_, &RunThreads::changed, this, [this] { controller_.setThreads(threads_.chosen()); });
+  connect(&places_, &RunPlaces::changed, this, [this] {
+    controller_.setPlace(places_.chosen());
+    emit sections_.changed();
+  });
+  connect(panel_, &LoadPanel::placeRequested, this, &CellsFeature::askForPlace);
+  sections_.add({QStringLiteral("run_on"), [this] { return places_.save(); },
+                 [this](const std::string& text) { places_.load(text); }});
   connect(legend_, &OverlayFrame::changed, &layout_, &ViewLayout::update);
   connect(&model_, &CellModel::figuresChanged, &sections_, &SessionSections::changed);
   connect(&model_, &CellModel::shapesChanged, this, &CellsFeature::chooseLegend);
@@ -123,6 +133,13 @@ void CellsFeature::preview(int strategy) {
   if (!file_.environment() || strategy < 0) return;
   cells_->setChecked(true);
   watch_->preview(strategy);
+}
+
+void CellsFeature::askForPlace(RunPlace::Kind kind) {
+  RunPlace place = places_.chosen();
+  place.kind = kind;
+  RunPlaceDialog dialog(place, panel_->window());
+  if (dialog.exec() == QDialog::Accepted) places_.choose(dialog.place());
 }
 
 // The colours of the other legend lie under those of the cells.

@@ -16,6 +16,7 @@
 #include "ui/level/level_composer.hpp"
 #include "ui/level/level_file.hpp"
 #include "ui/run/run_controller.hpp"
+#include "ui/run/run_places.hpp"
 #include "ui/run/run_threads.hpp"
 #include "ui/view/feature_host.hpp"
 #include "ui/view/view_layout.hpp"
@@ -41,12 +42,14 @@ class CellsFeature : public QObject {
   [[nodiscard]] CellLegend& legend() { return *legend_; }
   [[nodiscard]] LoadPanel& panel() { return *panel_; }
   [[nodiscard]] RunThreads& threads() { return threads_; }
+  [[nodiscard]] RunPlaces& places() { return places_; }
 
  private:
   void addCommands(CommandRegistry& commands);
   void connectParts(const FeatureHost& host, FilterList& filters);
   void preview(int strategy);
   void chooseLegend();
+  void askForPlace(RunPlace::Kind kind);
   void describeEmptyState();
 
   Panels& panels_;
@@ -57,6 +60,7 @@ class CellsFeature : public QObject {
   SessionSections& sections_;
   CellModel model_;
   RunThreads threads_;
+  RunPlaces places_;
   CellLegend* legend_;
   LoadPanel* panel_;
   QDockWidget* dock_;

@@ -26,9 +26,11 @@ QString escaped(const std::string& text) { return QString::fromStdString(text).t
 
 }  // namespace
 
-LoadPanel::LoadPanel(CellModel& model, RunThreads& threads, QWidget* parent) : QWidget(parent), model_(model) {
+LoadPanel::LoadPanel(CellModel& model, RunThreads& threads, RunPlaces& places, QWidget* parent)
+    : QWidget(parent), model_(model) {
   setObjectName(QStringLiteral("loadPanel"));
   makeThreadBox(threads);
+  makePlaceBox(places);
   stack_ = new QStackedWidget(this);
   stack_->addWidget(makeEmptyPage());
   stack_->addWidget(makeContentPage());
@@ -58,6 +60,34 @@ void LoadPanel::makeThreadBox(RunThreads& threads) {
   connect(&threads, &RunThreads::changed, this, show);
   connect(threadBox_, &QComboBox::activated, &threads,
           [this, &threads](int index) { threads.choose(threadBox_->itemData(index).toInt()); });
+}
+
+// The last item stands for what was chosen, with its figures, and is never a choice itself.
+void LoadPanel::makePlaceBox(RunPlaces& places) {
+  using Kind = RunPlace::Kind;
+  placeBox_ = new QComboBox(this);
+  placeBox_->setObjectName(QStringLiteral("runOn"));
+  placeBox_->setAccessibleName(tr("Run on"));
+  placeBox_->setToolTip(tr("What computes the cells of a run; the result is the same"));
+  for (const Kind kind : {Kind::ThisProcess, Kind::Processes, Kind::Hosts, Kind::Slurm})
+    placeBox_->addItem(kind == Kind::ThisProcess ? placeText(kind) : placeText(kind) + QStringLiteral("..."),
+                       static_cast<int>(kind));
+  const int kinds = placeBox_->count();
+  const auto show = [this, kinds, &places] {
+    while (placeBox_->count() > kinds) placeBox_->removeItem(kinds);
+    if (places.chosen().kind != Kind::ThisProcess) placeBox_->addItem(placeText(places.chosen()), -1);
+    placeBox_->setCurrentIndex(places.chosen().kind == Kind::ThisProcess ? 0 : kinds);
+  };
+  show();
+  connect(&places, &RunPlaces::changed, this, show);
+  connect(placeBox_, &QComboBox::activated, this, [this, &places, show](int index) {
+    const int kind = placeBox_->itemData(index).toInt();
+    if (kind == static_cast<int>(Kind::ThisProcess))
+      places.choose({});
+    else if (kind > 0)
+      emit placeRequested(static_cast<Kind>(kind));
+    show();
+  });
 }
 
 QWidget* LoadPanel::makeEmptyPage() {
@@ -96,6 +126,7 @@ QWidget* LoadPanel::makeContentPage() {
   head->addWidget(strategy_, 1);
   head->addWidget(back_);
   head->addWidget(block_);
+  head->addWidget(placeBox_);
   head->addWidget(threadBox_);
 
   timeline_ = new TimelinePlot(model_, page);
@@ -213,8 +244,12 @@ void LoadPanel::showFigures(const CellBlock& block) {
   QString text = tr("Imbalance <b>%1</b>").arg(fixedText(figures.imbalance, 2));
   if (block.complete() && figures.speedUp > 0) {
     const QString speedUp = fixedText(figures.speedUp, 2);
-    text += block.threads() == 1 ? tr(", speed-up <b>%1</b> on 1 thread").arg(speedUp)
-                                 : tr(", speed-up <b>%1</b> on %2 threads").arg(speedUp).arg(block.threads());
+    const auto ranks = static_cast<int>(block.ranks.threads.size());
+    if (ranks > 0)
+      text += tr(", speed-up <b>%1</b> on %n rank(s)", nullptr, ranks).arg(speedUp);
+    else
+      text += block.threads() == 1 ? tr(", speed-up <b>%1</b> on 1 thread").arg(speedUp)
+                                   : tr(", speed-up <b>%1</b> on %2 threads").arg(speedUp).arg(block.threads());
   }
   figures_->setText(text);
   figures_->setToolTip(

@@ -11,6 +11,7 @@
 #include "ui/cells/balance_plot.hpp"
 #include "ui/cells/cell_model.hpp"
 #include "ui/cells/timeline_plot.hpp"
+#include "ui/run/run_places.hpp"
 
 namespace footfall::ui {
 
@@ -18,7 +19,7 @@ class LoadPanel : public QWidget {
   Q_OBJECT
 
  public:
-  LoadPanel(CellModel& model, RunThreads& threads, QWidget* parent = nullptr);
+  LoadPanel(CellModel& model, RunThreads& threads, RunPlaces& places, QWidget* parent = nullptr);
 
   /// What to say, and whether to offer a block, while there are no cells.
   void setPipeline(bool hasEnvironment, bool hasBlock);
@@ -35,11 +36,14 @@ class LoadPanel : public QWidget {
 
  signals:
   void parallelBlockRequested();
+  /// The user has chosen where to run, and is to be asked for the rest.
+  void placeRequested(footfall::detail::RunPlace::Kind kind);
   /// Away from a preview, back to the cells that ran.
   void runRequested();
 
  private:
   void makeThreadBox(RunThreads& threads);
+  void makePlaceBox(RunPlaces& places);
   QWidget* makeEmptyPage();
   QWidget* makeContentPage();
   QWidget* makeFigures();
@@ -56,6 +60,7 @@ class LoadPanel : public QWidget {
   QLabel* strategy_;
   QPushButton* back_;
   QComboBox* threadBox_;
+  QComboBox* placeBox_;
   QComboBox* block_;
   TimelinePlot* timeline_;
   QLabel* filters_;

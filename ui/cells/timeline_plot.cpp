@@ -62,7 +62,8 @@ void TimelinePlot::rebuild() {
   lanes_->takeColours();
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   const int step = std::max(1, timeline_.lanes / 16);
-  for (int lane = 0; lane < timeline_.lanes; lane += step) ticker->addTick(lane, tr("Thread %1").arg(lane));
+  const CellRanks ranks = model_.empty() ? CellRanks() : model_.shownBlock()->ranks;
+  for (int lane = 0; lane < timeline_.lanes; lane += step) ticker->addTick(lane, threadName(ranks, lane));
   yAxis->setTicker(ticker);
   yAxis->setRange(-0.5 - kHead * std::max(1.0, timeline_.lanes / 4.0), std::max(1, timeline_.lanes) - 0.5);
   // A run that goes on stays in sight as a whole; what somebody has zoomed into of a finished one stays too.

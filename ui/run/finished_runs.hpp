@@ -9,6 +9,7 @@
 
 #include "core/pipeline/runner.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/view/cell_block.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {
@@ -18,6 +19,7 @@ struct FinishedRun {
   std::shared_ptr<const Environment> environment;
   Pipeline pipeline;
   RunResult result;
+  CellRanks ranks = {};  ///< that ran the cells
 };
 
 /// Finished runs on one environment, by the text of the enabled steps. Bounded by the memory that it counts for meshes

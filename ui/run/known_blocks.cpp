@@ -11,13 +11,14 @@ constexpr std::size_t kKnownBlocks = 64;
 
 }  // namespace
 
-void KnownBlocks::follow(const RunResult& result, const std::vector<const PipelineStep*>& steps,
+void KnownBlocks::follow(const FinishedRun& run, const std::vector<const PipelineStep*>& steps,
                          const std::vector<std::string>& prefixes) {
+  const RunResult& result = run.result;
   if (!result.blocks.empty()) {
     const auto figures = std::make_shared<const RunFigures>(RunFigures{result.times, result.threads});
     for (const BlockReport& report : result.blocks) {
       if (report.lastStep + 1 >= prefixes.size()) continue;
-      known_[prefixes[report.lastStep + 1]] = {report, std::vector<char>(report.cells.size(), 1), figures};
+      known_[prefixes[report.lastStep + 1]] = {report, std::vector<char>(report.cells.size(), 1), figures, run.ranks};
     }
   }
   names_.clear();

@@ -8,6 +8,7 @@
 
 #include "core/pipeline/runner.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/run/finished_runs.hpp"
 #include "ui/view/cell_block.hpp"
 
 namespace footfall::ui {
@@ -16,7 +17,7 @@ namespace footfall::ui {
 class KnownBlocks {
  public:
   /// A run with these enabled steps has finished; prefixes[i] names the steps before step i.
-  void follow(const RunResult& result, const std::vector<const PipelineStep*>& steps,
+  void follow(const FinishedRun& run, const std::vector<const PipelineStep*>& steps,
               const std::vector<std::string>& prefixes);
   /// The blocks of that run.
   [[nodiscard]] CellBlocks blocks() const;

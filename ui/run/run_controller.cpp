@@ -114,6 +114,10 @@ void RunController::setThreads(int threads) {
   if (inputs_.setThreads(threads) && environment()) editEnvironment(environment());
 }
 
+void RunController::setPlace(const RunPlace& place) {
+  if (inputs_.setPlace(place) && environment()) editEnvironment(environment());
+}
+
 void RunController::setAutomatic(bool on) {
   if (on == automatic_) return;
   automatic_ = on;

@@ -58,6 +58,8 @@ class RunController : public QObject {
   /// So many threads at most compute a run from now on (0: as many as the machine has). A result that was computed with
   /// another number is computed again, as its threads and cells are not the same.
   void setThreads(int threads);
+  /// The same of where the cells of parallel blocks are run.
+  void setPlace(const RunPlace& place);
   /// Off: edits wait for runNow(); opening an environment runs once all the same. On: what is out of date runs.
   void setAutomatic(bool on);
   [[nodiscard]] bool automatic() const { return automatic_; }

@@ -15,7 +15,7 @@ constexpr double kPictureShare = 5;
 constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
 
 CellBlock soFar(const RunEventBuffer::Block& events) {
-  CellBlock block{*events.made, std::vector<char>(events.cells.size(), 0), nullptr};
+  CellBlock block{*events.made, std::vector<char>(events.cells.size(), 0), nullptr, events.ranks};
   for (std::size_t i = 0; i < events.cells.size(); ++i) {
     if (!events.cells[i]) continue;
     block.report.cells[i] = *events.cells[i];
@@ -34,10 +34,9 @@ void RunDisplay::clear() {
 }
 
 void RunDisplay::setResult(const RunJob& job, const RunOutcome& outcome) {
-  const RunResult& result = outcome.finished->result;
-  shown_ = {result.mesh, outcome.content};
+  shown_ = {outcome.finished->result.mesh, outcome.content};
   provisional_ = false;
-  knownBlocks_.follow(result, job.steps, job.prefixes);
+  knownBlocks_.follow(*outcome.finished, job.steps, job.prefixes);
 }
 
 void RunDisplay::show() {

@@ -47,7 +47,13 @@ void RunEventBuffer::add(const RunEvent& event, std::shared_ptr<const Navigation
 void RunEventBuffer::addCell(const RunEvent& event, std::shared_ptr<const NavigationMeshGeometry> geometry) {
   if (blocks_.empty() || event.cell >= blocks_.back().cells.size() || !event.cellReport) return;
   blocks_.back().cells[event.cell] = event.cellReport;
+  blocks_.back().ranks = ranks_;
   if (event.part) steps_[event.step].parts.push_back({event.part, std::move(geometry), event.cellReport->bounds});
+}
+
+void RunEventBuffer::setRanks(CellRanks ranks) {
+  const std::scoped_lock lock(mutex_);
+  ranks_ = std::move(ranks);
 }
 
 std::vector<RunEventBuffer::Block> RunEventBuffer::blocks() const {

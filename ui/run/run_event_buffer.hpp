@@ -12,6 +12,7 @@
 
 #include "footfall/run_context.hpp"
 #include "footfall/statistics.hpp"
+#include "ui/view/cell_block.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {
@@ -38,12 +39,15 @@ class RunEventBuffer {
   struct Block {
     std::shared_ptr<const BlockReport> made;
     std::vector<std::shared_ptr<const CellReport>> cells;  ///< null while a cell has not finished
+    CellRanks ranks = {};
   };
 
   /// `notify` is called from the threads of the run and must be quick and thread-safe.
   explicit RunEventBuffer(std::function<void()> notify) : notify_(std::move(notify)) {}
 
   void add(const RunEvent& event, std::shared_ptr<const NavigationMeshGeometry> geometry = nullptr);
+  /// Who runs the cells from now on.
+  void setRanks(CellRanks ranks);
   /// All steps so far, in order; the last one may be running.
   std::vector<Step> fetch();
   /// The parallel blocks so far, in order.
@@ -55,6 +59,7 @@ class RunEventBuffer {
   mutable std::mutex mutex_;
   std::vector<Step> steps_;
   std::vector<Block> blocks_;
+  CellRanks ranks_;
   bool notified_ = false;
 };
 

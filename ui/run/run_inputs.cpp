@@ -25,6 +25,13 @@ bool RunInputs::setThreads(int threads) {
   return true;
 }
 
+bool RunInputs::setPlace(const RunPlace& place) {
+  if (place_ == place) return false;
+  place_ = place;
+  cache_ = std::make_shared<ResultCache>();
+  return true;
+}
+
 Pipeline RunInputs::pipeline() const {
   Pipeline pipeline;
   for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
@@ -53,6 +60,7 @@ std::shared_ptr<RunJob> RunInputs::makeJob(const Pipeline& pipeline) const {
 
 std::shared_ptr<RunJob> RunInputs::makeListJob() const {
   std::shared_ptr<RunJob> job = makeJob(pipeline());
+  job->place = place_;
   for (const FilterEntry& entry : filters_) {
     if (entry.step.enabled) job->ids.push_back(entry.id);
   }

@@ -31,6 +31,8 @@ class RunInputs {
   /// So many threads at most; 0: as many as the machine has. False when that is so already. States that were computed
   /// with another number are forgotten: their threads and cells are not the same.
   bool setThreads(int threads);
+  /// Where the cells of the list's runs are run; likewise.
+  bool setPlace(const RunPlace& place);
 
   [[nodiscard]] const std::shared_ptr<const Environment>& environment() const { return environment_; }
   [[nodiscard]] const Vec3& centre() const { return centre_; }
@@ -57,6 +59,7 @@ class RunInputs {
   Vec3 centre_;
   std::vector<FilterEntry> filters_;
   int threads_ = 0;
+  RunPlace place_;
   // Replaced and not cleared: a run that is still ending keeps the old ones.
   std::shared_ptr<StepMeshes> stepMeshes_ = std::make_shared<StepMeshes>();
   std::shared_ptr<ResultCache> cache_ = std::make_shared<ResultCache>();

@@ -2,13 +2,18 @@
 #include "ui/run/run_job.hpp"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QUuid>
 #include <algorithm>
 #include <utility>
 
+#include "core/distributed/folder_exchange.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/run/provisional_content.hpp"
 #include "ui/run/run_content.hpp"
+#include "ui/run/run_places.hpp"
+#include "ui/run/run_threads.hpp"
 #include "ui/view/appearance.hpp"
 
 namespace footfall::ui {
@@ -17,6 +22,32 @@ namespace {
 void keepMesh(RunJob& job, const RunEvent& event) {
   if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < job.prefixes.size())
     job.stepMeshes->store(job.prefixes[event.step + 1], event.part);
+}
+
+// A folder for one run: of other machines, one that all of them see.
+std::string jobFolder(const RunPlace& place) {
+  const bool isHere = place.kind == RunPlace::Kind::Processes || place.folder.empty();
+  const QString in = isHere ? QDir::tempPath() : QString::fromStdString(place.folder);
+  return (in + QStringLiteral("/footfall-") + QUuid::createUuid().toString(QUuid::Id128).left(12)).toStdString();
+}
+
+// Other processes run the cells, and this one what is before and behind them. What the cache has, nobody runs.
+void runElsewhere(RunJob& job, FinishedRun& finished) {
+  FolderExchange::Options options;
+  options.folder = jobFolder(job.place);
+  options.threads = job.threads > 0 ? job.threads : processorCount();
+  const bool isHere = job.place.kind == RunPlace::Kind::Processes;
+  const int threadsOfEach = isHere ? std::max(1, options.threads / job.place.processes) : 0;
+  options.work = [&job, threadsOfEach](const std::string& folder, Poll poll) {
+    writeJob(folder, *job.environment, formatPipeline(job.pipeline));
+    return runJob(folder, job.place, runPrograms(), threadsOfEach, poll);
+  };
+  options.ranksKnown = [&job, &finished, own = options.threads](const std::vector<int>& threads) {
+    finished.ranks = {own, threads};
+    if (job.events) job.events->setRanks(finished.ranks);
+  };
+  FolderExchange exchange(std::move(options));
+  finished.result = runTogether(job.environment, job.pipeline, *job.context, exchange, job.threads, job.cache.get());
 }
 
 }  // namespace
@@ -95,7 +126,10 @@ RunOutcome compute(RunJob& job) {
     auto finished = std::make_shared<FinishedRun>();
     finished->environment = job.environment;
     finished->pipeline = job.pipeline;
-    finished->result = runPipeline(job.environment, job.pipeline, *job.context, job.cache.get(), job.threads);
+    if (job.place.kind == RunPlace::Kind::ThisProcess)
+      finished->result = runPipeline(job.environment, job.pipeline, *job.context, job.cache.get(), job.threads);
+    else
+      runElsewhere(job, *finished);
     const std::vector<RemovedShare> shares = removedShares(job, finished->result);
     outcome.content = makeContent(job, finished->result, shares);
     outcome.content.hasMixedMargins = std::ranges::any_of(shares, [&](const auto& s) { return isDivisible(job, s); });

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/distributed/run_place.hpp"
 #include "core/pipeline/runner.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/time_estimate.hpp"
@@ -47,6 +48,7 @@ struct RunJob {
   Vec3 centre;
   Pipeline pipeline;
   int threads = 0;  ///< at most; 0: as many as there are
+  RunPlace place;   ///< where its cells are run
   std::shared_ptr<StepMeshes> stepMeshes;
   std::shared_ptr<ResultCache> cache;
   std::string key;

@@ -17,17 +17,33 @@ struct RunFigures {
   int threads = 1;
 };
 
+/// The processes that ran a block's cells, where these are others than the editor.
+struct CellRanks {
+  int own = 0;               ///< threads of the editor, which have the first numbers
+  std::vector<int> threads;  ///< of each rank; empty: the editor ran the cells
+
+  [[nodiscard]] bool empty() const { return threads.empty(); }
+  /// Whose a thread is, and which of its own; rank -1: the editor.
+  struct Place {
+    int rank = -1, thread = 0;
+  };
+  [[nodiscard]] Place placeOf(int thread) const;
+};
+
 struct CellBlock {
   BlockReport report;          ///< cells that have not finished have bounds and costs only
   std::vector<char> finished;  ///< for each cell
   /// Null while the block runs, and before. Blocks of one run share it.
   std::shared_ptr<const RunFigures> run;
+  CellRanks ranks = {};
 
   [[nodiscard]] bool complete() const { return run != nullptr; }
   /// A cell has finished.
   [[nodiscard]] bool begun() const;
   /// One more than the largest thread that has worked on it, at least that of its run.
   [[nodiscard]] int threads() const;
+  /// How long each rank was busy with cells, its threads together; empty where there are no ranks.
+  [[nodiscard]] std::vector<double> busyMsOfRanks() const;
 };
 
 using CellBlocks = std::vector<CellBlock>;

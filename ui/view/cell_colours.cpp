@@ -28,6 +28,11 @@ double valueOf(const CellReport& cell, CellColouring colouring) {
   return 0;
 }
 
+// The rank that began a cell where there are ranks, else the thread.
+int workerOf(const CellBlock& block, const CellReport& cell) {
+  return block.ranks.empty() ? cell.thread : std::max(0, block.ranks.placeOf(cell.thread).rank);
+}
+
 }  // namespace
 
 QString labelOf(CellColouring colouring) {
@@ -81,7 +86,15 @@ QColor filterColour(std::size_t index) {
   return kColours[index % kColours.size()];
 }
 
-CellScale::CellScale(const CellBlock& block, CellColouring wanted) : shown_(wanted), threads_(block.threads()) {
+QString threadName(const CellRanks& ranks, int thread) {
+  if (ranks.empty()) return tr("Thread %1").arg(thread);
+  const CellRanks::Place place = ranks.placeOf(thread);
+  if (place.rank < 0) return tr("Editor, thread %1").arg(place.thread);
+  return tr("Rank %1, thread %2").arg(place.rank).arg(place.thread);
+}
+
+CellScale::CellScale(const CellBlock& block, CellColouring wanted)
+    : shown_(wanted), threads_(block.ranks.empty() ? block.threads() : static_cast<int>(block.ranks.threads.size())) {
   const std::vector<CellReport>& cells = block.report.cells;
   if (!block.begun()) shown_ = CellColouring::Cost;
   const auto known = [&](std::size_t cell) { return shown_ == CellColouring::Cost || block.finished[cell] != 0; };
@@ -93,7 +106,7 @@ CellScale::CellScale(const CellBlock& block, CellColouring wanted) : shown_(want
     allKnown_ = allKnown_ && known(i);
     if (!known(i)) continue;
     if (shown_ == CellColouring::Thread) {
-      colours_[i] = threadColour(cells[i].thread);
+      colours_[i] = threadColour(workerOf(block, cells[i]));
     } else {
       colours_[i] = scaleColour(maximum_ > 0 ? valueOf(cells[i], shown_) / maximum_ : 0);
     }
@@ -101,14 +114,15 @@ CellScale::CellScale(const CellBlock& block, CellColouring wanted) : shown_(want
 }
 
 std::vector<ThreadShare> threadShares(const CellBlock& block) {
-  const std::vector<double> busy = block.report.busyMs(block.threads());
+  const std::vector<double> busy = block.ranks.empty() ? block.report.busyMs(block.threads()) : block.busyMsOfRanks();
   std::map<int, ThreadShare> shares;
   for (std::size_t i = 0; i < block.report.cells.size(); ++i) {
     if (block.finished[i] == 0) continue;
     const CellReport& cell = block.report.cells[i];
-    ThreadShare& share = shares[cell.thread];
-    share.thread = cell.thread;
-    share.ms = busy[static_cast<std::size_t>(cell.thread)];
+    const int worker = workerOf(block, cell);
+    ThreadShare& share = shares[worker];
+    share.thread = worker;
+    share.ms = busy[static_cast<std::size_t>(worker)];
     ++share.cells;
   }
   std::vector<ThreadShare> sorted;

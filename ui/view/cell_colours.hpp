@@ -1,5 +1,5 @@
-// What the colours of cells mean: by thread, time, triangles or estimated cost.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// What the colours of cells mean: by thread (or rank, where several processes ran them), time, triangles or estimated
+// cost. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QColor>
@@ -41,6 +41,7 @@ class CellScale {
   [[nodiscard]] CellColouring shown() const { return shown_; }
   /// The largest value; 0 for threads.
   [[nodiscard]] double maximum() const { return maximum_; }
+  /// How many colours there are for threads, or ranks.
   [[nodiscard]] int threads() const { return threads_; }
   [[nodiscard]] bool allKnown() const { return allKnown_; }
   /// Nothing while the cell has no such figure.
@@ -54,13 +55,16 @@ class CellScale {
   std::vector<std::optional<QColor>> colours_;
 };
 
-/// What a thread has done of a block.
+/// What a thread has done of a block, or a rank where there are ranks.
 struct ThreadShare {
-  int thread = 0;
+  int thread = 0;  ///< or rank
   double ms = 0;
   std::size_t cells = 0;
 };
-/// The shares of the threads that have finished a cell, the largest first.
+/// "Thread 3"; where there are ranks "Rank 1, thread 0" or "Editor, thread 0".
+QString threadName(const CellRanks& ranks, int thread);
+
+/// The shares of the threads (or ranks) that have finished a cell, the largest first.
 std::vector<ThreadShare> threadShares(const CellBlock& block);
 
 /// "12.3 ms", "1.24 s"; never "0 ms" for something.

@@ -105,6 +105,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] CellLegend& cellLegend() { return cells_->legend(); }
   [[nodiscard]] LoadPanel& loadPanel() { return cells_->panel(); }
   [[nodiscard]] RunThreads& runThreads() { return cells_->threads(); }
+  [[nodiscard]] RunPlaces& runPlaces() { return cells_->places(); }
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
   [[nodiscard]] StatusLine& statusLine() { return *status_; }
   [[nodiscard]] ProgressDisplay& progressDisplay() { return *progress_; }

@@ -17,7 +17,7 @@ class TestLoadPanel : public QObject {
  private slots:
   void init() {
     model_ = std::make_unique<CellModel>();
-    panel_ = std::make_unique<LoadPanel>(*model_, threads_);
+    panel_ = std::make_unique<LoadPanel>(*model_, threads_, places_);
     panel_->resize(1000, 260);
     panel_->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
@@ -57,7 +57,7 @@ class TestLoadPanel : public QObject {
     QApplication::setFont(font);
     const auto back = qScopeGuard([&] { QApplication::setFont(usual); });
     panel_.reset();
-    panel_ = std::make_unique<LoadPanel>(*model_, threads_);
+    panel_ = std::make_unique<LoadPanel>(*model_, threads_, places_);
     panel_->resize(1100, 300);
     panel_->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
@@ -235,6 +235,7 @@ class TestLoadPanel : public QObject {
 
   std::unique_ptr<CellModel> model_;
   RunThreads threads_;
+  RunPlaces places_;
   std::unique_ptr<LoadPanel> panel_;
 };
 

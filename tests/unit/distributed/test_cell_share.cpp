@@ -130,6 +130,15 @@ class TestCellShare : public QObject {
     share.faces[0].mesh = std::make_shared<const FaceMesh>(std::move(mesh));
     QCOMPARE(refusal(share), std::string("an outline has no line"));
     share = someShare();
+    share.faces[1].face = 12;
+    QCOMPARE(refusal(share), std::string("a floor is there twice"));
+    share = someShare();
+    share.faces[1].face = 49;  // which has a part
+    QCOMPARE(refusal(share), std::string("a floor is there twice"));
+    share = someShare();
+    share.parts.push_back(share.parts[0]);
+    QCOMPARE(refusal(share), std::string("a floor is there twice"));
+    share = someShare();
     share.parts[0].share.pieces[0].obstacle = 50;
     QCOMPARE(refusal(share), std::string("a number is out of range"));
     share = someShare();
@@ -156,6 +165,8 @@ class TestCellShare : public QObject {
              std::string("a number is out of range"));
     QCOMPARE(refusalOfCuts([](FaceCuts& cuts) { cuts.segments[0].to = -1; }), std::string("a segment has no end"));
     QCOMPARE(refusalOfCuts([](FaceCuts& cuts) { cuts.segments[0].line = 2; }), std::string("a number is out of range"));
+    QCOMPARE(refusalOfCuts([](FaceCuts& cuts) { cuts.segments.clear(); }),
+             std::string("a winding number has no segments"));
     QCOMPARE(refusalOfMesh([](FaceMesh& mesh) { mesh.cells[1].corners[1] = 4; }),
              std::string("a number is out of range"));
     QCOMPARE(refusalOfMesh([](FaceMesh& mesh) { mesh.cells[1].lines[1] = 1; }),

@@ -8,7 +8,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
+#include <chrono>
+#include <thread>
 
+#include "core/distributed/share_file.hpp"
 #include "core/io/export.hpp"
 #include "core/io/import.hpp"
 #include "footfall/errors.hpp"
@@ -226,6 +229,21 @@ class TestRankExchange : public QObject {
     QVERIFY(QFile::copy(folder.filePath(names[5]), folder.filePath(names[4])));  // of another cell
     QVERIFY(QFile::remove(folder.filePath(names[6])));
     QVERIFY(QDir(folder.path()).mkdir(names[6]));
+    // With a sound seal: no share at all, and one of another cell.
+    const auto sealedAnew = [](const QByteArray& original, const std::string& content) {
+      const ShareName name = openShare(original.toStdString()).name;
+      return QByteArray::fromStdString(sealShare(name, content));
+    };
+    change(7, [&](const QByteArray& b) { return sealedAnew(b, "hello"); });
+    std::string largest;  // it has floors that no other cell has
+    for (const QString& name : names) {
+      QFile file(folder.filePath(name));
+      QVERIFY(name == names[6] || file.open(QIODevice::ReadOnly));
+      if (const QByteArray b = file.isOpen() ? file.readAll() : QByteArray();
+          static_cast<std::size_t>(b.size()) > largest.size() + kShareHead && name > names[8])
+        largest = openShare(b.toStdString()).bytes;
+    }
+    change(8, [&](const QByteArray& b) { return sealedAnew(b, largest); });
     options.ranks = 2;
     options.cellDone = [](int) {};
     const RankOutcome outcome = runOnRanks(house, pipeline, options);
@@ -234,9 +252,11 @@ class TestRankExchange : public QObject {
     std::string told;
     for (const Text& note : outcome.notes) told += note.str() + '\n';
     for (const char* what : {"is cut off; its cell", "is damaged; its cell", "is no share; its cell",
-                             "is a share of another cell or run; its cell", "is no file; its cell"})
+                             "is a share of another cell or run; its cell", "is no file; its cell",
+                             "is no share that can be used (a list is longer than the bytes); its cell",
+                             "is no share that can be used (it has a"})
       QVERIFY2(told.find(what) != std::string::npos, (told + "lacks: " + what).c_str());
-    QCOMPARE(outcome.ranks[0].cells + outcome.ranks[1].cells, 16 - names.size() + std::uint64_t{6});
+    QCOMPARE(outcome.ranks[0].cells + outcome.ranks[1].cells, 16 - names.size() + std::uint64_t{8});
   }
 
   // The name of a share is all that it depends on: with another environment, filter or border nothing is taken over.
@@ -288,6 +308,46 @@ class TestRankExchange : public QObject {
     options.environmentOf = [&](int rank) { return rank == 2 ? rooms : house; };
     const RankOutcome outcome = runOnRanks(house, pipelineOf("GridStrategy 4 4"), options);
     QVERIFY2(outcome.error.find("rank 2: this rank works on something else") == 0, outcome.error.c_str());
+  }
+
+  // Whoever has more passes than the others must not wait for their shares.
+  void ranksWithOtherNumbersOfPassesAreTold() {
+    const EnvironmentPtr house = sample("house");
+    const auto withPasses = [](int count) {
+      std::string text = "SlopeFilter 45\n";
+      for (int i = 0; i < count; ++i) text += "GridStrategy 3 3\nVerticalClearanceFilter 2\nCollapse\n";
+      return parsePipeline(text, "test");
+    };
+    for (const auto& [ofFirst, ofOthers] : std::vector<std::pair<int, int>>{{1, 2}, {2, 1}, {2, 3}, {0, 1}, {1, 0}}) {
+      RankOptions options;
+      options.ranks = 3;
+      options.pipelineOf = [&, first = ofFirst, others = ofOthers](int rank) {
+        return withPasses(rank == 0 ? first : others);
+      };
+      const RankOutcome outcome = runOnRanks(house, withPasses(1), options);
+      QVERIFY2(outcome.error.find("this rank works on something else") != std::string::npos,
+               (std::to_string(ofFirst) + ' ' + std::to_string(ofOthers) + ": " + outcome.error).c_str());
+    }
+  }
+
+  // While rank 0 reads, nobody can stop it for a while. A rank that fails waits for it, and is told to be cut off only
+  // when that takes too long.
+  void aRankThatFailsWhileRankZeroReads() {
+    const EnvironmentPtr house = sample("house");
+    RankOptions options;
+    options.ranks = 3;
+    options.environmentOf = [&](int rank) {
+      if (rank == 1) throw RunError("cannot be read");
+      if (rank == 0) std::this_thread::sleep_for(std::chrono::milliseconds(600));
+      return house;
+    };
+    for (const double patience : {10000, 200}) {
+      options.patienceMs = patience;
+      const RankOutcome outcome = runOnRanks(house, pipelineOf("GridStrategy 4 4"), options);
+      QCOMPARE(outcome.error, std::string("rank 1: cannot be read"));
+      QVERIFY(!outcome.isCutOff[0] && !outcome.isCutOff[2]);
+      QCOMPARE(bool(outcome.isCutOff[1]), patience < 600);
+    }
   }
 
   void aFolderThatCannotBeHadIsAnError() {

@@ -1,0 +1,84 @@
+// A run whose cells other processes run, which leave their shares in a folder: this one takes them as they come, and
+// goes on behind each pass.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/base/poll.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/distributed/cell_exchange.hpp"
+#include "core/distributed/job_folder.hpp"
+#include "core/distributed/work_folder.hpp"
+
+namespace footfall::detail {
+
+/// One object for one run. The processes are started when there are cells to run, and not before: a run that finds
+/// everything in a cache needs none.
+class FolderExchange : public CellExchange {
+ public:
+  struct Options {
+    std::string folder;  ///< which the processes see, too; made here, and removed in the end with what is in it
+    int threads = 1;     ///< of this process
+    /// Starts the processes, waits for their end, and returns what went wrong; empty: nothing. Called by a thread of
+    /// its own. `poll` is to be called every now and then; it throws when the run is over, which ends the processes.
+    std::function<Text(const std::string& folder, Poll poll)> work;
+    /// Called by begin() when it is known how many threads each process has (threadsOfRanks()).
+    std::function<void(const std::vector<int>&)> ranksKnown = [](const std::vector<int>&) {};
+    /// How long shares may be under way when their process has ended: folders of a network are slow.
+    double patienceMs = 10000;
+  };
+  explicit FolderExchange(Options options);
+  /// Ends the processes.
+  ~FolderExchange() override;
+  FolderExchange(const FolderExchange&) = delete;
+  FolderExchange& operator=(const FolderExchange&) = delete;
+
+  std::vector<char> begin(const CellPhase& phase, RunContext& context) override;
+  [[nodiscard]] bool merges() const override { return true; }
+  [[nodiscard]] bool wantsOwn() const override { return false; }
+  void give(Index /*cell*/, std::string /*bytes*/) override {}
+  std::optional<ArrivedShare> take() override;
+  void ownFinished() override {}
+  void throwFailure() const override;
+  [[nodiscard]] int threads() const override;
+
+  /// How many threads each process has, by rank; empty while no cells were to be run. In reports they are numbered
+  /// behind those of this process.
+  [[nodiscard]] std::vector<int> threadsOfRanks() const;
+
+ private:
+  void start();
+  void checkFailed() const;
+  void awaitRanks(std::unique_lock<std::mutex>& lock, RunContext& context);
+  void look();
+  [[nodiscard]] int rankOf(Index cell) const;
+
+  Options options_;
+  std::optional<WorkFolder> folder_;
+  CellPhase phase_;
+  double beganMs_ = 0;  ///< of this run, by the system's clock
+
+  mutable std::mutex mutex_;  ///< of all that follows
+  std::condition_variable changed_;
+  std::vector<JobRank> ranks_;
+  std::vector<int> rankOf_;    ///< of each cell of the pass
+  std::vector<char> hasCome_;  ///< likewise
+  std::size_t left_ = 0;       ///< cells of the pass that did not come
+  std::set<Index> seen_;       ///< cells whose file is there, to be read
+  double lookedMs_ = -1;       ///< of clock_
+  double endedMs_ = -1;        ///< of clock_, when all processes had ended
+  Text failure_;
+  bool isStopping_ = false;
+  const Stopwatch clock_;
+  std::thread worker_;
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,39 @@
+// What is left in a folder for processes that run the cells of somebody else's run: the environment and the pipeline,
+// and who they are.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "footfall/environment.hpp"
+
+namespace footfall::detail {
+
+struct Job {
+  Environment environment;
+  std::string pipeline;  ///< formatPipeline()
+};
+
+/// Writes the environment as it is, with all that was edited: what filters see of it, to the last bit. Throws RunError.
+void writeJob(const std::string& folder, const Environment& environment, const std::string& pipeline);
+/// Throws InputError where there is no job, or one of another version of the program.
+Job readJob(const std::string& folder);
+
+/// One process of those that run a job.
+struct JobRank {
+  int threads = 1;
+  double beganMs = 0;  ///< when its run began, by the system's clock
+};
+
+/// Says who runs the job, in the order of their ranks. Throws RunError.
+void writeRanks(const std::string& folder, const std::vector<JobRank>& ranks);
+/// None while it is not said. Throws BadBytes.
+std::optional<std::vector<JobRank>> readRanks(const std::string& folder);
+
+/// The whole content of a file, or none where there is none. Throws BadBytes, the end of a sentence that begins with
+/// the file's name, when it cannot be read.
+std::optional<std::string> contentOf(const std::string& path);
+
+}  // namespace footfall::detail

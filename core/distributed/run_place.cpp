@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/distributed/run_place.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "core/base/child_process.hpp"
+#include "core/distributed/byte_stream.hpp"
+#include "core/distributed/job_folder.hpp"
+#include "footfall/errors.hpp"
+
+namespace footfall::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kOurs = "footfall-mpi: ";
+
+bool isProgram(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
+}
+
+bool canBeFound(const std::string& program) {
+  if (program.find('/') != std::string::npos) return isProgram(program);
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (isProgram(fs::path(folder.empty() ? "." : folder) / program)) return true;
+  return false;
+}
+
+// For a shell.
+std::string quoted(const std::string& word) {
+  std::string result = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      result += "'\\''";
+    else
+      result += c;
+  }
+  return result + '\'';
+}
+
+// Slurm's name for the job, by which it is ended.
+std::string nameOf(const std::string& job) { return "footfall-" + fs::path(job).filename().string(); }
+
+std::string outputOf(const std::string& job) { return (fs::path(job) / "output.txt").string(); }
+
+// srun where Slurm can start MPI's processes itself, else mpirun, which asks it for the machines. One process a
+// machine, with all threads of it.
+std::string scriptOf(const std::string& job, const RunPrograms& programs) {
+  const std::string cells = quoted(programs.footfallMpi) + " cells " + quoted(job);
+  return "threads=${SLURM_CPUS_ON_NODE:-1}\n"
+         "if srun --mpi=list 2>&1 | grep -qw pmix; then\n"
+         "  exec srun --mpi=pmix --kill-on-bad-exit=1 --cpus-per-task=$threads " +
+         cells + " --threads $threads\nelse\n  exec " + quoted(programs.mpirun) + " --bind-to none " + cells +
+         " --threads $threads\nfi";
+}
+
+void add(std::vector<std::string>& command, std::initializer_list<std::string> words) {
+  command.insert(command.end(), words);
+}
+
+}  // namespace
+
+RunPrograms findPrograms(const std::string& folder) {
+  RunPrograms programs;
+  const fs::path beside = fs::path(folder) / "footfall-mpi";
+  if (const char* given = std::getenv("FOOTFALL_MPI"); given != nullptr && *given != '\0')
+    programs.footfallMpi = given;
+  else if (isProgram(beside))
+    programs.footfallMpi = beside.string();
+  if (const char* given = std::getenv("FOOTFALL_MPIRUN"); given != nullptr && *given != '\0')
+    programs.mpirun = given;
+  else if (canBeFound("mpirun.openmpi"))  // where several MPIs are installed
+    programs.mpirun = "mpirun.openmpi";
+  return programs;
+}
+
+Text problemOf(const RunPlace& place, const RunPrograms& programs) {
+  if (place.kind == RunPlace::Kind::ThisProcess) return {};
+  if (!canBeFound(programs.footfallMpi))
+    return Text(FOOTFALL_TEXT("%1 was not found; install the package footfall-mpi, or run on this program alone"),
+                programs.footfallMpi);
+  if (place.kind == RunPlace::Kind::Slurm) {
+    if (canBeFound(programs.sbatch)) return {};
+    return Text(FOOTFALL_TEXT("%1 was not found; Slurm has to be installed on this machine, too"), programs.sbatch);
+  }
+  if (!canBeFound(programs.mpirun))
+    return Text(FOOTFALL_TEXT("%1 was not found; install Open MPI (Debian: openmpi-bin)"), programs.mpirun);
+  if (place.kind == RunPlace::Kind::Hosts && ::access(place.hostFile.c_str(), R_OK) != 0)
+    return Text(FOOTFALL_TEXT("%1: this host file cannot be read; name a file with a machine in each line"),
+                place.hostFile);
+  return {};
+}
+
+std::vector<std::string> commandOf(const std::string& job, const RunPlace& place, const RunPrograms& programs,
+                                   int threads) {
+  const std::string count = std::to_string(place.processes);
+  std::vector<std::string> command;
+  if (place.kind == RunPlace::Kind::Slurm) {
+    command = {programs.sbatch, "--wait",   "--quiet",           "--job-name", nameOf(job),
+               "--nodes",       count,      "--ntasks-per-node", "1",          "--exclusive",
+               "--no-requeue",  "--output", outputOf(job),       "--chdir",    job};
+    if (!place.partition.empty()) add(command, {"--partition", place.partition});
+    add(command, {"--wrap", scriptOf(job, programs)});
+    return command;
+  }
+  command = {programs.mpirun, "--bind-to", "none", "-n", count};
+  if (::geteuid() == 0) add(command, {"--allow-run-as-root"});
+  if (place.kind == RunPlace::Kind::Hosts)
+    add(command, {"--hostfile", place.hostFile});
+  else  // without a network, and where one process may not read another's memory
+    add(command, {"--oversubscribe", "--host", "localhost:" + count, "--mca", "plm", "isolated", "--mca", "btl",
+                  "self,vader", "--mca", "btl_vader_single_copy_mechanism", "none", "--mca", "pml", "ob1"});
+  add(command, {programs.footfallMpi, "cells", job});
+  if (threads > 0) add(command, {"--threads", std::to_string(threads)});
+  return command;
+}
+
+std::string problemIn(const std::string& output) {
+  std::istringstream lines(output);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    const std::size_t at = line.find(kOurs);
+    if (at == 0 && line.find("note: ") != kOurs.size()) return line.substr(kOurs.size());
+    if (line.find_first_not_of("-*= ") != std::string::npos) last = line;
+  }
+  return last;
+}
+
+Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& programs, int threads, Poll poll) {
+  if (Text problem = problemOf(place, programs); !problem.empty()) return problem;
+  const std::vector<std::string> command = commandOf(job, place, programs, threads);
+  ChildResult result;
+  try {
+    result = runChild(command, poll, ChildEnding::Asked);
+  } catch (...) {
+    if (place.kind == RunPlace::Kind::Slurm) runChild({programs.scancel, "--name", nameOf(job)}, {});
+    throw;
+  }
+  if (result.status == 0) return {};
+  std::string told = problemIn(result.errors + '\n' + result.output);
+  if (place.kind == RunPlace::Kind::Slurm) {
+    try {
+      if (const auto output = contentOf(outputOf(job)); output && !problemIn(*output).empty())
+        told = problemIn(*output);
+    } catch (const BadBytes&) {
+      // What sbatch itself said is all that is known.
+    }
+  }
+  if (told.empty()) return Text(FOOTFALL_TEXT("%1 ended with exit code %2"), command[0], result.status);
+  return Text(FOOTFALL_TEXT("%1 (exit code %2 of %3)"), told, result.status, command[0]);
+}
+
+}  // namespace footfall::detail

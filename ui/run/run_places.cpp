@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run/run_places.hpp"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "footfall/errors.hpp"
+#include "ui/base/commands.hpp"
+
+namespace footfall::ui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = RunPlace::Kind;
+
+constexpr int kMostProcesses = 100000;
+constexpr std::array<std::pair<Kind, const char*>, 4> kKinds = {{{Kind::ThisProcess, "this_program"},
+                                                                 {Kind::Processes, "processes"},
+                                                                 {Kind::Hosts, "hosts"},
+                                                                 {Kind::Slurm, "slurm"}}};
+
+}  // namespace
+
+void RunPlaces::choose(const RunPlace& place) {
+  if (chosen_ == place) return;
+  chosen_ = place;
+  emit changed();
+}
+
+std::string RunPlaces::save() const {
+  Json json;
+  for (const auto& [kind, name] : kKinds)
+    if (kind == chosen_.kind) json["on"] = name;
+  if (chosen_.kind != Kind::ThisProcess) json["processes"] = chosen_.processes;
+  if (chosen_.kind == Kind::Hosts) json["host_file"] = chosen_.hostFile;
+  if (chosen_.kind == Kind::Slurm) json["partition"] = chosen_.partition;
+  if (chosen_.kind == Kind::Hosts || chosen_.kind == Kind::Slurm) json["folder"] = chosen_.folder;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void RunPlaces::load(const std::string& text) {
+  if (text.empty()) return choose({});
+  const Json json = Json::parse(text);
+  const auto name = json.value("on", std::string());
+  const auto* const known = std::ranges::find_if(kKinds, [&](const auto& kind) { return name == kind.second; });
+  if (known == kKinds.end())
+    throw InputError(FOOTFALL_TEXT("run_on is '%1'; give this_program, processes, hosts or slurm"), name);
+  RunPlace place;
+  place.kind = known->first;
+  place.processes = json.value("processes", 2);
+  if (place.processes < 1 || place.processes > kMostProcesses)
+    throw InputError(FOOTFALL_TEXT("run_on: %1 processes; give 1 to %2"), place.processes, kMostProcesses);
+  place.hostFile = json.value("host_file", std::string());
+  place.partition = json.value("partition", std::string());
+  place.folder = json.value("folder", std::string());
+  choose(place);
+}
+
+QString placeText(Kind kind) {
+  switch (kind) {
+    case Kind::ThisProcess:
+      return RunPlaces::tr("This program");
+    case Kind::Processes:
+      return RunPlaces::tr("Processes of this machine");
+    case Kind::Hosts:
+      return RunPlaces::tr("Machines of a host file");
+    case Kind::Slurm:
+      return RunPlaces::tr("Machines of Slurm");
+  }
+  return {};
+}
+
+QString placeText(const RunPlace& place) {
+  switch (place.kind) {
+    case Kind::ThisProcess:
+      break;
+    case Kind::Processes:
+      return RunPlaces::tr("%1 processes here").arg(place.processes);
+    case Kind::Hosts:
+      return RunPlaces::tr("%1 processes of %2")
+          .arg(place.processes)
+          .arg(QFileInfo(QString::fromStdString(place.hostFile)).fileName());
+    case Kind::Slurm:
+      return place.partition.empty()
+                 ? RunPlaces::tr("%1 machines of Slurm").arg(place.processes)
+                 : RunPlaces::tr("%1 machines of %2").arg(place.processes).arg(QString::fromStdString(place.partition));
+  }
+  return placeText(place.kind);
+}
+
+RunPrograms runPrograms() { return findPrograms(QCoreApplication::applicationDirPath().toStdString()); }
+
+void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::function<void(Kind)>& ask) {
+  auto* group = new QActionGroup(&places);
+  for (const auto& [kind, name] : kKinds) {
+    const bool asks = kind != Kind::ThisProcess;
+    Command command{QStringLiteral("pipeline.runOn.%1").arg(QString::fromLatin1(name)),
+                    CommandMenu::Pipeline,
+                    QStringLiteral("run on"),
+                    asks ? placeText(kind) + QStringLiteral("...") : placeText(kind),
+                    RunPlaces::tr("What computes the cells of a run; the result is the same"),
+                    {},
+                    {},
+                    true};
+    QAction* action = commands.add(command, [](bool) {});
+    group->addAction(action);
+    const auto show = [&places, action, kind = kind] { action->setChecked(places.chosen().kind == kind); };
+    // Not by its being checked: a choice that is made again can be changed.
+    QObject::connect(action, &QAction::triggered, &places, [&places, ask, show, kind = kind, asks] {
+      if (asks)
+        ask(kind);
+      else
+        places.choose({});
+      show();
+    });
+    QObject::connect(&places, &RunPlaces::changed, action, show);
+    show();
+  }
+}
+
+}  // namespace footfall::ui

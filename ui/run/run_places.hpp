@@ -1,0 +1,49 @@
+// Where runs are computed: what was chosen, for the session to keep.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <string>
+
+#include "core/distributed/run_place.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+
+class CommandRegistry;
+
+/// Results do not depend on it. This program at first.
+class RunPlaces : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  [[nodiscard]] const RunPlace& chosen() const { return chosen_; }
+  void choose(const RunPlace& place);
+
+  /// As JSON. load() of an empty text is this program; it throws InputError with what is wrong.
+  [[nodiscard]] std::string save() const;
+  void load(const std::string& text);
+
+ signals:
+  void changed();
+
+ private:
+  RunPlace chosen_;
+};
+
+/// What can be chosen from: "This program", "Processes of this machine", ...
+QString placeText(RunPlace::Kind kind);
+/// What was chosen, in a few words: "4 processes".
+QString placeText(const RunPlace& place);
+
+/// What starts the processes of runs: beside the editor, or in PATH.
+RunPrograms runPrograms();
+
+/// The submenu Run on in the menu Pipeline. `ask` lets the user choose the rest where there is something to choose.
+void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::function<void(RunPlace::Kind)>& ask);
+
+}  // namespace footfall::ui
