@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/digest.hpp"
 #include "core/base/geometry.hpp"
-#include "core/distributed/digest.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/digest.hpp"
 #include "core/base/geometry.hpp"
-#include "core/distributed/digest.hpp"
 #include "core/distributed/share_file.hpp"
 #include "footfall/text.hpp"
 
