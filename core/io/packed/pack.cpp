@@ -21,7 +21,8 @@ bool streamFile(const std::string& path, const std::string& extension, Environme
   if (std::filesystem::is_directory(path, error)) return false;
   if (extension == "obj") return streamObj(path, head, packer, context);
   if (extension == "ply") return streamPly(path, head, packer, context);
-  return extension == "stl" && streamStl(path, head, packer, context);
+  if (extension == "stl") return streamStl(path, head, packer, context);
+  return extension == "glb" && streamGlb(path, head, packer, context);
 }
 
 void addAll(const Environment& environment, EnvironmentPacker& packer, RunContext* context) {
@@ -53,9 +54,12 @@ PackResult packEnvironment(const std::string& path, const std::string& target, c
   result.isStreamed = streamFile(path, extension, head, packer, context);
   if (result.isStreamed) {
     if (packer.faceCount() == 0) failWithoutTriangles(path, head.skipped);
-    setFrame(head, {}, options, usualFrame(extension));
+    FileFrame frame;
+    if (extension == "glb") frame = gltfFrame();
+    setFrame(head, frame, options, usualFrame(extension));
   } else {
     packer.restart();
+    head = {};
     std::shared_ptr<const Environment> whole = importEnvironment(path, options, context);
     addAll(*whole, packer, context);
     head = *whole;

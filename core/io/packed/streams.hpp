@@ -22,4 +22,7 @@ bool streamPly(const std::string& path, Environment& head, EnvironmentPacker& pa
 /// STL, binary or ASCII with a statement in each line.
 bool streamStl(const std::string& path, Environment& head, EnvironmentPacker& packer, RunContext* context);
 
+/// Binary glTF whose meshes are triangles with indices, in floats, in the file itself; without skins.
+bool streamGlb(const std::string& path, Environment& head, EnvironmentPacker& packer, RunContext* context);
+
 }  // namespace footfall::detail

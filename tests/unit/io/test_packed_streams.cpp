@@ -13,6 +13,62 @@ using namespace footfall;
 using namespace footfall::detail;
 using namespace footfall::test;
 
+namespace {
+
+template <class Number>
+void append(QByteArray& bytes, std::initializer_list<Number> numbers) {
+  for (const Number number : numbers) bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+/// Two meshes, one of them of two primitives over one list of vertices with a stride, under turned, mirrored and nested
+/// nodes, with and without names. `more` goes into the first primitive.
+QByteArray binaryGltf(const QByteArray& more = {}) {
+  QByteArray binary;
+  append<float>(binary, {0, 0, 0, -0.0F, 0, 0.1F, 4, 0, 0, 4.3F, 1, 2, 9, 9, 9});  // 5 places, the last of no face
+  append<std::uint16_t>(binary, {0, 1, 2, 2, 1, 3, 1, 1, 3, 0});                   // three faces, one degenerate
+  const int second = static_cast<int>(binary.size());
+  for (int i = 0; i < 6; ++i) append<float>(binary, {0.1F * static_cast<float>(i), i % 2 * 0.7F, 3, 77, 77});
+  append<std::uint8_t>(binary, {0, 1, 2, 3, 4, 5, 5, 4});
+  append<std::uint32_t>(binary, {5, 3, 1});
+  const auto text = [](int number) { return QByteArray::number(number); };
+  QByteArray json =
+      "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,3]}],\"nodes\":["
+      "{\"name\":\"turned\",\"mesh\":0,\"rotation\":[0.1,0.2,0.3,0.927],\"translation\":[5,0.1,2],\"children\":[1,2]},"
+      "{\"mesh\":1,\"scale\":[-1.5,2,0.3]},{\"name\":\"turned\",\"mesh\":0,\"translation\":[1,2,3]},"
+      "{\"mesh\":1,\"matrix\":[0,0,-2,0,0,2,0,0,2,0,0,0,7,8,9,1]}],"
+      "\"materials\":[{\"name\":\"wood\",\"doubleSided\":true},{}],\"meshes\":["
+      "{\"name\":\"one\",\"primitives\":[{" +
+      more +
+      "\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0}]},"
+      "{\"primitives\":[{\"attributes\":{\"POSITION\":2},\"indices\":3,\"material\":1},"
+      "{\"attributes\":{\"POSITION\":2},\"indices\":4}]}],"
+      "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":5,\"type\":\"VEC3\"},"
+      "{\"bufferView\":0,\"byteOffset\":60,\"componentType\":5123,\"count\":9,\"type\":\"SCALAR\"},"
+      "{\"bufferView\":1,\"componentType\":5126,\"count\":6,\"type\":\"VEC3\"},"
+      "{\"bufferView\":2,\"componentType\":5121,\"count\":6,\"type\":\"SCALAR\"},"
+      "{\"bufferView\":2,\"byteOffset\":8,\"componentType\":5125,\"count\":3,\"type\":\"SCALAR\"}],"
+      "\"bufferViews\":[{\"buffer\":0,\"byteLength\":" +
+      text(second) +
+      "},"
+      "{\"buffer\":0,\"byteOffset\":" +
+      text(second) +
+      ",\"byteLength\":120,\"byteStride\":20},"
+      "{\"buffer\":0,\"byteOffset\":" +
+      text(second + 120) +
+      ",\"byteLength\":20}],"
+      "\"buffers\":[{\"byteLength\":" +
+      text(static_cast<int>(binary.size())) + "}]}";
+  json += QByteArray((4 - json.size() % 4) % 4, ' ');
+  QByteArray file;
+  const auto size = [](const QByteArray& bytes) { return static_cast<std::uint32_t>(bytes.size()); };
+  append<std::uint32_t>(file, {0x46546C67, 2, 28 + size(json) + size(binary), size(json), 0x4E4F534A});
+  file += json;
+  append<std::uint32_t>(file, {size(binary), 0x004E4942});
+  return file + binary;
+}
+
+}  // namespace
+
 class TestPackedStreams : public QObject {
   Q_OBJECT
  private slots:
@@ -180,6 +236,25 @@ class TestPackedStreams : public QObject {
     const QString whole = messageOf<InputError>([&] { importEnvironment(cut); });
     QVERIFY(!whole.isEmpty());
     QCOMPARE(messageOf<InputError>([&] { packEnvironment(cut, folder.path("cut.ffenv"), {}, nullptr); }), whole);
+  }
+
+  void binaryGltfOfAllKinds() {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("plain.glb", binaryGltf());
+    const auto whole = importEnvironment(path);
+    QCOMPARE(whole->triangles.size(), std::size_t{10});
+    QVERIFY(whole->parts.size() > 2 && whole->skipped.polygons == 2);
+    QCOMPARE(roundTrip(path, true), QString());
+    ImportOptions turned;
+    turned.up = UpAxis::Z;
+    QCOMPARE(roundTrip(path, true, turned), QString());
+    QCOMPARE(roundTrip(folder.write("lines.glb", binaryGltf("\"mode\":5,")), false), QString());
+    // Whatever is wrong is told as it was.
+    const QByteArray good = binaryGltf();
+    const std::string cut = folder.write("cut.glb", good.left(good.size() - 30));
+    const QString message = messageOf<InputError>([&] { importEnvironment(cut); });
+    QVERIFY(!message.isEmpty());
+    QCOMPARE(messageOf<InputError>([&] { packEnvironment(cut, folder.path("cut.ffenv"), {}, nullptr); }), message);
   }
 };
 
