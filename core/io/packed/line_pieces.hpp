@@ -26,6 +26,8 @@ class LinePieces {
       if (!more()) return std::nullopt;
     }
   }
+  /// Whether nothing is left; false where a line was too long.
+  [[nodiscard]] bool isAtEnd() const { return isAtEnd_ && used_ == text_.size(); }
   [[nodiscard]] double done() const {
     return static_cast<double>(offset_) / static_cast<double>(std::max<std::uint64_t>(file_.size(), 1));
   }

@@ -306,7 +306,7 @@ class AsciiPly {
       if (!readVertex()) return false;
     for (std::uint64_t f = 0; f < layout_.faces; ++f)
       if (!readFace() || !target_.addFace(corners_)) return false;
-    return !lines_.next();
+    return !lines_.next() && lines_.isAtEnd();
   }
 
  private:

@@ -59,7 +59,7 @@ class AsciiStl {
       if (words_[0] != "solid" || !readSolid()) return false;
     }
     dropUnnamedPart(head_);
-    return isAtEnd_;
+    return lines_.isAtEnd();
   }
 
  private:
@@ -71,7 +71,6 @@ class AsciiStl {
     }
     do {
       const std::optional<std::string_view> line = lines_.next();
-      isAtEnd_ = !line;
       if (!line || line->find('\0') != std::string_view::npos || line->find('\r') != std::string_view::npos)
         return false;
       splitWords(*line, words_);
@@ -114,7 +113,6 @@ class AsciiStl {
   RunContext* context_;
   PartList parts_;
   std::vector<std::string_view> words_;
-  bool isAtEnd_ = false;
   std::size_t done_ = 0;
 };
 

@@ -164,6 +164,8 @@ class TestPackedStreams : public QObject {
       ascii += QByteArray("endsolid") + name + '\n';
     }
     QCOMPARE(roundTrip(folder.write("ascii.stl", ascii), true), QString());
+    // A line that no piece holds ends nothing.
+    QCOMPARE(roundTrip(folder.write("long.stl", ascii + QByteArray(20 << 20, ' ') + '\n' + ascii), false), QString());
     const QByteArray oneLine = QByteArray(ascii).replace("\n outer", " outer");
     QCOMPARE(roundTrip(folder.write("lines.stl", oneLine), false), QString());
   }
