@@ -20,6 +20,7 @@ void runCommandLine(int argc, const char* const* argv) {
   addRunCommand(app, run);
   addWhyCommand(app);
   addInfoCommand(app);
+  addPackCommand(app);
   addCellsCommand(app);
   addPathCommand(app);
   addPlanCommand(app);

@@ -9,16 +9,21 @@
 namespace footfall::app {
 using namespace detail;
 
-void EnvironmentOptions::addTo(CLI::App& command) {
+void EnvironmentOptions::addFileTo(CLI::App& command) {
   command
       .add_option("ENV", path,
-                  "The environment: OBJ, glTF, FBX, PLY, STL, IFC or another mesh file, or a folder: all meshes in it")
+                  "The environment: OBJ, glTF, FBX, PLY, STL, IFC or another mesh file, one that `footfall pack` wrote "
+                  "(.ffenv), or a folder: all meshes in it")
       ->required();
   addUpAxis(command, "--up", up, "The file's up axis; guessed from the format when left out");
   command.add_option("--scale", metresPerUnit, "Metres in one unit of the file; guessed when left out")
       ->type_name("METRES");
   command.add_flag("--both-sides", bothSides,
                    "Take both sides of every triangle as its upper side, for files with unreliable winding");
+}
+
+void EnvironmentOptions::addTo(CLI::App& command) {
+  addFileTo(command);
   const auto addNames = [&command](const char* name, std::vector<std::string>& names, const char* help) {
     command.add_option(name, names, help)->allow_extra_args(false)->type_name("NAME");
   };

@@ -23,6 +23,8 @@ struct EnvironmentOptions {
   std::vector<std::string> ignored, obstacleOnly, asUsual;  ///< meshes, materials or MESH/MATERIAL
 
   void addTo(CLI::App& command);
+  /// Without what leaves parts out.
+  void addFileTo(CLI::App& command);
   /// Throws InputError for a scale that is none.
   [[nodiscard]] ImportOptions import() const;
 };

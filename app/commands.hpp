@@ -18,6 +18,8 @@ void addRunCommand(CLI::App& app, RunProgram& program);
 void addWhyCommand(CLI::App& app);
 /// `footfall info`: what an environment holds.
 void addInfoCommand(CLI::App& app);
+/// `footfall pack`: a packed environment (.ffenv) of any other.
+void addPackCommand(CLI::App& app);
 /// `footfall cells`: the cells of a strategy, without running the filters.
 void addCellsCommand(CLI::App& app);
 /// `footfall path`: the shortest path between two places. Where the target cannot be reached, the path leads to the

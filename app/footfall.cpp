@@ -1,4 +1,4 @@
-// The command line program: `footfall run`, `why`, `cells`, `compare`, `info` and `filters`. Needs no display.
+// The command line program: `footfall run`, `why`, `cells`, `compare`, `info`, `pack` and so on. Needs no display.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
 #include <exception>

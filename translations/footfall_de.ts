@@ -1579,6 +1579,54 @@
         <source>run_on: %1 processes; give 1 to %2</source>
         <translation>run_on: %1 Prozesse; 1 bis %2 angeben</translation>
     </message>
+    <message>
+        <source>more than 4294967295 triangles</source>
+        <translation>mehr als 4294967295 Dreiecke</translation>
+    </message>
+    <message>
+        <source>copy it again, or pack the original again</source>
+        <translation>kopieren Sie sie noch einmal, oder packen Sie das Original noch einmal</translation>
+    </message>
+    <message>
+        <source>it was cut off while it was open</source>
+        <translation>sie wurde abgeschnitten, während sie offen war</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the packed environment is cut off</source>
+        <translation>die gepackte Umgebung ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is no packed environment, or is cut off</source>
+        <translation>ist keine gepackte Umgebung oder ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is no packed environment</source>
+        <translation>ist keine gepackte Umgebung</translation>
+    </message>
+    <message>
+        <source>give the file the extension of its real format</source>
+        <translation>geben Sie der Datei die Endung ihres wirklichen Formats</translation>
+    </message>
+    <message>
+        <source>is a packed environment of version %1, and this program reads version %2</source>
+        <translation>ist eine gepackte Umgebung der Version %1, und dieses Programm liest Version %2</translation>
+    </message>
+    <message>
+        <source>pack the original again with this program, or use the one that packed it</source>
+        <translation>packen Sie das Original noch einmal mit diesem Programm, oder nehmen Sie das, mit dem sie gepackt wurde</translation>
+    </message>
+    <message>
+        <source>%1: is not an ordinary file; choose a file</source>
+        <translation>%1: ist keine gewöhnliche Datei; wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>%1: what was written beside it cannot be read (%2); check the disk</source>
+        <translation>%1: was daneben geschrieben wurde, kann nicht gelesen werden (%2); prüfen Sie den Datenträger</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>

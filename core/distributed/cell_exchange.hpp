@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/digest.hpp"
 #include "core/base/geometry.hpp"
-#include "core/distributed/digest.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {

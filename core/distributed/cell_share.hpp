@@ -11,8 +11,8 @@
 
 #include "core/assembly/face_mesh.hpp"
 #include "core/assembly/face_share.hpp"
-#include "core/distributed/byte_stream.hpp"
-#include "core/distributed/digest.hpp"
+#include "core/base/byte_stream.hpp"
+#include "core/base/digest.hpp"
 
 namespace footfall::detail {
 

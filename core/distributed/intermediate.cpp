@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/digest.hpp"
 #include "core/distributed/cell_share.hpp"
-#include "core/distributed/digest.hpp"
 
 namespace footfall::detail {
 namespace {

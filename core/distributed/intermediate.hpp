@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/assembly/walkable_state.hpp"
-#include "core/distributed/byte_stream.hpp"
+#include "core/base/byte_stream.hpp"
 #include "footfall/geometry.hpp"
 #include "footfall/run_context.hpp"
 

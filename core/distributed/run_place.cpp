@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/byte_stream.hpp"
 #include "core/base/child_process.hpp"
-#include "core/distributed/byte_stream.hpp"
 #include "core/distributed/job_folder.hpp"
 #include "footfall/errors.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/distributed/byte_stream.hpp"
-#include "core/distributed/digest.hpp"
+#include "core/base/byte_stream.hpp"
+#include "core/base/digest.hpp"
 
 namespace footfall::detail {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/digest.hpp"
 #include "core/base/geometry.hpp"
 #include "core/distributed/cell_exchange.hpp"
-#include "core/distributed/digest.hpp"
 #include "core/distributed/share_file.hpp"
 #include "footfall/text.hpp"
 

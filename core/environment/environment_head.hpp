@@ -9,6 +9,7 @@ namespace footfall::detail {
 /// Copies everything that does not count vertices or triangles, and no edit.
 inline void copyHead(const Environment& from, Environment& to) {
   to.source = from.source;
+  to.origin = from.origin;
   to.up = from.up;
   to.upGuessed = from.upGuessed;
   to.metresPerUnit = from.metresPerUnit;

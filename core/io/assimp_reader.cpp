@@ -2,7 +2,6 @@
 #include "core/io/assimp_reader.hpp"
 
 #include <assimp/config.h>
-#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -19,6 +18,7 @@
 #include "core/base/counted_text.hpp"
 #include "core/environment/part_names.hpp"
 #include "core/environment/skipped_polygons.hpp"
+#include "core/io/assimp_scene.hpp"
 #include "core/io/collada_asset.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/polygon_triangulation.hpp"
@@ -28,65 +28,25 @@
 namespace footfall::detail {
 namespace {
 
-/// The upper three rows of an affine transform.
-using Affine = std::array<std::array<double, 4>, 3>;
-
-constexpr Affine kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 /// Undoes the turn from Z up to Y up that Assimp gives the root of a 3DS file.
 constexpr Affine kYUpToZUp{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
-
-Affine toAffine(const aiMatrix4x4& m) {
-  return {{{m.a1, m.a2, m.a3, m.a4}, {m.b1, m.b2, m.b3, m.b4}, {m.c1, m.c2, m.c3, m.c4}}};
-}
-
-Affine operator*(const Affine& a, const Affine& b) {
-  Affine product;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 4; ++column) {
-      product[row][column] = a[row][0] * b[0][column] + a[row][1] * b[1][column] + a[row][2] * b[2][column] +
-                             (column == 3 ? a[row][3] : 0.0);
-    }
-  }
-  return product;
-}
-
-Vec3 operator*(const Affine& m, const aiVector3D& p) {
-  const double x = p.x, y = p.y, z = p.z;
-  return {m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3], m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
-          m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3]};
-}
-
-double determinant(const Affine& m) {
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
 
 class SceneReader {
  public:
   SceneReader(const std::string& path, const aiScene& scene, Environment& environment, RunContext* context)
       : path_(path), scene_(scene), environment_(environment), context_(context), parts_(environment.parts) {}
 
-  /// Depth first with a stack of our own: a file may nest its nodes deeper than the call stack is.
   void read(const Affine& rootTransform) {
-    std::vector<std::pair<const aiNode*, Affine>> stack{{scene_.mRootNode, rootTransform}};
-    while (!stack.empty()) {
-      const auto [node, world] = stack.back();
-      stack.pop_back();
-      for (unsigned i = 0; i < node->mNumMeshes; ++i) {
-        if (node->mMeshes[i] >= scene_.mNumMeshes) {
-          failInput(path_, 0, Text(FOOTFALL_TEXT("node '%1' refers to a mesh that is not there"), node->mName.C_Str()),
-                    FOOTFALL_TEXT("export the file again"));
-        }
-        const aiMesh& shape = *scene_.mMeshes[node->mMeshes[i]];
-        mesh(shape, world);
-        if (environment_.partOf.size() < environment_.triangles.size())
-          environment_.partOf.resize(environment_.triangles.size(), partOf(*node, shape));
+    visitMeshes(scene_, rootTransform, [this](const aiNode& node, unsigned number, const Affine& world) {
+      if (number >= scene_.mNumMeshes) {
+        failInput(path_, 0, Text(FOOTFALL_TEXT("node '%1' refers to a mesh that is not there"), node.mName.C_Str()),
+                  FOOTFALL_TEXT("export the file again"));
       }
-      for (unsigned i = node->mNumChildren; i-- > 0;) {
-        const aiNode* child = node->mChildren[i];
-        stack.emplace_back(child, world * toAffine(child->mTransformation));
-      }
-    }
+      const aiMesh& shape = *scene_.mMeshes[number];
+      mesh(shape, world);
+      if (environment_.partOf.size() < environment_.triangles.size())
+        environment_.partOf.resize(environment_.triangles.size(), partOfMesh(scene_, node, shape, parts_));
+    });
     dropUnnamedPart(environment_);
   }
 
@@ -96,23 +56,6 @@ class SceneReader {
     if (work_ < 4096) return;
     work_ = 0;
     if (context_ != nullptr) context_->checkCancelled();
-  }
-
-  /// Named by the node, which is what users see as an object in their editors, else by the mesh. What Assimp makes up
-  /// where a file has no names is none.
-  std::uint32_t partOf(const aiNode& node, const aiMesh& mesh) {
-    const auto given = [](const aiString& name) {
-      const std::string_view text(name.C_Str());
-      const bool isMadeUp = text.starts_with('<') && text.ends_with('>');
-      return isMadeUp ? std::string_view() : text;
-    };
-    std::string_view meshName = given(node.mName);
-    if (meshName.empty()) meshName = given(mesh.mName);
-    aiString material;
-    if (mesh.mMaterialIndex < scene_.mNumMaterials)
-      scene_.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, material);
-    const std::string_view materialName = given(material);
-    return parts_.numberOf(meshName, materialName == AI_DEFAULT_MATERIAL_NAME ? std::string_view() : materialName);
   }
 
   void mesh(const aiMesh& mesh, const Affine& world) {
@@ -262,9 +205,7 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     frame.metresPerUnit = asset.metresPerUnit;
     root = colladaRoot(scene->mRootNode->mTransformation, asset);
   } else if (extension == ".gltf" || extension == ".glb" || extension == ".ifc") {
-    // glTF 2.0, section 3.4: metres, Y up; Assimp turns an IFC file's own unit and axis into these.
-    frame.up = UpAxis::Y;
-    frame.metresPerUnit = 1;
+    frame = gltfFrame();  // Assimp turns an IFC file's own unit and axis into these
   }
   SceneReader(path, *scene, environment, context).read(root);
   return frame;

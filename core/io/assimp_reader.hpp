@@ -17,6 +17,9 @@ struct FileFrame {
   std::optional<double> metresPerUnit;
 };
 
+/// glTF 2.0, section 3.4: metres, Y up.
+inline FileFrame gltfFrame() { return {UpAxis::Y, 1.0}; }
+
 /// Fills `vertices`, `triangles`, `skipped`, `parts` and `partOf` in the file's own frame (no axis is turned, no unit
 /// applied) with the meshes of all nodes. Assimp stores floats; node transforms are multiplied and applied in double,
 /// and a mirroring one reverses the winding, as glTF 2.0 (3.7.4) asks. Vertices are not merged; polygons are split by

@@ -204,7 +204,7 @@ std::vector<std::string> companionFiles(const std::string& environment) {
     scanObj(environment, companions);
   } else if (ending == ".gltf" || ending == ".glb") {
     scanGltf(environment, companions);
-  } else if (ending != ".stl" && ending != ".off") {  // these name nothing
+  } else if (ending != ".stl" && ending != ".off" && ending != ".ffenv") {  // these name nothing
     scanPictures(environment, ending == ".ply" ? kHeader : std::numeric_limits<std::size_t>::max(), companions);
   }
   return {companions.found().begin(), companions.found().end()};

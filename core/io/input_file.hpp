@@ -1,8 +1,9 @@
-// Reading a whole input file, with messages for everything that can be wrong with a path.
+// Reading input files, whole or by the piece, with messages for everything that can be wrong with a path.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "footfall/run_context.hpp"
@@ -12,6 +13,25 @@ namespace footfall::detail {
 /// Throws InputError "PATH: what; what to do", or "PATH:LINE: what; what to do" when `line` is not 0. Line breaks and
 /// other control characters in the texts are replaced, so that the message is always one line.
 [[noreturn]] void failInput(const std::string& path, std::size_t line, const Text& what, const Text& todo);
+
+/// An open input file. Its functions throw InputError as checkInputFile() does, and when reading fails.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// As it was opened.
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Returns how many bytes from `offset` on were read: fewer than `size` only where the file ends.
+  std::size_t read(std::uint64_t offset, char* bytes, std::size_t size) const;
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
 
 /// Throws InputError unless `path` is a readable, non-empty regular file.
 void checkInputFile(const std::string& path);

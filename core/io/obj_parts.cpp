@@ -16,11 +16,13 @@ void ObjPartAssigner::add(const ObjPartChanges& changes, std::size_t triangles) 
   for (const ObjPartChanges::Change& change : changes.all()) {
     assign(change.triangles - done);
     done = change.triangles;
-    std::string_view& name = change.kind == ObjPartChanges::Material ? material_ : mesh_;
-    const std::string_view before = name;
+    std::string& name = change.kind == ObjPartChanges::Material ? material_ : mesh_;
     if (change.kind == ObjPartChanges::Object) object_ = change.name;
-    name = change.kind == ObjPartChanges::Group && change.name.empty() ? object_ : change.name;
-    isChanged_ = isChanged_ || name != before;
+    const std::string_view now =
+        change.kind == ObjPartChanges::Group && change.name.empty() ? std::string_view(object_) : change.name;
+    if (name == now) continue;
+    name = now;
+    isChanged_ = true;
   }
   assign(triangles - done);
 }

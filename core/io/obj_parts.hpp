@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,7 +36,8 @@ class ObjPartChanges {
   std::vector<Change> changes_;
 };
 
-/// Goes through the stretches of a file in their order and gives the triangles their parts.
+/// Goes through the stretches of a file in their order and gives the triangles their parts. A stretch need not outlive
+/// its add().
 class ObjPartAssigner {
  public:
   /// `triangles`: of the whole environment.
@@ -53,7 +55,7 @@ class ObjPartAssigner {
 
   Environment& environment_;
   PartList list_;
-  std::string_view object_, mesh_, material_;
+  std::string object_, mesh_, material_;
   bool isChanged_ = true;  ///< the names, since `part_` was looked up
   std::uint32_t part_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -134,12 +135,16 @@ class TemporaryFile {
   /// All of it, down to the disk.
   void write(std::string_view text, const Poll& poll) {
     writeAll(shownPath_, descriptor_, text, poll);
+    close();
+  }
+  void close() {
     if (::fsync(descriptor_) != 0) failWriting(shownPath_, errno);
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (::close(descriptor) != 0) failWriting(shownPath_, target_, errno);
   }
   void takeMode(mode_t mode) { ::fchmod(descriptor_, mode); }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
 
   void replaceTarget() {
     if (::rename(name_.c_str(), target_.c_str()) != 0) failWriting(shownPath_, target_, errno);
@@ -153,6 +158,28 @@ class TemporaryFile {
   int descriptor_ = -1;
   bool renamed_ = false;
 };
+
+/// A file without a name in that folder.
+int openNameless(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0600);
+  if (descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return descriptor;
+  // Not all file systems have them.
+  std::string name = (folder / ".footfall-XXXXXX").string();
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named >= 0) ::unlink(name.c_str());
+  return named;
+}
+
+/// The position in the file stays.
+void writeAllAt(const std::string& path, int descriptor, std::uint64_t offset, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) failWriting(path, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+    offset += static_cast<std::uint64_t>(count);
+  }
+}
 
 /// A terminal, a pipe or a device cannot be replaced by a file.
 void writeInPlace(const std::string& path, std::string_view text, const Poll& poll) {
@@ -272,6 +299,82 @@ void writeFileSafely(const std::string& path, const std::string& text) {
   file.write(text, {});
   file.replaceTarget();
   syncFolder(folderOf(target.path));
+}
+
+struct GrowingFile::State {
+  std::string path;
+  Target target;
+  std::unique_ptr<TemporaryFile> file = nullptr;
+  std::uint64_t size = 0;
+};
+
+GrowingFile::GrowingFile(const std::string& path) : state_(std::make_unique<State>(State{path, findTarget(path)})) {
+  const Target& target = state_->target;
+  if (target.exists && !S_ISREG(target.mode))
+    throw RunError(FOOTFALL_TEXT("%1: is not an ordinary file; choose a file"), path);
+  state_->file = std::make_unique<TemporaryFile>(state_->path, target.path);
+  if (target.exists) state_->file->takeMode(target.mode & 07777);
+}
+
+GrowingFile::~GrowingFile() = default;
+
+void GrowingFile::append(std::string_view bytes, const Poll& poll) {
+  writeAll(state_->path, state_->file->descriptor(), bytes, poll);
+  state_->size += bytes.size();
+}
+
+void GrowingFile::writeAt(std::uint64_t offset, std::string_view bytes) {
+  writeAllAt(state_->path, state_->file->descriptor(), offset, bytes);
+}
+
+std::uint64_t GrowingFile::size() const { return state_->size; }
+
+void GrowingFile::finish(const Poll& poll) {
+  state_->file->close();
+  poll();
+  state_->file->replaceTarget();
+  syncFolder(folderOf(state_->target.path));
+}
+
+ScratchFile::ScratchFile(const std::string& path, std::size_t memory) : path_(path), memory_(memory) {}
+
+ScratchFile::~ScratchFile() { clear(); }
+
+void ScratchFile::append(std::string_view bytes) {
+  if (kept_.size() + bytes.size() <= memory_) {
+    kept_.append(bytes);
+    return;
+  }
+  if (descriptor_ < 0) descriptor_ = openNameless(folderOf(findTarget(path_).path));
+  if (descriptor_ < 0) failWriting(path_, errno);
+  for (const std::string_view piece : {std::string_view(kept_), bytes}) {
+    writeAllAt(path_, descriptor_, written_, piece);
+    written_ += piece.size();
+  }
+  kept_.clear();
+}
+
+void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) const {
+  char* out = static_cast<char*>(bytes);
+  while (size > 0 && offset < written_) {
+    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(size, written_ - offset));
+    const ssize_t count = ::pread(descriptor_, out, wanted, static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0)
+      throw RunError(FOOTFALL_TEXT("%1: what was written beside it cannot be read (%2); check the disk"), path_,
+                     std::strerror(count < 0 ? errno : EIO));
+    out += count;
+    offset += static_cast<std::uint64_t>(count);
+    size -= static_cast<std::size_t>(count);
+  }
+  if (size > 0) std::memcpy(out, kept_.data() + (offset - written_), size);
+}
+
+void ScratchFile::clear() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+  written_ = 0;
+  kept_ = {};
 }
 
 }  // namespace footfall::detail

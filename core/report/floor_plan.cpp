@@ -224,8 +224,9 @@ std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline&
   const std::vector<PlanDoor> doors = findDoors(environment, poll);
   const PlanSubject subject{
       environment, mesh, parts, flights, pages, doors, {kCutHeight * height, kLevelTolerance * height, margin}};
-  const std::string name = environment.source.empty() ? std::string("Floor plan")
-                                                      : std::filesystem::path(environment.source).filename().string();
+  const std::string name = environment.source.empty()
+                               ? std::string("Floor plan")
+                               : std::filesystem::path(environment.frame().source).filename().string();
   std::vector<Sheet> sheets;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     Sheet sheet;

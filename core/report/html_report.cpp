@@ -326,7 +326,7 @@ std::string reportDate() {
 
 std::string formatHtmlReport(const Environment& environment, const Pipeline& pipeline, const RunResult& result,
                              const ProgramTimes& times, const ReportDetails& details) {
-  const std::string name = escapeHtml(std::filesystem::path(environment.source).filename().string());
+  const std::string name = escapeHtml(std::filesystem::path(environment.frame().source).filename().string());
   const AreaText areaText(environment);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"

@@ -115,6 +115,7 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
   std::string text;
   const auto range = [&](double low, double high) { return number(low) + " to " + number(high); };
   appendLine(text, "environment", environment.source);
+  if (!environment.origin.empty()) appendLine(text, "packed from", environment.origin);
   appendLine(text, "triangles", number(info.triangles));
   appendLine(text, "vertices", number(info.vertices));
   appendLine(text, "bounds (Z up)",

@@ -73,6 +73,7 @@ struct EnvironmentEdit;  // footfall/edit.hpp
 /// undone on export.
 struct Environment {
   std::string source;  ///< path as given by the user, for messages and export comments
+  std::string origin;  ///< of a packed environment: the name of the file that was packed, for export comments
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from the front; indices into `vertices`
   UpAxis up = UpAxis::Z;            ///< the file's up axis
@@ -92,7 +93,7 @@ struct Environment {
   std::vector<Storey> storeys;  ///< of a building, ascending by height; empty where the file tells none
   std::vector<Text> notes;      ///< what the user should know of how the file was read, a sentence each
 
-  [[nodiscard]] SourceFrame frame() const { return {source, up, metresPerUnit, storeys}; }
+  [[nodiscard]] SourceFrame frame() const { return {origin.empty() ? source : origin, up, metresPerUnit, storeys}; }
 };
 
 /// Throws InputError when an environment that a program filled itself is not in order: no triangles, a vertex number

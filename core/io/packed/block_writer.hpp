@@ -1,0 +1,57 @@
+// Writing a packed environment block by block, from faces in their order.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/io/output_files.hpp"
+#include "core/io/packed/packed_format.hpp"
+
+namespace footfall::detail {
+
+/// A face with all that a block says of it.
+struct PackedFace {
+  std::uint32_t number = 0, part = 0;
+  Triangle corners{};
+  std::array<Vec3, 3> places;
+};
+
+class BlockWriter {
+ public:
+  /// `vertices`: how many the environment has; `poll` must live as long.
+  BlockWriter(const std::string& target, std::uint64_t vertices, bool hasParts, Poll poll);
+
+  void add(const PackedFace& face);
+  /// After the last face: writes the vertices of no face, whose places `vertexAt` gives, then what is left, and
+  /// renames. `faces`: how many were added.
+  PackedHeader finish(const std::string& description, std::uint64_t faces,
+                      const std::function<Vec3(std::uint32_t)>& vertexAt);
+
+ private:
+  std::uint32_t localOf(std::uint32_t vertex, const Vec3& place);
+  void flush();
+  void addLoneVertices(const std::function<Vec3(std::uint32_t)>& vertexAt);
+  void orderOwnFirst();
+  void writeBlock();
+
+  GrowingFile file_;
+  std::uint64_t vertexCount_;
+  bool hasParts_;
+  Poll poll_;
+  std::vector<std::uint64_t> isWritten_;  ///< a bit for each vertex that a block owns
+  std::vector<PackedBlock> table_;
+
+  // The block that grows.
+  std::vector<Vec3> places_;
+  std::vector<std::uint32_t> vertices_, faces_, parts_;
+  std::vector<std::array<std::uint16_t, 3>> corners_;
+  std::uint32_t own_ = 0;
+  std::vector<std::uint32_t> slots_;  ///< an open hash table of its vertices
+  std::string bytes_;
+};
+
+}  // namespace footfall::detail

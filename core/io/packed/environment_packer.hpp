@@ -1,0 +1,83 @@
+// Making a packed environment of any size in bounded memory.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/output_files.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// What a packer may use. Tests make it small.
+struct PackingMemory {
+  std::size_t scratch = std::size_t{32} << 20;  ///< bytes of vertices, and as many of faces, before they go to the disk
+  std::size_t cachedPages = 1024;               ///< pages of 2,048 vertices that are looked up again
+  std::size_t sortedFaces = std::size_t{1} << 20;  ///< faces, of 104 bytes each, that are sorted at a time
+  std::size_t merged = std::size_t{64} << 20;      ///< bytes that are read ahead of all sorted runs together
+};
+
+/// What was packed.
+struct PackedCounts {
+  std::uint64_t vertices = 0, faces = 0, blocks = 0, bytes = 0;
+};
+
+/// Takes vertices and faces in the order of the file, keeps them in nameless files beside the target, sorts the faces
+/// along a Hilbert curve by merging sorted runs, and writes block by block. Memory: what PackingMemory says, about 400
+/// MB, and one bit for each vertex. Disk, until it ends: 24 bytes for each vertex, 120 for each face. The same input
+/// gives the same bytes.
+///
+/// All functions throw RunError when the disk is full or cannot be written, InputError "PATH: what; what to do" for
+/// more than 4294967295 vertices or faces (PATH is the input), and Cancelled.
+class EnvironmentPacker {
+ public:
+  /// `target` is written by finish() and must not be the input. `context` may be null.
+  EnvironmentPacker(const std::string& input, const std::string& target, RunContext* context,
+                    const PackingMemory& memory = {});
+  ~EnvironmentPacker();
+  EnvironmentPacker(const EnvironmentPacker&) = delete;
+  EnvironmentPacker& operator=(const EnvironmentPacker&) = delete;
+
+  /// Forgets all vertices and faces.
+  void restart();
+  /// In the file's own frame; finite.
+  void addVertex(const Vec3& place);
+  [[nodiscard]] std::uint64_t vertexCount() const { return vertexCount_; }
+  [[nodiscard]] std::uint64_t faceCount() const { return faceCount_; }
+  /// One that was added.
+  [[nodiscard]] Vec3 vertex(std::uint32_t number) const;
+  /// Corners may be vertices that come later. `part` is 0 where there are no parts.
+  void addFace(const Triangle& corners, std::uint32_t part);
+
+  /// Sorts and writes. `head` says everything apart from geometry (encodeDescription()); faces have no parts where it
+  /// has none.
+  PackedCounts finish(const Environment& head);
+
+ private:
+  struct Face;
+  struct Run;
+  class VertexPages;
+
+  [[nodiscard]] Face placed(std::uint32_t number, const std::uint32_t* corners) const;
+  void sortChunk(std::vector<Face>& chunk);
+  std::vector<Run> sortRuns(std::vector<Face>& last);
+  template <class Take>
+  void mergeRuns(const std::vector<Run>& runs, const Take& take);
+  void poll() const;
+  void progress(double done) const;
+
+  std::string input_, target_;
+  RunContext* context_;
+  PackingMemory memory_;
+  ScratchFile vertices_, faces_, sorted_;
+  std::unique_ptr<VertexPages> pages_;
+  std::uint64_t vertexCount_ = 0, faceCount_ = 0;
+  Vec3 lower_, upper_;  ///< of all vertices
+};
+
+}  // namespace footfall::detail

@@ -1,0 +1,20 @@
+// What a packed environment says of itself apart from its geometry, as bytes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "footfall/environment.hpp"
+
+namespace footfall::detail {
+
+/// The parts, roles, storeys, notes, what import left out, the frame and the name of the file. Of lists that count
+/// vertices or triangles, nothing.
+std::string encodeDescription(const Environment& environment);
+
+/// The other way round; `source` is left empty, and Environment::origin is the name of the file that was packed. Throws
+/// std::runtime_error for bytes that are none.
+Environment decodeDescription(std::string_view bytes);
+
+}  // namespace footfall::detail

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/packed/packed_environment.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "core/base/byte_stream.hpp"
+#include "core/base/digest.hpp"
+#include "core/base/parallel_ranges.hpp"
+#include "core/io/file_frame.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/packed/packed_description.hpp"
+#include "footfall/up_axis.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr Pattern kPackAgain = FOOTFALL_TEXT("copy it again, or pack the original again");
+
+std::array<double, 3> numbersOf(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+/// Boxes are turned as places are: exactly.
+Box turned(const Box& box, const Vec3& a, const Vec3& b) {
+  Box result = box;
+  const std::array<double, 3> p = numbersOf(a), q = numbersOf(b);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.lower[axis] = std::min(p[axis], q[axis]);
+    result.upper[axis] = std::max(p[axis], q[axis]);
+  }
+  return result;
+}
+
+Vec3 pointOf(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+bool touch(const Box& a, const Box& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (a.lower[axis] > b.upper[axis] || b.lower[axis] > a.upper[axis]) return false;
+  return true;
+}
+
+bool contains(const Box& box, const std::array<double, 3>& place) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!(place[axis] >= box.lower[axis] && place[axis] <= box.upper[axis])) return false;
+  return true;
+}
+
+bool isFinite(const Box& box) {
+  const auto finite = [](double x) { return std::isfinite(x); };
+  return std::all_of(box.lower.begin(), box.lower.end(), finite) &&
+         std::all_of(box.upper.begin(), box.upper.end(), finite);
+}
+
+/// Whether nobody has claimed that number before.
+bool claim(std::atomic<std::uint64_t>* bits, std::uint32_t number) {
+  const std::uint64_t bit = std::uint64_t{1} << (number % 64);
+  return (bits[number / 64].fetch_or(bit, std::memory_order_relaxed) & bit) == 0;
+}
+
+/// The faces of several blocks that touch a box.
+class FaceCollector {
+ public:
+  FaceCollector(const Box& box, UpAxis up) : box_(box), up_(up) {}
+
+  void add(const BlockArrays& arrays) {
+    for (std::size_t f = 0; f < arrays.faces.size(); ++f) {
+      Found face{arrays.faces[f], arrays.parts.empty() ? 0 : arrays.parts[f], {}};
+      std::array<Place, 3> own;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t v = arrays.corners[f][k];
+        face.corners[k] = arrays.vertices[v];
+        own[k] = {arrays.vertices[v], fromFileFrame(pointOf(arrays.places[v]), up_)};
+      }
+      if (!touch(around(own), box_)) continue;
+      faces_.push_back(face);
+      places_.insert(places_.end(), own.begin(), own.end());
+    }
+  }
+
+  PackedFaces collected(bool hasParts) {
+    std::sort(faces_.begin(), faces_.end(), isBefore<Found>);
+    std::sort(places_.begin(), places_.end(), isBefore<Place>);
+    const auto isSame = [](const Place& a, const Place& b) { return a.number == b.number; };
+    places_.erase(std::unique(places_.begin(), places_.end(), isSame), places_.end());
+    PackedFaces result;
+    std::vector<std::uint32_t>& numbers = result.vertexNumbers;
+    for (const Place& place : places_) {
+      numbers.push_back(place.number);
+      result.soup.vertices.push_back(place.place);
+    }
+    for (const Found& face : faces_) {
+      Triangle& local = result.soup.triangles.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k)
+        local[k] = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), face.corners[k]) -
+                                              numbers.begin());
+      result.faceNumbers.push_back(face.number);
+      if (hasParts) result.partOf.push_back(face.part);
+    }
+    return result;
+  }
+
+ private:
+  struct Found {
+    std::uint32_t number, part;
+    Triangle corners;
+  };
+  struct Place {
+    std::uint32_t number;
+    Vec3 place;
+  };
+  template <class Item>
+  static bool isBefore(const Item& a, const Item& b) {
+    return a.number < b.number;
+  }
+  static Box around(const std::array<Place, 3>& corners) {
+    Box box{numbersOf(corners[0].place), numbersOf(corners[0].place)};
+    for (const Place& corner : corners) {
+      const std::array<double, 3> p = numbersOf(corner.place);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.lower[axis] = std::min(box.lower[axis], p[axis]);
+        box.upper[axis] = std::max(box.upper[axis], p[axis]);
+      }
+    }
+    return box;
+  }
+
+  Box box_;
+  UpAxis up_;
+  std::vector<Found> faces_;
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+/// The file in memory, for reading.
+class PackedEnvironment::Mapping {
+ public:
+  explicit Mapping(const std::string& path) : path_(path) {
+    checkInputFile(path);
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    struct stat status {};
+    const bool isOpen = descriptor_ >= 0 && ::fstat(descriptor_, &status) == 0;
+    size_ = isOpen ? static_cast<std::uint64_t>(status.st_size) : 0;
+    // Nothing to map; the header is missed later.
+    if (isOpen && size_ < sizeof(PackedHeader)) return;
+    void* mapped = isOpen ? ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, descriptor_, 0) : MAP_FAILED;
+    if (mapped == MAP_FAILED) {
+      const int error = errno;
+      if (descriptor_ >= 0) ::close(descriptor_);
+      failInput(path, 0, Text(FOOTFALL_TEXT("cannot be opened: %1"), std::strerror(error)),
+                FOOTFALL_TEXT("choose another file"));
+    }
+    bytes_ = static_cast<const char*>(mapped);
+  }
+  ~Mapping() {
+    if (bytes_ != nullptr) ::munmap(const_cast<char*>(bytes_), size_);
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Mapping(const Mapping&) = delete;
+  Mapping& operator=(const Mapping&) = delete;
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Bytes that are in the file as it was opened. Those that were cut off since then cannot be read.
+  [[nodiscard]] std::string_view at(std::uint64_t offset, std::uint64_t size) const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0 || static_cast<std::uint64_t>(status.st_size) < size_)
+      failInput(path_, 0, FOOTFALL_TEXT("it was cut off while it was open"), kPackAgain);
+    return {bytes_ + offset, static_cast<std::size_t>(size)};
+  }
+
+ private:
+  const std::string& path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+  const char* bytes_ = nullptr;
+};
+
+PackedEnvironment::PackedEnvironment(const std::string& path, const ImportOptions& options)
+    : path_(path), file_(std::make_unique<Mapping>(path_)) {
+  readHeader();
+  readDescription(options);
+  readTable();
+  isChecked_ = std::make_unique<std::atomic<bool>[]>(blocks_.size());
+}
+
+PackedEnvironment::~PackedEnvironment() = default;
+
+void PackedEnvironment::failDamaged() const { failInput(path_, 0, FOOTFALL_TEXT("it is damaged"), kPackAgain); }
+
+void PackedEnvironment::readHeader() {
+  constexpr Pattern kTruncated = FOOTFALL_TEXT("the packed environment is cut off");
+  if (file_->size() < sizeof(PackedHeader)) {
+    failInput(path_, 0, FOOTFALL_TEXT("is no packed environment, or is cut off"), kPackAgain);
+  }
+  const std::string_view bytes = file_->at(0, sizeof(PackedHeader));
+  std::memcpy(&header_, bytes.data(), sizeof(PackedHeader));
+  if (!bytes.starts_with(kPackedMagic))
+    failInput(path_, 0, FOOTFALL_TEXT("is no packed environment"),
+              FOOTFALL_TEXT("give the file the extension of its real format"));
+  if (header_.version != kPackedVersion)
+    failInput(path_, 0,
+              Text(FOOTFALL_TEXT("is a packed environment of version %1, and this program reads version %2"),
+                   header_.version, kPackedVersion),
+              FOOTFALL_TEXT("pack the original again with this program, or use the one that packed it"));
+  if (header_.ownSum != Digest().add(bytes.substr(0, kSummedHeader)).value()) failDamaged();
+  if (header_.fileSize > file_->size()) failInput(path_, 0, kTruncated, kPackAgain);
+  const auto fits = [&](std::uint64_t offset, std::uint64_t size) {
+    return offset >= sizeof(PackedHeader) && offset <= file_->size() && size <= file_->size() - offset;
+  };
+  constexpr std::uint64_t kMost = 0xffffffffU;
+  if (header_.fileSize != file_->size() || header_.vertices > kMost || header_.faces > kMost || header_.faces == 0 ||
+      header_.blocks > file_->size() / sizeof(PackedBlock) ||
+      !fits(header_.tableOffset, header_.blocks * sizeof(PackedBlock)) ||
+      !fits(header_.descriptionOffset, header_.descriptionSize))
+    failDamaged();
+}
+
+void PackedEnvironment::readDescription(const ImportOptions& options) {
+  const std::string_view bytes = file_->at(header_.descriptionOffset, header_.descriptionSize);
+  if (Digest().add(bytes).value() != header_.descriptionSum) failDamaged();
+  try {
+    head_ = decodeDescription(bytes);
+  } catch (const BadBytes&) {
+    failDamaged();
+  }
+  head_.source = path_;
+  // What it says of its frame is what its file said, or what was guessed.
+  FileFrame frame;
+  if (!head_.upGuessed) frame.up = head_.up;
+  if (!head_.scaleGuessed) frame.metresPerUnit = head_.metresPerUnit;
+  const bool bothSides = head_.bothSides;
+  setFrame(head_, frame, options, {head_.up, head_.metresPerUnit});
+  head_.bothSides = head_.bothSides || bothSides;
+}
+
+void PackedEnvironment::readTable() {
+  const std::string_view bytes = file_->at(header_.tableOffset, header_.blocks * sizeof(PackedBlock));
+  if (Digest().add(bytes).value() != header_.tableSum) failDamaged();
+  blocks_.resize(static_cast<std::size_t>(header_.blocks));
+  if (!blocks_.empty()) std::memcpy(blocks_.data(), bytes.data(), bytes.size());
+  std::uint64_t vertices = 0, faces = 0, end = sizeof(PackedHeader);
+  for (const PackedBlock& block : blocks_) {
+    const bool isWithin = block.offset % kBlockAlignment == 0 && block.offset >= end && block.offset <= file_->size() &&
+                          block.size <= file_->size() - block.offset;
+    if (!isWithin || block.vertices > kBlockVertices || block.faces > kBlockFaces ||
+        block.ownVertices > block.vertices || !isFinite(block.box) ||
+        block.size != blockSize(block.vertices, block.faces, !head_.parts.empty()))
+      failDamaged();
+    vertices += block.ownVertices;
+    faces += block.faces;
+    end = block.offset + block.size;
+  }
+  if (vertices != header_.vertices || faces != header_.faces) failDamaged();
+}
+
+Box PackedEnvironment::boxOf(std::size_t block) const {
+  const Box& box = blocks_[block].box;
+  return turned(box, fromFileFrame(pointOf(box.lower), head_.up), fromFileFrame(pointOf(box.upper), head_.up));
+}
+
+std::size_t PackedEnvironment::touchedBlocks() const {
+  return static_cast<std::size_t>(
+      std::count_if(isChecked_.get(), isChecked_.get() + blocks_.size(), [](const auto& is) { return is.load(); }));
+}
+
+std::vector<std::size_t> PackedEnvironment::blocksTouching(const Box& box) const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (blocks_[i].faces > 0 && touch(boxOf(i), box)) found.push_back(i);
+  return found;
+}
+
+BlockArrays PackedEnvironment::arraysOf(const PackedBlock& block) const {
+  // Mapped pages hold the very arrays: their offsets are multiples of what their items need.
+  const char* at = file_->at(block.offset, block.size).data();
+  const auto take = [&at]<class Item>(std::span<const Item>& items, std::size_t count) {
+    items = {reinterpret_cast<const Item*>(at), count};
+    at += count * sizeof(Item);
+  };
+  BlockArrays arrays;
+  take(arrays.places, block.vertices);
+  take(arrays.vertices, block.vertices);
+  take(arrays.faces, block.faces);
+  take(arrays.parts, head_.parts.empty() ? 0 : block.faces);
+  take(arrays.corners, block.faces);
+  return arrays;
+}
+
+void PackedEnvironment::checkBlock(std::size_t number) const {
+  const PackedBlock& block = blocks_[number];
+  if (Digest().add(file_->at(block.offset, block.size)).value() != block.sum) failDamaged();
+  const BlockArrays arrays = arraysOf(block);
+  const auto areBelow = [](const auto& numbers, std::uint64_t end) {
+    return std::all_of(numbers.begin(), numbers.end(), [end](std::uint32_t number) { return number < end; });
+  };
+  const auto isIn = [&](const std::array<double, 3>& place) { return contains(block.box, place); };
+  bool isGood = areBelow(arrays.vertices, header_.vertices) && areBelow(arrays.faces, header_.faces) &&
+                areBelow(arrays.parts, head_.parts.size()) &&
+                std::all_of(arrays.places.begin(), arrays.places.end(), isIn);
+  for (const auto& corners : arrays.corners) isGood = isGood && areBelow(corners, block.vertices);
+  if (!isGood) failDamaged();
+  isChecked_[number].store(true, std::memory_order_release);
+}
+
+BlockArrays PackedEnvironment::block(std::size_t number) const {
+  if (!isChecked_[number].load(std::memory_order_acquire)) checkBlock(number);
+  return arraysOf(blocks_[number]);
+}
+
+PackedFaces PackedEnvironment::facesTouching(const Box& box, RunContext* context) const {
+  FaceCollector collector(box, head_.up);
+  for (const std::size_t number : blocksTouching(box)) {
+    if (context != nullptr) context->checkCancelled();
+    collector.add(block(number));
+  }
+  return collector.collected(!head_.parts.empty());
+}
+
+void PackedEnvironment::fill(std::size_t number, Environment& environment, std::atomic<std::uint64_t>* vertices,
+                             std::atomic<std::uint64_t>* faces) const {
+  const BlockArrays arrays = block(number);
+  for (std::size_t v = 0; v < blocks_[number].ownVertices; ++v) {
+    if (!claim(vertices, arrays.vertices[v])) failDamaged();
+    environment.vertices[arrays.vertices[v]] = fromFileFrame(pointOf(arrays.places[v]), head_.up);
+  }
+  for (std::size_t f = 0; f < arrays.faces.size(); ++f) {
+    if (!claim(faces, arrays.faces[f])) failDamaged();
+    Triangle& triangle = environment.triangles[arrays.faces[f]];
+    for (std::size_t k = 0; k < 3; ++k) triangle[k] = arrays.vertices[arrays.corners[f][k]];
+    if (!arrays.parts.empty()) environment.partOf[arrays.faces[f]] = arrays.parts[f];
+  }
+}
+
+/// A vertex that other blocks have, too, lies where they say.
+void PackedEnvironment::checkCopies(std::size_t number, const Environment& environment) const {
+  const BlockArrays arrays = block(number);
+  for (std::size_t v = blocks_[number].ownVertices; v < arrays.vertices.size(); ++v)
+    if (environment.vertices[arrays.vertices[v]] != fromFileFrame(pointOf(arrays.places[v]), head_.up)) failDamaged();
+}
+
+Environment PackedEnvironment::readAll(RunContext* context) const {
+  Environment environment = head_;
+  environment.vertices.resize(static_cast<std::size_t>(header_.vertices));
+  environment.triangles.resize(static_cast<std::size_t>(header_.faces));
+  if (!head_.parts.empty()) environment.partOf.resize(environment.triangles.size());
+  const auto vertices = std::make_unique<std::atomic<std::uint64_t>[]>(environment.vertices.size() / 64 + 1);
+  const auto faces = std::make_unique<std::atomic<std::uint64_t>[]>(environment.triangles.size() / 64 + 1);
+  std::atomic<std::size_t> done{0};
+  forRanges(blocks_.size(), 1, [&](std::size_t i, std::size_t) {
+    fill(i, environment, vertices.get(), faces.get());
+    if (context == nullptr) return;
+    context->checkCancelled();
+    context->progress(static_cast<double>(done.fetch_add(1) + 1) / static_cast<double>(blocks_.size()));
+  });
+  forRanges(blocks_.size(), 1, [&](std::size_t i, std::size_t) {
+    if (context != nullptr) context->checkCancelled();
+    checkCopies(i, environment);
+  });
+  return environment;
+}
+
+Environment readPacked(const std::string& path, const ImportOptions& options, RunContext* context) {
+  return PackedEnvironment(path, options).readAll(context);
+}
+
+}  // namespace footfall::detail

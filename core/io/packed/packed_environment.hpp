@@ -1,0 +1,91 @@
+// Reading packed environments: opened in milliseconds at any size, and mapped block by block as they are needed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/io/packed/packed_format.hpp"
+#include "footfall/environment.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// The arrays of a block, in mapped memory.
+struct BlockArrays {
+  std::span<const std::array<double, 3>> places;  ///< in the file's own frame
+  std::span<const std::uint32_t> vertices;        ///< their numbers
+  std::span<const std::uint32_t> faces;           ///< numbers
+  std::span<const std::uint32_t> parts;           ///< of the faces; empty without parts
+  std::span<const std::array<std::uint16_t, 3>> corners;
+};
+
+/// Faces of an environment with the vertices that they need, by rising numbers both.
+struct PackedFaces {
+  TriangleSoup soup;                                      ///< Z up; indices into its own vertices
+  std::vector<std::uint32_t> vertexNumbers, faceNumbers;  ///< of the environment
+  std::vector<std::uint32_t> partOf;                      ///< empty without parts
+};
+
+/// A packed environment that is open. Blocks are checked (their check sum, and that all numbers are in range) when they
+/// are first touched. The file is mapped: whoever cuts it off while it is open is noticed when the next block is
+/// touched, but what is cut off between that and the reading ends the process, as with every mapped file.
+///
+/// All functions throw InputError "PATH: what; what to do" where the file is no packed environment, of another version,
+/// cut off or damaged. Any number of threads may use one object.
+class PackedEnvironment {
+ public:
+  /// Reads the header, the description and the table of blocks.
+  explicit PackedEnvironment(const std::string& path, const ImportOptions& options = {});
+  ~PackedEnvironment();
+  PackedEnvironment(const PackedEnvironment&) = delete;
+  PackedEnvironment& operator=(const PackedEnvironment&) = delete;
+
+  /// Everything apart from geometry, as importing has it with these options.
+  [[nodiscard]] const Environment& head() const { return head_; }
+  [[nodiscard]] std::uint64_t vertexCount() const { return header_.vertices; }
+  [[nodiscard]] std::uint64_t faceCount() const { return header_.faces; }
+  [[nodiscard]] std::span<const PackedBlock> blocks() const { return blocks_; }
+  /// Where a block lies, Z up.
+  [[nodiscard]] Box boxOf(std::size_t block) const;
+  /// How many blocks have been touched.
+  [[nodiscard]] std::size_t touchedBlocks() const;
+
+  /// The blocks with faces whose boxes touch this one (Z up, closed).
+  [[nodiscard]] std::vector<std::size_t> blocksTouching(const Box& box) const;
+  [[nodiscard]] BlockArrays block(std::size_t number) const;
+  /// The faces whose own boxes touch this one (Z up, closed). Touches blocksTouching() alone.
+  [[nodiscard]] PackedFaces facesTouching(const Box& box, RunContext* context = nullptr) const;
+  /// The whole environment, bit by bit the one that was packed.
+  [[nodiscard]] Environment readAll(RunContext* context = nullptr) const;
+
+ private:
+  class Mapping;
+
+  void readHeader();
+  void readDescription(const ImportOptions& options);
+  void readTable();
+  void checkBlock(std::size_t number) const;
+  [[nodiscard]] BlockArrays arraysOf(const PackedBlock& block) const;
+  void fill(std::size_t number, Environment& environment, std::atomic<std::uint64_t>* vertices,
+            std::atomic<std::uint64_t>* faces) const;
+  void checkCopies(std::size_t number, const Environment& environment) const;
+  [[noreturn]] void failDamaged() const;
+
+  std::string path_;
+  std::unique_ptr<Mapping> file_;
+  PackedHeader header_;
+  Environment head_;
+  std::vector<PackedBlock> blocks_;
+  std::unique_ptr<std::atomic<bool>[]> isChecked_;  ///< for each block
+};
+
+/// What importing does with a packed environment.
+Environment readPacked(const std::string& path, const ImportOptions& options, RunContext* context);
+
+}  // namespace footfall::detail

@@ -1,0 +1,79 @@
+// The bytes of a packed environment (.ffenv).
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All numbers are little endian; a double is the eight bytes of IEEE 754. Offsets count from the start of the file.
+//
+// - 128 bytes: PackedHeader.
+// - Blocks, each from a multiple of 64 on: coordinates (three doubles for each vertex), numbers of the vertices (32
+//   bits), numbers of the faces (32 bits), parts of the faces (32 bits; not there when the environment has no parts),
+//   corners (three numbers of 16 bits for each face, into the block's own vertices).
+// - The description, encodeDescription(): what an environment says of itself apart from its geometry.
+// - From a multiple of 64 on, the table of blocks: 96 bytes, a PackedBlock, for each.
+//
+// A block has the faces that follow each other along a Hilbert curve through the middles of all faces, kBlockFaces of
+// them but for the last, and all vertices that they need. Coordinates are the file's own, in its own frame. Numbers are
+// those of Environment::vertices and Environment::triangles, so that what is read from all blocks is the environment
+// that was packed, to the last bit. A vertex that faces of several blocks need stands in each; it belongs to the first
+// of them, where it is among the first `ownVertices`. Vertices of no face come last, in blocks without faces.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+#include "core/base/geometry.hpp"
+
+namespace footfall::detail {
+
+static_assert(std::endian::native == std::endian::little, "packed environments are mapped as they are");
+
+/// The line ends show what has changed them on its way.
+inline constexpr std::string_view kPackedMagic{"FFENV\r\n\x1a", 8};
+/// To be raised with each change of the bytes; others are refused.
+inline constexpr std::uint32_t kPackedVersion = 1;
+inline constexpr std::string_view kPackedExtension = "ffenv";
+/// Corners fit into 16 bits.
+inline constexpr std::uint32_t kBlockFaces = 16384, kBlockVertices = 3 * kBlockFaces;
+inline constexpr std::uint64_t kBlockAlignment = 64;
+
+using CheckSum = std::array<std::uint64_t, 2>;
+
+/// Check sums are Digest().add(bytes).
+struct PackedHeader {
+  std::array<char, 8> magic{};
+  std::uint32_t version = kPackedVersion;
+  std::uint32_t reserved = 0;
+  std::uint64_t fileSize = 0;
+  std::uint64_t vertices = 0, faces = 0;
+  std::uint64_t blocks = 0;
+  std::uint64_t tableOffset = 0;
+  std::uint64_t descriptionOffset = 0, descriptionSize = 0;
+  CheckSum descriptionSum{}, tableSum{};
+  CheckSum ownSum{};  ///< of the bytes before it
+  std::uint64_t unused = 0;
+};
+static_assert(sizeof(PackedHeader) == 128);
+inline constexpr std::size_t kSummedHeader = 104;
+
+/// An entry of the table of blocks.
+struct PackedBlock {
+  Box box;  ///< of all its vertices, in the file's frame
+  std::uint64_t offset = 0, size = 0;
+  std::uint32_t vertices = 0, ownVertices = 0, faces = 0, reserved = 0;
+  CheckSum sum{};
+};
+static_assert(sizeof(PackedBlock) == 96);
+
+/// The bytes that the arrays of a block take.
+constexpr std::uint64_t blockSize(std::uint64_t vertices, std::uint64_t faces, bool hasParts) {
+  return vertices * (3 * sizeof(double) + sizeof(std::uint32_t)) +
+         faces * ((hasParts ? 2 : 1) * sizeof(std::uint32_t) + 3 * sizeof(std::uint16_t));
+}
+
+/// The next offset at which a block may begin.
+constexpr std::uint64_t alignedOffset(std::uint64_t offset) {
+  return (offset + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;
+}
+
+}  // namespace footfall::detail

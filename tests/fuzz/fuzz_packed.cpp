@@ -1,0 +1,104 @@
+// Any bytes as a packed environment: an environment in order that is packed and read as the same, or one line of error.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Check sums would turn all that a fuzzer changes away, so that those in the bytes are put right first, unless the
+// first byte is not that of the magic word.
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+#include "core/base/digest.hpp"
+#include "core/io/import.hpp"
+#include "core/io/packed/pack.hpp"
+#include "core/io/packed/packed_environment.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::fuzz;
+
+namespace {
+
+/// A folder of this process in memory where there is one, gone at the end.
+class Folder {
+ public:
+  Folder() {
+    const std::filesystem::path memory = "/dev/shm";
+    const auto parent = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+    folder_ = parent / ("footfall-fuzz-packed-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The bytes of a range that lies in them; else none.
+std::string_view within(const std::string& bytes, std::uint64_t offset, std::uint64_t size) {
+  if (offset > bytes.size() || size > bytes.size() - offset) return {};
+  return std::string_view(bytes).substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+}
+
+void putCheckSums(std::string& bytes) {
+  PackedHeader header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  header.fileSize = bytes.size();
+  if (header.blocks < bytes.size()) {
+    const std::uint64_t size = header.blocks * sizeof(PackedBlock);
+    for (std::uint64_t at = 0; !within(bytes, header.tableOffset, size).empty() && at < size;
+         at += sizeof(PackedBlock)) {
+      PackedBlock block;
+      char* entry = bytes.data() + header.tableOffset + at;
+      std::memcpy(&block, entry, sizeof block);
+      block.sum = Digest().add(within(bytes, block.offset, block.size)).value();
+      std::memcpy(entry, &block, sizeof block);
+    }
+    header.tableSum = Digest().add(within(bytes, header.tableOffset, size)).value();
+  }
+  header.descriptionSum = Digest().add(within(bytes, header.descriptionOffset, header.descriptionSize)).value();
+  std::memcpy(bytes.data(), &header, sizeof header);
+  header.ownSum = Digest().add(std::string_view(bytes).substr(0, kSummedHeader)).value();
+  std::memcpy(bytes.data(), &header, sizeof header);
+}
+
+void write(const std::string& path, std::string_view bytes) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  require(file != nullptr && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fclose(file) == 0,
+          "cannot write " + path);
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Folder folder;
+  if (size == 0) return 0;
+  std::string bytes(textOf(data, size));
+  if (bytes.size() >= sizeof(PackedHeader) && bytes[0] == kPackedMagic[0]) putCheckSums(bytes);
+  const std::string path = folder.file("fuzz.ffenv"), again = folder.file("again.ffenv");
+  write(path, bytes);
+  try {
+    const auto environment = importEnvironment(path);
+    checkEnvironment(*environment);
+    packEnvironment(path, again, {}, nullptr);
+    const auto same = importEnvironment(again);
+    require(same->vertices == environment->vertices && same->triangles == environment->triangles &&
+                same->partOf == environment->partOf && same->parts == environment->parts &&
+                same->storeys == environment->storeys && same->notes == environment->notes,
+            "an environment changes when it is packed and read");
+    const PackedEnvironment packed(path);
+    const Box everything{{-1e308, -1e308, -1e308}, {1e308, 1e308, 1e308}};
+    require(packed.facesTouching(everything).faceNumbers.size() <= environment->triangles.size(), "too many faces");
+  } catch (const InputError& error) {
+    requireGoodMessage(error.what(), path);
+  }
+  return 0;
+}
