@@ -55,15 +55,28 @@ Box boxAround(const MeshVertex& v) {
   return {{low(v.x), low(v.y), low(v.z)}, {high(v.x), high(v.y), high(v.z)}};
 }
 
-/// The same box in the units of the environment; what underflows gets as much room.
-Box inUnits(const Box& scaled, int scale) {
-  Box box;
-  for (int k = 0; k < 3; ++k) {
-    box.lower[k] = std::ldexp(scaled.lower[k], -scale) - std::numeric_limits<double>::min();
-    box.upper[k] = std::ldexp(scaled.upper[k], -scale) + std::numeric_limits<double>::min();
+/// From scaled coordinates to those of the environment. A product with a power of two is rounded like ldexp, if at all;
+/// but not all powers are normal doubles.
+class Units {
+ public:
+  explicit Units(int scale) : scale_(scale), factor_(std::ldexp(1.0, -scale)), isNormal_(std::isnormal(factor_)) {}
+
+  /// Holds the box; what underflows gets as much room.
+  [[nodiscard]] Box operator()(const Box& scaled) const {
+    constexpr double kSmallest = std::numeric_limits<double>::min();
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+      box.lower[k] = (isNormal_ ? scaled.lower[k] * factor_ : std::ldexp(scaled.lower[k], -scale_)) - kSmallest;
+      box.upper[k] = (isNormal_ ? scaled.upper[k] * factor_ : std::ldexp(scaled.upper[k], -scale_)) + kSmallest;
+    }
+    return box;
   }
-  return box;
-}
+
+ private:
+  int scale_;
+  double factor_;
+  bool isNormal_;
+};
 
 }  // namespace
 
@@ -71,6 +84,7 @@ struct MeshJoiner::Search {
   std::vector<Index> entryOf;  ///< for each face that is whole and to be looked at its entry, or -1
   Twins twins;
   TriangleTree tree;  ///< over the first of the twins
+  Units units;
 };
 
 struct MeshJoiner::Found {
@@ -278,8 +292,7 @@ void MeshJoiner::findOnOutlines(Index vertex, const Box& box, const Search& sear
 void MeshJoiner::findOnWholeFaces(Index vertex, const Box& box, const Search& search, Found& found,
                                   RunContext& context) const {
   const bool known = !knownVertices_.empty() && knownVertices_[vertex] != 0;
-  const Box query = inUnits(box, mesh_.grid.scaleExponent());
-  mesh_.tree.visitOverlapping(query, found.stack, [&](Index face) {
+  mesh_.tree.visitOverlapping(search.units(box), found.stack, [&](Index face) {
     const Index entry = search.entryOf[face];
     if (entry < 0 || (known && knownEntries_[entry] != 0)) return true;
     const auto& corners = triangles_[firstTriangle_[entry]].corners;
@@ -301,7 +314,7 @@ void MeshJoiner::findOnWholeFaces(Index vertex, const Box& box, const Search& se
 void MeshJoiner::findIncidences(RunContext& context) {
   if (earlier_ != nullptr) copyEarlier();
   const std::vector<Index> entries = entriesToSearch();
-  Search search;
+  Search search{{}, {}, {}, Units(mesh_.grid.scaleExponent())};
   std::vector<char> isSearched;
   const auto findSearched = [&] {
     isSearched = verticesOn(entries, context);
