@@ -14,16 +14,23 @@ namespace footfall::detail {
 /// Which vertices lie on which outlines. Faces are known by their number, what belongs to them by its place among the
 /// face's own: nothing here depends on what other faces there are.
 struct JoinMemory {
-  /// One face that was joined: its number, where its points begin, and where its outlines begin.
+  /// One face that was joined: its number, where its points begin, and where its outlines begin. A face that nothing
+  /// cuts has three points, and no outlines of its own: its edges say all.
   struct Entry {
     Index face = -1;
     Index firstPoint = 0;
     Index firstOutline = 0;
   };
   struct Incidence {
-    Index outline = -1;
+    Index outline = -1;  ///< or edgeOfWhole()
     Index vertex = -1;
   };
+  /// Edge k of a face that nothing cuts, beside the numbers of outlines; -1 means none.
+  [[nodiscard]] static constexpr Index edgeOfWhole(Index entry, int k) { return -2 - (3 * entry + k); }
+  /// The entry and the edge of such a number.
+  [[nodiscard]] static constexpr std::pair<Index, int> wholeOf(Index number) {
+    return {(-2 - number) / 3, (-2 - number) % 3};
+  }
   std::vector<Entry> entries;   ///< and one more, with the ends
   std::vector<Index> vertexOf;  ///< for each point of each entry its vertex, or -1
   Index vertexCount = 0;

@@ -80,9 +80,9 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
   return result;
 }
 
-std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const std::vector<Index>& region,
-                                                 const std::vector<char>& keep, const SameFilter& sameOf,
-                                                 RunContext& context, ExactFallbacks& fallbacks) {
+std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const RegionChoice& choice,
+                                                 const SameFilter& sameOf, RunContext& context,
+                                                 ExactFallbacks& fallbacks) {
   context.checkCancelled();
   const WalkableMesh& mesh = *state.mesh;
   auto kept = std::make_shared<WalkableMesh>();
@@ -94,7 +94,7 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (t % kPolled == 0) context.checkCancelled();
       MeshTriangle triangle = mesh.triangles[t];
-      if (keep[region[t]] != 0) {
+      if (choice.keep[choice.region[t]] != 0) {
         renumbered[t] = static_cast<Index>(kept->triangles.size());
         kept->triangles.push_back(triangle);
         if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
@@ -110,10 +110,14 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
       dropped->triangles.push_back(triangle);
     }
   };
-  tbb::parallel_invoke(divide, [&] { kept->vertices = mesh.vertices; });
+  tbb::parallel_invoke(divide, [&] {
+    if (!choice.isLast) kept->vertices = mesh.vertices;
+  });
+  if (choice.isLast) kept->vertices = std::move(ownMeshOf(state)->vertices);
+  auto topology = std::make_shared<const Adjacency>(edgesOfSome(choice.topology, renumbered));
   kept->layerCount = mesh.layerCount;
-  kept->links = linksBetween(mesh, kept->triangles);
-  kept->drops = dropsBetween(mesh, kept->triangles, renumbered);
+  kept->links = linksBetween(mesh, kept->triangles, *topology);
+  kept->drops = dropsBetween(mesh, kept->triangles, renumbered, *topology);
   auto result = std::make_shared<WalkableState>(state);
   if (!state.cuts) {
     // Floors without cuts are in one region each: those that went are no floors for a later clearance filter.
@@ -134,8 +138,9 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
           *withoutDropped(*state.kernel, *assembleMesh(*plain, context, fallbacks), *dropped, context, fallbacks));
     dropped = nullptr;  // rejected source triangles are obstacles as they are
   }
+  result->topology = std::move(topology);
+  result->topologyOwner = kept;
   result->mesh = std::move(kept);
-  result->topology = nullptr;
   result->dropped = std::move(dropped);
   return result;
 }

@@ -22,12 +22,19 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
 /// What the filter that takes regions away makes of another state.
 using SameFilter = std::function<StatePtr(const StatePtr& state)>;
 
-/// The state without the regions r of its mesh for which keep[r] is 0; `region` has the number of each triangle's
-/// region (findRegions()). Links and drops stay where both of their sides do. `sameOf` is asked for the state before a
-/// simplification, where that is needed to know which floors are left.
-std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const std::vector<Index>& region,
-                                                 const std::vector<char>& keep, const SameFilter& sameOf,
-                                                 RunContext& context, ExactFallbacks& fallbacks);
+/// Which regions of a state's mesh are to stay.
+struct RegionChoice {
+  const Adjacency& topology;         ///< of the mesh
+  const std::vector<Index>& region;  ///< of each triangle (findRegions())
+  const std::vector<char>& keep;     ///< for each region
+  bool isLast = false;               ///< nobody needs the state any more (Recall::isLast)
+};
+
+/// The state without the other regions. Links and drops stay where both of their sides do. `sameOf` is asked for the
+/// state before a simplification, where that is needed to know which floors are left.
+std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const RegionChoice& choice,
+                                                 const SameFilter& sameOf, RunContext& context,
+                                                 ExactFallbacks& fallbacks);
 
 /// "2 of 5 regions removed", for people.
 Text regionsRemoved(std::int64_t removed, std::int64_t all);

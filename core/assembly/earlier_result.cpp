@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <numeric>
 
 #include "core/assembly/assembly_memory.hpp"
@@ -41,12 +40,6 @@ bool usesPlaces(const PlanPoint& point, const SourceMesh& mesh) {
   return point.kind() == PlanPoint::Crossing && (isAdded(point.firstLine()) || isAdded(point.secondLine()));
 }
 
-// A copy that is never destroyed: all that it has lies in the memory as well.
-template <class T>
-T* copyInto(const CopyMemory& memory, const T& value) {
-  return new (memory->allocate(sizeof(T), alignof(T))) T(value, memory.get());
-}
-
 Box boxAround(const std::vector<Box>& boxes) {
   Box all;
   all.lower.fill(std::numeric_limits<double>::infinity());
@@ -60,11 +53,6 @@ Box boxAround(const std::vector<Box>& boxes) {
 }
 
 }  // namespace
-
-CopyMemory makeCopyMemory() {
-  constexpr std::size_t kFirstBlock = 1 << 16;
-  return std::make_shared<std::pmr::monotonic_buffer_resource>(kFirstBlock);
-}
 
 std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const PlanKernel& now) {
   if (!before) return std::nullopt;

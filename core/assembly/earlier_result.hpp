@@ -10,14 +10,11 @@
 #include "core/assembly/face_mesh.hpp"
 #include "core/assembly/recall.hpp"
 #include "core/assembly/walkable_state.hpp"
+#include "core/base/copy_memory.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/exact/source_edit.hpp"
 
 namespace footfall::detail {
-
-/// Where copies of one thread lie, that are let go together: each holds all of it.
-using CopyMemory = std::shared_ptr<std::pmr::monotonic_buffer_resource>;
-[[nodiscard]] CopyMemory makeCopyMemory();
 
 /// An earlier state whose source mesh is the present one or the one that it was edited from. Faces keep their parts
 /// while nothing came or went in the clearance above them; numbers are those of the present mesh.

@@ -147,12 +147,13 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
   tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t) {
     auto& mesher = meshers.local();
     if (!mesher) mesher = std::make_unique<FaceMesher>(kernel, context, advance);
+    const CopyMemory& ownCopies = copies.local();
     std::vector<Index> mine;
     for (std::size_t k = 0; k < facesPerTask; ++k) {
       const std::size_t i = nextFace.fetch_add(1, std::memory_order_relaxed);
       if (i >= faces.size()) break;
       context.checkCancelled();
-      meshes[faces[i]] = std::make_shared<const FaceMesh>(mesher->mesh(faces[i], &(*state.cuts)[faces[i]]));
+      meshes[faces[i]] = keptIn(ownCopies, mesher->mesh(faces[i], &(*state.cuts)[faces[i]]));
       mine.push_back(faces[i]);
     }
     if (context.wantsParts()) context.part(previewOfFaces(kernel, *state.cuts, meshes, mine, context));

@@ -40,7 +40,6 @@ void forBlocks(std::size_t count, std::size_t size, RunContext& context, const W
 
 struct MeshJoiner::Additions {
   std::span<const FaceToJoin> faces;
-  std::vector<Index> firstTriangle;  ///< for each face
   std::size_t pointCount = 0, triangleCount = 0, outlineCount = 0;
   /// For each block of triangles the outlines of the face to which the first one belongs, before that one.
   std::vector<Index> outlinesBefore;
@@ -55,21 +54,21 @@ void MeshJoiner::layOut(Additions& additions, RunContext& context) {
   const auto& faces = additions.faces;
   auto& entries = memory_.entries;
   entries.resize(faces.size() + 1);
-  additions.firstTriangle.resize(faces.size() + 1);
+  firstTriangle_.resize(faces.size() + 1);
   forBlocks(faces.size(), kFacesPerTask, context, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const FaceMesh* parts = faces[i].parts;
       entries[i] = {faces[i].face, parts != nullptr ? static_cast<Index>(parts->points.size()) : 3, 0};
-      additions.firstTriangle[i] = parts != nullptr ? static_cast<Index>(parts->cells.size()) : 1;
+      firstTriangle_[i] = parts != nullptr ? static_cast<Index>(parts->cells.size()) : 1;
     }
   });
   Index points = 0, triangles = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     points += std::exchange(entries[i].firstPoint, points);
-    triangles += std::exchange(additions.firstTriangle[i], triangles);
+    triangles += std::exchange(firstTriangle_[i], triangles);
   }
   entries.back().firstPoint = points;
-  additions.firstTriangle.back() = triangles;
+  firstTriangle_.back() = triangles;
   additions.pointCount = static_cast<std::size_t>(points);
   additions.triangleCount = static_cast<std::size_t>(triangles);
 }
@@ -79,7 +78,7 @@ Index MeshJoiner::listUses(std::size_t entry, Additions& additions) {
   const auto& entries = memory_.entries;
   const FaceMesh* parts = additions.faces[entry].parts;
   Index* use = additions.pointOf.data() + entries[entry].firstPoint;
-  Index triangle = additions.firstTriangle[entry];
+  Index triangle = firstTriangle_[entry];
   const auto noteOutlines = [&](Index count) {
     if (triangle % kTrianglesPerTask == 0) additions.outlinesBefore[triangle / kTrianglesPerTask] = count;
     ++triangle;
@@ -87,7 +86,7 @@ Index MeshJoiner::listUses(std::size_t entry, Additions& additions) {
   if (parts == nullptr) {
     for (Index k = 0; k < 3; ++k) *use++ = k;
     noteOutlines(0);
-    return 3;
+    return 0;
   }
   Index* const seen = memory_.vertexOf.data() + entries[entry].firstPoint;
   Index outlines = 0;
@@ -224,26 +223,10 @@ void MeshJoiner::fillVertices(const Additions& additions, RunContext& context) {
 
 void MeshJoiner::fillTriangles(const Additions& additions, RunContext& context) {
   const auto& faces = additions.faces;
-  const auto& firstTriangle = additions.firstTriangle;
+  const auto& firstTriangle = firstTriangle_;
   const auto& entries = memory_.entries;
   triangles_ = UnfilledArray<MeshTriangle>(additions.triangleCount);
   outlines_ = UnfilledArray<Outline>(additions.outlineCount);
-  const auto fillWhole = [&](const FaceToJoin& given, Index t, Index& outline, const Index* vertexOf) {
-    const auto& f = mesh_.triangles[given.face];
-    const MeshTriangle triangle{{vertexOf[0], vertexOf[1], vertexOf[2]}, given.face, given.obstacleEdges};
-    triangles_.fill(t, triangle);
-    for (int k = 0; k < 3; ++k) {
-      const Index u = f[k], v = f[next(k)];
-      const Index a = mesh_.planIds[u], b = mesh_.planIds[v];
-      outlines_.fill(outline++, {triangle.corners[k],
-                                 triangle.corners[next(k)],
-                                 t,
-                                 static_cast<std::int8_t>(k),
-                                 given.face,
-                                 {PlanLine::Edge, std::min(a, b), std::max(a, b)},
-                                 {std::min(u, v), std::max(u, v)}});
-    }
-  };
   const auto fillPart = [&](const FaceToJoin& given, const FaceMesh::Cell& cell, Index t, Index& outline,
                             const Index* vertexOf) {
     const auto& f = mesh_.triangles[given.face];
@@ -272,7 +255,7 @@ void MeshJoiner::fillTriangles(const Additions& additions, RunContext& context) 
                 const FaceToJoin& given = faces[i];
                 const Index* const vertexOf = memory_.vertexOf.data() + entries[i].firstPoint;
                 if (given.parts == nullptr)
-                  fillWhole(given, t, outline, vertexOf);
+                  triangles_.fill(t, {{vertexOf[0], vertexOf[1], vertexOf[2]}, given.face, given.obstacleEdges});
                 else
                   fillPart(given, given.parts->cells[t - firstTriangle[i]], t, outline, vertexOf);
               }
@@ -286,6 +269,9 @@ void MeshJoiner::addFaces(std::span<const FaceToJoin> faces, RunContext& context
   listAllUses(additions, context);
   numberUses(additions, context);
   fillVertices(additions, context);
+  additions.pointOf = {};
+  additions.names = {};
+  additions.firstUseOf = {};
   fillTriangles(additions, context);
 }
 

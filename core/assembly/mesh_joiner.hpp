@@ -14,6 +14,7 @@
 #include "core/assembly/earlier_result.hpp"
 #include "core/assembly/face_mesh.hpp"
 #include "core/assembly/walkable_state.hpp"
+#include "core/base/triangle_tree.hpp"
 #include "core/base/unfilled_array.hpp"
 #include "footfall/run_context.hpp"
 
@@ -48,7 +49,7 @@ class MeshJoiner {
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
  private:
-  /// An edge of a part's outline: other parts may meet it.
+  /// An edge of a part's outline: other parts may meet it. Only those of faces that something cuts are stored.
   struct Outline {
     Index from = -1, to = -1;  ///< vertices
     Index triangle = -1;
@@ -64,6 +65,14 @@ class MeshJoiner {
     std::vector<Index> next;   ///< for each outline the next of its set, or -1
   };
   enum class Relation { Apart, AtStart, Between, AtEnd };
+  /// Where vertices are looked for.
+  struct Search;
+  /// New vertices on one edge of a triangle, in its direction.
+  struct Split {
+    Index triangle = -1;
+    int k = 0;
+    std::vector<Index> inner;
+  };
 
   /// Faces whose points are in the order in which their triangles use them first: what addFaces() numbers.
   struct Additions;
@@ -84,7 +93,24 @@ class MeshJoiner {
   template <class Visit>
   void forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const;
   [[nodiscard]] Twins findTwins(const std::vector<Index>& entries, RunContext& context) const;
+  /// Whether nothing cuts the face of an entry.
+  [[nodiscard]] bool isWhole(Index entry) const;
+  /// An outline by its number, or that of an edge of a whole face.
+  [[nodiscard]] Outline outlineOf(Index number) const;
+  /// Marks the vertices on outlines of the entries.
+  [[nodiscard]] std::vector<char> verticesOn(const std::vector<Index>& entries, RunContext& context) const;
+  void buildTree(Search& search, RunContext& context) const;
   void findIncidences(RunContext& context);
+  /// What one thread finds.
+  struct Found;
+  void findOnOutlines(Index vertex, const Box& box, const Search& search, Found& found, RunContext& context) const;
+  void findOnWholeFaces(Index vertex, const Box& box, const Search& search, Found& found, RunContext& context) const;
+  void uniteVertices();
+  /// The vertex that stands for all at its place.
+  [[nodiscard]] Index firstAt(Index vertex) const { return sameAs_.empty() ? vertex : sameAs_[vertex]; }
+  /// What lies on outlines, by triangle and edge.
+  [[nodiscard]] std::vector<Split> findSplits(RunContext& context);
+  WalkableMesh assemble(std::span<const Split> splits, RunContext& context);
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
   [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;
   /// Compares x (axis 0) or y (axis 1); 0 may also mean "too close for doubles" unless `exactly`.
@@ -97,10 +123,13 @@ class MeshJoiner {
   UnfilledArray<MeshVertex> vertices_;
   UnfilledArray<MeshTriangle> triangles_;
   UnfilledArray<Outline> outlines_;
+  std::vector<Index> firstTriangle_;  ///< for each entry, and one more with the end
+  std::vector<Index> sameAs_;         ///< for each vertex the first one at its place; empty: itself
   JoinMemory memory_;
   const EarlierResult* earlier_ = nullptr;
   std::vector<Index> changed_;
-  std::vector<char> knownVertices_, knownOutlines_;  ///< their relations were copied from earlier; empty: none
+  /// Their relations were copied from earlier; empty: none. Of entries, those of whole faces.
+  std::vector<char> knownVertices_, knownOutlines_, knownEntries_;
   ExactFallbacks fallbacks_;
 };
 

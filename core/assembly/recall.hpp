@@ -10,13 +10,15 @@ struct WalkableState;  // core/assembly/walkable_state.hpp
 /// Immutable: a filter makes a new state, so that results can be cached and shared between threads.
 using StatePtr = std::shared_ptr<const WalkableState>;
 
-/// What a filter may take from earlier runs, and whether it should leave something for later ones. Never changes the
-/// result.
+/// What a filter may take from earlier runs or the given state, and whether it should leave something for later ones.
+/// Never changes the result.
 struct Recall {
   /// What the same filter of the same pipeline gave, with other parameters or for the environment that this one is an
   /// edit of; or null.
   StatePtr before;
   bool keep = false;  ///< whether to remember what later runs can copy
+  /// Nobody needs the given state after the filter: it may take the state's mesh and change it.
+  bool isLast = false;
 };
 
 }  // namespace footfall::detail

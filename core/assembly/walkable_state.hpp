@@ -55,6 +55,9 @@ struct WalkableState {
   std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
 };
 
+/// The mesh of a state that nobody needs any more, to be changed: itself where no other state has it, else a copy.
+std::shared_ptr<WalkableMesh> ownMeshOf(const WalkableState& state);
+
 /// The topology of the state's mesh: what an earlier filter found for the same mesh, else found now.
 std::shared_ptr<const Adjacency> topologyOf(const WalkableState& state, Poll poll = {});
 

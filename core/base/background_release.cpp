@@ -4,6 +4,9 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace footfall::detail {
 
@@ -27,6 +30,12 @@ void releaseInBackground(std::shared_ptr<const void> thing) noexcept {
     static_cast<void>(held.release());  // the task's since it was enqueued
   } catch (...) {                       // no memory for a task: `thing` is freed here
   }
+}
+
+void returnFreedMemory() noexcept {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 }  // namespace footfall::detail

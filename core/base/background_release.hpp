@@ -13,6 +13,10 @@ namespace footfall::detail {
 /// Drops a reference on another thread of the library's own, soon. Where that cannot be arranged it is dropped at once.
 void releaseInBackground(std::shared_ptr<const void> thing) noexcept;
 
+/// Gives memory that was freed back to the system, as far as the allocator keeps whole pages of it. Takes a millisecond
+/// for some tens of megabytes.
+void returnFreedMemory() noexcept;
+
 /// Holds references to things that may be large. When an exception passes, the references that are the last to a thing
 /// are dropped in the background, otherwise on this thread. To be declared before all others that hold the things.
 class ReleaseOnException {

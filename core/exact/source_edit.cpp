@@ -53,7 +53,7 @@ class Editor {
 
     mesh_.vertices.reserve(base_.vertices.size() + added.size());
     mesh_.planIds.reserve(base_.vertices.size() + added.size());
-    mesh_.welded.resize(edit_.soup.vertices.size());
+    std::vector<Index> welded(edit_.soup.vertices.size());
     changes_->vertexOf.assign(base_.vertices.size(), -1);
     changes_->planOf.assign(base_.vertices.size(), -1);
     const auto append = [&](const Vec3& v) {
@@ -66,7 +66,7 @@ class Editor {
     };
     std::size_t next = 0;
     const auto appendAdded = [&] {
-      mesh_.welded[added[next]] = append(place(added[next]));
+      welded[added[next]] = append(place(added[next]));
       ++next;
     };
     for (std::size_t v = 0; v < base_.vertices.size(); ++v) {
@@ -79,7 +79,8 @@ class Editor {
     }
     while (next < added.size()) appendAdded();
     for (std::size_t i = 0; i < edit_.keptVertices.size(); ++i)
-      mesh_.welded[i] = changes_->vertexOf[base_.welded[edit_.keptVertices[i]]];
+      welded[i] = changes_->vertexOf[base_.welded[edit_.keptVertices[i]]];
+    mesh_.welded = SharedArray(std::move(welded));
   }
 
   void mergeTriangles() {
@@ -113,26 +114,28 @@ class Editor {
     }
     while (next < added.size()) appendAdded();
 
-    mesh_.triangles.resize(count);
-    mesh_.inputTriangles.resize(count);
+    mesh_.triangles = SharedArray<std::array<Index, 3>>(count);
+    mesh_.inputTriangles = SharedArray<std::uint32_t>(count);
+    auto* const triangles = mesh_.triangles.own();
+    std::uint32_t* const inputTriangles = mesh_.inputTriangles.own();
     forRanges(count, kTrianglesPerTask, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         const Index then = changes_->baseOf[t];
         if (then < 0) continue;
-        for (int k = 0; k < 3; ++k) mesh_.triangles[t][k] = changes_->vertexOf[base_.triangles[then][k]];
-        mesh_.inputTriangles[t] = static_cast<std::uint32_t>(numberOf[base_.inputTriangles[then]]);
+        for (int k = 0; k < 3; ++k) triangles[t][k] = changes_->vertexOf[base_.triangles[then][k]];
+        inputTriangles[t] = static_cast<std::uint32_t>(numberOf[base_.inputTriangles[then]]);
       }
     });
-    appendKept(base_.normals, mesh_.normals);
-    appendKept(base_.facing, mesh_.facing);
-    appendKept(base_.degenerate, mesh_.degenerate);
+    mesh_.normals = valuesOfKept(base_.normals);
+    mesh_.facing = valuesOfKept(base_.facing);
+    mesh_.degenerate = valuesOfKept(base_.degenerate);
     const SignRule sign = mesh_.grid.signRule(mesh_.grid.scaleExponent());
     for (Index t = 0; t < static_cast<Index>(count); ++t) {
       if (changes_->baseOf[t] >= 0) continue;
       const SortedTriangle& triangle = added[-1 - changes_->baseOf[t]];
       changes_->baseOf[t] = -1;
-      mesh_.triangles[t] = triangle.corners;
-      mesh_.inputTriangles[t] = triangle.number;
+      triangles[t] = triangle.corners;
+      inputTriangles[t] = triangle.number;
       classifyTriangle(mesh_, t, sign);
       if (mesh_.degenerate[t] == 0) changes_->addedTriangles.push_back(t);
       changes_->added.push_back(boxOf(mesh_, t));
@@ -141,8 +144,9 @@ class Editor {
 
   // What stays the same, run by run; added triangles get a default.
   template <class T>
-  void appendKept(const std::vector<T>& before, std::vector<T>& now) const {
+  [[nodiscard]] SharedArray<T> valuesOfKept(const SharedArray<T>& before) const {
     const std::vector<Index>& from = changes_->baseOf;
+    std::vector<T> now;
     now.reserve(from.size());
     for (std::size_t first = 0; first < from.size();) {
       std::size_t last = first + 1;
@@ -154,6 +158,7 @@ class Editor {
       }
       first = last;
     }
+    return SharedArray(std::move(now));
   }
 
   void makeTree() {

@@ -61,17 +61,19 @@ void classifyTriangle(SourceMesh& mesh, Index t, const SignRule& sign) {
   using E = ErrorDouble;
   const std::array<E, 3> u{E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)};
   const std::array<E, 3> v{E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)};
-  auto& n = mesh.normals[t];
+  std::int8_t& turn = mesh.facing.own()[t];
+  std::array<ErrorDouble, 3>& n = mesh.normals.own()[t];
   n = cross(u, v);
   const Vec3 &ra = mesh.vertices[ia], &rb = mesh.vertices[ib], &rc = mesh.vertices[ic];
   const MaybeSign facingSign = sign(n[2]);
-  mesh.facing[t] = static_cast<std::int8_t>(facingSign ? *facingSign : facing(ra, rb, rc));
-  if (mesh.facing[t] != 0) return;
+  turn = static_cast<std::int8_t>(facingSign ? *facingSign : facing(ra, rb, rc));
+  if (turn != 0) return;
   n[2] = 0;
   const MaybeSign x = sign(n[0]), y = sign(n[1]);
   if (x.value_or(0) != 0 || y.value_or(0) != 0) return;
-  mesh.degenerate[t] = static_cast<char>((x == 0 && y == 0) || isDegenerate(ra, rb, rc));
-  if (mesh.degenerate[t] != 0) n = {};
+  const bool isFlat = (x == 0 && y == 0) || isDegenerate(ra, rb, rc);
+  mesh.degenerate.own()[t] = static_cast<char>(isFlat);
+  if (isFlat) n = {};
 }
 
 std::array<Index, 3> turnedTriangle(const SourceMesh& mesh, const Triangle& t, bool bothSides) {
@@ -158,19 +160,21 @@ std::vector<std::uint32_t> sortTriangles(const SoupView& soup, bool bothSides, S
   std::vector<std::array<Index, 3>> turned(count);
   forEach(count, poll, [&](std::size_t i) { turned[i] = turnedTriangle(mesh, soup.triangles[i], bothSides); });
   const std::vector<std::uint32_t> order = orderOf(turned, mesh.vertices.size(), poll);
+  auto* const triangles = mesh.triangles.own();
+  std::uint32_t* const inputTriangles = mesh.inputTriangles.own();
   forEach(count, poll, [&](std::size_t i) {
-    mesh.triangles[i] = turned[order[i]];
-    mesh.inputTriangles[i] = soup.inputTriangles.empty() ? order[i] : soup.inputTriangles[order[i]];
+    triangles[i] = turned[order[i]];
+    inputTriangles[i] = soup.inputTriangles.empty() ? order[i] : soup.inputTriangles[order[i]];
   });
   return order;
 }
 
 void makeRoom(SourceMesh& mesh, std::size_t triangles) {
-  mesh.normals.resize(triangles);
-  mesh.facing.resize(triangles);
-  mesh.degenerate.resize(triangles);
-  mesh.triangles.resize(triangles);
-  mesh.inputTriangles.resize(triangles);
+  mesh.normals = decltype(mesh.normals)(triangles);
+  mesh.facing = decltype(mesh.facing)(triangles);
+  mesh.degenerate = decltype(mesh.degenerate)(triangles);
+  mesh.triangles = decltype(mesh.triangles)(triangles);
+  mesh.inputTriangles = decltype(mesh.inputTriangles)(triangles);
 }
 
 void classify(SourceMesh& mesh, Poll poll) {
@@ -215,7 +219,7 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
 SourceMesh makeSourceMesh(const SoupView& soup, bool bothSides, std::vector<std::uint32_t>* order, Poll poll) {
   SourceMesh mesh;
   // One thread sorts for long, another has the time to clear memory.
-  tbb::parallel_invoke([&] { mesh.welded = weldVertices(soup.vertices, mesh, poll); },
+  tbb::parallel_invoke([&] { mesh.welded = SharedArray(weldVertices(soup.vertices, mesh, poll)); },
                        [&] { makeRoom(mesh, soup.triangles.size()); });
   std::vector<std::uint32_t> sorted;
   tbb::parallel_invoke([&] { sorted = sortTriangles(soup, bothSides, mesh, poll); }, [&] { chooseGrid(mesh, poll); });
@@ -244,6 +248,9 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled,
     known.emplace(Place{mesh.vertices[v].x, mesh.vertices[v].y}, static_cast<Index>(v));
   std::vector<Index> ids;
   ids.reserve(scaled.size());
+  mesh.vertices.reserve(mesh.vertices.size() + scaled.size());
+  mesh.scaled.reserve(mesh.scaled.size() + scaled.size());
+  mesh.planIds.reserve(mesh.planIds.size() + scaled.size());
   for (const Vec3& given : scaled) {
     if (ids.size() % kPerTask == 0) poll();
     const Vec3 p =

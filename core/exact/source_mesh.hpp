@@ -15,6 +15,7 @@
 
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/shared_array.hpp"
 #include "core/exact/error_double.hpp"
 #include "core/exact/grid.hpp"
 #include "core/exact/source_tree.hpp"
@@ -30,18 +31,19 @@ struct SourceMesh {
   std::vector<Vec3> scaled;
   /// For each vertex the smallest vertex with the same x and y: its identity in the plan.
   std::vector<Index> planIds;
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<std::uint32_t> inputTriangles;           ///< index in the environment (or in the earlier generation)
-  std::vector<std::array<ErrorDouble, 3>> normals;     ///< of scaled coordinates; zero components are exactly zero
-  std::vector<std::int8_t> facing;                     ///< sign of the normal's z
-  std::vector<char> degenerate;                        ///< zero area
+  // Copies to which places of the plan are added share what belongs to triangles.
+  SharedArray<std::array<Index, 3>> triangles;
+  SharedArray<std::uint32_t> inputTriangles;           ///< index in the environment (or in the earlier generation)
+  SharedArray<std::array<ErrorDouble, 3>> normals;     ///< of scaled coordinates; zero components are exactly zero
+  SharedArray<std::int8_t> facing;                     ///< sign of the normal's z
+  SharedArray<char> degenerate;                        ///< zero area
   std::vector<std::pair<Index, Index>> obstacleEdges;  ///< from an earlier generation: sorted, smaller vertex first
 
   Grid grid;  ///< of the vertices
 
   SourceTree tree;  ///< over all triangles that are not degenerate
 
-  std::vector<Index> welded;               ///< for each vertex of the soup its vertex
+  SharedArray<Index> welded;               ///< for each vertex of the soup its vertex
   std::shared_ptr<const SourceEdit> edit;  ///< how it follows from an earlier mesh; null when it was made from nothing
   std::vector<char> addedLater;            ///< for each triangle: the edits since the tree was built added it; or empty
 

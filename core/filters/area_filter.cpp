@@ -112,7 +112,7 @@ int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, std::span
 
 }  // namespace
 
-FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& context) {
+FilterOutcome applyArea(const StatePtr& given, double minimum, const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
   const PlanKernel& kernel = *state->kernel;
@@ -162,8 +162,8 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, RunContext& conte
     return outcome;
   }
   outcome.state = withRegions(
-      *state, region, keep, [&](const StatePtr& other) { return applyArea(other, minimum, context).state; }, context,
-      outcome.fallbacks);
+      *state, {*topology, region, keep, recall.isLast || state != given},
+      [&](const StatePtr& other) { return applyArea(other, minimum, {}, context).state; }, context, outcome.fallbacks);
   outcome.note = regionsRemoved(removed, regionCount);
   return outcome;
 }

@@ -79,7 +79,8 @@ constexpr std::array kFilterFunctions = {
                    [](const FilterCall& f) { return applyDrop(f.state, f.values[0], f.values[1], f.context); }},
     FilterFunction{FilterType::Reachable,
                    [](const FilterCall& f) { return applyReachable(f.state, f.values, f.context); }},
-    FilterFunction{FilterType::Area, [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.context); }},
+    FilterFunction{FilterType::Area,
+                   [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.recall, f.context); }},
     FilterFunction{FilterType::Simplification,
                    [](const FilterCall& f) {
                      return applySimplification(f.state, f.values[0] != 0, f.values[1], f.recall, f.context);

@@ -20,7 +20,7 @@ FilterOutcome applyRadius(const StatePtr& state, double radius, double ledges, d
 FilterOutcome applyDrop(const StatePtr& state, double depth, double reach, RunContext& context);
 /// `seeds`: the coordinates of places in the file's frame, three each.
 FilterOutcome applyReachable(const StatePtr& state, std::span<const double> seeds, RunContext& context);
-FilterOutcome applyArea(const StatePtr& state, double minimum, RunContext& context);
+FilterOutcome applyArea(const StatePtr& state, double minimum, const Recall& recall, RunContext& context);
 FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, const Recall& recall,
                                   RunContext& context);
 FilterOutcome applyLayerSubdivision(const StatePtr& state, const Recall& recall, RunContext& context);

@@ -242,8 +242,8 @@ FilterOutcome applyReachable(const StatePtr& given, std::span<const double> seed
   const auto removed = std::ranges::count(keep, 0);
   if (removed > 0) {
     outcome.state = withRegions(
-        *state, region, keep, [&](const StatePtr& other) { return applyReachable(other, seeds, context).state; },
-        context, outcome.fallbacks);
+        *state, {*topology, region, keep},
+        [&](const StatePtr& other) { return applyReachable(other, seeds, context).state; }, context, outcome.fallbacks);
     outcome.note = regionsRemoved(removed, regionCount);
     return outcome;
   }

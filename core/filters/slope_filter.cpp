@@ -32,7 +32,8 @@ FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& cont
       mesh->triangles.push_back(t);
       if (!state->mesh->layers.empty()) mesh->layers.push_back(state->mesh->layers[i]);
     }
-    mesh->links = linksBetween(*state->mesh, mesh->triangles);
+    if (!state->mesh->links.empty())
+      mesh->links = linksBetween(*state->mesh, mesh->triangles, findEdges(mesh->triangles, mesh->vertices.size()));
     result->mesh = mesh;
   }
   FilterOutcome outcome{result, {}, {}};

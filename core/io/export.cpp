@@ -2,9 +2,15 @@
 #include "core/io/export.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "core/base/parallel_ranges.hpp"
 #include "core/io/obj_text.hpp"
 #include "core/mesh/storey_names.hpp"
 #include "footfall/errors.hpp"
@@ -43,35 +49,53 @@ SourceFrame frameOf(const SourceFrame& source, const ExportOptions& options) {
           options.scale == 1 ? source.metresPerUnit : source.metresPerUnit / options.scale, source.storeys};
 }
 
-/// Lines that are written between two polls.
-constexpr std::size_t kLinesPerPoll = 4096;
+/// Lines that one task writes, between two polls.
+constexpr std::size_t kLinesPerTask = 8192;
+/// Tasks whose texts wait for each other.
+constexpr std::size_t kTasksAtOnce = 64;
 
-void appendVertices(std::string& text, const std::vector<Vec3>& vertices, UpAxis up, double scale, Poll poll = {}) {
-  std::size_t line = 0;
-  for (const Vec3& p : vertices) {
-    if (line++ % kLinesPerPoll == 0) poll();
-    appendVertex(text, scale == 1 ? p : Vec3{p.x * scale, p.y * scale, p.z * scale}, up);
+/// Appends what append(text, i) appends for each i below count, in that order; made on all threads.
+template <class Append>
+void appendAll(std::string& text, std::size_t count, const Poll& poll, const Append& append) {
+  const auto appendRange = [&](std::string& part, std::size_t first, std::size_t last) {
+    poll();
+    for (std::size_t i = first; i < last; ++i) append(part, i);
+  };
+  if (count <= kLinesPerTask) return appendRange(text, 0, count);
+  for (std::size_t begin = 0; begin < count; begin += kLinesPerTask * kTasksAtOnce) {
+    const std::size_t end = std::min(begin + kLinesPerTask * kTasksAtOnce, count);
+    std::vector<std::string> parts((end - begin + kLinesPerTask - 1) / kLinesPerTask);
+    forRanges(parts.size(), 1, [&](std::size_t part, std::size_t) {
+      const std::size_t first = begin + part * kLinesPerTask;
+      appendRange(parts[part], first, std::min(first + kLinesPerTask, end));
+    });
+    for (const std::string& part : parts) text += part;
   }
 }
 
-void appendTriangles(std::string& text, const NavigationMesh& mesh, bool byLayers, Poll poll) {
-  std::size_t line = 0;
-  const auto append = [&](const Triangle& triangle) {
-    if (line++ % kLinesPerPoll == 0) poll();
-    appendElement(text, 'f', triangle);
-  };
+void appendVertices(std::string& text, std::span<const Vec3> vertices, UpAxis up, double scale, const Poll& poll = {}) {
+  appendAll(text, vertices.size(), poll, [&](std::string& part, std::size_t i) {
+    const Vec3& p = vertices[i];
+    appendVertex(part, scale == 1 ? p : Vec3{p.x * scale, p.y * scale, p.z * scale}, up);
+  });
+}
+
+void appendTriangles(std::string& text, const NavigationMesh& mesh, bool byLayers, const Poll& poll) {
   if (mesh.layers.empty() || !byLayers) {
     text += "g walkable\n";
-    for (const Triangle& triangle : mesh.triangles) append(triangle);
+    appendAll(text, mesh.triangles.size(), poll,
+              [&](std::string& part, std::size_t i) { appendElement(part, 'f', mesh.triangles[i]); });
     return;
   }
-  std::vector<std::vector<std::size_t>> members(mesh.layerCount);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) members.at(mesh.layers[i]).push_back(i);
+  std::vector<std::vector<std::uint32_t>> members(mesh.layerCount);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    members.at(mesh.layers[i]).push_back(static_cast<std::uint32_t>(i));
   for (std::size_t layer = 0; layer < members.size(); ++layer) {
     text += "g layer_";
     appendNumber(text, layer);
     text += '\n';
-    for (const std::size_t i : members[layer]) append(mesh.triangles[i]);
+    appendAll(text, members[layer].size(), poll,
+              [&](std::string& part, std::size_t i) { appendElement(part, 'f', mesh.triangles[members[layer][i]]); });
   }
 }
 
@@ -104,7 +128,7 @@ std::uint32_t appendDrops(std::string& text, const std::vector<DropLink>& drops,
   if (drops.empty()) return vertex;
   text += "g drops\n";
   for (const DropLink& drop : drops)
-    appendVertices(text, {drop.start[0], drop.landing[0], drop.start[1], drop.landing[1]}, up, scale);
+    appendVertices(text, std::array{drop.start[0], drop.landing[0], drop.start[1], drop.landing[1]}, up, scale);
   for (std::size_t line = 0; line < 2 * drops.size(); ++line, vertex += 2)
     appendElement(text, 'l', std::array{vertex, vertex + 1});
   return vertex;

@@ -119,6 +119,20 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
   return adjacency;
 }
 
+Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered) {
+  Adjacency some;
+  some.sides.reserve(all.sides.size());
+  some.first.reserve(all.first.size());
+  for (Index e = 0; e < all.edgeCount(); ++e) {
+    const auto first = static_cast<Index>(some.sides.size());
+    for (const Index side : all.sidesOf(e))
+      if (const Index t = renumbered[side / 3]; t >= 0) some.sides.push_back(3 * t + side % 3);
+    if (static_cast<Index>(some.sides.size()) > first) some.first.push_back(first);
+  }
+  some.first.push_back(static_cast<Index>(some.sides.size()));
+  return some;
+}
+
 std::vector<Index> findParts(const TriangleCorners& triangles, std::size_t vertexCount, Index& partCount, Poll poll) {
   const Adjacency adjacency = findEdges(triangles, vertexCount, poll);
   DisjointSets sets(static_cast<std::size_t>(triangles.size()));

@@ -27,6 +27,10 @@ struct Adjacency {
 /// `poll` is called now and then, from any thread, and may throw to cancel.
 Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, Poll poll = {});
 
+/// What findEdges() gives for some of the triangles over the same vertices: `renumbered` has for each triangle its
+/// number among them, ascending, or -1.
+Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered);
+
 /// For each triangle its part: triangles that share an edge belong to one. Parts are numbered from 0 in the order of
 /// their first triangles. `poll` as above.
 std::vector<Index> findParts(const TriangleCorners& triangles, std::size_t vertexCount, Index& partCount,

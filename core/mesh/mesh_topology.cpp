@@ -44,9 +44,8 @@ Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topo
   return -1;
 }
 
-std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles) {
-  if (mesh.links.empty()) return {};
-  const Adjacency topology = findEdges(triangles, mesh.vertices.size());
+std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
+                                   const Adjacency& topology) {
   const auto isThere = [&](const std::array<Index, 2>& edge) {
     return findSide(triangles, topology, edge[0], edge[1]) >= 0;
   };
@@ -57,9 +56,7 @@ std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<M
 }
 
 std::vector<MeshDrop> dropsBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
-                                   const std::vector<Index>& renumbered) {
-  if (mesh.drops.empty()) return {};
-  const Adjacency topology = findEdges(triangles, mesh.vertices.size());
+                                   const std::vector<Index>& renumbered, const Adjacency& topology) {
   std::vector<MeshDrop> drops;
   for (MeshDrop drop : mesh.drops) {
     drop.triangle = renumbered[drop.triangle];

@@ -21,13 +21,15 @@ bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Inde
 /// The side of a triangle that goes from vertex `from` to vertex `to`, or -1.
 Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topology, Index from, Index to);
 
-/// The links of `mesh` whose two edges are sides of some of `triangles`, which are over the same vertices.
-std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles);
+/// The links of `mesh` whose two edges are sides of some of `triangles`, which are over the same vertices; `topology`
+/// is theirs.
+std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
+                                   const Adjacency& topology);
 
 /// The drops of `mesh` whose edge is a side of some of `triangles`, which are over the same vertices, and whose landing
-/// is among them: `renumbered` has for each triangle of `mesh` its number there, or -1.
+/// is among them: `renumbered` has for each triangle of `mesh` its number there, or -1; `topology` is theirs.
 std::vector<MeshDrop> dropsBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
-                                   const std::vector<Index>& renumbered);
+                                   const std::vector<Index>& renumbered, const Adjacency& topology);
 
 /// For each triangle its region: triangles that share an edge which is not an obstacle edge, or are linked by a step,
 /// belong to one (design, AreaFilter and section 7). Regions are numbered from 0 in the order of their first triangles.

@@ -20,6 +20,9 @@ namespace {
 
 constexpr Pattern kAtPlace{"%1: %2"};
 
+// What steps over so many triangles free is given back, or it adds to the peaks of later ones.
+constexpr std::size_t kReturnedSize = std::size_t{1} << 19;
+
 // Everything that can be known to be wrong before the first step runs.
 void checkRunnable(const Pipeline& pipeline) {
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
@@ -199,6 +202,7 @@ class Run {
       current_.summary = summarize(*current_.state);
     });
     remember();
+    if (environment_->triangles.size() >= kReturnedSize) returnFreedMemory();
     return watch.wallMs();
   }
 
@@ -225,6 +229,7 @@ class Run {
       statistics.out = current_.summary;
       current_.steps.push_back(std::move(statistics));
       remember();
+      if (environment_->triangles.size() >= kReturnedSize) returnFreedMemory();
       context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
       (isBehindBlock(index) ? times_.postprocessing : times_.preprocessing) += watch.wallMs();
     });
@@ -296,8 +301,8 @@ class Run {
 
   // What earlier runs had after the first `count` steps.
   Recall recall(std::size_t count) {
-    if (cache_ == nullptr) return {};
-    return {cache_->findEarlier(environment_, steps_, count), true};
+    if (cache_ == nullptr) return {nullptr, false, current_.state.use_count() == 1};
+    return {cache_->findEarlier(environment_, steps_, count), true, false};
   }
 
   void remember() {

@@ -94,9 +94,10 @@ void ClearancePass::clip(Index face, Worker& own, const std::function<void(doubl
   }
   isChanged_[face] = 1;
   own.clipper_.crowdProgress = progress;
-  cuts_->set(face, known_->knowsAll(then)
-                       ? own.clipper_.clip(face, known_->standing(then, own.copies_), known_->clearance())
-                       : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr));
+  const FaceCuts cuts = known_->knowsAll(then)
+                            ? own.clipper_.clip(face, known_->standing(then, own.copies_), known_->clearance())
+                            : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr);
+  if (!cuts.empty()) cuts_->set(face, keptIn(own.copies_, cuts));
   if (memory_) keepCandidates(face, own.clipper_.candidates());
 }
 
@@ -114,7 +115,8 @@ FaceShare ClearancePass::clipShare(Index face, std::span<const CellSide> sides, 
 
 void ClearancePass::joinShares(Index face, std::span<const FaceShare> shares, Worker& own) {
   isChanged_[face] = 1;
-  cuts_->set(face, own.clipper_.joinShares(face, shares));
+  if (const FaceCuts cuts = own.clipper_.joinShares(face, shares); !cuts.empty())
+    cuts_->set(face, keptIn(own.copies_, cuts));
   if (!memory_) return;
   std::vector<Index> found;
   for (const FaceShare& share : shares) found.insert(found.end(), share.candidates.begin(), share.candidates.end());
@@ -130,7 +132,7 @@ std::size_t ClearancePass::mesh(Index face, Worker& own) {
   if (isKnown)
     mesh = earlier_->mesh(earlier_->faceBefore(face), own.copies_);
   else if (!(*cuts_)[face].segments.empty())
-    mesh = std::make_shared<const FaceMesh>(own.mesher_.mesh(face, &(*cuts_)[face]));
+    mesh = keptIn(own.copies_, own.mesher_.mesh(face, &(*cuts_)[face]));
   return triangles(face);
 }
 

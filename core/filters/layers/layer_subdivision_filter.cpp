@@ -297,8 +297,12 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   LayerSubdivision subdivision(*state->kernel, *state->mesh, *topology, context);
   std::shared_ptr<WalkableMesh> mesh;
   std::vector<std::uint32_t> layers;
+  const bool isOwn = (recall.isLast || state != given) && !recall.keep;
   tbb::parallel_invoke([&] { layers = subdivision.run(recall.before); },
-                       [&] { mesh = std::make_shared<WalkableMesh>(*state->mesh); });
+                       [&] {
+                         if (!isOwn) mesh = std::make_shared<WalkableMesh>(*state->mesh);
+                       });
+  if (isOwn) mesh = ownMeshOf(*state);
   mesh->layers = std::move(layers);
   mesh->layerCount = 0;
   for (const std::uint32_t l : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, l + 1);

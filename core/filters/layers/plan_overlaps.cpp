@@ -51,7 +51,6 @@ class OverlapFinder {
   bool findAll(const Adjacency& topology, std::size_t most) {
     most_ = most;
     findInnerSides(topology);
-    findPlanTriangles();
     std::vector<Index> all(mesh_.triangles.size());
     std::iota(all.begin(), all.end(), Index{0});
     round_.assign(all.size(), kNever);
@@ -62,7 +61,6 @@ class OverlapFinder {
   // A region is a mesh of its own: what lies beyond its sides in other regions does not count.
   void findWithin(const Adjacency& topology, const std::vector<Index>& region, Index regionCount) {
     findInnerSides(topology);
-    findPlanTriangles();
     const auto count = static_cast<Index>(mesh_.triangles.size());
     for (Index side = 0; side < 3 * count; ++side)
       if (across_[side] >= 0 && region[across_[side]] != region[side / 3]) across_[side] = -1;
@@ -79,7 +77,6 @@ class OverlapFinder {
   void update(const std::vector<Pair>& before, const MeshRelation& relation) {
     const TriangleCorners corners(mesh_.triangles);
     across_.assign(mesh_.triangles.size() * 3, -1);
-    findPlanTriangles();
     std::vector<Index> now(relation.triangleCountBefore, -1), kept, changed;
     for (Index t = 0; t < static_cast<Index>(mesh_.triangles.size()); ++t) {
       const Index then = relation.triangleBefore[t];
@@ -92,7 +89,8 @@ class OverlapFinder {
     const Tree tree = treeOf(changed);
     lookUpBorders(tree);
     forEach(kept.size(), [&](Local& local, std::size_t i) {
-      tree.visitOverlapping(boundsOf(kept[i]), [&](Index o) { test(local, kept[i], o); });
+      const PlanTriangle plan = planOf(kept[i]);
+      tree.visitOverlapping(boundsOf(plan), [&](Index o) { test(local, kept[i], plan, o); });
     });
   }
 
@@ -179,18 +177,11 @@ class OverlapFinder {
     return across_[3 * t] < 0 || across_[3 * t + 1] < 0 || across_[3 * t + 2] < 0;
   }
 
-  void findPlanTriangles() {
-    const auto count = static_cast<Index>(mesh_.triangles.size());
-    plan_.resize(count);
-    tbb::parallel_for(tbb::blocked_range<Index>(0, count, kTrianglesPerTask), [&](const auto& range) {
-      context_.checkCancelled();
-      for (Index t = range.begin(); t != range.end(); ++t)
-        plan_[t] = planTriangleOf(mesh_.vertices, mesh_.triangles[t]);
-    });
-  }
+  [[nodiscard]] PlanTriangle planOf(Index t) const { return planTriangleOf(mesh_.vertices, mesh_.triangles[t]); }
 
-  [[nodiscard]] Tree::Bounds boundsOf(Index t) const {
-    const PlanTriangle& p = plan_[t];
+  [[nodiscard]] Tree::Bounds boundsOf(Index t) const { return boundsOf(planOf(t)); }
+
+  [[nodiscard]] static Tree::Bounds boundsOf(const PlanTriangle& p) {
     return {{std::min({p.x[0], p.x[1], p.x[2]}) - p.error, std::min({p.y[0], p.y[1], p.y[2]}) - p.error},
             {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
   }
@@ -228,15 +219,15 @@ class OverlapFinder {
 
   [[nodiscard]] bool tooMany() const { return foundCount_.load(std::memory_order_relaxed) > most_; }
 
-  void test(Local& local, Index t, Index o) const {
-    if (overlaps(local, t, o)) local.found.push_back({t, o});
+  void test(Local& local, Index t, const PlanTriangle& plan, Index o) const {
+    if (overlaps(local, t, plan, o)) local.found.push_back({t, o});
   }
 
-  [[nodiscard]] bool overlaps(Local& local, Index t, Index o) const {
+  [[nodiscard]] bool overlaps(Local& local, Index t, const PlanTriangle& plan, Index o) const {
     if (shareEdge(t, o)) return false;
     context_.checkCancelled();
     ++local.tested;
-    return local.geometry.overlap(plan_[t], plan_[o]);
+    return local.geometry.overlap(plan, planOf(o));
   }
 
   /// Those of these triangles that were not looked up, and have a border side near a triangle that overlaps them.
@@ -254,6 +245,7 @@ class OverlapFinder {
   }
 
   [[nodiscard]] bool hasPairAtBorder(Local& local, Index t) const {
+    const PlanTriangle plan = planOf(t);
     bool isHit = false;
     for (int k = 0; k < 3 && !isHit; ++k) {
       if (across_[3 * t + k] >= 0) continue;
@@ -262,14 +254,14 @@ class OverlapFinder {
         const Index o = parts_[part].triangle;
         if (isHit || o == t || o == last) return;
         last = o;
-        isHit = overlaps(local, t, o);
+        isHit = overlaps(local, t, plan, o);
       });
     }
     return isHit;
   }
 
   [[nodiscard]] Tree::Bounds boundsOfSide(Index side) const {
-    const PlanTriangle& p = plan_[side / 3];
+    const PlanTriangle p = planOf(side / 3);
     const std::size_t a = side % 3, b = (a + 1) % 3;
     return {{std::min(p.x[a], p.x[b]) - p.error, std::min(p.y[a], p.y[b]) - p.error},
             {std::max(p.x[a], p.x[b]) + p.error, std::max(p.y[a], p.y[b]) + p.error}};
@@ -277,8 +269,8 @@ class OverlapFinder {
 
   /// Into how many parts a triangle is to be cut: as many times fewer of them reach a place than of whole boxes.
   [[nodiscard]] Index partCount(Index t) const {
-    const PlanTriangle& p = plan_[t];
-    const Tree::Bounds b = boundsOf(t);
+    const PlanTriangle p = planOf(t);
+    const Tree::Bounds b = boundsOf(p);
     const double area = std::fabs((p.x[1] - p.x[0]) * (p.y[2] - p.y[0]) - (p.x[2] - p.x[0]) * (p.y[1] - p.y[0]));
     const double wasted = (b.upper[0] - b.lower[0]) * (b.upper[1] - b.lower[1]) / area / 4;
     if (!(wasted >= 2)) return 1;
@@ -313,9 +305,9 @@ class OverlapFinder {
   // The part between two places along the longer side of the box. Rounded corners are off by the error, so each point
   // of the triangle is that near to one of the rounded triangle, which is cut a little before and behind both places.
   [[nodiscard]] Tree::Bounds boundsOfPart(Index t, Index number, Index count) const {
-    Tree::Bounds bounds = boundsOf(t);
+    const PlanTriangle p = planOf(t);
+    Tree::Bounds bounds = boundsOf(p);
     if (count == 1) return bounds;
-    const PlanTriangle& p = plan_[t];
     const std::array<double, 2> size{bounds.upper[0] - bounds.lower[0], bounds.upper[1] - bounds.lower[1]};
     const int axis = size[0] >= size[1] ? 0 : 1;
     const auto &along = axis == 0 ? p.x : p.y, &across = axis == 0 ? p.y : p.x;
@@ -344,10 +336,11 @@ class OverlapFinder {
   void lookUpBorders(const Tree& borders) {
     forEach(static_cast<std::size_t>(borders.size()), [&](Local& local, std::size_t place) {
       const Index t = borders.idAt(static_cast<Index>(place));
-      const Tree::Bounds bounds = boundsOf(t);
-      borders.visitOverlapping(
-          bounds, [&](Index o) { test(local, t, o); }, static_cast<Index>(place) + 1);
-      others_.visitOverlapping(bounds, [&](Index o) { test(local, t, o); });
+      const PlanTriangle plan = planOf(t);
+      const Tree::Bounds bounds = boundsOf(plan);
+      const auto visit = [&](Index o) { test(local, t, plan, o); };
+      borders.visitOverlapping(bounds, visit, static_cast<Index>(place) + 1);
+      others_.visitOverlapping(bounds, visit);
     });
   }
 
@@ -355,8 +348,9 @@ class OverlapFinder {
   void lookUp(const std::vector<Index>& queries, Index round) {
     forEach(queries.size(), [&](Local& local, std::size_t i) {
       const Index t = queries[i];
-      others_.visitOverlapping(boundsOf(t), [&](Index o) {
-        if (round_[o] > round || (round_[o] == round && o < t)) test(local, t, o);
+      const PlanTriangle plan = planOf(t);
+      others_.visitOverlapping(boundsOf(plan), [&](Index o) {
+        if (round_[o] > round || (round_[o] == round && o < t)) test(local, t, plan, o);
       });
     });
   }
@@ -369,14 +363,12 @@ class OverlapFinder {
   static constexpr std::size_t kPerTask = 256, kFirstBatch = 256;
   static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
   static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
-  static constexpr Index kTrianglesPerTask = 4096;
   static constexpr Index kNever = std::numeric_limits<Index>::max();
 
   const WalkableMesh& mesh_;
   RunContext& context_;
   tbb::enumerable_thread_specific<Local> locals_;
   std::vector<Index> across_;  ///< for each side the triangle beyond it when it is inner, else -1
-  std::vector<PlanTriangle> plan_;
   /// A triangle, or what of it is between two places.
   struct Part {
     Index triangle = -1;

@@ -117,6 +117,16 @@ std::vector<Index> orderByLayer(const RoundedMesh& mesh) {
   return order;
 }
 
+// Sides without another one, with the triangles in another order.
+std::vector<Index> bordersOf(const Adjacency& topology, const std::vector<Index>& order) {
+  std::vector<Index> places(order.size()), borders;
+  for (std::size_t i = 0; i < order.size(); ++i) places[order[i]] = static_cast<Index>(i);
+  for (Index e = 0; e < topology.edgeCount(); ++e)
+    if (const auto sides = topology.sidesOf(e); sides.size() == 1)
+      borders.push_back(3 * places[sides[0] / 3] + sides[0] % 3);
+  return borders;
+}
+
 }  // namespace
 
 std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, RunContext& context) {
@@ -181,7 +191,8 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   result->frame = state->environment->frame();
   addObstacleEdges(rounded, order, renumbered, *result);
   addConnections(rounded, topology, renumbered, *result);
-  result->links = roundLinks(state->mesh->links, places, moved, *result);
+  if (!state->mesh->links.empty())
+    result->links = roundLinks(state->mesh->links, places, moved, bordersOf(topology, order), *result);
   result->drops = roundDrops(*state, places, moved, *result);
   return result;
 }

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/rounding/rounded_links.hpp"
 
+#include <oneapi/tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
-#include "core/mesh/adjacency.hpp"
 #include "core/mesh/gap_bridges.hpp"
+#include "core/mesh/triangle_corners.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -19,12 +22,11 @@ Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 class Borders {
  public:
-  explicit Borders(const NavigationMesh& mesh) : mesh_(mesh), corners_(mesh.triangles) {
-    const Adjacency topology = findEdges(corners_, mesh.vertices.size());
-    for (Index e = 0; e < topology.edgeCount(); ++e)
-      if (const auto sides = topology.sidesOf(e); sides.size() == 1) sides_.push_back(sides[0]);
-    std::sort(sides_.begin(), sides_.end(),
-              [&](Index a, Index b) { return std::pair(placeOf(begin(a)), a) < std::pair(placeOf(begin(b)), b); });
+  Borders(const NavigationMesh& mesh, std::vector<Index> sides)
+      : mesh_(mesh), corners_(mesh.triangles), sides_(std::move(sides)) {
+    tbb::parallel_sort(sides_.begin(), sides_.end(), [&](Index a, Index b) {
+      return std::pair(placeOf(begin(a)), a) < std::pair(placeOf(begin(b)), b);
+    });
   }
 
   /// The sides that lead from one place to another, or nothing. Where a border was divided, it goes on with the side
@@ -75,10 +77,11 @@ class Borders {
 }  // namespace
 
 std::vector<StepLink> roundLinks(const std::vector<MeshLink>& links, const std::vector<Vec3>& places,
-                                 const std::vector<std::array<Vec3, 2>>& moved, const NavigationMesh& product) {
+                                 const std::vector<std::array<Vec3, 2>>& moved, std::vector<Index> borderSides,
+                                 const NavigationMesh& product) {
   std::vector<StepLink> result;
   if (links.empty()) return result;
-  const Borders borders(product);
+  const Borders borders(product, std::move(borderSides));
   std::map<Place, Vec3> movedTo;
   for (auto it = moved.rbegin(); it != moved.rend(); ++it) {
     const auto later = movedTo.find(placeOf((*it)[1]));

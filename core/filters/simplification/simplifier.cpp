@@ -75,6 +75,11 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   };
   tbb::parallel_for(std::size_t{0}, groups.firstOfTask.size() - 1, runTask);
   for (const RegionSimplifier& simplifier : simplifiers) fallbacks_ += simplifier.fallbacks();
+  // What is not needed any more makes room for the result.
+  mesh_.neighbors = {};
+  mesh_.around = {};
+  groups.triangles = {};
+  groups.vertices = {};
   WalkableMesh result = compact();
   if (memory != nullptr) {
     memory->candidates = std::move(candidates);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "core/base/geometry.hpp"
 #include "core/mesh/lifted_vertex.hpp"
@@ -42,9 +43,16 @@ BorderSplits::BorderSplits(const WalkableState& state, RunContext& context)
 
 void BorderSplits::findBorders() {
   const TriangleCorners corners(mesh_.triangles);
+  const auto isBorder = [&](std::span<const Index> sides) {
+    return sides.size() <= 1 || isObstacle(mesh_.triangles, sides);
+  };
+  std::size_t count = 0;
+  for (Index e = 0; e < topology_->edgeCount(); ++e)
+    if (const auto sides = topology_->sidesOf(e); isBorder(sides)) count += sides.size();
+  borders_.reserve(count);
   for (Index e = 0; e < topology_->edgeCount(); ++e) {
     const auto sides = topology_->sidesOf(e);
-    if (sides.size() > 1 && !isObstacle(mesh_.triangles, sides)) continue;
+    if (!isBorder(sides)) continue;
     for (const Index side : sides)
       borders_.push_back({side, e, corners.beginOf(side), corners.endOf(side), mesh_.triangles[side / 3].face});
   }

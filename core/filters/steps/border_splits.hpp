@@ -30,11 +30,14 @@ class BorderSplits {
   BorderSplits(const WalkableState& state, RunContext& context);
 
   [[nodiscard]] const WalkableMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Adjacency& topology() const { return *topology_; }
   [[nodiscard]] const std::vector<MeshBorder>& borders() const { return borders_; }
   [[nodiscard]] const MeshBorder& border(Index number) const { return borders_[number]; }
   [[nodiscard]] const MeshVertex& vertex(Index number) const { return mesh_.vertices[number]; }
   /// Of the borders; scaled.
   [[nodiscard]] const BoxTree<3>& tree() const { return tree_; }
+  /// Frees the tree, when no more borders are to be found.
+  void dropTree() { tree_ = {}; }
   /// A box about two vertices and all that is between them; scaled.
   [[nodiscard]] static BoxTree<3>::Bounds boundsOf(const MeshVertex& a, const MeshVertex& b);
 

@@ -44,7 +44,7 @@ double longerOf(const GapBorder& line, const Vec3& place) {
 }  // namespace
 
 GapLinker::GapLinker(BorderSplits& splits, double gap, RunContext& context)
-    : splits_(splits), context_(context), gap_(gap), lines_(splits.borders().size()) {}
+    : splits_(splits), context_(context), gap_(gap) {}
 
 Vec3 GapLinker::placeOf(const MeshVertex& v) const {
   if (v.error < 2 * kUnit) return {v.x, v.y, v.z};
@@ -69,9 +69,9 @@ GapBorder GapLinker::computeLine(Index number) const {
 }
 
 const GapBorder& GapLinker::lineOf(Index border) {
-  std::optional<GapBorder>& line = lines_[border];
-  if (!line) line = computeLine(border);
-  return *line;
+  const auto [line, isNew] = lines_.try_emplace(border);
+  if (isNew) line->second = computeLine(border);
+  return line->second;
 }
 
 // Ways over a gap are at most 30 degrees from a right angle to either border: so each lies within the gap's width on

@@ -102,7 +102,7 @@ class GapLinker {
   BorderSplits& splits_;
   RunContext& context_;
   double gap_ = 0;
-  std::vector<std::optional<GapBorder>> lines_;          ///< of borders that were asked for
+  std::unordered_map<Index, GapBorder> lines_;           ///< of borders that were asked for
   std::unordered_map<Index, std::vector<Vec3>> places_;  ///< of the new vertices of edges
   std::vector<GapStretch> gaps_;
   ExactFallbacks fallbacks_;

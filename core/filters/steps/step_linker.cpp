@@ -54,11 +54,10 @@ std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height,
   std::unordered_map<Index, Index> borderOf;  // by its side
   for (std::size_t i = 0; i < splits_.borders().size() && !mesh.links.empty(); ++i)
     borderOf[splits_.borders()[i].side] = static_cast<Index>(i);
-  const auto topology = topologyOf(state_, context_);
   for (const MeshLink& link : mesh.links) {
     context_.checkCancelled();
     const auto find = [&](const std::array<Index, 2>& edge) {
-      return borderOf.at(findSide(mesh.triangles, *topology, edge[0], edge[1]));
+      return borderOf.at(findSide(mesh.triangles, splits_.topology(), edge[0], edge[1]));
     };
     const Index first = find(link.from), second = find(link.to);
     if (link.isGap)
@@ -341,6 +340,8 @@ void StepLinker::addStepLinks(std::vector<MeshLink>& links) {
 }
 
 std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
+  directions_ = {};
+  splits_.dropTree();
   splitAtSteps();
   if (gaps_ && !gaps_->isEmpty()) gaps_->split([&](const std::vector<Index>& changed) { spreadSplits(changed); });
   context_.checkCancelled();

@@ -51,6 +51,29 @@ class TestExport : public QObject {
              QByteArray("v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\ng walkable\nf 1 2 3\nf 1 3 4\n"));
   }
 
+  void manyLinesAreInTheirOrder() {
+    // More than the threads write at once, in one group and in two.
+    constexpr std::uint32_t kVertices = 1'200'000, kTriangles = 600'000;
+    NavigationMesh mesh;
+    for (std::uint32_t v = 0; v < kVertices; ++v) mesh.vertices.push_back({v % 1000 + 0.0, v / 1000 + 0.0, 1});
+    for (std::uint32_t t = 0; t < kTriangles; ++t) mesh.triangles.push_back({t, t + 1, t + 2});
+    mesh.sourceTriangles.resize(kTriangles);
+    QByteArray vertices, one = "g walkable\n", first = "g layer_0\n", second = "g layer_1\n";
+    for (std::uint32_t v = 0; v < kVertices; ++v)
+      vertices += "v " + QByteArray::number(v % 1000) + ' ' + QByteArray::number(v / 1000) + " 1\n";
+    for (std::uint32_t t = 0; t < kTriangles; ++t) {
+      QByteArray line = "f";
+      for (std::uint32_t k = 1; k < 4; ++k) line += ' ' + QByteArray::number(t + k);
+      line += '\n';
+      one += line;
+      (t % 3 == 0 ? second : first) += line;
+    }
+    QVERIFY(body(formatObj(framed(mesh, frame(UpAxis::Z)), {})) == vertices + one);
+    for (std::uint32_t t = 0; t < kTriangles; ++t) mesh.layers.push_back(t % 3 == 0 ? 1 : 0);
+    mesh.layerCount = 2;
+    QVERIFY(body(formatObj(framed(mesh, frame(UpAxis::Z)), {})) == vertices + first + second);
+  }
+
   void layersConnectionsAndObstacleEdgesFollow() {
     NavigationMesh mesh = square();
     mesh.layers = {1, 0};

@@ -105,6 +105,28 @@ class TestAdjacency : public QObject {
     QCOMPARE(count, parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1);
   }
 
+  void edgesOfSomeAreFoundAmongThoseOfAll_data() { edgesAndParts_data(); }
+  void edgesOfSomeAreFoundAmongThoseOfAll() {
+    QFETCH(int, triangles);
+    QFETCH(int, vertices);
+    const Triangles all = randomTriangles(static_cast<std::size_t>(triangles), static_cast<std::uint32_t>(vertices), 5);
+    const Adjacency edges = findEdges(all, static_cast<std::size_t>(vertices));
+    for (const std::uint32_t share : {0, 1, 2, 4}) {  // fourths
+      std::mt19937 random(7);
+      Triangles some;
+      std::vector<Index> renumbered;
+      for (const Triangle& t : all) {
+        const bool stays = random() % 4 < share;
+        renumbered.push_back(stays ? static_cast<Index>(some.size()) : -1);
+        if (stays) some.push_back(t);
+      }
+      const Adjacency found = edgesOfSome(edges, renumbered);
+      const Adjacency expected = findEdges(some, static_cast<std::size_t>(vertices));
+      QVERIFY(found.sides == expected.sides);
+      QVERIFY(found.first == expected.first);
+    }
+  }
+
   void noTrianglesHaveNoEdges() {
     const Adjacency adjacency = findEdges(Triangles{}, 0);
     QCOMPARE(adjacency.edgeCount(), 0);
