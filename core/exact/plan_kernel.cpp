@@ -414,8 +414,17 @@ std::array<mpq_class, 3> PlanKernel::exactPosition(const PlanPoint& point, Index
 
 Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact) const {
   if (exact != nullptr) *exact = true;
-  const Index origin = mesh_->triangles[face][0];
+  const auto& corners = mesh_->triangles[face];
+  const Index origin = corners[0];
   const Vec3& o = mesh_->vertices[origin];
+  if (point.kind() == PlanPoint::Source) {
+    for (const Index corner : corners)
+      if (mesh_->planIds[corner] == point.planId()) return mesh_->vertices[corner];
+    const auto& n = mesh_->normals[face];  // zero components are exactly zero
+    const Vec3& p = mesh_->vertices[point.planId()];
+    if (sign_.zeroValid && n[0].value == 0 && n[0].error == 0 && n[1].value == 0 && n[1].error == 0)
+      return {p.x, p.y, o.z};
+  }
   const auto place = [&](const auto& context) -> Vec3 {
     using T = typename std::decay_t<decltype(context)>::T;
     const auto h = homogeneousOn(context, point);
