@@ -6,7 +6,6 @@
 #include "core/base/geometry.hpp"
 
 namespace footfall::detail {
-
 void FaceMesher::insertCuts(const FaceCuts& cuts) {
   points_.clear();
   lines_.clear();
@@ -25,7 +24,7 @@ void FaceMesher::insertCuts(const FaceCuts& cuts) {
     if (++inserted % kTold == 0 && advance_) advance_(kTold);
   }
   if (advance_) advance_(inserted % kTold);
-  triangulation_.improve();
+  triangulation_.dropConstraints();
 }
 
 FaceMesh FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
@@ -41,10 +40,15 @@ FaceMesh FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
   const auto& cells = triangulation_.cells();
   const std::vector<int> winding = triangulation_.windingNumbers(cuts != nullptr ? cuts->startWinding : 0);
   const bool all = cuts != nullptr && cuts->removed;
-  const auto taken = [&](Index c) { return all || (winding[c] == 0) != covered; };
-
   std::size_t count = 0;
-  for (Index i = 0; i < static_cast<Index>(cells.size()); ++i) count += taken(i) ? 1 : 0;
+  isTaken_.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool isTaken = all || (winding[i] == 0) != covered;
+    isTaken_[i] = static_cast<char>(isTaken);
+    count += isTaken ? 1 : 0;
+  }
+  if (cuts != nullptr) triangulation_.improve(isTaken_);
+  const auto taken = [&](Index c) { return isTaken_[c] != 0; };
   result.cells.reserve(count);
   result.points.reserve(std::min(geometry_.pointCount(), 3 * count));
   result.approximate.reserve(std::min(geometry_.pointCount(), 3 * count));

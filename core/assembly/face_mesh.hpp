@@ -55,6 +55,7 @@ class FaceMesher {
 
   std::vector<Index> points_, lines_;    ///< of the cuts, in the geometry
   std::vector<Index> pointOf_, lineOf_;  ///< of the geometry, in the mesh
+  std::vector<char> isTaken_;            ///< for each cell of the triangulation
 
   FaceGeometry geometry_;
   FaceTriangulation triangulation_;

@@ -229,7 +229,7 @@ Index FaceTriangulation::locate(Index point, int& zeros, int& k) {
 }
 
 Index FaceTriangulation::insertPoint(Index point) {
-  growTables();
+  if (static_cast<std::size_t>(point) >= representative_.size()) growTables();
   if (representative_[point] >= 0) return representative_[point];
   int zeros = 0, k = 0;
   const Index cell = locate(point, zeros, k);
@@ -404,14 +404,19 @@ void FaceTriangulation::flipAway(Index line, int direction, const std::vector<Ed
   }
 }
 
-void FaceTriangulation::improve() {
+void FaceTriangulation::dropConstraints() {
   for (Cell& c : cells_)
     for (int k = 0; k < 3; ++k)
       if (c.neighbors[k] >= 0 && c.lines[k] >= 0 && c.windings[k] == 0 && c.walls[k] == 0) c.lines[k] = -1;
+}
+
+void FaceTriangulation::improve(const std::vector<char>& isWanted) {
   std::size_t left = cells_.size() * 20;
-  std::vector<Index> queue(cells_.size());
-  std::vector<char> queued(cells_.size(), 1);
-  for (std::size_t i = 0; i < queue.size(); ++i) queue[i] = static_cast<Index>(i);
+  std::vector<Index> queue;
+  queue.reserve(cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    if (isWanted[i] != 0) queue.push_back(static_cast<Index>(i));
+  std::vector<char> queued = isWanted;
   while (!queue.empty() && left > 0) {
     poll();
     const Index cell = queue.back();
@@ -423,7 +428,7 @@ void FaceTriangulation::improve() {
       --left;
       for (const Index changed : {cell, other}) {
         const auto enqueue = [&](Index c) {
-          if (c >= 0 && queued[c] == 0) {
+          if (c >= 0 && queued[c] == 0 && isWanted[c] != 0) {
             queued[c] = 1;
             queue.push_back(c);
           }

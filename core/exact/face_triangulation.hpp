@@ -39,8 +39,10 @@ class FaceTriangulation {
   void insertSegment(Index u, Index v, Index line, int direction, int winding, bool wall);
   /// Marks the face's edge k (corner k to k + 1) as a wall. To be called right after start().
   void markEdgeWall(int k);
-  /// Drops constraints without effect and flips edges towards Delaunay.
-  void improve();
+  /// Drops constraints without effect.
+  void dropConstraints();
+  /// Flips edges towards Delaunay between cells that are wanted (for each cell); a flip keeps both winding numbers.
+  void improve(const std::vector<char>& isWanted);
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   /// The cell beside the start of the face's edge from corner 0 to 1.

@@ -414,8 +414,18 @@ std::array<mpq_class, 3> PlanKernel::exactPosition(const PlanPoint& point, Index
 
 Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact) const {
   if (exact != nullptr) *exact = true;
-  const Index origin = mesh_->triangles[face][0];
+  const auto& corners = mesh_->triangles[face];
+  const Index origin = corners[0];
   const Vec3& o = mesh_->vertices[origin];
+  if (point.kind() == PlanPoint::Source)
+    for (const Index corner : corners)
+      if (mesh_->planIds[corner] == point.planId()) return mesh_->vertices[corner];
+  const auto x = knownCoordinate(point, 0), y = knownCoordinate(point, 1);
+  const auto isZero = [&](const ErrorDouble& component) {  // zero components are exactly zero
+    return sign_.zeroValid && component.value == 0 && component.error == 0;
+  };
+  const auto& normal = mesh_->normals[face];
+  if (x && y && isZero(normal[0]) && isZero(normal[1])) return {*x, *y, o.z};
   const auto place = [&](const auto& context) -> Vec3 {
     using T = typename std::decay_t<decltype(context)>::T;
     const auto h = homogeneousOn(context, point);
@@ -426,8 +436,6 @@ Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact
       return roundedQuotient(viewOf(whole), viewOf(denominator), grid_.low, exact);
     };
     const T fall = n[0] * h[0] + n[1] * h[1];
-    const auto known = [&](int axis) { return knownCoordinate(point, axis); };
-    const auto x = known(0), y = known(1);
     return {x ? *x : round(h[0], h[2], o.x), y ? *y : round(h[1], h[2], o.y),
             sgn(fall) == 0 ? o.z : round(-fall, n[2] * h[2], o.z)};
   };

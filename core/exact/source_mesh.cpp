@@ -4,13 +4,14 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 
 #include "core/base/lexicographic_order.hpp"
+#include "core/base/numbered_table.hpp"
 #include "core/base/parallel_ranges.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
@@ -42,14 +43,6 @@ void forEachInOrder(std::size_t count, Poll poll, const Body& body) {
 }
 
 using Place = std::pair<double, double>;
-struct PlaceHash {
-  std::size_t operator()(const Place& p) const {
-    // The low bits of doubles on a grid are zero: the product brings the others down.
-    const std::uint64_t mixed = std::bit_cast<std::uint64_t>(p.first) * 0x9E3779B97F4A7C15U +
-                                (std::bit_cast<std::uint64_t>(p.second) ^ 0x5851F42D4C957F2DU) * 0xD1342543DE82EF95U;
-    return static_cast<std::size_t>((mixed ^ mixed >> 32) * 0x9E3779B97F4A7C15U >> 16);
-  }
-};
 
 double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -240,12 +233,18 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled)
 }
 
 std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled, const Poll& poll) {
-  const int scale = -mesh.grid.scaleExponent();
+  const double factor = std::ldexp(1.0, -mesh.grid.scaleExponent());
+  const bool isNormal = std::isnormal(factor);
+  const auto inUnits = [&](double x) { return isNormal ? x * factor : std::ldexp(x, -mesh.grid.scaleExponent()); };
   const auto sorted = static_cast<std::ptrdiff_t>(mesh.vertices.size() - mesh.planPlaces);
-  std::unordered_map<Place, Index, PlaceHash> known;
-  known.reserve(mesh.planPlaces + scaled.size());
+  using Key = std::array<std::uint64_t, 2>;
+  const auto keyOf = [](const Vec3& p) {
+    return Key{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)};
+  };
+  NumberedTable<Key> known;
+  std::vector<Index> idOf;  // of each known place
   for (std::size_t v = mesh.vertices.size() - mesh.planPlaces; v < mesh.vertices.size(); ++v)
-    known.emplace(Place{mesh.vertices[v].x, mesh.vertices[v].y}, static_cast<Index>(v));
+    if (known.insert(keyOf(mesh.vertices[v])).second) idOf.push_back(static_cast<Index>(v));
   std::vector<Index> ids;
   ids.reserve(scaled.size());
   mesh.vertices.reserve(mesh.vertices.size() + scaled.size());
@@ -253,20 +252,19 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled,
   mesh.planIds.reserve(mesh.planIds.size() + scaled.size());
   for (const Vec3& given : scaled) {
     if (ids.size() % kPerTask == 0) poll();
-    const Vec3 p =
-        withoutNegativeZeros({std::ldexp(given.x, scale), std::ldexp(given.y, scale), std::ldexp(given.z, scale)});
+    const Vec3 p = withoutNegativeZeros({inUnits(given.x), inUnits(given.y), inUnits(given.z)});
     const auto next = static_cast<Index>(mesh.vertices.size());
-    const auto [place, isNew] = known.emplace(Place{p.x, p.y}, next);
+    const auto [number, isNew] = known.insert(keyOf(p));
     if (isNew) {
       const auto last = mesh.vertices.begin() + sorted;
       const auto first = std::lower_bound(mesh.vertices.begin(), last, p, [](const Vec3& a, const Vec3& b) {
         return Place{a.x, a.y} < Place{b.x, b.y};
       });
-      if (first != last && first->x == p.x && first->y == p.y)
-        place->second = static_cast<Index>(first - mesh.vertices.begin());
+      const bool isVertex = first != last && first->x == p.x && first->y == p.y;
+      idOf.push_back(isVertex ? static_cast<Index>(first - mesh.vertices.begin()) : next);
     }
-    ids.push_back(place->second);
-    if (place->second != next) continue;
+    ids.push_back(idOf[number]);
+    if (idOf[number] != next) continue;
     mesh.vertices.push_back(p);
     mesh.scaled.push_back(withoutNegativeZeros(given));
     mesh.planIds.push_back(next);

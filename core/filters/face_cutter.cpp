@@ -118,11 +118,19 @@ void FaceCutter::addOutline(const Polygon& polygon) {
 
 bool FaceCutter::addPolygon(std::span<const Index> planIds) {
   Polygon polygon;
+  std::array<std::array<std::int8_t, kMostCorners>, 3> sides{};
+  const auto& f = mesh_.triangles[face_];
   for (std::size_t i = 0; i < planIds.size(); ++i) {
     const Index a = planIds[i], b = planIds[(i + 1) % planIds.size()];
-    polygon.push({geometry_.point(PlanPoint::source(a)), geometry_.edgeLine(a, b), a < b ? 1 : -1});
+    const Index point = geometry_.point(PlanPoint::source(a));
+    polygon.push({point, geometry_.edgeLine(a, b), a < b ? 1 : -1});
+    polygon.corners[i].corner = static_cast<std::int8_t>(i);
+    for (int k = 0; k < 3; ++k) {
+      const int certain = certainSide(mesh_.scaled[f[k]], mesh_.scaled[f[next(k)]], mesh_.scaled[a]);
+      sides[k][i] = static_cast<std::int8_t>(certain != 0 ? certain : geometry_.sideOfEdge(k, point));
+    }
   }
-  for (int k = 0; k < 3 && polygon.size > 0; ++k) clipToEdge(polygon, k);
+  for (int k = 0; k < 3 && polygon.size > 0; ++k) clipToEdge(polygon, k, sides[k]);
   if (polygon.size < 3) return true;
   if (isWhole(polygon)) return false;
   addOutline(polygon);

@@ -39,7 +39,7 @@ class FaceCutter {
     int floor = 0;            ///< sign of the height above the floor
     int ceiling = 0;          ///< sign of the height above floor + clearance
     bool cut = false;         ///< a border of the cell made it
-    std::int8_t corner = -1;  ///< of the triangle that is clipped, if it is one
+    std::int8_t corner = -1;  ///< of the triangle or polygon that is clipped, if it is one
   };
   /// A triangle clipped by two heights and three edges has at most eight corners, twelve corners clipped by three edges
   /// are fifteen.
@@ -52,7 +52,7 @@ class FaceCutter {
 
   void begin(Index face);
   void startGeometry();
-  /// Clips to the face's edge k. `sides`: those of the corners of the triangle that is clipped; may be empty.
+  /// Clips to the face's edge k. `sides`: those of the corners of what is clipped; may be empty.
   void clipToEdge(Polygon& polygon, int k, std::span<const std::int8_t> sides = {});
   /// Keeps the corners at which `signs` is positive or 0. New ones come from `crossingOf(from, to)`, the corners of the
   /// edge; the edges between them lie on the line of `made`, which is also what new corners are like beside that.

@@ -86,6 +86,13 @@ MarginsOfFaces groupByFaces(const std::vector<Margin>& margins, std::size_t face
   return result;
 }
 
+/// Cuts that leave nothing.
+std::shared_ptr<const FaceCuts> wholeCuts() {
+  const auto cuts = std::make_shared<FaceCuts>();
+  cuts->removed = true;
+  return cuts;
+}
+
 /// Gives the state its cuts and its mesh.
 void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vector<Margin>& margins,
             const CutFaces* before, CutFaces* keep, RunContext& context, ExactFallbacks& fallbacks) {
@@ -95,6 +102,7 @@ void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vec
   using Polygons = std::vector<std::span<const Index>>;
   std::vector<Polygons> polygons(touched.faces.size());
   std::vector<CutFaces::Found> found(touched.faces.size());
+  const std::shared_ptr<const FaceCuts> coveredWhole = wholeCuts();
   tbb::enumerable_thread_specific<std::unique_ptr<FaceCutter>> cutters;
   tbb::enumerable_thread_specific<MarginChoice> choices([&] { return MarginChoice(margins); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), kFacesPerTask), [&](const auto& range) {
@@ -107,7 +115,13 @@ void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vec
         const Vec3& p = source.scaled[source.triangles[face][k]];
         return PlanVector{p.x, p.y};
       };
-      for (const Index margin : choices.local().neededOn({placeOf(0), placeOf(1), placeOf(2)}, touched.margins[i]))
+      const MarginChoice::Result chosen =
+          choices.local().chooseOn({placeOf(0), placeOf(1), placeOf(2)}, touched.margins[i]);
+      if (chosen.isCovered) {
+        found[i].cuts = coveredWhole;
+        continue;
+      }
+      for (const Index margin : chosen.needed)
         polygons[i].emplace_back(known.planIds.data() + known.first[margin],
                                  known.first[margin + 1] - known.first[margin]);
       if (before != nullptr) {
@@ -131,7 +145,8 @@ void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vec
   if (keep != nullptr) {
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (i % kMarginsPerPoll == 0) context.checkCancelled();
-      keep->add(kernel, touched.faces[i], polygons[i], found[i].cuts, (*meshes)[touched.faces[i]]);
+      if (found[i].cuts != coveredWhole)
+        keep->add(kernel, touched.faces[i], polygons[i], found[i].cuts, (*meshes)[touched.faces[i]]);
     }
   }
   state.mesh = joinFaces(state, nullptr, {}, meshes, nullptr, context, fallbacks);

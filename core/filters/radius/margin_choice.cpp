@@ -3,82 +3,177 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace footfall::detail {
 namespace {
 
-// Distances to a line have an error of at most 8 units: differences of places are off by one, a product of one of them
-// and a unit vector, and the sum of two such, by a few more. A place where two lines cross lies on the clipped edge to
-// within two. So what is clipped by three lines, each this far out, holds all that is inside, and more than 24 units
-// deep in a polygon is inside.
-constexpr double kOut = 16 * MarginSurface::kUnit;
-constexpr double kDeep = 64 * MarginSurface::kUnit;
+constexpr double kHair = 0x1p-50;  // of an edge: more than the roundings of a quotient of a sum, and of one more sum
 
-void boxOf(const std::vector<PlanVector>& places, PlanVector& low, PlanVector& high) {
-  low = high = places.front();
-  for (const PlanVector& p : places) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+/// How far p is to the left of the line from a to b, times the length of that, to within `error`.
+struct Offset {
+  double value = 0, error = 0;
+};
+
+// Differences, products and the last difference lose at most 4 u (|l| + |r|) together, u = 2^-53, and what is made of
+// value and error by one more operation another one.
+Offset offsetOf(const PlanVector& a, const PlanVector& b, const PlanVector& p) {
+  const double left = (b.x - a.x) * (p.y - a.y), right = (b.y - a.y) * (p.x - a.x);
+  return {left - right, (std::fabs(left) + std::fabs(right)) * 0x1p-50 + std::numeric_limits<double>::min()};
+}
+
+// Where a number that goes from `first` to `last` is not negative, a hair less or more.
+template <class Stretch>
+void keepPositive(Stretch& stretch, double first, double last, double hair) {
+  if (first >= 0 && last >= 0) return;
+  if (first < 0 && last < 0) {
+    stretch.end = stretch.begin;
+    return;
+  }
+  const double there = first / (first - last);
+  if (first < 0)
+    stretch.begin = std::max(stretch.begin, there + hair);
+  else
+    stretch.end = std::min(stretch.end, there - hair);
+}
+
+}  // namespace
+
+MarginChoice::Stretch MarginChoice::insideOf(Outline outline, const PlanVector& from, const PlanVector& to) {
+  Stretch stretch;
+  const PlanVector* a = &outline.back();
+  for (const PlanVector& b : outline) {
+    const Offset first = offsetOf(*a, b, from), last = offsetOf(*a, b, to);
+    keepPositive(stretch, first.value - first.error, last.value - last.error, kHair);
+    if (stretch.isEmpty()) break;
+    a = &b;
+  }
+  return stretch;
+}
+
+MarginChoice::Stretch MarginChoice::maybeInsideOf(Outline outline, const PlanVector& from, const PlanVector& to) {
+  Stretch stretch;
+  const PlanVector* a = &outline.back();
+  for (const PlanVector& b : outline) {
+    const Offset first = offsetOf(*a, b, from), last = offsetOf(*a, b, to);
+    keepPositive(stretch, first.value + first.error, last.value + last.error, -kHair);
+    if (stretch.isEmpty()) break;
+    a = &b;
+  }
+  return stretch;
+}
+
+// False where the margin and the face are apart for certain.
+bool MarginChoice::add(Index margin) {
+  Candidate& candidate = candidates_.emplace_back();
+  candidate.margin = margin;
+  candidate.outline = margins_[margin].corners;
+  const PlanVector* a = &candidate.outline.back();
+  for (const PlanVector& b : candidate.outline) {
+    std::array<Offset, 3> at;
+    bool isApart = true;
+    for (int k = 0; k < 3; ++k) {
+      at[k] = offsetOf(*a, b, face_[k]);
+      isApart = isApart && at[k].value + at[k].error < 0;
+    }
+    if (isApart) {
+      candidates_.pop_back();
+      return false;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Offset &first = at[k], &last = at[k == 2 ? 0 : k + 1];
+      keepPositive(candidate.onEdges[k], first.value - first.error, last.value - last.error, kHair);
+      keepPositive(candidate.maybeOnEdges[k], first.value + first.error, last.value + last.error, -kHair);
+    }
+    a = &b;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const PlanVector &begin = face_[k], &end = face_[k == 2 ? 0 : k + 1];
+    if (!std::all_of(candidate.outline.begin(), candidate.outline.end(), [&](const PlanVector& p) {
+          const Offset offset = offsetOf(begin, end, p);
+          return offset.value + offset.error < 0;
+        }))
+      continue;
+    candidates_.pop_back();
+    return false;
+  }
+  return true;
+}
+
+namespace {
+
+// Whether stretches of one edge cover one of it.
+template <class Stretch>
+bool cover(const std::vector<Stretch>& stretches, const Stretch& whole) {
+  double covered = whole.begin;
+  for (;;) {
+    double furthest = covered;
+    for (const Stretch& stretch : stretches)
+      if (stretch.begin <= covered) furthest = std::max(furthest, stretch.end);
+    if (furthest >= whole.end) return true;
+    if (furthest <= covered) return false;
+    covered = furthest;
   }
 }
 
 }  // namespace
 
-std::span<const Index> MarginChoice::neededOn(const std::array<PlanVector, 3>& corners,
-                                              std::span<const Index> numbers) {
-  if (parts_.size() < numbers.size()) parts_.resize(numbers.size());
-  std::size_t count = 0;
-  for (const Index number : numbers) {
-    Part& part = parts_[count];
-    part.margin = number;
-    part.isNeeded = true;
-    clip(corners, part);
-    if (part.corners.empty()) continue;
-    boxOf(part.corners, part.low, part.high);
-    boxOf(margins_[number].corners, part.marginLow, part.marginHigh);
-    ++count;
-  }
-  needed_.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < count && parts_[i].isNeeded; ++k)
-      if (k != i && parts_[k].isNeeded && holds(parts_[k], parts_[i])) parts_[i].isNeeded = false;
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    if (parts_[i].isNeeded) needed_.push_back(parts_[i].margin);
-  return needed_;
+bool MarginChoice::isFaceEdgeCovered(int k, const Stretch& stretch, const Candidate* except) const {
+  stretches_.clear();
+  for (const Candidate& candidate : candidates_)
+    if (candidate.isNeeded && &candidate != except && !candidate.onEdges[k].isEmpty())
+      stretches_.push_back(candidate.onEdges[k]);
+  return cover(stretches_, stretch);
 }
 
-void MarginChoice::clip(const std::array<PlanVector, 3>& corners, Part& part) {
-  part.corners = margins_[part.margin].corners;
-  for (std::size_t k = 0; k < 3 && !part.corners.empty(); ++k) {
-    const PlanVector &a = corners[k], &b = corners[(k + 1) % 3];
-    const double size = length(b - a);
-    if (size < MarginSurface::kShort) continue;
-    const PlanVector out = (1 / size) * leftOf(b - a);
-    clipped_.clear();
-    for (std::size_t i = 0; i < part.corners.size(); ++i) {
-      const PlanVector &p = part.corners[i], &q = part.corners[(i + 1) % part.corners.size()];
-      const double atP = dot(p - a, out) + kOut, atQ = dot(q - a, out) + kOut;
-      if (atP >= 0) clipped_.push_back(p);
-      if ((atP > 0 && atQ < 0) || (atP < 0 && atQ > 0)) clipped_.push_back(p + (atP / (atP - atQ)) * (q - p));
+bool MarginChoice::areCovered(const Stretch& stretch, const PlanVector& from, const PlanVector& to,
+                              const Candidate* first, const Candidate* second) const {
+  stretches_.clear();
+  for (const Candidate& candidate : candidates_) {
+    if (!candidate.isNeeded || &candidate == first || &candidate == second) continue;
+    const Stretch inside = insideOf(candidate.outline, from, to);
+    if (inside.begin <= stretch.begin && inside.end >= stretch.end) return true;
+    if (!inside.isEmpty()) stretches_.push_back(inside);
+  }
+  return cover(stretches_, stretch);
+}
+
+bool MarginChoice::isCovered(const Candidate* except) const {
+  for (int k = 0; k < 3; ++k) {
+    const Stretch stretch = except != nullptr ? except->maybeOnEdges[k] : Stretch{};
+    if (!stretch.isEmpty() && !isFaceEdgeCovered(k, stretch, except)) return false;
+  }
+  const auto isOutlineCovered = [&](const Candidate& candidate) {
+    const PlanVector* a = &candidate.outline.back();
+    for (const PlanVector& b : candidate.outline) {
+      Stretch stretch = maybeInsideOf(face_, *a, b);
+      if (except != nullptr && &candidate != except && !stretch.isEmpty()) {
+        const Stretch within = maybeInsideOf(except->outline, *a, b);
+        stretch = {std::max(stretch.begin, within.begin), std::min(stretch.end, within.end)};
+      }
+      if (!stretch.isEmpty() && !areCovered(stretch, *a, b, except, &candidate)) return false;
+      a = &b;
     }
-    part.corners.swap(clipped_);
-  }
+    return true;
+  };
+  if (except != nullptr && !isOutlineCovered(*except)) return false;
+  return std::all_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+    return !candidate.isNeeded || &candidate == except || isOutlineCovered(candidate);
+  });
 }
 
-bool MarginChoice::holds(const Part& outer, const Part& inner) const {
-  if (inner.low.x < outer.marginLow.x || inner.low.y < outer.marginLow.y || inner.high.x > outer.marginHigh.x ||
-      inner.high.y > outer.marginHigh.y)
-    return false;
-  const std::vector<PlanVector>& corners = margins_[outer.margin].corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const PlanVector &a = corners[i], &b = corners[(i + 1) % corners.size()];
-    const double size = length(b - a);
-    const PlanVector out = leftOf(b - a);
-    for (const PlanVector& p : inner.corners)
-      if (!(dot(p - a, out) > kDeep * size)) return false;
-  }
-  return true;
+MarginChoice::Result MarginChoice::chooseOn(const std::array<PlanVector, 3>& corners, std::span<const Index> numbers) {
+  face_ = corners;
+  candidates_.clear();
+  needed_.clear();
+  for (const Index number : numbers) add(number);
+  if (isCovered(nullptr)) return {true, {}};
+  if (candidates_.size() > 1)
+    for (Candidate& candidate : candidates_)
+      if (isCovered(&candidate)) candidate.isNeeded = false;
+  for (const Candidate& candidate : candidates_)
+    if (candidate.isNeeded) needed_.push_back(candidate.margin);
+  return {false, needed_};
 }
 
 }  // namespace footfall::detail

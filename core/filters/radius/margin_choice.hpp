@@ -1,5 +1,10 @@
-// Which margins a face needs.
+// Which margins a face needs, and whether they leave anything of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Found in doubles with bounds, and in doubt a margin stays and a face is not covered. Convex sets cover a region R
+// when they cover its outline, and when what lies of their own outlines inside R is in the inside of others: else what
+// is left of R would end at a place of one outline that is inside no other one. So all that is asked is which stretches
+// of straight edges lie in convex polygons.
 #pragma once
 
 #include <array>
@@ -10,32 +15,46 @@
 
 namespace footfall::detail {
 
-/// Leaves out margins of which another one has all that lies on the face, and margins that do not meet it: cutting them
-/// out as well would change nothing. Found in doubles, and in doubt they stay. Not for sharing between threads.
+/// Not for sharing between threads.
 class MarginChoice {
  public:
   /// Must outlive it.
   explicit MarginChoice(const std::vector<Margin>& margins) : margins_(margins) {}
 
-  /// `numbers`: ascending, of margins; `corners`: the face's, scaled, counter-clockwise. Returns those that are needed,
-  /// ascending, good until the next call.
-  std::span<const Index> neededOn(const std::array<PlanVector, 3>& corners, std::span<const Index> numbers);
+  struct Result {
+    bool isCovered = false;           ///< for certain, the margins leave nothing of the face
+    std::span<const Index> needed{};  ///< if not: cutting out the others as well would change nothing; ascending
+  };
+  /// `numbers`: ascending, of margins; `corners`: the face's, scaled, counter-clockwise. Good until the next call.
+  Result chooseOn(const std::array<PlanVector, 3>& corners, std::span<const Index> numbers);
 
  private:
-  struct Part {
-    Index margin = -1;
-    bool isNeeded = true;
-    std::vector<PlanVector> corners;  ///< of its part on the face, which is a little larger than that
-    PlanVector low, high;             ///< of the box around these
-    PlanVector marginLow, marginHigh;
+  /// A part of an edge; its ends are 0 and 1.
+  struct Stretch {
+    double begin = 0, end = 1;
+    [[nodiscard]] bool isEmpty() const { return !(begin < end); }
   };
-  void clip(const std::array<PlanVector, 3>& corners, Part& part);
-  [[nodiscard]] bool holds(const Part& outer, const Part& inner) const;
+  using Outline = std::span<const PlanVector>;  ///< of a convex polygon, counter-clockwise
+  struct Candidate {
+    Index margin = -1;
+    Outline outline;
+    bool isNeeded = true;
+    std::array<Stretch, 3> onEdges, maybeOnEdges;  ///< of the face, that are inside for certain, or may be
+  };
+  bool add(Index margin);
+  static Stretch insideOf(Outline outline, const PlanVector& from, const PlanVector& to);
+  static Stretch maybeInsideOf(Outline outline, const PlanVector& from, const PlanVector& to);
+  [[nodiscard]] bool areCovered(const Stretch& stretch, const PlanVector& from, const PlanVector& to,
+                                const Candidate* first, const Candidate* second) const;
+  [[nodiscard]] bool isFaceEdgeCovered(int k, const Stretch& stretch, const Candidate* except) const;
+  /// Whether needed candidates but `except` (may be null) cover the face, or what `except` has of it.
+  [[nodiscard]] bool isCovered(const Candidate* except) const;
 
   const std::vector<Margin>& margins_;
-  std::vector<Part> parts_;
-  std::vector<PlanVector> clipped_;
+  std::array<PlanVector, 3> face_;
+  std::vector<Candidate> candidates_;
   std::vector<Index> needed_;
+  mutable std::vector<Stretch> stretches_;  ///< of one edge
 };
 
 }  // namespace footfall::detail

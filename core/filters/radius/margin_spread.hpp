@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 #include <vector>
 
+#include "core/base/numbered_table.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/filters/radius/margin_surface.hpp"
 
@@ -83,6 +83,7 @@ class Spread {
   template <class View>
   void run(const View& view) {
     seen_.clear();
+    ranges_.clear();
     while (!stack_.empty()) {
       if ((++visited_ & 255) == 0) poll_();
       const Entry entry = stack_.back();
@@ -118,8 +119,9 @@ class Spread {
         continue;
       }
       for (const Index other : surface_.beyond(side)) {
-        const auto [known, isNew] = seen_.try_emplace(other, std::array{low, high});
-        auto& [seenLow, seenHigh] = known->second;
+        const auto [number, isNew] = seen_.insert(other);
+        if (isNew) ranges_.push_back({low, high});
+        auto& [seenLow, seenHigh] = ranges_[number];
         if (!isNew && seenLow <= low && high <= seenHigh) continue;
         seenLow = std::min(seenLow, low);
         seenHigh = std::max(seenHigh, high);
@@ -132,8 +134,9 @@ class Spread {
   Poll poll_;
   std::uint32_t visited_ = 0;
   std::vector<Entry> stack_;
-  std::unordered_map<Index, std::array<double, 2>> seen_;  ///< of entered sides
-  std::vector<Index> found_;                               ///< triangles
+  NumberedTable<Index> seen_;                  ///< sides that were entered
+  std::vector<std::array<double, 2>> ranges_;  ///< of each of them
+  std::vector<Index> found_;                   ///< triangles
 };
 
 }  // namespace footfall::detail

@@ -314,17 +314,17 @@ class MarginFinder {
     const double slack = chain.slack, distance = distanceOf(chain);
     const PlanVector out = leftOf(chain.along);
     const PlanVector from = chain.begin - slack * chain.along, to = chain.end + slack * chain.along;
-    std::vector<PlanVector> corners;
+    std::vector<PlanVector> corners{roundToUnit(from - slack * out), roundToUnit(to - slack * out)};
+    corners.reserve(2 + before.size() + behind.size());
     const auto add = [&](const Part& part, const PlanVector& plain) {
-      corners.push_back(roundToUnit(plain - slack * out));
-      if (part.corner == nullptr)
+      if (part.corner == nullptr) {
         corners.push_back(roundToUnit(plain + distance * out));
-      else
-        corners.insert(corners.end(), part.corner->tangents.begin() + static_cast<std::ptrdiff_t>(part.first),
-                       part.corner->tangents.begin() + static_cast<std::ptrdiff_t>(part.last) + 1);
+        return;
+      }
+      for (std::size_t i = part.last + 1; i-- > part.first;) corners.push_back(part.corner->tangents[i]);
     };
-    add(before, from);
     add(behind, to);
+    add(before, from);
     return corners;
   }
 
@@ -371,6 +371,7 @@ class MarginFinder {
                  std::vector<Margin>& margins) const {
     const PlanVector middle = unitOf(unitOf(margin.corners.front() - apex) + unitOf(margin.corners.back() - apex));
     margin.corners.push_back(roundToUnit(apex - slack * middle));
+    std::reverse(margin.corners.begin(), margin.corners.end());
     addMargin(std::move(margin), spread, margins);
   }
 
@@ -410,9 +411,7 @@ class MarginFinder {
 
   void addMargin(Margin&& margin, Spread& spread, std::vector<Margin>& margins) const {
     margin.corners = hullOf(std::move(margin.corners));
-    box_.clip(margin.corners);
-    if (margin.corners.empty()) return;
-    margin.corners = hullOf(std::move(margin.corners));
+    if (box_.clip(margin.corners)) margin.corners = hullOf(std::move(margin.corners));
     if (margin.corners.size() < 3) return;
     for (const Index triangle : spread.takeTriangles()) margin.faces.push_back(surface_.face(3 * triangle));
     std::sort(margin.faces.begin(), margin.faces.end());

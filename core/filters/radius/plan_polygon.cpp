@@ -44,25 +44,56 @@ ClipBox::ClipBox(const MarginSurface& surface) {
   }
 }
 
-void ClipBox::clip(std::vector<PlanVector>& corners) const {
+bool ClipBox::clip(std::vector<PlanVector>& corners) const {
+  if (std::all_of(corners.begin(), corners.end(), [&](const PlanVector& p) { return holds(p); })) return false;
   for (int axis = 0; axis < 2; ++axis) {
     keep(corners, axis, 1, lower_[axis]);
     keep(corners, axis, -1, upper_[axis]);
   }
+  return true;
 }
 
-std::vector<PlanVector> hullOf(std::vector<PlanVector> places) {
-  const auto key = [](const PlanVector& p) { return std::array{p.x, p.y}; };
-  std::sort(places.begin(), places.end(), [&](const PlanVector& a, const PlanVector& b) { return key(a) < key(b); });
-  places.erase(std::unique(places.begin(), places.end(),
-                           [&](const PlanVector& a, const PlanVector& b) { return key(a) == key(b); }),
-               places.end());
+namespace {
+
+bool precedes(const PlanVector& p, const PlanVector& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
+
+/// Whether c is to the left of the line from a to b; exactly.
+bool isLeft(const PlanVector& a, const PlanVector& b, const PlanVector& c) {
+  // Differences, products and the last difference lose at most 4 u (|l| + |r|) together, u = 2^-53.
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+  const double bound = (std::fabs(left) + std::fabs(right)) * 0x1p-50;
+  if (left - right > bound) return true;
+  if (left - right < -bound) return false;
   // Fewer than 54 bits and a sign each.
   const auto inUnits = [](double x) { return static_cast<__int128>(static_cast<std::int64_t>(x / kUnit)); };
-  const auto isLeft = [&](const PlanVector& a, const PlanVector& b, const PlanVector& c) {
-    return (inUnits(b.x) - inUnits(a.x)) * (inUnits(c.y) - inUnits(a.y)) >
-           (inUnits(b.y) - inUnits(a.y)) * (inUnits(c.x) - inUnits(a.x));
-  };
+  return (inUnits(b.x) - inUnits(a.x)) * (inUnits(c.y) - inUnits(a.y)) >
+         (inUnits(b.y) - inUnits(a.y)) * (inUnits(c.x) - inUnits(a.x));
+}
+
+// Turns to the left at each corner, once round: it goes up from its first corner in their order, and then down.
+bool isConvex(const std::vector<PlanVector>& corners) {
+  const std::size_t count = corners.size();
+  if (count < 3) return false;
+  int turns = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const PlanVector &a = corners[i], &b = corners[(i + 1) % count], &c = corners[(i + 2) % count];
+    if (!isLeft(a, b, c)) return false;
+    turns += static_cast<int>(precedes(a, b) != precedes(b, c));
+  }
+  return turns == 2;
+}
+
+}  // namespace
+
+std::vector<PlanVector> hullOf(std::vector<PlanVector> places) {
+  if (isConvex(places)) {
+    std::rotate(places.begin(), std::min_element(places.begin(), places.end(), precedes), places.end());
+    return places;
+  }
+  std::sort(places.begin(), places.end(), precedes);
+  places.erase(std::unique(places.begin(), places.end(),
+                           [&](const PlanVector& a, const PlanVector& b) { return a.x == b.x && a.y == b.y; }),
+               places.end());
   std::vector<PlanVector> hull;
   const auto add = [&](const PlanVector& p, std::size_t from) {
     while (hull.size() >= from + 2 && !isLeft(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();

@@ -23,14 +23,16 @@ class ClipBox {
   [[nodiscard]] bool holds(const PlanVector& p) const {
     return lower_[0] <= p.x && p.x <= upper_[0] && lower_[1] <= p.y && p.y <= upper_[1];
   }
-  void clip(std::vector<PlanVector>& corners) const;
+  /// Returns whether something was cut off.
+  bool clip(std::vector<PlanVector>& corners) const;
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> lower_{kInfinity, kInfinity}, upper_{-kInfinity, -kInfinity};
 };
 
-/// The convex hull of places in units, counter-clockwise, exactly: rounding can turn a corner the wrong way.
+/// The convex hull of places in units, counter-clockwise, exactly: rounding can turn a corner the wrong way. Quick for
+/// those that are the corners of one already, in that order.
 std::vector<PlanVector> hullOf(std::vector<PlanVector> places);
 
 }  // namespace footfall::detail

@@ -104,6 +104,11 @@ class SoupBuilder {
     const FaceCuts* cuts = cutsOf(t);
     return state_.removed[t] == 0 && cuts != nullptr && !cuts->removed && !cuts->segments.empty();
   }
+  /// Its rounded parts are exactly in its plane.
+  [[nodiscard]] bool isLevel(Index t) const {
+    const auto& [a, b, c] = source_.triangles[t];
+    return source_.vertices[a].z == source_.vertices[b].z && source_.vertices[b].z == source_.vertices[c].z;
+  }
 
   [[nodiscard]] std::shared_ptr<const CoveredPart> knownPart(Index face) const {
     if (covered_ == nullptr || covered_->earlier == nullptr || !state_.cuts) return nullptr;
@@ -117,7 +122,7 @@ class SoupBuilder {
     CoveredParts parts(source_.triangles.size());
     std::vector<Index> faces;
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t)
-      if (isDivided(t)) faces.push_back(t);
+      if (isDivided(t) && !isLevel(t)) faces.push_back(t);
     const Poll poll(context);
     tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), kFacesPerTask), [&](const auto& range) {
@@ -172,7 +177,8 @@ class SoupBuilder {
       }
       const bool floor = state_.walkable[t] != 0;
       const FaceCuts* cuts = cutsOf(t);
-      const bool covered = cuts != nullptr && cuts->removed;
+      // What is left of a level floor is in the mesh, and the whole of it is no more obstacle than both parts are.
+      const bool covered = cuts != nullptr && (cuts->removed || isDivided(t));
       if (floor && !covered && state_.mesh) continue;  // in the mesh
       const auto& f = source_.triangles[t];
       addTriangle({vertexOf(f[0]), vertexOf(f[1]), vertexOf(f[2])}, t, floor && !covered);

@@ -235,7 +235,8 @@ class TestExact : public QObject {
           const auto& f = mesh->triangles[o];
           for (int k = 0; k < 3; ++k) insertClipped(geometry, triangulation, f[k], f[(k + 1) % 3]);
         }
-        triangulation.improve();
+        triangulation.dropConstraints();
+        triangulation.improve(std::vector<char>(triangulation.cells().size(), 1));
         mpq_class sum = 0;
         for (const auto& cell : triangulation.cells()) {
           Rational3 p[3];
