@@ -3,24 +3,46 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace footfall::detail {
 
+struct HilbertStep {
+  std::uint8_t place = 0;  ///< among the 256 cells
+  std::uint8_t turn = 0;   ///< below the cell
+};
+
+/// Four levels of the curve at once. Below the cells of a level it is turned in one of four ways: x and y swapped (1),
+/// both counted from the other end (2).
+struct HilbertTurns {
+  std::array<std::array<HilbertStep, 256>, 4> steps{};  ///< [turn][four bits of x, then of y]
+
+  constexpr HilbertTurns() {
+    for (unsigned turn = 0; turn < 4; ++turn)
+      for (unsigned bits = 0; bits < 256; ++bits) {
+        unsigned now = turn, place = 0;
+        for (unsigned level = 4; level-- > 0;) {
+          const unsigned x = (bits >> (4 + level) & 1U) ^ (now >> 1U), y = (bits >> level & 1U) ^ (now >> 1U);
+          const unsigned rx = (now & 1U) != 0 ? y : x, ry = (now & 1U) != 0 ? x : y;
+          place = place << 2U | ((3 * rx) ^ ry);
+          if (ry == 0) now ^= rx == 1 ? 3U : 1U;
+        }
+        steps[turn][bits] = {static_cast<std::uint8_t>(place), static_cast<std::uint8_t>(now)};
+      }
+  }
+};
+
 /// The place of a cell along a Hilbert curve over 2^16 x 2^16 cells.
 inline std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
+  static constexpr HilbertTurns kTurns;
   std::uint64_t index = 0;
-  for (std::uint32_t s = 1U << 15; s > 0; s >>= 1) {
-    const std::uint32_t rx = (x & s) != 0 ? 1 : 0, ry = (y & s) != 0 ? 1 : 0;
-    index += static_cast<std::uint64_t>(s) * s * ((3 * rx) ^ ry);
-    if (ry == 0) {
-      if (rx == 1) {
-        x = 65535 - x;
-        y = 65535 - y;
-      }
-      std::swap(x, y);
-    }
+  std::size_t turn = 0;
+  for (unsigned shift = 16; shift > 0;) {
+    shift -= 4;
+    const HilbertStep step = kTurns.steps[turn][(x >> shift & 15U) << 4U | (y >> shift & 15U)];
+    index = index << 8U | step.place;
+    turn = step.turn;
   }
   return index;
 }

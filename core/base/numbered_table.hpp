@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <bit>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
@@ -45,23 +46,36 @@ class NumberedTable {
     Number number = 0;
   };
 
+  static constexpr std::size_t kWords = (sizeof(Key) + 7) / 8;
+  using Words = std::array<std::uint64_t, kWords>;
+
+  static Words wordsOf(const Key& key) {
+    static_assert(std::has_unique_object_representations_v<Key>);
+    Words words{};
+    std::memcpy(words.data(), &key, sizeof(Key));
+    return words;
+  }
+  static bool areEqual(const Words& a, const Words& b) {
+    std::uint64_t difference = 0;
+    for (std::size_t i = 0; i < kWords; ++i) difference |= a[i] ^ b[i];
+    return difference == 0;
+  }
   // Sums of products with odd numbers (the fractions of pi), of which the top bits are used.
-  static std::uint64_t hash(const Key& key) {
-    constexpr std::size_t kWords = sizeof(Key) / 8, kTail = sizeof(Key) % 8;
+  static std::uint64_t hash(const Words& words) {
     constexpr std::uint64_t kFactors[] = {0x243F6A8885A308D3ULL, 0x13198A2E03707345ULL, 0xA4093822299F31D1ULL,
                                           0x082EFA98EC4E6C89ULL, 0x452821E638D01377ULL};
-    static_assert(kWords + (kTail != 0) <= std::size(kFactors) && std::has_unique_object_representations_v<Key>);
-    std::uint64_t words[kWords + (kTail != 0)] = {};
-    std::memcpy(words, &key, sizeof(Key));
+    static_assert(kWords <= std::size(kFactors));
     std::uint64_t h = 0;
-    for (std::size_t i = 0; i < std::size(words); ++i) h += words[i] * kFactors[i];
+    for (std::size_t i = 0; i < kWords; ++i) h += words[i] * kFactors[i];
     h ^= h >> 32;
     return h * 0x9E3779B97F4A7C15ULL;
   }
   Slot* find(const Key& key) {
     const std::size_t mask = (std::size_t{1} << bits_) - 1;
-    std::size_t slot = hash(key) >> (64 - bits_);
-    while (slots_[slot].filling == filling_ && !(keys_[static_cast<std::size_t>(slots_[slot].number)] == key))
+    const Words words = wordsOf(key);
+    std::size_t slot = hash(words) >> (64 - bits_);
+    while (slots_[slot].filling == filling_ &&
+           !areEqual(wordsOf(keys_[static_cast<std::size_t>(slots_[slot].number)]), words))
       slot = (slot + 1) & mask;
     return &slots_[slot];
   }

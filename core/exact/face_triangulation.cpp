@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/base/geometry.hpp"
@@ -343,7 +344,7 @@ Index FaceTriangulation::advance(Index u, Index line, int direction) {
   }
   if (entered < 0) fail("a segment that leaves the face");
 
-  std::vector<Edge> crossed;
+  crossed_.clear();
   Index cell = entered;
   int k = next(cornerOf(cells_[cell], u));  // opposite u
   Index target = -1;
@@ -364,7 +365,7 @@ Index FaceTriangulation::advance(Index u, Index line, int direction) {
       target = p;
       break;
     }
-    crossed.push_back({a, b});
+    crossed_.push_back({a, b});
     const Index other = c.neighbors[k];
     if (other < 0) fail("a segment that leaves the face");
     const int j = neighborSlot(cells_[other], cell);
@@ -377,15 +378,14 @@ Index FaceTriangulation::advance(Index u, Index line, int direction) {
     cell = other;
     k = s > 0 ? next(j) : previous(j);
   }
-  flipAway(line, direction, crossed);
+  flipAway(line, direction);
   return target;
 }
 
-void FaceTriangulation::flipAway(Index line, int direction, const std::vector<Edge>& crossed) {
-  std::vector<Edge> queue(crossed);
-  for (std::size_t head = 0; head < queue.size(); ++head) {
+void FaceTriangulation::flipAway(Index line, int direction) {
+  for (std::size_t head = 0; head < crossed_.size(); ++head) {
     poll();
-    Edge e = queue[head];
+    Edge e = crossed_[head];
     Index cell = -1;
     int k = 0;
     if (!findEdge(e[0], e[1], cell, k)) {
@@ -397,9 +397,9 @@ void FaceTriangulation::flipAway(Index line, int direction, const std::vector<Ed
     const Index d = cells_[other].corners[previous(neighborSlot(cells_[other], cell))];
     if (geometry_.orientation(r, e[0], d) > 0 && geometry_.orientation(r, d, e[1]) > 0) {
       flip(cell, k);
-      if (sideOfSegment(line, direction, r) * sideOfSegment(line, direction, d) < 0) queue.push_back({r, d});
+      if (sideOfSegment(line, direction, r) * sideOfSegment(line, direction, d) < 0) crossed_.push_back({r, d});
     } else {
-      queue.push_back(e);
+      crossed_.push_back(e);
     }
   }
 }
@@ -412,25 +412,24 @@ void FaceTriangulation::dropConstraints() {
 
 void FaceTriangulation::improve(const std::vector<char>& isWanted) {
   std::size_t left = cells_.size() * 20;
-  std::vector<Index> queue;
-  queue.reserve(cells_.size());
+  unsettled_.clear();
   for (std::size_t i = 0; i < cells_.size(); ++i)
-    if (isWanted[i] != 0) queue.push_back(static_cast<Index>(i));
-  std::vector<char> queued = isWanted;
-  while (!queue.empty() && left > 0) {
+    if (isWanted[i] != 0) unsettled_.push_back(static_cast<Index>(i));
+  isUnsettled_ = isWanted;
+  while (!unsettled_.empty() && left > 0) {
     poll();
-    const Index cell = queue.back();
-    queue.pop_back();
-    queued[cell] = 0;
+    const Index cell = unsettled_.back();
+    unsettled_.pop_back();
+    isUnsettled_[cell] = 0;
     for (int k = 0; k < 3; ++k) {
       const Index other = cells_[cell].neighbors[k];
       if (!flipIfBetter(cell, k)) continue;
       --left;
       for (const Index changed : {cell, other}) {
         const auto enqueue = [&](Index c) {
-          if (c >= 0 && queued[c] == 0 && isWanted[c] != 0) {
-            queued[c] = 1;
-            queue.push_back(c);
+          if (c >= 0 && isUnsettled_[c] == 0 && isWanted[c] != 0) {
+            isUnsettled_[c] = 1;
+            unsettled_.push_back(c);
           }
         };
         enqueue(changed);

@@ -69,7 +69,8 @@ class FaceTriangulation {
   int sideOfSegment(Index line, int direction, Index vertex);
   /// One step of insertSegment: from u to the next vertex on the segment, making edge u-next.
   Index advance(Index u, Index line, int direction);
-  void flipAway(Index line, int direction, const std::vector<Edge>& crossed);
+  /// Flips the edges in crossed_ away from the segment.
+  void flipAway(Index line, int direction);
   void poll();
 
   FaceGeometry& geometry_;
@@ -84,6 +85,10 @@ class FaceTriangulation {
   std::uint32_t random_ = 1;
   std::uint32_t polls_ = 0;
   std::vector<std::array<Index, 2>> stack_;  ///< (cell, new vertex) to legalize
+  // Working memory, kept for the next face.
+  std::vector<Edge> crossed_;     ///< edges that a segment crosses
+  std::vector<Index> unsettled_;  ///< cells that improve() has to look at
+  std::vector<char> isUnsettled_;
 };
 
 }  // namespace footfall::detail

@@ -314,7 +314,8 @@ void FaceCutter::collectAll(Cuts& cuts) {
   if (segments_.empty() && pieces_.empty()) return;
   const std::size_t lineSlots = geometry_.pointCount();
   numbers_.assign(lineSlots + geometry_.lineCount(), -1);
-  std::vector<Index> order;
+  std::vector<Index>& order = order_;
+  order.clear();
   const auto need = [&](Index point) {
     if (numbers_[point] >= 0) return;
     numbers_[point] = 0;

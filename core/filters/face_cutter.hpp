@@ -139,6 +139,7 @@ class FaceCutter {
   std::vector<CutSegment> segments_, sorted_;
   std::vector<Index> counts_;
   std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
+  std::vector<Index> order_;    ///< of the points in them
   std::vector<FaceShare::Piece> pieces_;
 };
 

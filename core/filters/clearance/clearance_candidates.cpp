@@ -64,7 +64,10 @@ void ClearanceCandidates::begin(Index face) {
   face_ = face;
   dependsOnFloors_ = false;
   candidates_.clear();
-  crowding_.emplace(mesh_, face);
+  if (crowding_)
+    crowding_->restart(face);
+  else
+    crowding_.emplace(mesh_, face);
   isCoverSought_ = areKnownToCover_ = false;
   overlapInPlane_ = false;
   mayLeaveOut_ = true;
@@ -123,7 +126,7 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   } else {
     sort();
   }
-  crowding_.emplace(mesh_, face);
+  crowding_->restart(face);
   for (const ClearanceCandidate& candidate : candidates_) crowding_->add(candidate.obstacle);
   areKnownToCover_ = crowding_->isCrowd() && proveCover();
   findOpenCells();

@@ -376,71 +376,6 @@ void ClearanceClipper::clipToSide(Polygon& polygon, std::size_t side) {
   });
 }
 
-// The most common wall stands on a whole edge of the face: between its ends, and in the clearance at both.
-bool ClearanceClipper::isWallOfEdge(const ClearanceCandidate& candidate) {
-  const auto& f = mesh_.triangles[face_];
-  const auto& o = mesh_.triangles[candidate.obstacle];
-  const auto& plan = mesh_.planIds;
-  for (int k = 0; k < 3; ++k) {
-    if (candidate.sides[k] != ClearanceCandidate::Signs{0, 0, 0}) continue;
-    const Index from = plan[f[k]], to = plan[f[next(k)]];
-    bool atFrom = false, atTo = false;
-    for (int j = 0; j < 3; ++j) {
-      const Index at = plan[o[j]];
-      if (at != from && at != to) return false;
-      bool reaches = candidate.floor[j] >= 0 && candidate.ceiling[j] <= 0;
-      const int i = next(j);
-      if (plan[o[i]] == at)  // an upright edge
-        reaches =
-            reaches || candidate.floor[j] * candidate.floor[i] < 0 || candidate.ceiling[j] * candidate.ceiling[i] < 0;
-      (at == from ? atFrom : atTo) |= reaches;
-    }
-    if (!atFrom || !atTo) return false;
-    edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
-    return true;
-  }
-  return false;
-}
-
-void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
-  const auto& o = mesh_.triangles[candidate.obstacle];
-  const auto& plan = mesh_.planIds;
-  // Where the wall reaches into the clearance: its corners there, and where its edges pass floor and ceiling.
-  std::array<Place, 9> places;
-  int count = 0;
-  const auto addPlace = [&](const PlanPoint& point, int from, int to) {
-    places[count++] = {geometry_.point(point), from, to};
-  };
-  Index line = -1;
-  for (int k = 0; k < 3; ++k) {
-    const Index u = o[k], v = o[next(k)];
-    const bool upright = plan[u] == plan[v];
-    if (!upright && line < 0) line = geometry_.edgeLine(plan[u], plan[v]);
-    const bool isWithin = candidate.floor[k] >= 0 && candidate.ceiling[k] <= 0;
-    if (isWithin) addPlace(PlanPoint::source(plan[u]), k, k);
-    const bool crossesFloor = candidate.floor[k] * candidate.floor[next(k)] < 0;
-    const bool crossesCeiling = candidate.ceiling[k] * candidate.ceiling[next(k)] < 0;
-    if (upright) {
-      if (!isWithin && (crossesFloor || crossesCeiling)) addPlace(PlanPoint::source(plan[u]), k, k);
-      continue;
-    }
-    if (crossesFloor) addPlace(PlanPoint::edgePlane(u, v, face_, 0), k, next(k));
-    if (crossesCeiling) addPlace(PlanPoint::edgePlane(u, v, face_, level_), k, next(k));
-  }
-  const PlanLine l = geometry_.lineAt(line);
-  const Vec3 &start = mesh_.vertices[l.a], &end = mesh_.vertices[l.b];
-  const double dx = end.x - start.x, dy = end.y - start.y;
-  const int axis = std::fabs(dx) > std::fabs(dy) ? 0 : 1;
-  const int along = (axis == 0 ? end.x > start.x : end.y > start.y) ? 1 : -1;
-  Place first = places[0], last = places[0];
-  for (int i = 1; i < count; ++i) {
-    if (geometry_.compare(places[i].point, first.point, axis) * along < 0) first = places[i];
-    if (geometry_.compare(places[i].point, last.point, axis) * along > 0) last = places[i];
-  }
-  if (geometry_.compare(first.point, last.point, axis) == 0) return;
-  if (clipToFace(line, first, last, candidate)) addWallPiece(line, first.point, last.point);
-}
-
 int ClearanceClipper::sideOfEdge(int k, const Place& place, const ClearanceCandidate& candidate) {
   if (place.from < 0) return geometry_.sideOfEdge(k, place.point);
   const int a = candidate.sides[k][place.from], b = candidate.sides[k][place.to];
@@ -459,26 +394,6 @@ bool ClearanceClipper::clipToFace(Index line, Place& first, Place& last, const C
     (a < 0 ? first : last) = {p, -1, -1};
   }
   return true;
-}
-
-// What of a wall stands over the face, from one end to the other along its line.
-void ClearanceClipper::addWallPiece(Index line, Index first, Index last) {
-  if (first == last) return;
-  for (int k = 0; k < 3; ++k) {
-    if ((first == k && last == next(k)) || (last == k && first == next(k))) {
-      edgeWalls_ |= static_cast<std::uint8_t>(1 << k);
-      return;
-    }
-  }
-  bool cutFirst = false, cutLast = false;
-  for (std::size_t side = 0; side < sides_.size(); ++side) {
-    const int a = sideOfCell(side, first), b = sideOfCell(side, last);
-    if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return;
-    if (a * b >= 0) continue;
-    (a < 0 ? first : last) = geometry_.crossing(line, sideLines_[side]);
-    (a < 0 ? cutFirst : cutLast) = true;
-  }
-  addSegment(first, last, line, 1, 0, true, cutFirst, cutLast);
 }
 
 }  // namespace footfall::detail

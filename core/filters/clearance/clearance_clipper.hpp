@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/filters/clearance/clearance_candidates.hpp"
@@ -51,6 +52,8 @@ class ClearanceClipper : private FaceCutter {
   bool addArea(const ClearanceCandidate& candidate);
   void addWholeArea(const ClearanceCandidate& candidate);
   bool isWallOfEdge(const ClearanceCandidate& candidate);
+  /// Whether a wall reaches into the clearance at the place of its corner j.
+  [[nodiscard]] bool reachesAt(const ClearanceCandidate& candidate, int j) const;
   void addWall(const ClearanceCandidate& candidate);
   void addWallPiece(Index line, Index first, Index last);
   /// A place on an edge of the obstacle that is being clipped.
@@ -58,6 +61,9 @@ class ClearanceClipper : private FaceCutter {
     Index point = -1;
     int from = -1, to = -1;  ///< corners between which it lies, or the same one twice; -1: an edge of the face made it
   };
+  /// The first and the last place along its line at which a wall reaches into the clearance; the same point twice where
+  /// it does so at one only.
+  std::pair<Place, Place> endsOfWall(const ClearanceCandidate& candidate, Index line);
   int sideOfEdge(int k, const Place& place, const ClearanceCandidate& candidate);
   /// Clips a piece of `line` to the face; false when nothing is left.
   bool clipToFace(Index line, Place& first, Place& last, const ClearanceCandidate& candidate);

@@ -18,6 +18,12 @@ double planArea(const Box& a, const Box& b) {
 
 Crowding::Crowding(const SourceMesh& mesh, Index face) : mesh_(mesh), box_(boxOf(mesh, face)) {}
 
+void Crowding::restart(Index face) {
+  box_ = boxOf(mesh_, face);
+  few_.clear();
+  squares_ = 0;
+}
+
 double Crowding::commonArea(Index obstacle) const { return planArea(box_, boxOf(mesh_, obstacle)); }
 
 void Crowding::add(Index obstacle) {
@@ -27,8 +33,9 @@ void Crowding::add(Index obstacle) {
     return;
   }
   few_.push_back(obstacle);
-  if (few_.size() == kFewest)
-    for (const Index one : few_) count(one);
+  if (few_.size() < kFewest) return;
+  depths_.fill(0);
+  for (const Index one : few_) count(one);
 }
 
 void Crowding::count(Index obstacle) {

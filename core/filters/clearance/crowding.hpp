@@ -16,6 +16,8 @@ namespace footfall::detail {
 class Crowding {
  public:
   Crowding(const SourceMesh& mesh, Index face);
+  /// Starts again above another face.
+  void restart(Index face);
   void add(Index obstacle);
   /// Deep enough for looking what covers what to pay: 24 deep everywhere, or deeper in some part. More obstacles never
   /// make a crowd less of one.
