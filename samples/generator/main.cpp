@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "city.hpp"
@@ -39,16 +40,19 @@ int writeCityFile(const std::string& triangles, const std::string& path) {
 int main(int argc, char** argv) {
   using namespace footfall::samples;
   if (argc == 4 && std::string(argv[1]) == "city") return writeCityFile(argv[2], argv[3]);
-  if (argc != 2) {
-    std::cerr << "usage: footfall-samples FOLDER, or footfall-samples city TRIANGLES FILE.obj\n";
-    return 2;
+  const std::string_view folder = argc == 2 ? argv[1] : "";
+  if (folder.empty() || folder.starts_with('-')) {
+    const bool isAsked = folder == "--help" || folder == "-h";
+    (isAsked ? std::cout : std::cerr)
+        << "usage: footfall-samples FOLDER, or footfall-samples city TRIANGLES FILE.obj\n";
+    return isAsked ? 0 : 2;
   }
   try {
     for (const Sample& sample : kSamples) {
       const Mesh mesh = sample.make();
-      const std::filesystem::path folder = std::filesystem::path(argv[1]) / sample.name;
-      std::filesystem::create_directories(folder);
-      const std::filesystem::path path = folder / (std::string(sample.name) + ".obj");
+      const std::filesystem::path own = std::filesystem::path(folder) / sample.name;
+      std::filesystem::create_directories(own);
+      const std::filesystem::path path = own / (std::string(sample.name) + ".obj");
       std::ofstream file(path, std::ios::binary);
       file << mesh.obj(sample.description);
       file.close();
