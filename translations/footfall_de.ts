@@ -4054,7 +4054,7 @@
         <translation>Laden, Lauf oder Export anhalten; das letzte Ergebnis bleibt (Esc)</translation>
     </message>
     <message>
-        <source>Run &amp;on</source>
+        <source>Run o&amp;n</source>
         <translation>Rechnen a&amp;uf</translation>
     </message>
 </context>

@@ -1,5 +1,4 @@
-// `footfall-mpi run` and `cells`, to be started by mpirun or by Slurm: one environment, several processes. The only
-// program that needs MPI.
+// `footfall-mpi run` and `cells`, started by mpirun or Slurm. The only program that needs MPI.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <csignal>

@@ -1,5 +1,4 @@
-// A run whose cells other processes run, which leave their shares in a folder: this one takes them as they come, and
-// goes on behind each pass.
+// A run whose cells other processes run: it takes their shares from a folder as they come.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,5 +1,4 @@
-// What is left in a folder for processes that run the cells of somebody else's run: the environment and the pipeline,
-// and who they are.
+// A job for processes that run the cells of another one's run: environment, pipeline, and who they are.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Where a run's cells are run: by this process, or by several, here, on machines of a list or by Slurm.
+// Where a run's cells are run: by this process, by several here, on machines of a list, or by Slurm.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

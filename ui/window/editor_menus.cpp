@@ -145,7 +145,7 @@ void EditorWindow::createPipelineActions() {
       [this](bool) { cancelWork(); });
   commands_.addSubmenu(CommandMenu::Pipeline, tr("Selected &filters"), {QStringLiteral("steps")});
   commands_.addSubmenu(CommandMenu::Pipeline, tr("T&hreads"), {QStringLiteral("threads")});
-  commands_.addSubmenu(CommandMenu::Pipeline, tr("Run &on"), {QStringLiteral("run on")});
+  commands_.addSubmenu(CommandMenu::Pipeline, tr("Run o&n"), {QStringLiteral("run on")});
 }
 
 void EditorWindow::createViewActions() {

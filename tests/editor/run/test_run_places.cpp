@@ -1,5 +1,5 @@
-// Where runs are computed: the choice, what the session keeps of it, runs by several processes of this machine, and
-// what is left when they fail or are cancelled. SPDX-License-Identifier: GPL-3.0-or-later
+// Where runs are computed: the choice, the session, runs by several processes, failing and cancelling.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>

@@ -1,5 +1,4 @@
-// A run whose cells other processes run (threads in their place), which leave their shares in a folder: the bytes are
-// those of one process, whatever goes wrong is told, and nothing is left.
+// A run whose cells other processes (threads here) leave in a folder: the same bytes, or a message.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <rapidcheck.h>
 

@@ -1,4 +1,4 @@
-// Where processes are started: what is typed for them, what is told when they fail, and a run by footfall-mpi itself.
+// Where processes are started: what is typed, what is told when they fail, and runs by footfall-mpi.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 #include <QDir>
