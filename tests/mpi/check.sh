@@ -37,6 +37,13 @@ done
 compare docks 2 "SortedRecursiveStrategy 50 4 true"
 compare docks 3 AutoStrategy
 
+# A packed environment gives the bytes of its original.
+"${FOOTFALL}" pack "${FOOTFALL_SAMPLES}/docks/docks.obj" --quiet -o "${work}/docks.ffenv" >/dev/null
+steps=(--filter AutoStrategy --filter "SlopeFilter 45" --filter "VerticalClearanceFilter 2" --filter Collapse)
+"${FOOTFALL}" run "${FOOTFALL_SAMPLES}/docks/docks.obj" "${steps[@]}" --quiet -o "${work}/one.obj"
+ranks 2 "${FOOTFALL_MPI}" run "${work}/docks.ffenv" "${steps[@]}" --quiet --threads 1 -o "${work}/packed.obj"
+cmp "${work}/one.obj" "${work}/packed.obj" || fail "a packed environment: other bytes"
+
 # Without mpirun it is one process.
 "${FOOTFALL_MPI}" run "${FOOTFALL_SAMPLES}/house/house.obj" --quiet -o "${work}/alone.obj"
 "${FOOTFALL}" run "${FOOTFALL_SAMPLES}/house/house.obj" --quiet -o "${work}/one.obj"
