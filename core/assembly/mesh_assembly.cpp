@@ -47,7 +47,10 @@ std::vector<FaceToJoin> facesToJoin(const WalkableState& state, const FaceMeshes
       part.push_back({face, walls, nullptr});
     }
   });
+  std::size_t total = 0;
+  for (const auto& part : parts) total += part.size();
   std::vector<FaceToJoin> joined;
+  joined.reserve(total);
   for (const auto& part : parts) joined.insert(joined.end(), part.begin(), part.end());
   return joined;
 }
