@@ -25,8 +25,15 @@ constexpr std::size_t kPointsPerTask = 1024;
 constexpr std::size_t kTrianglesPerTask = 1024;
 constexpr std::size_t kPolled = 1 << 14;
 
-// What a used point is, where it is no source vertex.
-constexpr Index kOnSourceEdge = -1, kOfOneFace = -2, kUnused = -3;
+// What a used point is, where it is no source vertex. The last three are crossings on the face's own edges 0, 1, 2.
+constexpr Index kOnSourceEdge = -1, kOfOneFace = -2, kUnused = -3, kCrossingOnEdge = -4;
+
+/// A point that all faces at a source edge know by one name; for most points that name says which edge it is.
+struct SharedPoint {
+  PlanPoint point;
+  Index from = -1, to = -1;  ///< of a crossing: the source vertices of the edge
+  bool operator==(const SharedPoint&) const = default;
+};
 
 template <class Work>
 void forBlocks(std::size_t count, std::size_t size, RunContext& context, const Work& work) {
@@ -116,6 +123,14 @@ void MeshJoiner::nameUses(std::size_t entry, Index first, Index last, Additions&
            ++v)
         if (kernel_.heightSign(given.face, v, 0, fallbacks) == 0) return v;
     }
+    if (point.kind() == PlanPoint::Crossing) {
+      for (int k = 0; k < 3 && point.face() < 0; ++k) {
+        const Index a = mesh_.planIds[f[k]], b = mesh_.planIds[f[next(k)]];
+        const PlanLine edge{PlanLine::Edge, std::min(a, b), std::max(a, b)};
+        if (point.firstLine() == edge || point.secondLine() == edge) return kCrossingOnEdge - k;
+      }
+      return kOfOneFace;
+    }
     const bool isOnSourceEdge =
         point.kind() == PlanPoint::EdgePlane && ((isCorner(point.edgeBegin()) && isCorner(point.edgeEnd())) ||
                                                  (point.triangle() == given.face && point.level() == 0));
@@ -165,7 +180,7 @@ void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
 void MeshJoiner::numberUses(Additions& additions, RunContext& context) {
   std::vector<Index> ofSource(mesh_.vertices.size(), -1);
   // In space they lie on the source edge itself, so all faces that know one by this name mean the same vertex.
-  NumberedTable<PlanPoint> onSourceEdges;
+  NumberedTable<SharedPoint> onSourceEdges;
   onSourceEdges.clear();
   std::vector<Index> ofSourceEdgePoint;
   std::vector<Index>& firstUseOf = additions.firstUseOf;
@@ -181,7 +196,14 @@ void MeshJoiner::numberUses(Additions& additions, RunContext& context) {
       return ofSource[name];
     }
     if (name == kOfOneFace) return addVertex(place);
-    const auto [number, isNew] = onSourceEdges.insert(additions.faces[entry].parts->points[additions.pointOf[place]]);
+    SharedPoint shared{additions.faces[entry].parts->points[additions.pointOf[place]]};
+    if (name <= kCrossingOnEdge) {
+      const auto& f = mesh_.triangles[additions.faces[entry].face];
+      const int k = kCrossingOnEdge - name;
+      shared.from = std::min(f[k], f[next(k)]);
+      shared.to = std::max(f[k], f[next(k)]);
+    }
+    const auto [number, isNew] = onSourceEdges.insert(shared);
     if (isNew) ofSourceEdgePoint.push_back(addVertex(place));
     return ofSourceEdgePoint[number];
   };

@@ -104,10 +104,19 @@ class SoupBuilder {
     const FaceCuts* cuts = cutsOf(t);
     return state_.removed[t] == 0 && cuts != nullptr && !cuts->removed && !cuts->segments.empty();
   }
-  /// Its rounded parts are exactly in its plane.
-  [[nodiscard]] bool isLevel(Index t) const {
-    const auto& [a, b, c] = source_.triangles[t];
-    return source_.vertices[a].z == source_.vertices[b].z && source_.vertices[b].z == source_.vertices[c].z;
+  /// Divided or not, it is the same obstacle: what rounding makes of its parts is exactly in its plane, and where cuts
+  /// meet its edges, exactly on these, too, as they are parallel to an axis.
+  [[nodiscard]] bool isWholeObstacle(Index t) const {
+    const auto& f = source_.triangles[t];
+    const auto place = [&](int k) -> const Vec3& { return source_.vertices[f[k % 3]]; };
+    if (place(0).z != place(1).z || place(1).z != place(2).z) return false;
+    unsigned slanting = 0;
+    for (int k = 0; k < 3; ++k)
+      if (place(k).x != place(k + 1).x && place(k).y != place(k + 1).y) slanting |= 1U << k;
+    const FaceCuts& cuts = *cutsOf(t);
+    for (std::size_t i = 0; i < cuts.points.size(); ++i)
+      if ((cuts.borders[i] & slanting) != 0 && cuts.points[i].kind() != PlanPoint::Source) return false;
+    return true;
   }
 
   [[nodiscard]] std::shared_ptr<const CoveredPart> knownPart(Index face) const {
@@ -122,7 +131,7 @@ class SoupBuilder {
     CoveredParts parts(source_.triangles.size());
     std::vector<Index> faces;
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t)
-      if (isDivided(t) && !isLevel(t)) faces.push_back(t);
+      if (isDivided(t) && !isWholeObstacle(t)) faces.push_back(t);
     const Poll poll(context);
     tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), kFacesPerTask), [&](const auto& range) {
@@ -177,7 +186,7 @@ class SoupBuilder {
       }
       const bool floor = state_.walkable[t] != 0;
       const FaceCuts* cuts = cutsOf(t);
-      // What is left of a level floor is in the mesh, and the whole of it is no more obstacle than both parts are.
+      // Of a divided one, what is left is in the mesh, too.
       const bool covered = cuts != nullptr && (cuts->removed || isDivided(t));
       if (floor && !covered && state_.mesh) continue;  // in the mesh
       const auto& f = source_.triangles[t];

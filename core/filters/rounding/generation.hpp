@@ -33,7 +33,7 @@ struct CoveredPart {
   std::vector<Vec3> places;
   std::vector<std::array<Index, 3>> triangles;
 };
-/// For each face of a state; null where no cut divides it, and where it is level: then all of it is an obstacle.
+/// For each face of a state; null where no cut divides it, and for level ones that are obstacles as a whole.
 using CoveredParts = std::vector<std::shared_ptr<const CoveredPart>>;
 
 /// What another state's soup found, and what this one does.
