@@ -4,25 +4,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/exact/filtered_turn.hpp"
 #include "core/exact/plan_predicates.hpp"
 
 namespace footfall::detail {
 
 MaybeSign filteredOrientation(const ApproximatePoint& a, const ApproximatePoint& b, const ApproximatePoint& c,
                               double slack) {
-  const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
-  const double left = ax * by, right = ay * bx;
-  const double value = left - right;
-  const double errorA = a.error + c.error, errorB = b.error + c.error;
-  // First the coordinates' own errors, then 4 u (|l| + |r|) for the arithmetic (differences, products, sum); the factor
-  // 9 and kInflate cover the rounding of the bound itself.
-  const double bound = ((std::fabs(ax) + std::fabs(ay)) * errorB + (std::fabs(bx) + std::fabs(by)) * errorA +
-                        2 * errorA * errorB + (std::fabs(left) + std::fabs(right)) * (9 * 0x1p-53)) *
-                           kInflate +
-                       slack;
-  if (value > bound) return 1;
-  if (value < -bound) return -1;
-  return std::nullopt;
+  return filteredTurn({a.x - c.x, a.y - c.y}, a.error + c.error, {b.x - c.x, b.y - c.y}, b.error + c.error, slack);
+}
+
+// filteredOrientation()'s bound with the largest size and error in the place of all. Differences of two coordinates
+// are at most twice as large as the largest; 2^-40 covers the roundings.
+void FaceGeometry::includeInBound(const ApproximatePoint& point) {
+  const double size = std::max(std::fabs(point.x), std::fabs(point.y));
+  if (size <= size_ && point.error <= error_) return;
+  size_ = std::max(size_, size);
+  error_ = std::max(error_, point.error);
+  const double s = 2 * size_, e = 2 * error_;
+  surely_ = (4 * s * e + 2 * e * e + 2 * s * s * (9 * 0x1p-53)) * (1 + 0x1p-40) + kernel_.sign().slack;
 }
 
 void FaceGeometry::start(Index face) {
@@ -35,6 +35,8 @@ void FaceGeometry::start(Index face) {
   places_.clear();
   lineValues_.clear();
   exact_.clear();
+  size_ = error_ = 0;
+  surely_ = kernel_.sign().slack;
   for (int k = 0; k < 3; ++k) {
     const Index p = point(PlanPoint::source(mesh.planIds[corners[k]]));
     addBorder(p, static_cast<std::uint8_t>((1 << k) | (1 << ((k + 2) % 3))));
@@ -60,6 +62,7 @@ Index FaceGeometry::point(const PlanPoint& p) {
       place.hasHomogeneous = true;
       place.approximate = kernel_.approximate(place.homogeneous, p, origin_);
     }
+    includeInBound(place.approximate);
   }
   return id;
 }
@@ -182,7 +185,7 @@ bool FaceGeometry::areKnownCollinear(Index a, Index b, Index c) const {
   return kernel_.areKnownCollinear(points_[a], points_[b], points_[c]);
 }
 
-int FaceGeometry::orientation(Index a, Index b, Index c) {
+int FaceGeometry::orientationBeyondBound(Index a, Index b, Index c) {
   if (a == b || b == c || a == c) return 0;
   const MaybeSign filtered =
       filteredOrientation(places_[a].approximate, places_[b].approximate, places_[c].approximate, kernel_.sign().slack);

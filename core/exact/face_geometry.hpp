@@ -45,7 +45,13 @@ class FaceGeometry {
   int side(Index line, Index point);
   /// Side of the face's edge k: +1 inside, 0 on it.
   int sideOfEdge(int k, Index point);
-  int orientation(Index a, Index b, Index c);
+  int orientation(Index a, Index b, Index c) {
+    const ApproximatePoint &p = places_[a].approximate, &q = places_[b].approximate, &r = places_[c].approximate;
+    const double value = (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
+    if (value > surely_) return 1;
+    if (value < -surely_) return -1;
+    return orientationBeyondBound(a, b, c);
+  }
   int compare(Index a, Index b, int axis);
 
   [[nodiscard]] const ApproximatePoint& approximate(Index point) const { return places_[point].approximate; }
@@ -66,6 +72,9 @@ class FaceGeometry {
     Index exact = -1;                         ///< in exact_
     bool hasCoefficients = false;
   };
+  int orientationBeyondBound(Index a, Index b, Index c);
+  /// Makes surely_ hold for a point as well.
+  void includeInBound(const ApproximatePoint& point);
   Index borderCrossing(PlanLine l, PlanLine m);
   const Homogeneous<ErrorDouble>& homogeneous(Index point);
   /// The number of a point's, or of a line's, exact coordinates in exact_.
@@ -82,6 +91,8 @@ class FaceGeometry {
   std::vector<Place> places_;
   std::vector<Line> lineValues_;
   IntegerTriples exact_;
+  double size_ = 0, error_ = 0;  ///< the largest of all approximate points
+  double surely_ = 0;            ///< filteredOrientation() has no larger bound for any three of them
 };
 
 /// Orientation of three rounded points relative to one origin, never 0.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/geometry.hpp"
+#include "core/exact/filtered_turn.hpp"
 #include "core/exact/shape.hpp"
 
 namespace footfall::detail {
@@ -173,8 +174,14 @@ bool FaceTriangulation::flipIfBetter(Index cell, int k) {
     const ApproximatePoint& p = geometry_.approximate(v);
     return std::array<double, 2>{p.x - pd.x, p.y - pd.y};
   };
-  if (!isWellInsideCircle(relative(a), relative(b), relative(c))) return false;
-  if (geometry_.orientation(c, a, d) <= 0 || geometry_.orientation(c, d, b) <= 0) return false;
+  const std::array<double, 2> pa = relative(a), pb = relative(b), pc = relative(c);
+  if (!isWellInsideCircle(pa, pb, pc)) return false;
+  // The same coordinates mostly tell for certain.
+  const double slack = geometry_.kernel().sign().slack;
+  const auto error = [&](Index v) { return geometry_.approximate(v).error + pd.error; };
+  const double errorA = error(a), errorB = error(b), errorC = error(c);
+  if (filteredTurn(pc, errorC, pa, errorA, slack) != 1 && geometry_.orientation(c, a, d) <= 0) return false;
+  if (filteredTurn(pb, errorB, pc, errorC, slack) != 1 && geometry_.orientation(c, d, b) <= 0) return false;
   flip(cell, k);
   return true;
 }
