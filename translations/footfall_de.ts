@@ -3416,6 +3416,14 @@
         <source>No local filter can run in parallel; add a clearance filter first.</source>
         <translation>Kein lokaler Filter kann parallel laufen; fügen Sie zuerst einen Höhenfilter hinzu.</translation>
     </message>
+    <message>
+        <source>This session was run on %1.</source>
+        <translation>Diese Sitzung wurde gerechnet mit: %1.</translation>
+    </message>
+    <message>
+        <source>Run there again</source>
+        <translation>Wieder dort rechnen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::CommandPalette</name>

@@ -103,7 +103,12 @@ void CellsFeature::connectParts(const FeatureHost& host, FilterList& filters) {
   });
   connect(panel_, &LoadPanel::placeRequested, this, &CellsFeature::askForPlace);
   sections_.add({QStringLiteral("run_on"), [this] { return places_.save(); },
-                 [this](const std::string& text) { places_.load(text); }});
+                 [this, &messages = host.messages](const std::string& text) {
+                   places_.load(text);
+                   if (const auto place = places_.suggested())
+                     messages.showHint(tr("This session was run on %1.").arg(placeText(*place)), tr("Run there again"),
+                                       [this, place] { places_.choose(*place); });
+                 }});
   connect(legend_, &OverlayFrame::changed, &layout_, &ViewLayout::update);
   connect(&model_, &CellModel::figuresChanged, &sections_, &SessionSections::changed);
   connect(&model_, &CellModel::shapesChanged, this, &CellsFeature::chooseLegend);
@@ -136,10 +141,12 @@ void CellsFeature::preview(int strategy) {
 }
 
 void CellsFeature::askForPlace(RunPlace::Kind kind) {
-  RunPlace place = places_.chosen();
+  RunPlace place = places_.suggested().value_or(places_.chosen());
   place.kind = kind;
-  RunPlaceDialog dialog(place, panel_->window());
-  if (dialog.exec() == QDialog::Accepted) places_.choose(dialog.place());
+  auto* dialog = new RunPlaceDialog(place, panel_->window());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { places_.choose(dialog->place()); });
+  dialog->open();
 }
 
 // The colours of the other legend lie under those of the cells.

@@ -4,6 +4,7 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QThread>
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -24,22 +25,29 @@ constexpr std::array<std::pair<Kind, const char*>, 4> kKinds = {{{Kind::ThisProc
                                                                  {Kind::Hosts, "hosts"},
                                                                  {Kind::Slurm, "slurm"}}};
 
+bool mayStartUnasked(const RunPlace& place) {
+  return place.kind == Kind::ThisProcess ||
+         (place.kind == Kind::Processes && place.processes <= std::max(2, QThread::idealThreadCount()));
+}
+
 }  // namespace
 
 void RunPlaces::choose(const RunPlace& place) {
+  suggested_.reset();
   if (chosen_ == place) return;
   chosen_ = place;
   emit changed();
 }
 
 std::string RunPlaces::save() const {
+  const RunPlace& place = suggested_ ? *suggested_ : chosen_;
   Json json;
   for (const auto& [kind, name] : kKinds)
-    if (kind == chosen_.kind) json["on"] = name;
-  if (chosen_.kind != Kind::ThisProcess) json["processes"] = chosen_.processes;
-  if (chosen_.kind == Kind::Hosts) json["host_file"] = chosen_.hostFile;
-  if (chosen_.kind == Kind::Slurm) json["partition"] = chosen_.partition;
-  if (chosen_.kind == Kind::Hosts || chosen_.kind == Kind::Slurm) json["folder"] = chosen_.folder;
+    if (kind == place.kind) json["on"] = name;
+  if (place.kind != Kind::ThisProcess) json["processes"] = place.processes;
+  if (place.kind == Kind::Hosts) json["host_file"] = place.hostFile;
+  if (place.kind == Kind::Slurm) json["partition"] = place.partition;
+  if (place.kind == Kind::Hosts || place.kind == Kind::Slurm) json["folder"] = place.folder;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -58,7 +66,9 @@ void RunPlaces::load(const std::string& text) {
   place.hostFile = json.value("host_file", std::string());
   place.partition = json.value("partition", std::string());
   place.folder = json.value("folder", std::string());
-  choose(place);
+  if (place == chosen_ || mayStartUnasked(place)) return choose(place);
+  choose({});
+  suggested_ = place;
 }
 
 QString placeText(Kind kind) {

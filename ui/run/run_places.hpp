@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/distributed/run_place.hpp"
@@ -23,8 +24,12 @@ class RunPlaces : public QObject {
 
   [[nodiscard]] const RunPlace& chosen() const { return chosen_; }
   void choose(const RunPlace& place);
+  /// What a session was run on and nobody has chosen here yet: opening a file neither starts work on other machines nor
+  /// more processes than this one has processors.
+  [[nodiscard]] const std::optional<RunPlace>& suggested() const { return suggested_; }
 
-  /// As JSON. load() of an empty text is this program; it throws InputError with what is wrong.
+  /// As JSON, the suggestion where there is one. load() of an empty text is this program; it throws InputError with
+  /// what is wrong.
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
 
@@ -33,6 +38,7 @@ class RunPlaces : public QObject {
 
  private:
   RunPlace chosen_;
+  std::optional<RunPlace> suggested_;
 };
 
 /// What can be chosen from: "This program", "Processes of this machine", ...

@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QPushButton>
+#include <optional>
 
 #include "footfall/errors.hpp"
 #include "tests/editor/editor_driver.hpp"
@@ -67,9 +68,17 @@ class TestRunPlaces : public QObject {
     slurm.kind = RunPlace::Kind::Slurm;
     slurm.partition = "long";
     slurm.folder = "/jobs";
-    for (const RunPlace& place : {processes(3), hosts, slurm, RunPlace()}) {
+    for (const RunPlace& place : {processes(2), hosts, slurm, RunPlace()}) {
       places.choose(place);
       RunPlaces again;
+      again.load(places.save());
+      // Other machines are used when somebody says so, and are not forgotten until then.
+      const bool isHere = place.kind == RunPlace::Kind::ThisProcess || place.kind == RunPlace::Kind::Processes;
+      QVERIFY(again.chosen() == (isHere ? place : RunPlace()));
+      QVERIFY(again.suggested() == (isHere ? std::nullopt : std::optional(place)));
+      QCOMPARE(again.save(), places.save());
+      again.choose(place);
+      QVERIFY(again.chosen() == place && !again.suggested());
       again.load(places.save());
       QVERIFY(again.chosen() == place);
     }
@@ -80,6 +89,20 @@ class TestRunPlaces : public QObject {
     for (const char* wrong : {"{}", R"({"on":"moon"})", R"({"on":"processes","processes":0})", "nonsense"})
       QVERIFY_EXCEPTION_THROWN(places.load(wrong), std::exception);
     QVERIFY(places.chosen() == RunPlace());
+  }
+
+  void openingASessionStartsNobodyElsewhere() {
+    EditorWindow window;
+    QVERIFY(showWindow(window));
+    const QTemporaryDir folder;
+    setMpirun(folder, "echo $$ >'" + folder.filePath("pid").toUtf8() + "'\nexit 1\n");
+    QVERIFY(openZUp(window, writeFile(folder, "waves.obj", wavesObj(10)), kPipeline));
+    RunPlaces far;
+    far.choose(processes(64));
+    window.runPlaces().load(far.save());
+    QVERIFY(waitUntilIdle(window));
+    QVERIFY(window.runPlaces().chosen() == RunPlace());
+    QVERIFY(!QFile::exists(folder.filePath("pid")));
   }
 
   void theDialogAsksForWhatIsNeeded() {
