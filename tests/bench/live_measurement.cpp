@@ -45,7 +45,7 @@ class Measurement {
       : subject_(subject),
         threads_(threads),
         environment_(loadSubject(subject)),
-        pipeline_(pipelineFor(subject, *environment_)) {}
+        pipeline_(pipelineWithoutSteps(subject, *environment_)) {}
 
   void once() {
     ResultCache cache;

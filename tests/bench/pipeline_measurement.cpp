@@ -98,7 +98,7 @@ class Measurement {
     samples_.add("load_ms", loadMs);
     samples_.add("load_cpu_ms", loading.cpuMs());
 
-    const Pipeline pipeline = pipelineFor(subject_, *environment_);
+    const Pipeline pipeline = pipelineWithoutSteps(subject_, *environment_);
     const Stopwatch running;
     CpuMarks marks;
     RunContext context(marks.listener());
@@ -187,6 +187,12 @@ Pipeline pipelineFor(const Subject& subject, const Environment& environment) {
   for (PipelineStep& step : pipeline.steps) {
     if (step.filter->type == FilterType::VerticalClearance) step.values[0] = subject.clearance;
   }
+  return pipeline;
+}
+
+Pipeline pipelineWithoutSteps(const Subject& subject, const Environment& environment) {
+  Pipeline pipeline = pipelineFor(subject, environment);
+  std::erase_if(pipeline.steps, [](const PipelineStep& step) { return step.filter->type == FilterType::Step; });
   return pipeline;
 }
 

@@ -12,6 +12,9 @@ namespace footfall::bench {
 /// The default pipeline with exactly the subject's clearance.
 Pipeline pipelineFor(const Subject& subject, const Environment& environment);
 
+/// That without its StepFilter: what is measured beside peers, none of which has such links, and beside earlier tables.
+Pipeline pipelineWithoutSteps(const Subject& subject, const Environment& environment);
+
 /// Of the navigation mesh, seen from above, in the square of the environment's unit.
 double planArea(const NavigationMesh& mesh);
 

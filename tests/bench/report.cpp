@@ -98,17 +98,19 @@ class Report {
   }
 
   std::string peers() {
-    Table table({"environment", "triangles", "run", "file to walkable", "prototype", "floor", "Recast 0.3 m",
-                 "Recast 0.1 m", "Recast 0.05 m", "thesis, s"});
+    Table table({"environment", "triangles", "run, 1 thread", "run", "file to walkable", "prototype", "floor",
+                 "Recast 0.3 m", "Recast 0.1 m", "Recast 0.05 m", "thesis, s"});
     for (const Json& environment : results_["environments"]) {
       const std::string name = environment["name"];
       const Json* own = atThreads(environment["footfall"], threads_);
       if (own == nullptr) {
-        table.addRow({name, "", "fails: " + reasonOf(environment["footfall"]), "", "", "", "", "", "", ""});
+        table.addRow({name, "", "", "fails: " + reasonOf(environment["footfall"]), "", "", "", "", "", "", ""});
         continue;
       }
       const double run = (*own)["run_ms"];
-      std::vector<std::string> row{name, grouped((*own)["triangles"]), number(run),
+      const Json* single = atThreads(environment["footfall"], 1);
+      std::vector<std::string> row{name, grouped((*own)["triangles"]),
+                                   single == nullptr ? "-" : number((*single)["run_ms"]), number(run),
                                    number((*own)["file_to_walkable_ms"])};
       const Json* prototype =
           environment.contains("prototype") ? atThreads(environment["prototype"], threads_) : nullptr;
@@ -116,20 +118,23 @@ class Report {
       const Json* floor = environment.contains("floor") ? atThreads(environment["floor"], threads_) : nullptr;
       row.push_back(floor == nullptr ? "-" : against(*floor, run, "floor"));
       for (std::size_t i = 0; i < kCells; ++i) {
-        row.push_back(environment.contains("recast")
-                          ? against(environment["recast"][i], run, "recast" + std::to_string(i))
+        row.push_back(environment.contains("recast") && single != nullptr
+                          ? against(environment["recast"][i], (*single)["run_ms"], "recast" + std::to_string(i))
                           : "-");
       }
       row.push_back(environment.contains("thesis_s") ? thesis(environment["thesis_s"], run) : "-");
       table.addRow(row);
     }
-    std::vector<std::string> means{"geometric mean", "", "", ""};
+    std::vector<std::string> means{"geometric mean", "", "", "", ""};
     for (const char* key : {"prototype", "floor", "recast0", "recast1", "recast2", "thesis"})
       means.push_back(ratios_[key].empty() ? "" : '(' + number(geometricMean(ratios_[key])) + ')');
     table.addRow(means);
     return table.text() +
-           "In parentheses: our time over theirs, and for the thesis how many times faster we are. *run*: from the "
-           "loaded environment to the navigation mesh, whole default pipeline.\n\n";
+           "In parentheses: our time over theirs (over Recast's, which has one thread, that on one thread), and for "
+           "the "
+           "thesis how many times faster we are. *run*: from the loaded environment to the navigation mesh, the "
+           "default "
+           "pipeline without steps.\n\n";
   }
 
   std::string recast() const {
