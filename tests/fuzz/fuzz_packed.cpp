@@ -3,44 +3,19 @@
 //
 // Check sums would turn all that a fuzzer changes away, so that those in the bytes are put right first, unless the
 // first byte is not that of the magic word.
-#include <unistd.h>
-
-#include <cmath>
 #include <cstring>
-#include <filesystem>
 
 #include "core/base/digest.hpp"
 #include "core/io/import.hpp"
 #include "core/io/packed/pack.hpp"
 #include "core/io/packed/packed_environment.hpp"
-#include "tests/fuzz/fuzz_target.hpp"
+#include "tests/fuzz/fuzz_folder.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
 using namespace footfall::fuzz;
 
 namespace {
-
-/// A folder of this process in memory where there is one, gone at the end.
-class Folder {
- public:
-  Folder() {
-    const std::filesystem::path memory = "/dev/shm";
-    const auto parent = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-    folder_ = parent / ("footfall-fuzz-packed-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
- private:
-  std::filesystem::path folder_;
-};
 
 /// The bytes of a range that lies in them; else none.
 std::string_view within(const std::string& bytes, std::uint64_t offset, std::uint64_t size) {
@@ -70,21 +45,14 @@ void putCheckSums(std::string& bytes) {
   std::memcpy(bytes.data(), &header, sizeof header);
 }
 
-void write(const std::string& path, std::string_view bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  require(file != nullptr && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fclose(file) == 0,
-          "cannot write " + path);
-}
-
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Folder folder;
+  static const FuzzFolder folder;
   if (size == 0) return 0;
   std::string bytes(textOf(data, size));
   if (bytes.size() >= sizeof(PackedHeader) && bytes[0] == kPackedMagic[0]) putCheckSums(bytes);
-  const std::string path = folder.file("fuzz.ffenv"), again = folder.file("again.ffenv");
-  write(path, bytes);
+  const std::string path = folder.write("fuzz.ffenv", bytes), again = folder.file("again.ffenv");
   try {
     const auto environment = importEnvironment(path);
     checkEnvironment(*environment);

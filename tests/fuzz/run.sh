@@ -51,6 +51,8 @@ run_target pipeline_file 512
 run_target checks 1024
 run_target import 1024
 run_target share 2048
+run_target packed 2048
+run_target streams 1024
 say "footfall-fuzz-pipeline"
 if [ "${seconds}" -eq 0 ]; then
   build/fuzz/tests/fuzz/footfall-fuzz-pipeline --cases 1 --seed "${seed}" --folder "${found}"
