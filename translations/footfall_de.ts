@@ -1627,6 +1627,26 @@
         <source>%1: what was written beside it cannot be read (%2); check the disk</source>
         <translation>%1: was daneben geschrieben wurde, kann nicht gelesen werden (%2); prüfen Sie den Datenträger</translation>
     </message>
+    <message>
+        <source>%1 was left out: %2, of which it was packed, is in the folder, too</source>
+        <translation>%1 wurde ausgelassen: %2, woraus es gepackt wurde, liegt auch im Ordner</translation>
+    </message>
+    <message>
+        <source>both sides of its triangles count, and not those of %1</source>
+        <translation>beide Seiten seiner Dreiecke zählen, die von %1 nicht</translation>
+    </message>
+    <message>
+        <source>both sides of the triangles of %1 count, and not those of this one</source>
+        <translation>beide Seiten der Dreiecke von %1 zählen, die dieser Datei nicht</translation>
+    </message>
+    <message>
+        <source>let both sides count for all of them, or pack it again without that</source>
+        <translation>für alle beide Seiten zählen lassen oder es ohne das erneut packen</translation>
+    </message>
+    <message>
+        <source>the binary glTF ends before its first chunk does</source>
+        <translation>die binäre glTF-Datei endet vor ihrem ersten Abschnitt</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>

@@ -169,6 +169,7 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
   const std::string start = lowerStart(path);
   if (extension == ".ply" || start.starts_with("ply")) rejectTruncatedPly(path, readInputFile(path, context));
   if (extension == ".stl" || start.starts_with("solid")) rejectTruncatedStl(path, readInputFile(path, context));
+  if (start.starts_with("gltf")) rejectTruncatedGlb(path);
 
   Assimp::Importer importer;
   // A skeleton alone is no environment: without this Assimp makes up a mesh for it.

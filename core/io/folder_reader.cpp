@@ -49,6 +49,12 @@ class FolderJoiner {
       if (std::ranges::find(whole_.notes, note) == whole_.notes.end()) whole_.notes.push_back(std::move(note));
   }
 
+  /// A packed environment whose original is in the folder.
+  void leaveOut(const std::string& path, const std::string& original) {
+    whole_.notes.emplace_back(FOOTFALL_TEXT("%1 was left out: %2, of which it was packed, is in the folder, too"),
+                              fs::path(path).filename().string(), original);
+  }
+
   void finish() {
     if (std::ranges::all_of(whole_.usualRoles, [](PartRole role) { return role == PartRole::Floor; }))
       whole_.usualRoles.clear();
@@ -72,6 +78,13 @@ class FolderJoiner {
                 Text(FOOTFALL_TEXT("a unit of it is %1 metres, and one of %2 is %3"), numberText(file.metresPerUnit),
                      first_, numberText(whole_.metresPerUnit)),
                 FOOTFALL_TEXT("give one scale for all of them, or export them in one unit"));
+    // Only packed files bring this along.
+    if (file.bothSides != whole_.bothSides)
+      failInput(path, 0,
+                file.bothSides
+                    ? Text(FOOTFALL_TEXT("both sides of its triangles count, and not those of %1"), first_)
+                    : Text(FOOTFALL_TEXT("both sides of the triangles of %1 count, and not those of this one"), first_),
+                FOOTFALL_TEXT("let both sides count for all of them, or pack it again without that"));
     if (file.up != whole_.up) whole_.up = UpAxis::Z;
     whole_.upGuessed = whole_.upGuessed || file.upGuessed;
     whole_.scaleGuessed = whole_.scaleGuessed || file.scaleGuessed;
@@ -129,7 +142,15 @@ Environment readFolder(const std::string& folder, const std::function<Environmen
               FOOTFALL_TEXT("choose a file, or a folder with OBJ, glTF or other meshes directly in it"));
   Environment whole;
   FolderJoiner joiner(folder, whole);
-  for (const std::string& path : files) joiner.add(path, read(path));
+  for (const std::string& path : files) {
+    Environment file = read(path);
+    const std::string original = fs::path(file.origin).filename().string();
+    if (!original.empty() && std::ranges::binary_search(files, (fs::path(path).parent_path() / original).string())) {
+      joiner.leaveOut(path, original);
+      continue;
+    }
+    joiner.add(path, std::move(file));
+  }
   joiner.finish();
   whole.source = folder;
   return whole;

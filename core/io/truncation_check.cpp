@@ -2,6 +2,7 @@
 #include "core/io/truncation_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -300,6 +301,15 @@ void rejectTruncatedStl(const std::string& path, std::string_view text) {
   if (end == std::string_view::npos || (facet != std::string_view::npos && facet > end)) {
     failInput(path, 0, FOOTFALL_TEXT("the ASCII STL file does not end with endsolid"), kTruncated);
   }
+}
+
+void rejectTruncatedGlb(const std::string& path) {
+  constexpr std::uint32_t kMagic = 0x46546C67;
+  const InputFile file(path);
+  std::array<std::uint32_t, 5> start{};  // magic, version, length of the file; of the chunk, its kind
+  if (file.read(0, reinterpret_cast<char*>(start.data()), sizeof start) != sizeof start || start[0] != kMagic) return;
+  if (start[3] > file.size() - sizeof start)
+    failInput(path, 0, FOOTFALL_TEXT("the binary glTF ends before its first chunk does"), kTruncated);
 }
 
 }  // namespace footfall::detail

@@ -1,4 +1,5 @@
-// Recognising cut-off PLY and STL files, which Assimp 5.2 accepts in part or never returns from.
+// Recognising cut-off PLY, STL and binary glTF files, which Assimp 5.2 accepts in part, or never returns from, or for
+// which it takes as much memory as they say.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,5 +15,8 @@ void rejectTruncatedPly(const std::string& path, std::string_view text);
 
 /// Throws InputError when `text` is an ASCII STL file whose last facet or solid has no end.
 void rejectTruncatedStl(const std::string& path, std::string_view text);
+
+/// Throws InputError when the file is a binary glTF whose first chunk is longer than the file.
+void rejectTruncatedGlb(const std::string& path);
 
 }  // namespace footfall::detail

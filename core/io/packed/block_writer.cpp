@@ -11,7 +11,8 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
-constexpr std::uint32_t kSlots = 1U << 17;  // more than twice kBlockVertices
+constexpr int kSlotBits = 17;
+constexpr std::uint32_t kSlots = 1U << kSlotBits;  // more than twice kBlockVertices
 static_assert(kSlots > 2 * kBlockVertices && kBlockVertices <= 65536);
 
 template <class Item>
@@ -63,7 +64,7 @@ void BlockWriter::add(const PackedFace& face) {
 }
 
 std::uint32_t BlockWriter::localOf(std::uint32_t vertex, const Vec3& place) {
-  for (std::uint32_t at = (vertex * 0x9e3779b1U) % kSlots;; at = (at + 1) % kSlots) {
+  for (std::uint32_t at = (vertex * 0x9e3779b1U) >> (32 - kSlotBits);; at = (at + 1) % kSlots) {
     if (slots_[at] != kNone && vertices_[slots_[at]] != vertex) continue;
     if (slots_[at] == kNone) {
       slots_[at] = static_cast<std::uint32_t>(vertices_.size());

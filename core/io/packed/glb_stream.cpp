@@ -53,8 +53,9 @@ class GlbFile {
     std::array<std::uint32_t, 5> start{};
     need(file_.read(0, reinterpret_cast<char*>(start.data()), sizeof start) == sizeof start);
     need(start[0] == kMagic && start[1] == 2 && start[2] == file_.size() && start[4] == kJson);
+    need(start[3] <= kLongestJson && start[3] <= file_.size() - sizeof start);
     std::string text(start[3], '\0');
-    need(text.size() <= kLongestJson && file_.read(sizeof start, text.data(), text.size()) == text.size());
+    need(file_.read(sizeof start, text.data(), text.size()) == text.size());
     json_ = Json::parse(text, nullptr, false);
     need(json_.is_object());
     std::array<std::uint32_t, 2> chunk{};
@@ -88,7 +89,11 @@ class GlbFile {
   void forEach(const Accessor& accessor, RunContext* context, const Take& take) const {
     std::string bytes;
     for (std::uint64_t first = 0; first < accessor.count; first += kAtOnce) {
-      if (context != nullptr) context->checkCancelled();
+      if (context != nullptr) {
+        context->checkCancelled();
+        context->progress(0.5 * static_cast<double>(accessor.offset + first * accessor.stride) /
+                          static_cast<double>(file_.size()));
+      }
       const std::uint64_t count = std::min(kAtOnce, accessor.count - first);
       bytes.resize(static_cast<std::size_t>((count - 1) * accessor.stride + accessor.size));
       need(file_.read(accessor.offset + first * accessor.stride, bytes.data(), bytes.size()) == bytes.size());

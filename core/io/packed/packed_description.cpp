@@ -46,8 +46,9 @@ Text decodeText(ByteReader& in, int depth = 0) {
   if (depth > kDeepestText) throw BadBytes("texts are nested too deeply");
   const std::int32_t kind = in.below(3);
   const std::string words = cleanName(in.text());
-  std::vector<Text> arguments(in.count(3));
-  if (arguments.size() > kMostPlaces) throw BadBytes("a text has too many arguments");
+  const std::size_t count = in.count(3);
+  if (count > kMostPlaces) throw BadBytes("a text has too many arguments");
+  std::vector<Text> arguments(count);
   for (Text& argument : arguments) argument = decodeText(in, depth + 1);
   if (kind == 1) return decodePattern<kMostPlaces>(words, arguments);
   if (kind == 0) return words;
@@ -148,7 +149,7 @@ std::string encodeDescription(const Environment& environment) {
 Environment decodeDescription(std::string_view bytes) {
   ByteReader in(bytes);
   Environment head;
-  head.origin = in.text();
+  head.origin = cleanName(in.text());
   head.up = static_cast<UpAxis>(in.below(static_cast<std::int64_t>(UpAxis::NegativeX) + 1));
   head.upGuessed = in.below(2) != 0;
   head.metresPerUnit = finite(in.real());

@@ -1,9 +1,11 @@
 // A folder as one environment: what is taken, parts, frames, messages, and what may not be written into it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
+#include <filesystem>
 
 #include "core/environment/part_rules.hpp"
 #include "core/io/folder_reader.hpp"
+#include "core/io/packed/pack.hpp"
 #include "core/io/write_targets.hpp"
 #include "tests/unit/environment_files.hpp"
 
@@ -47,6 +49,36 @@ class TestFolderReader : public QObject {
     QCOMPARE(environment->skipped.polygons, std::uint64_t{1});
     QCOMPARE(environment->skipped.listed[0].mesh, std::string("b.OBJ"));
     checkEnvironment(*environment);
+  }
+
+  void packedFilesBesideTheirOriginalsAreLeftOut() {
+    const TemporaryFolder folder;
+    const std::string original = folder.write("b.obj", kTwoParts);
+    packEnvironment(original, folder.path("a.ffenv"), {}, nullptr);
+    const auto both = importEnvironment(folder.path(""));
+    QVERIFY(both->triangles == importEnvironment(original)->triangles);
+    QCOMPARE(both->notes.size(), std::size_t{1});
+    QCOMPARE(both->notes[0].str(),
+             std::string("a.ffenv was left out: b.obj, of which it was packed, is in the folder, too"));
+    std::filesystem::remove(original);
+    QVERIFY(importEnvironment(folder.path(""))->triangles == both->triangles);
+  }
+
+  void bothSidesOfSomeFilesOnlyAreRefused_data() {
+    QTest::addColumn<QByteArray>("packed");
+    QTest::newRow("first") << QByteArray("a.ffenv");
+    QTest::newRow("last") << QByteArray("c.ffenv");
+  }
+  void bothSidesOfSomeFilesOnlyAreRefused() {
+    QFETCH(QByteArray, packed);
+    const TemporaryFolder folder, elsewhere;
+    folder.write("b.obj", kFloor);
+    ImportOptions options;
+    options.bothSides = true;
+    packEnvironment(elsewhere.write("x.obj", kTwoParts), folder.path(packed.constData()), options, nullptr);
+    const QString message = messageOf<InputError>([&] { importEnvironment(folder.path("")); });
+    QVERIFY2(message.contains("both sides of ") && message.contains("pack it again"), qPrintable(message));
+    QVERIFY(importEnvironment(folder.path(""), options)->bothSides);
   }
 
   void oneFileIsTheSameInAFolder() {

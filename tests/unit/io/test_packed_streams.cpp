@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/process_usage.hpp"
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/packed_round_trip.hpp"
 
@@ -238,6 +239,21 @@ class TestPackedStreams : public QObject {
     const QString whole = messageOf<InputError>([&] { importEnvironment(cut); });
     QVERIFY(!whole.isEmpty());
     QCOMPARE(messageOf<InputError>([&] { packEnvironment(cut, folder.path("cut.ffenv"), {}, nullptr); }), whole);
+  }
+
+  // What a file says of its own size is asked for only where the file is as large.
+  void binaryGltfWithALargeNumber() {
+    QByteArray bytes;
+    append<std::uint32_t>(bytes, {0x46546C67, 2, 20, 0xFFFFFFF0, 0x4E4F534A});
+    const TemporaryFolder folder;
+    const std::string path = folder.write("large.glb", bytes);
+    const std::uint64_t before = peakRssBytes();
+    const QString message = messageOf<InputError>([&] { packEnvironment(path, folder.path("a.ffenv"), {}, nullptr); });
+    QCOMPARE(message,
+             QString::fromStdString(path) +
+                 ": the binary glTF ends before its first chunk does; it is truncated: copy or export it again");
+    QVERIFY(peakRssBytes() < before + 500'000'000);
+    QVERIFY(!folder.files().contains("a.ffenv"));
   }
 
   void binaryGltfOfAllKinds() {
