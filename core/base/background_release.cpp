@@ -1,34 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/background_release.hpp"
 
-#include <oneapi/tbb/task_arena.h>
-
-#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 namespace footfall::detail {
+namespace {
+
+/// A thread of its own: a worker of TBB that comes for a task where a run may have one thread only keeps a processor
+/// busy, looking for more, until long after.
+class Releaser {
+ public:
+  Releaser() {
+    std::thread([this] { work(); }).detach();
+  }
+
+  /// False where too much waits already: runs that follow each other closely would let it grow with every run.
+  bool take(std::shared_ptr<const void>& thing) {
+    constexpr std::size_t kMostWaiting = 4;
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() >= kMostWaiting) return false;
+    waiting_.push_back(std::move(thing));
+    added_.notify_one();
+    return true;
+  }
+
+ private:
+  [[noreturn]] void work() {
+    for (;;) {
+      std::shared_ptr<const void> next;
+      std::unique_lock lock(mutex_);
+      added_.wait(lock, [this] { return !waiting_.empty(); });
+      next = std::move(waiting_.front());
+      waiting_.pop_front();
+      lock.unlock();
+      next = nullptr;
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable added_;
+  std::deque<std::shared_ptr<const void>> waiting_;
+};
+
+}  // namespace
 
 void releaseInBackground(std::shared_ptr<const void> thing) noexcept {
   try {
-    // An arena without a place for whoever calls: a worker comes even where a run may have one thread only. It is never
-    // destroyed, because a program may end before the last task.
-    static auto* const arena = new oneapi::tbb::task_arena(1, 0);
-    // Runs that follow each other closely keep all workers, and what waits would grow with every run.
-    static auto* const waiting = new std::atomic<int>(0);
-    constexpr int kMostWaiting = 4;
-    if (waiting->load() >= kMostWaiting) return;  // freed here
-    // The task alone holds the thing. A reference that is also in an object of this function, if only for the time of a
-    // copy, may be the last one when the worker is quick, or this thread is slow.
-    auto held = std::make_unique<std::shared_ptr<const void>>(std::move(thing));
-    arena->enqueue([whole = held.get()] {
-      delete whole;
-      waiting->fetch_sub(1);
-    });
-    waiting->fetch_add(1);
-    static_cast<void>(held.release());  // the task's since it was enqueued
-  } catch (...) {                       // no memory for a task: `thing` is freed here
+    // Never destroyed: a program may end before the last thing is gone.
+    static auto* const releaser = new Releaser;
+    releaser->take(thing);
+  } catch (...) {  // no thread, no memory: `thing` is freed here
   }
 }
 

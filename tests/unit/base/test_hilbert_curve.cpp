@@ -1,6 +1,7 @@
 // The places of cells along a Hilbert curve, by their definition.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <random>
@@ -50,6 +51,23 @@ class TestHilbertCurve : public QObject {
         cells[hilbertIndex(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))] = {x, y};
     for (std::size_t i = 1; i < cells.size(); ++i)
       QCOMPARE(std::abs(cells[i].first - cells[i - 1].first) + std::abs(cells[i].second - cells[i - 1].second), 1);
+  }
+
+  void neighboursAlongTheCurveInSpaceAreNeighbours() {
+    constexpr std::uint32_t kSide = 16;
+    std::vector<std::array<int, 3>> cells(kSide * kSide * kSide, {-1, -1, -1});
+    for (std::uint32_t x = 0; x < kSide; ++x)
+      for (std::uint32_t y = 0; y < kSide; ++y)
+        for (std::uint32_t z = 0; z < kSide; ++z) {
+          std::array<int, 3>& cell = cells.at(hilbertIndex3({x, y, z}));
+          QCOMPARE(cell[0], -1);
+          cell = {static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)};
+        }
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      int steps = 0;
+      for (std::size_t k = 0; k < 3; ++k) steps += std::abs(cells[i][k] - cells[i - 1][k]);
+      QCOMPARE(steps, 1);
+    }
   }
 };
 
