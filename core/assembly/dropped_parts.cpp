@@ -110,11 +110,13 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
       dropped->triangles.push_back(triangle);
     }
   };
+  const bool isTaken = choice.isLast && state.mesh.use_count() == 1;
   tbb::parallel_invoke(divide, [&] {
-    if (!choice.isLast) kept->vertices = mesh.vertices;
+    if (!isTaken) kept->vertices = mesh.vertices;
   });
-  if (choice.isLast) kept->vertices = std::move(ownMeshOf(state)->vertices);
-  auto topology = std::make_shared<const Adjacency>(edgesOfSome(choice.topology, renumbered));
+  if (isTaken) kept->vertices = std::move(ownMeshOf(state)->vertices);
+  auto topology =
+      std::make_shared<const Adjacency>(edgesOfSome(choice.topology, renumbered, [&] { context.checkCancelled(); }));
   kept->layerCount = mesh.layerCount;
   kept->links = linksBetween(mesh, kept->triangles, *topology);
   kept->drops = dropsBetween(mesh, kept->triangles, renumbered, *topology);

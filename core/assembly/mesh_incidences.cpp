@@ -20,9 +20,6 @@
 namespace footfall::detail {
 namespace {
 
-// Rounding of a sum or product of coordinates, generously.
-constexpr double kRounding = 8 * 0x1p-53;
-
 constexpr std::size_t kPolled = 1 << 16;
 constexpr std::size_t kVerticesPerTask = 4096;
 constexpr std::size_t kEntriesPerTask = 8192;
@@ -50,33 +47,21 @@ bool overlap(const Box& a, const Box& b) {
 
 /// Holds the exact place of the vertex.
 Box boxAround(const MeshVertex& v) {
-  const auto low = [&](double c) { return c - v.error - std::fabs(c) * kRounding; };
-  const auto high = [&](double c) { return c + v.error + std::fabs(c) * kRounding; };
+  const auto low = [&](double c) { return c - v.error - std::fabs(c) * kCoordinateRounding; };
+  const auto high = [&](double c) { return c + v.error + std::fabs(c) * kCoordinateRounding; };
   return {{low(v.x), low(v.y), low(v.z)}, {high(v.x), high(v.y), high(v.z)}};
 }
 
-/// From scaled coordinates to those of the environment. A product with a power of two is rounded like ldexp, if at all;
-/// but not all powers are normal doubles.
-class Units {
- public:
-  explicit Units(int scale) : scale_(scale), factor_(std::ldexp(1.0, -scale)), isNormal_(std::isnormal(factor_)) {}
-
-  /// Holds the box; what underflows gets as much room.
-  [[nodiscard]] Box operator()(const Box& scaled) const {
-    constexpr double kSmallest = std::numeric_limits<double>::min();
-    Box box;
-    for (int k = 0; k < 3; ++k) {
-      box.lower[k] = (isNormal_ ? scaled.lower[k] * factor_ : std::ldexp(scaled.lower[k], -scale_)) - kSmallest;
-      box.upper[k] = (isNormal_ ? scaled.upper[k] * factor_ : std::ldexp(scaled.upper[k], -scale_)) + kSmallest;
-    }
-    return box;
+/// A box in scaled coordinates in those of the environment; what underflows gets as much room.
+Box inUnits(const Box& scaled, const PowerOfTwo& toUnits) {
+  constexpr double kSmallest = std::numeric_limits<double>::min();
+  Box box;
+  for (int k = 0; k < 3; ++k) {
+    box.lower[k] = toUnits(scaled.lower[k]) - kSmallest;
+    box.upper[k] = toUnits(scaled.upper[k]) + kSmallest;
   }
-
- private:
-  int scale_;
-  double factor_;
-  bool isNormal_;
-};
+  return box;
+}
 
 }  // namespace
 
@@ -84,7 +69,7 @@ struct MeshJoiner::Search {
   std::vector<Index> entryOf;  ///< for each face that is whole and to be looked at its entry, or -1
   Twins twins;
   TriangleTree tree;  ///< over the first of the twins
-  Units units;
+  PowerOfTwo toUnits;
 };
 
 struct MeshJoiner::Found {
@@ -292,7 +277,7 @@ void MeshJoiner::findOnOutlines(Index vertex, const Box& box, const Search& sear
 void MeshJoiner::findOnWholeFaces(Index vertex, const Box& box, const Search& search, Found& found,
                                   RunContext& context) const {
   const bool known = !knownVertices_.empty() && knownVertices_[vertex] != 0;
-  mesh_.tree.visitOverlapping(search.units(box), found.stack, [&](Index face) {
+  mesh_.tree.visitOverlapping(inUnits(box, search.toUnits), found.stack, [&](Index face) {
     const Index entry = search.entryOf[face];
     if (entry < 0 || (known && knownEntries_[entry] != 0)) return true;
     const auto& corners = triangles_[firstTriangle_[entry]].corners;
@@ -314,7 +299,7 @@ void MeshJoiner::findOnWholeFaces(Index vertex, const Box& box, const Search& se
 void MeshJoiner::findIncidences(RunContext& context) {
   if (earlier_ != nullptr) copyEarlier();
   const std::vector<Index> entries = entriesToSearch();
-  Search search{{}, {}, {}, Units(mesh_.grid.scaleExponent())};
+  Search search{{}, {}, {}, PowerOfTwo(-mesh_.grid.scaleExponent())};
   std::vector<char> isSearched;
   const auto findSearched = [&] {
     isSearched = verticesOn(entries, context);

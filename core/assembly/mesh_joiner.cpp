@@ -2,6 +2,7 @@
 #include "core/assembly/mesh_joiner.hpp"
 
 #include <oneapi/tbb/combinable.h>
+#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,6 @@
 
 namespace footfall::detail {
 namespace {
-
-// Rounding of a scaled sum or product of coordinates, generously.
-constexpr double kRounding = 8 * 0x1p-53;
 
 constexpr std::size_t kPolled = 1 << 16;
 constexpr std::size_t kSplitsPerTask = 64;
@@ -36,7 +34,7 @@ bool MeshJoiner::liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Inde
 int MeshJoiner::compareCoordinate(Index a, Index b, int axis, bool exactly, ExactFallbacks& count) const {
   const MeshVertex &p = vertices_[a], &q = vertices_[b];
   const double u = axis == 0 ? p.x : p.y, v = axis == 0 ? q.x : q.y;
-  const double bound = (p.error + q.error + (std::fabs(u) + std::fabs(v)) * kRounding) * kInflate;
+  const double bound = (p.error + q.error + (std::fabs(u) + std::fabs(v)) * kCoordinateRounding) * kInflate;
   if (u - v > bound) return 1;
   if (u - v < -bound) return -1;
   return exactly ? kernel_.compare(p.point, q.point, axis, mesh_.triangles[p.face][0], count) : 0;
@@ -67,9 +65,9 @@ MeshJoiner::Relation MeshJoiner::relate(Index vertex, const Outline& outline, Ex
     for (int i = 0; i < 3; ++i) {
       const int j = next(i);
       const double left = u[i] * w[j], right = u[j] * w[i];
-      const double di = error + size[i] * kRounding, dj = error + size[j] * kRounding;
+      const double di = error + size[i] * kCoordinateRounding, dj = error + size[j] * kCoordinateRounding;
       const double bound = ((std::fabs(u[i]) + std::fabs(w[i])) * dj + (std::fabs(u[j]) + std::fabs(w[j])) * di +
-                            2 * di * dj + (std::fabs(left) + std::fabs(right)) * kRounding) *
+                            2 * di * dj + (std::fabs(left) + std::fabs(right)) * kCoordinateRounding) *
                                kInflate +
                            kernel_.sign().slack;
       if (std::fabs(left - right) > bound) return Relation::Apart;
@@ -89,17 +87,20 @@ MeshJoiner::Relation MeshJoiner::relate(Index vertex, const Outline& outline, Ex
 }
 
 // Vertices that are one are the first of them from here on.
-void MeshJoiner::uniteVertices() {
+void MeshJoiner::uniteVertices(RunContext& context) {
   if (memory_.equal.empty()) return;
   DisjointSets sets(vertices_.size());
   for (const auto& [a, b] : memory_.equal) sets.unite(a, b);
   sameAs_.resize(vertices_.size());
-  for (Index v = 0; v < static_cast<Index>(sameAs_.size()); ++v) sameAs_[v] = sets.find(v);
+  for (Index v = 0; v < static_cast<Index>(sameAs_.size()); ++v) {
+    if (static_cast<std::size_t>(v) % kPolled == 0) context.checkCancelled();
+    sameAs_[v] = sets.find(v);
+  }
 }
 
 std::vector<MeshJoiner::Split> MeshJoiner::findSplits(RunContext& context) {
   std::vector<Incidence> between = memory_.between;
-  std::sort(between.begin(), between.end(), [](const Incidence& a, const Incidence& b) {
+  tbb::parallel_sort(between.begin(), between.end(), [](const Incidence& a, const Incidence& b) {
     return a.outline != b.outline ? a.outline < b.outline : a.vertex < b.vertex;
   });
   std::vector<std::size_t> first;  // of each outline
@@ -171,7 +172,7 @@ WalkableMesh MeshJoiner::join(RunContext& context) {
   memory_.vertexCount = static_cast<Index>(vertices_.size());
   findIncidences(context);
   context.checkCancelled();
-  uniteVertices();
+  uniteVertices(context);
   const std::vector<Split> splits = findSplits(context);
   outlines_ = {};
   firstTriangle_ = {};

@@ -27,6 +27,9 @@ struct FaceToJoin {
   const FaceMesh* parts = nullptr;  ///< its walkable parts; null: nothing cuts it
 };
 
+/// Rounding of a sum or product of coordinates, generously.
+inline constexpr double kCoordinateRounding = 8 * 0x1p-53;
+
 /// Collects the parts of all faces, then joins them. One object for one mesh.
 class MeshJoiner {
  public:
@@ -105,7 +108,7 @@ class MeshJoiner {
   struct Found;
   void findOnOutlines(Index vertex, const Box& box, const Search& search, Found& found, RunContext& context) const;
   void findOnWholeFaces(Index vertex, const Box& box, const Search& search, Found& found, RunContext& context) const;
-  void uniteVertices();
+  void uniteVertices(RunContext& context);
   /// The vertex that stands for all at its place.
   [[nodiscard]] Index firstAt(Index vertex) const { return sameAs_.empty() ? vertex : sameAs_[vertex]; }
   /// What lies on outlines, by triangle and edge.

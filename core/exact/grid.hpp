@@ -13,6 +13,21 @@
 
 namespace footfall::detail {
 
+/// Multiplies by 2^exponent. A product with a power of two is rounded like ldexp, if at all; but not all powers are
+/// normal doubles.
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(int exponent)
+      : exponent_(exponent), factor_(std::ldexp(1.0, exponent)), isNormal_(std::isnormal(factor_)) {}
+
+  [[nodiscard]] double operator()(double x) const { return isNormal_ ? x * factor_ : std::ldexp(x, exponent_); }
+
+ private:
+  int exponent_;
+  double factor_;
+  bool isNormal_;
+};
+
 struct Grid {
   int low = 5000;   ///< all numbers are integers times 2^low
   int top = -5000;  ///< and smaller than 2^top in size

@@ -109,13 +109,10 @@ void chooseGrid(SourceMesh& mesh, Poll poll) {
   });
   const int scale = mesh.grid.scaleExponent();
   mesh.scaled.resize(mesh.vertices.size());
-  // A product with a power of two is rounded like ldexp, if at all; but not all powers are normal doubles.
-  const double factor = std::ldexp(1.0, scale);
-  const bool isNormal = std::isnormal(factor);
+  const PowerOfTwo toScale(scale);
   forEach(mesh.vertices.size(), poll, [&](std::size_t i) {
     const Vec3& v = mesh.vertices[i];
-    mesh.scaled[i] = isNormal ? Vec3{v.x * factor, v.y * factor, v.z * factor}
-                              : Vec3{std::ldexp(v.x, scale), std::ldexp(v.y, scale), std::ldexp(v.z, scale)};
+    mesh.scaled[i] = {toScale(v.x), toScale(v.y), toScale(v.z)};
   });
 }
 
@@ -233,9 +230,7 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled)
 }
 
 std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled, const Poll& poll) {
-  const double factor = std::ldexp(1.0, -mesh.grid.scaleExponent());
-  const bool isNormal = std::isnormal(factor);
-  const auto inUnits = [&](double x) { return isNormal ? x * factor : std::ldexp(x, -mesh.grid.scaleExponent()); };
+  const PowerOfTwo inUnits(-mesh.grid.scaleExponent());
   const auto sorted = static_cast<std::ptrdiff_t>(mesh.vertices.size() - mesh.planPlaces);
   using Key = std::array<std::uint64_t, 2>;
   const auto keyOf = [](const Vec3& p) {

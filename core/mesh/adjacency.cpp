@@ -119,11 +119,12 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
   return adjacency;
 }
 
-Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered) {
+Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered, Poll poll) {
   Adjacency some;
   some.sides.reserve(all.sides.size());
   some.first.reserve(all.first.size());
   for (Index e = 0; e < all.edgeCount(); ++e) {
+    if (e % kPolledTriangles == 0) poll();
     const auto first = static_cast<Index>(some.sides.size());
     for (const Index side : all.sidesOf(e))
       if (const Index t = renumbered[side / 3]; t >= 0) some.sides.push_back(3 * t + side % 3);

@@ -29,7 +29,7 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
 
 /// What findEdges() gives for some of the triangles over the same vertices: `renumbered` has for each triangle its
 /// number among them, ascending, or -1.
-Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered);
+Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered, Poll poll);
 
 /// For each triangle its part: triangles that share an edge belong to one. Parts are numbered from 0 in the order of
 /// their first triangles. `poll` as above.
