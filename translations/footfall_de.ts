@@ -1536,10 +1536,6 @@
         <translation>die Prozesse sind zu Ende, und ihre Ergebnisse sind nicht in %1; einen Ordner nennen, den sie alle sehen</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>the share of cell %1 that arrived cannot be used (%2); give all processes the same version of the program</source>
         <translation>der Anteil von Zelle %1, der ankam, ist nicht zu verwenden (%2); allen Prozessen dieselbe Version des Programms geben</translation>
     </message>
@@ -1646,6 +1642,10 @@
     <message>
         <source>the binary glTF ends before its first chunk does</source>
         <translation>die binäre glTF-Datei endet vor ihrem ersten Abschnitt</translation>
+    </message>
+    <message>
+        <source>no process has begun within %1 s; run again, or run on this program alone</source>
+        <translation>innerhalb von %1 s hat kein Prozess begonnen; erneut berechnen oder mit diesem Programm allein</translation>
     </message>
 </context>
 <context>
@@ -4387,8 +4387,8 @@
         <translation>Aus: alles Begehbare zusammen</translation>
     </message>
     <message>
-        <source>Off: agents cannot climb what they could; only level ways are in the file</source>
-        <translation>Aus: Agenten steigen nirgends; nur ebene Wege stehen in der Datei</translation>
+        <source>Off: the file has no steps; floors that only steps join are apart in it</source>
+        <translation>Aus: ohne Stufen; Böden, die nur Stufen verbinden, sind in der Datei getrennt</translation>
     </message>
 </context>
 <context>
@@ -6898,24 +6898,36 @@ Material: %2</translation>
         <translation>Rechner von Slurm</translation>
     </message>
     <message>
-        <source>%1 processes here</source>
-        <translation>%1 Prozesse hier</translation>
-    </message>
-    <message>
-        <source>%1 processes of %2</source>
-        <translation>%1 Prozesse aus %2</translation>
-    </message>
-    <message>
-        <source>%1 machines of Slurm</source>
-        <translation>%1 Rechner von Slurm</translation>
-    </message>
-    <message>
-        <source>%1 machines of %2</source>
-        <translation>%1 Rechner von %2</translation>
-    </message>
-    <message>
         <source>What computes the cells of a run; the result is the same</source>
         <translation>Was die Zellen eines Laufs berechnet; das Ergebnis ist dasselbe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n process(es) here</source>
+        <translation>
+            <numerusform>%n Prozess hier</numerusform>
+            <numerusform>%n Prozesse hier</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n process(es) of %1</source>
+        <translation>
+            <numerusform>%n Prozess aus %1</numerusform>
+            <numerusform>%n Prozesse aus %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n machine(s) of Slurm</source>
+        <translation>
+            <numerusform>%n Rechner von Slurm</numerusform>
+            <numerusform>%n Rechner von Slurm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n machine(s) of %1</source>
+        <translation>
+            <numerusform>%n Rechner von %1</numerusform>
+            <numerusform>%n Rechner von %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>

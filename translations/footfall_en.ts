@@ -66,6 +66,37 @@
     </message>
 </context>
 <context>
+    <name>footfall::ui::RunPlaces</name>
+    <message numerus="yes">
+        <source>%n process(es) here</source>
+        <translation>
+            <numerusform>%n process here</numerusform>
+            <numerusform>%n processes here</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n process(es) of %1</source>
+        <translation>
+            <numerusform>%n process of %1</numerusform>
+            <numerusform>%n processes of %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n machine(s) of Slurm</source>
+        <translation>
+            <numerusform>%n machine of Slurm</numerusform>
+            <numerusform>%n machines of Slurm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n machine(s) of %1</source>
+        <translation>
+            <numerusform>%n machine of %1</numerusform>
+            <numerusform>%n machines of %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::SeparationText</name>
     <message numerus="yes">
         <source>It is the largest of %n obstacles on the easiest way.</source>

@@ -69,6 +69,7 @@ void MpiProgram::runCells(const std::string& job, int threads) {
   workFolder_ = job;
   leavesShares_ = true;
   begin(threads);
+  if (writes()) sayBegun(job);
   CommandSession session(threads, true);
   setContext(&session.context());
   const auto forget = [](MpiProgram* running) { running->setContext(nullptr); };

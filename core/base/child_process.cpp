@@ -13,6 +13,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/process_usage.hpp"
 #include "footfall/errors.hpp"
 
 extern char** environ;
@@ -21,7 +22,8 @@ namespace footfall::detail {
 namespace {
 
 constexpr int kPollMs = 20;
-constexpr int kGraceMs = 5000;
+constexpr double kGraceMs = 5000;
+constexpr double kKilledMs = 2000;
 constexpr std::size_t kMostErrors = 64 * 1024;
 
 class Descriptor {
@@ -55,30 +57,68 @@ Pipe makePipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// A process that does not outlive this.
+/// What a program writes, as far as it was read.
+class Outputs {
+ public:
+  explicit Outputs(ChildResult& result) : output_(makePipe()), errors_(makePipe()), result_(result) {}
+
+  [[nodiscard]] int outputEnd() const { return output_.to.number(); }
+  [[nodiscard]] int errorsEnd() const { return errors_.to.number(); }
+  /// The ends that the program has for its own.
+  void closeWritten() {
+    output_.to.close();
+    errors_.to.close();
+  }
+  [[nodiscard]] bool areOpen() const { return output_.from.number() >= 0 || errors_.from.number() >= 0; }
+
+  /// Waits for more, 20 ms at most.
+  void read() {
+    std::array<pollfd, 2> waiting = {pollfd{output_.from.number(), POLLIN, 0},
+                                     pollfd{errors_.from.number(), POLLIN, 0}};
+    if (::poll(waiting.data(), waiting.size(), kPollMs) <= 0) return;
+    if (waiting[0].revents != 0) read(output_.from, result_.output);
+    if (waiting[1].revents != 0) read(errors_.from, result_.errors);
+    if (result_.errors.size() > kMostErrors) result_.errors.resize(kMostErrors);
+  }
+
+ private:
+  void read(Descriptor& from, std::string& text) {
+    const ssize_t count = ::read(from.number(), buffer_.data(), buffer_.size());
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) return;
+    if (count <= 0) return from.close();
+    text.append(buffer_.data(), static_cast<std::size_t>(count));
+  }
+
+  Pipe output_, errors_;
+  ChildResult& result_;
+  std::vector<char> buffer_ = std::vector<char>(1 << 16);
+};
+
+/// A process that does not outlive this, and nor do those that it has started: they are a group.
 class Child {
  public:
-  explicit Child(ChildEnding ending) : ending_(ending) {}
+  Child(Outputs& outputs, ChildEnding ending) : outputs_(outputs), ending_(ending) {}
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
   /// The error of starting it, or 0.
-  int start(const std::vector<std::string>& arguments, int output, int errors) {
+  int start(const std::vector<std::string>& arguments) {
     std::vector<char*> pointers;
     for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, outputs_.outputEnd(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, outputs_.errorsEnd(), STDERR_FILENO);
     // Footfall's programs wait for signals themselves; what is blocked here must not be so there.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none;
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
     const int error = posix_spawnp(&id_, pointers[0], &actions, &attributes, pointers.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
@@ -88,15 +128,11 @@ class Child {
   ~Child() {
     if (id_ < 0) return;
     if (ending_ == ChildEnding::Asked) {
-      ::kill(id_, SIGTERM);
-      for (int waited = 0; waited < kGraceMs; waited += kPollMs) {
-        if (::waitpid(id_, nullptr, WNOHANG) == id_) return;
-        ::poll(nullptr, 0, kPollMs);
-      }
+      ::kill(-id_, SIGTERM);
+      if (isGoneWithin(kGraceMs)) return;
     }
-    ::kill(id_, SIGKILL);
-    while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    ::kill(-id_, SIGKILL);
+    isGoneWithin(kKilledMs);
   }
   /// Waits for its end; it may go on long after it has closed its output.
   int wait(const Poll& poll) {
@@ -113,40 +149,40 @@ class Child {
   }
 
  private:
+  // What they still write is read: else a full pipe would keep them from ending.
+  bool isGoneWithin(double ms) {
+    for (const Stopwatch watch; watch.wallMs() < ms;) {
+      if (!isReaped_) isReaped_ = ::waitpid(id_, nullptr, WNOHANG) == id_;
+      if (isReaped_ && ::kill(-id_, 0) != 0) return true;
+      if (outputs_.areOpen())
+        outputs_.read();
+      else
+        ::poll(nullptr, 0, kPollMs);
+    }
+    return false;
+  }
+
+  Outputs& outputs_;
   ChildEnding ending_;
-  pid_t id_ = -1;
+  pid_t id_ = -1;  ///< and that of its group
+  bool isReaped_ = false;
 };
 
 }  // namespace
 
 ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending) {
-  Pipe output = makePipe(), errors = makePipe();
   ChildResult result;
-  Child child(ending);
-  if (const int error = child.start(arguments, output.to.number(), errors.to.number()); error != 0) {
+  Outputs outputs(result);
+  Child child(outputs, ending);
+  if (const int error = child.start(arguments); error != 0) {
     result.status = 127;
     result.errors = std::strerror(error);
     return result;
   }
-  output.to.close();
-  errors.to.close();
-  std::vector<char> buffer(1 << 16);
-  std::array<pollfd, 2> waiting = {pollfd{output.from.number(), POLLIN, 0}, pollfd{errors.from.number(), POLLIN, 0}};
-  while (waiting[0].fd >= 0 || waiting[1].fd >= 0) {
+  outputs.closeWritten();
+  while (outputs.areOpen()) {
     poll();
-    if (::poll(waiting.data(), waiting.size(), kPollMs) <= 0) continue;
-    for (pollfd& one : waiting) {
-      if (one.fd < 0 || one.revents == 0) continue;
-      const ssize_t count = ::read(one.fd, buffer.data(), buffer.size());
-      if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-      if (count <= 0) {
-        one.fd = -1;
-        continue;
-      }
-      std::string& text = one.fd == output.from.number() ? result.output : result.errors;
-      text.append(buffer.data(), static_cast<std::size_t>(count));
-      if (result.errors.size() > kMostErrors) result.errors.resize(kMostErrors);
-    }
+    outputs.read();
   }
   result.status = child.wait(poll);
   return result;

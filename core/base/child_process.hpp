@@ -22,8 +22,8 @@ enum class ChildEnding {
 };
 
 /// Runs `arguments[0]`, looked for in PATH, with the others and without input, and waits for its end. `poll` is called
-/// at least every 20 ms; what it throws ends the program first, as `ending` says. Throws RunError when the system gives
-/// no pipe or no process.
+/// at least every 20 ms; what it throws ends the program first, as `ending` says, and those that it has started and
+/// that stayed in its group of processes. Throws RunError when the system gives no pipe or no process.
 ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending = ChildEnding::Killed);
 
 }  // namespace footfall::detail

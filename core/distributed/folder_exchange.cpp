@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/distributed/folder_exchange.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/partitioning/load_balancing.hpp"
@@ -16,10 +19,25 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 constexpr auto kPause = 5ms;
-constexpr double kLookMs = 5;  // between two looks into the folder
+// Between two looks into the folder: some of the time that the last one took, for the sake of big and of far folders.
+constexpr double kLookMs = 5;
+constexpr double kMostLookMs = 1000;
+constexpr double kPausesOfLook = 10;
+constexpr double kLookOfWaiting = 0.01;  // a queue may take hours
+constexpr double kRemoveMs = 2000;       // processes that are ending may still write
 
-double systemMs() {
-  return std::chrono::duration<double, std::milli>(std::chrono::system_clock::now().time_since_epoch()).count();
+// A folder of a network may go on telling that a file is not there, until somebody lists the folder.
+void listFolder(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;) entry.increment(error);
+}
+
+void removeAll(const fs::path& folder) {
+  std::error_code error;
+  for (const Stopwatch watch; fs::remove_all(folder, error) == static_cast<std::uintmax_t>(-1) || error;) {
+    if (watch.wallMs() > kRemoveMs) return;  // what is left takes room and does no harm
+    std::this_thread::sleep_for(kPause);
+  }
 }
 
 }  // namespace
@@ -33,16 +51,10 @@ FolderExchange::~FolderExchange() {
   }
   if (!worker_.joinable()) return;  // there was no folder to be made
   worker_.join();
-  std::error_code ignored;
-  fs::remove_all(options_.folder, ignored);
+  removeAll(options_.folder);
 }
 
 void FolderExchange::start() {
-  std::error_code error;
-  fs::create_directories(options_.folder, error);
-  if (error)
-    throw RunError(FOOTFALL_TEXT("%1: this folder for shares cannot be made (%2); name a folder that can be written"),
-                   options_.folder, error.message());
   folder_.emplace(options_.folder);
   worker_ = std::thread([this] {
     Text problem;
@@ -80,23 +92,32 @@ void FolderExchange::throwFailure() const {
 }
 
 void FolderExchange::awaitRanks(std::unique_lock<std::mutex>& lock, RunContext& context) {
-  while (ranks_.empty()) {
+  std::optional<Stopwatch> written;  // since the job was
+  for (double nextMs = 0; ranks_.empty(); changed_.wait_for(lock, kPause)) {
     context.checkCancelled();
-    lock.unlock();
-    std::optional<std::vector<JobRank>> ranks;
-    try {
-      ranks = readRanks(options_.folder);
-    } catch (const BadBytes& error) {
-      throw RunError(FOOTFALL_TEXT("%1 %2"), options_.folder, std::string(error.what()));
-    }
-    lock.lock();
-    if (ranks) {
-      ranks_ = std::move(*ranks);
-      return;
+    const double begunMs = clock_.wallMs();
+    if (begunMs >= nextMs) {
+      lock.unlock();
+      listFolder(options_.folder);
+      std::optional<std::vector<JobRank>> ranks = readRanks(options_.folder);
+      if (!written && hasJob(options_.folder)) written.emplace();
+      lock.lock();
+      if (ranks) {
+        ranks_ = std::move(*ranks);
+        return;
+      }
+      nextMs = nextLook(begunMs, written ? written->wallMs() * kLookOfWaiting : 0);
     }
     checkFailed();
-    changed_.wait_for(lock, kPause);
+    if (options_.startMs > 0 && written && written->wallMs() > options_.startMs && !hasBegun(options_.folder))
+      throw RunError(FOOTFALL_TEXT("no process has begun within %1 s; run again, or run on this program alone"),
+                     static_cast<std::int64_t>(options_.startMs / 1000));
   }
+}
+
+double FolderExchange::nextLook(double begunMs, double atLeastMs) const {
+  const double nowMs = clock_.wallMs();
+  return nowMs + std::clamp(std::max(kPausesOfLook * (nowMs - begunMs), atLeastMs), kLookMs, kMostLookMs);
 }
 
 std::vector<char> FolderExchange::begin(const CellPhase& phase, RunContext& context) {
@@ -118,15 +139,16 @@ std::vector<char> FolderExchange::begin(const CellPhase& phase, RunContext& cont
   hasCome_.assign(phase.costs.size(), 0);
   seen_.clear();
   left_ = phase.costs.size();
-  lookedMs_ = -1;
+  nextLookMs_ = 0;
   return std::vector<char>(phase.costs.size(), 0);
 }
 
 void FolderExchange::look() {
-  if (lookedMs_ >= 0 && clock_.wallMs() - lookedMs_ < kLookMs) return;
-  lookedMs_ = clock_.wallMs();
+  const double begunMs = clock_.wallMs();
+  if (begunMs < nextLookMs_) return;
   for (const Index cell : folder_->cellsOf(phase_))
     if (hasCome_[static_cast<std::size_t>(cell)] == 0) seen_.insert(cell);
+  nextLookMs_ = nextLook(begunMs, 0);
 }
 
 std::optional<ArrivedShare> FolderExchange::take() {

@@ -24,8 +24,10 @@ namespace footfall::detail {
 class FolderExchange : public CellExchange {
  public:
   struct Options {
-    std::string folder;  ///< which the processes see, too; made here, and removed in the end with what is in it
-    int threads = 1;     ///< of this process
+    /// Which the processes see, too. It is made here, but not those above it, and removed in the end with what is in
+    /// it.
+    std::string folder;
+    int threads = 1;  ///< of this process
     /// Starts the processes, waits for their end, and returns what went wrong; empty: nothing. Called by a thread of
     /// its own. `poll` is to be called every now and then; it throws when the run is over, which ends the processes.
     std::function<Text(const std::string& folder, Poll poll)> work;
@@ -33,6 +35,8 @@ class FolderExchange : public CellExchange {
     std::function<void(const std::vector<int>&)> ranksKnown = [](const std::vector<int>&) {};
     /// How long shares may be under way when their process has ended: folders of a network are slow.
     double patienceMs = 10000;
+    /// How long it may take from the written job until its processes have begun (sayBegun()); 0: as long as it takes.
+    double startMs = 0;
   };
   explicit FolderExchange(Options options);
   /// Ends the processes.
@@ -58,7 +62,8 @@ class FolderExchange : public CellExchange {
   void checkFailed() const;
   void awaitRanks(std::unique_lock<std::mutex>& lock, RunContext& context);
   void look();
-  [[nodiscard]] int rankOf(Index cell) const;
+  /// When to look into the folder again (of clock_) that it took since `begunMs` to look into.
+  [[nodiscard]] double nextLook(double begunMs, double atLeastMs) const;
 
   Options options_;
   std::optional<WorkFolder> folder_;
@@ -72,7 +77,7 @@ class FolderExchange : public CellExchange {
   std::vector<char> hasCome_;  ///< likewise
   std::size_t left_ = 0;       ///< cells of the pass that did not come
   std::set<Index> seen_;       ///< cells whose file is there, to be read
-  double lookedMs_ = -1;       ///< of clock_
+  double nextLookMs_ = 0;      ///< of clock_: not before
   double endedMs_ = -1;        ///< of clock_, when all processes had ended
   Text failure_;
   bool isStopping_ = false;

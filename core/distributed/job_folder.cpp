@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/distributed/job_folder.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -25,11 +25,22 @@ constexpr ShareName kJob{{}, 0, 1}, kRanks{{}, 0, 2};
 std::string pathOf(const std::string& folder, const char* name) { return (fs::path(folder) / name).string(); }
 std::string jobFile(const std::string& folder) { return pathOf(folder, "job"); }
 std::string ranksFile(const std::string& folder) { return pathOf(folder, "ranks"); }
+std::string begunFile(const std::string& folder) { return pathOf(folder, "begun"); }
+
+bool isThere(const std::string& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
 
 std::string_view opened(std::string_view sealed, const ShareName& name) {
   const OpenedShare share = openShare(sealed);
   if (share.name != name) throw BadBytes("is something else");
   return share.bytes;
+}
+
+Text unusable(const std::string& path, const BadBytes& error) {
+  return Text(FOOTFALL_TEXT("%1 %2; use the same version of Footfall everywhere, and a folder that all processes see"),
+              path, std::string(error.what()));
 }
 
 Environment readEnvironment(ByteReader& in) {
@@ -75,6 +86,8 @@ void writeJob(const std::string& folder, const Environment& environment, const s
   writeFileSafely(jobFile(folder), sealShare(kJob, out.bytes));
 }
 
+bool hasJob(const std::string& folder) { return isThere(jobFile(folder)); }
+
 Job readJob(const std::string& folder) {
   const std::string path = jobFile(folder);
   try {
@@ -89,11 +102,22 @@ Job readJob(const std::string& folder) {
     checkEnvironment(job.environment);
     return job;
   } catch (const BadBytes& error) {
-    throw InputError(
-        FOOTFALL_TEXT("%1 %2; use the same version of Footfall everywhere, and a folder that all processes "
-                      "see"),
-        path, std::string(error.what()));
+    throw InputError(unusable(path, error));
   }
+}
+
+void sayBegun(const std::string& folder) noexcept {
+  try {
+    std::ofstream(begunFile(folder)).flush();
+  } catch (const std::exception&) {
+    // It is a message less.
+  }
+}
+
+bool hasBegun(const std::string& folder) { return isThere(begunFile(folder)); }
+
+double systemMs() {
+  return std::chrono::duration<double, std::milli>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 void writeRanks(const std::string& folder, const std::vector<JobRank>& ranks) {
@@ -107,28 +131,23 @@ void writeRanks(const std::string& folder, const std::vector<JobRank>& ranks) {
 }
 
 std::optional<std::vector<JobRank>> readRanks(const std::string& folder) {
-  const std::optional<std::string> sealed = contentOf(ranksFile(folder));
-  if (!sealed) return std::nullopt;
-  ByteReader in(opened(*sealed, kRanks));
-  std::vector<JobRank> ranks(in.count(9));
-  for (JobRank& rank : ranks) {
-    rank.threads = in.below(1 << 16);
-    rank.beganMs = in.real();
-    if (rank.threads < 1 || !std::isfinite(rank.beganMs)) throw BadBytes("a number is out of range");
+  const std::string path = ranksFile(folder);
+  try {
+    const std::optional<std::string> sealed = contentOf(path);
+    if (!sealed) return std::nullopt;
+    ByteReader in(opened(*sealed, kRanks));
+    std::vector<JobRank> ranks(in.count(9));
+    for (JobRank& rank : ranks) {
+      rank.threads = in.below(1 << 16);
+      rank.beganMs = in.real();
+      if (rank.threads < 1 || !std::isfinite(rank.beganMs)) throw BadBytes("has a number that is out of range");
+    }
+    in.expectEnd();
+    if (ranks.empty()) throw BadBytes("has no ranks");
+    return ranks;
+  } catch (const BadBytes& error) {
+    throw InputError(unusable(path, error));
   }
-  in.expectEnd();
-  if (ranks.empty()) throw BadBytes("a job has no ranks");
-  return ranks;
-}
-
-std::optional<std::string> contentOf(const std::string& path) {
-  std::error_code error;
-  if (!fs::exists(path, error) && !error) return std::nullopt;
-  if (!fs::is_regular_file(path, error)) throw BadBytes("is no file");
-  std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof()) throw BadBytes("cannot be read");
-  return content;
 }
 
 }  // namespace footfall::detail

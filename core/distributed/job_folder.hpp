@@ -17,22 +17,27 @@ struct Job {
 
 /// Writes the environment as it is, with all that was edited: what filters see of it, to the last bit. Throws RunError.
 void writeJob(const std::string& folder, const Environment& environment, const std::string& pipeline);
+bool hasJob(const std::string& folder);
 /// Throws InputError where there is no job, or one of another version of the program.
 Job readJob(const std::string& folder);
 
 /// One process of those that run a job.
 struct JobRank {
   int threads = 1;
-  double beganMs = 0;  ///< when its run began, by the system's clock
+  double beganMs = 0;  ///< when its run began: systemMs()
 };
+
+/// All processes of the job have been started, whatever they have to read now. Leaves folders that are not there alone,
+/// and never throws: it is for those who wait.
+void sayBegun(const std::string& folder) noexcept;
+bool hasBegun(const std::string& folder);
+
+/// The system's clock.
+double systemMs();
 
 /// Says who runs the job, in the order of their ranks. Throws RunError.
 void writeRanks(const std::string& folder, const std::vector<JobRank>& ranks);
-/// None while it is not said. Throws BadBytes.
+/// None while it is not said. Throws InputError where it is said by another version of the program, or damaged.
 std::optional<std::vector<JobRank>> readRanks(const std::string& folder);
-
-/// The whole content of a file, or none where there is none. Throws BadBytes, the end of a sentence that begins with
-/// the file's name, when it cannot be read.
-std::optional<std::string> contentOf(const std::string& path);
 
 }  // namespace footfall::detail

@@ -18,10 +18,6 @@ using namespace std::chrono_literals;
 constexpr auto kBusyPause = 50us;
 constexpr auto kIdlePause = 1ms;
 
-double systemMs() {
-  return std::chrono::duration<double, std::milli>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 Text differs() {
   return Text(
       FOOTFALL_TEXT("this rank works on something else than rank 0: another file of the environment, another "
@@ -41,7 +37,9 @@ RankExchange::RankExchange(Transport& transport, Options options)
   own_.startUpMs = options_.startUpMs;
   pump_ = std::thread([this] { pump(); });
   try {
-    if (!options_.workFolder.empty()) folder_.emplace(options_.workFolder);
+    if (!options_.workFolder.empty())
+      folder_.emplace(options_.workFolder,
+                      options_.leavesShares ? WorkFolder::Making::Nothing : WorkFolder::Making::Folder);
   } catch (const std::exception& error) {
     fail(error.what());
     throw;

@@ -58,7 +58,8 @@ class RankExchange : public CellExchange {
     int threads = 1;         ///< of this rank
     double startUpMs = 0;    ///< see RankStatistics
     std::string workFolder;  ///< empty: none
-    /// The shares stay in the work folder for another process, which goes on (FolderExchange); no rank does.
+    /// The shares stay in the work folder for another process, which has made it and goes on (FolderExchange); no rank
+    /// does.
     bool leavesShares = false;
     /// How long a rank that ends waits for the good-bye of the others, before isCutOff().
     double patienceMs = 10000;

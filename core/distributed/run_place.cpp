@@ -3,16 +3,20 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "core/base/byte_stream.hpp"
 #include "core/base/child_process.hpp"
-#include "core/distributed/job_folder.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/distributed/share_file.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
@@ -21,6 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kOurs = "footfall-mpi: ";
+// Of Slurm's programs, when a job is cancelled: for each of them, in all, and between two looks into the queue.
+constexpr double kAskMs = 3000, kEndMs = 10000;
+constexpr std::chrono::milliseconds kEndPause{200};
+constexpr int kNoProgram = 127, kTookTooLong = 124;
 
 bool isProgram(const fs::path& path) {
   std::error_code error;
@@ -49,7 +57,7 @@ std::string quoted(const std::string& word) {
 }
 
 // Slurm's name for the job, by which it is ended.
-std::string nameOf(const std::string& job) { return "footfall-" + fs::path(job).filename().string(); }
+std::string nameOf(const std::string& job) { return fs::path(job).filename().string(); }
 
 std::string outputOf(const std::string& job) { return (fs::path(job) / "output.txt").string(); }
 
@@ -62,6 +70,50 @@ std::string scriptOf(const std::string& job, const RunPrograms& programs) {
          "  exec srun --mpi=pmix --kill-on-bad-exit=1 --cpus-per-task=$threads " +
          cells + " --threads $threads\nelse\n  exec " + quoted(programs.mpirun) + " --bind-to none " + cells +
          " --threads $threads\nfi";
+}
+
+using Lines = std::vector<std::string>;
+
+bool isText(const std::string& line) { return line.find_first_not_of("-*= ") != std::string::npos; }
+
+// How Open MPI begins and ends what it has to say.
+bool isDashes(const std::string& line) { return line.size() >= 20 && line.find_first_not_of('-') == std::string::npos; }
+
+// Its lines as one.
+std::string paragraphAt(Lines::const_iterator line, Lines::const_iterator end) {
+  std::string text;
+  for (; line != end && isText(*line); ++line) {
+    if (!text.empty()) text += ' ';
+    text.append(*line, line->find_first_not_of(' '));
+  }
+  return text;
+}
+
+/// A program that takes longer than that is ended, and so is who asks.
+struct TookTooLong {};
+
+ChildResult runWithin(double ms, const std::vector<std::string>& command) {
+  const Stopwatch watch;
+  try {
+    return runChild(command, [&] {
+      if (watch.wallMs() > ms) throw TookTooLong();
+    });
+  } catch (const TookTooLong&) {
+    return {.status = kTookTooLong, .output = {}, .errors = {}};
+  } catch (const RunError&) {
+    return {.status = kNoProgram, .output = {}, .errors = {}};
+  }
+}
+
+// An sbatch that was ended may have submitted the job, which then comes into the queue a little later.
+void endJob(const std::string& job, const RunPrograms& programs) {
+  for (const Stopwatch watch; watch.wallMs() < kEndMs;) {
+    runWithin(kAskMs, {programs.scancel, "--name", nameOf(job)});
+    std::this_thread::sleep_for(kEndPause);
+    const ChildResult queue = runWithin(kAskMs, {programs.squeue, "--noheader", "--name", nameOf(job)});
+    if (queue.status == kNoProgram) return;
+    if (queue.status == 0 && queue.output.find_first_not_of(" \n") == std::string::npos) return;
+  }
 }
 
 void add(std::vector<std::string>& command, std::initializer_list<std::string> words) {
@@ -95,7 +147,9 @@ Text problemOf(const RunPlace& place, const RunPrograms& programs) {
   }
   if (!canBeFound(programs.mpirun))
     return Text(FOOTFALL_TEXT("%1 was not found; install Open MPI (Debian: openmpi-bin)"), programs.mpirun);
-  if (place.kind == RunPlace::Kind::Hosts && ::access(place.hostFile.c_str(), R_OK) != 0)
+  std::error_code error;
+  if (place.kind == RunPlace::Kind::Hosts &&
+      (::access(place.hostFile.c_str(), R_OK) != 0 || fs::is_directory(place.hostFile, error)))
     return Text(FOOTFALL_TEXT("%1: this host file cannot be read; name a file with a machine in each line"),
                 place.hostFile);
   return {};
@@ -116,7 +170,8 @@ std::vector<std::string> commandOf(const std::string& job, const RunPlace& place
   command = {programs.mpirun, "--bind-to", "none", "-n", count};
   if (::geteuid() == 0) add(command, {"--allow-run-as-root"});
   if (place.kind == RunPlace::Kind::Hosts)
-    add(command, {"--hostfile", place.hostFile});
+    // A machine after the other, also without slots= in the file. Nobody is there whom ssh could ask.
+    add(command, {"--hostfile", place.hostFile, "--map-by", "node", "--mca", "plm_rsh_args", "-o BatchMode=yes"});
   else  // without a network, and where one process may not read another's memory
     add(command, {"--oversubscribe", "--host", "localhost:" + count, "--mca", "plm", "isolated", "--mca", "btl",
                   "self,vader", "--mca", "btl_vader_single_copy_mechanism", "none", "--mca", "pml", "ob1"});
@@ -126,15 +181,21 @@ std::vector<std::string> commandOf(const std::string& job, const RunPlace& place
 }
 
 std::string problemIn(const std::string& output) {
-  std::istringstream lines(output);
-  std::string last;
-  for (std::string line; std::getline(lines, line);) {
+  Lines lines;
+  std::istringstream in(output);
+  for (std::string line; std::getline(in, line);) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-    const std::size_t at = line.find(kOurs);
-    if (at == 0 && line.find("note: ") != kOurs.size()) return line.substr(kOurs.size());
-    if (line.find_first_not_of("-*= ") != std::string::npos) last = line;
+    const bool isOurs = line.find(kOurs) == 0;
+    if (isOurs && line.find("note: ") != kOurs.size()) return line.substr(kOurs.size());
+    if (!isOurs) lines.push_back(std::move(line));
   }
-  return last;
+  const auto dashes = std::find_if(lines.begin(), lines.end(), isDashes);
+  if (dashes != lines.end()) {
+    if (dashes != lines.begin() && isText(dashes[-1])) return dashes[-1];
+    if (std::string told = paragraphAt(dashes + 1, lines.end()); !told.empty()) return told;
+  }
+  const auto last = std::find_if(lines.rbegin(), lines.rend(), isText);
+  return last == lines.rend() ? std::string() : *last;
 }
 
 Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& programs, int threads, Poll poll) {
@@ -144,7 +205,7 @@ Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& pr
   try {
     result = runChild(command, poll, ChildEnding::Asked);
   } catch (...) {
-    if (place.kind == RunPlace::Kind::Slurm) runChild({programs.scancel, "--name", nameOf(job)}, {});
+    if (place.kind == RunPlace::Kind::Slurm) endJob(job, programs);
     throw;
   }
   if (result.status == 0) return {};

@@ -11,6 +11,9 @@
 
 namespace footfall::detail {
 
+/// What can be asked for, of any kind.
+inline constexpr int kMostProcesses = 1024;
+
 struct RunPlace {
   enum class Kind : std::uint8_t {
     ThisProcess,
@@ -28,7 +31,8 @@ struct RunPlace {
 
 /// The programs that start processes; a name without a folder is looked for in PATH.
 struct RunPrograms {
-  std::string footfallMpi = "footfall-mpi", mpirun = "mpirun", sbatch = "sbatch", scancel = "scancel";
+  std::string footfallMpi = "footfall-mpi", mpirun = "mpirun", sbatch = "sbatch", scancel = "scancel",
+              squeue = "squeue";
 };
 /// `folder`: that of the program that asks, where footfall-mpi is looked for first. FOOTFALL_MPI and FOOTFALL_MPIRUN in
 /// the environment come before both.
@@ -38,14 +42,16 @@ RunPrograms findPrograms(const std::string& folder);
 Text problemOf(const RunPlace& place, const RunPrograms& programs);
 
 /// Starts the processes of a job (writeJob()) and waits for them. `threads` of each, 0: all that it may have. Returns
-/// what went wrong, by their own words where they have any. `poll` may throw, which ends them.
+/// what went wrong, by their own words where they have any. `poll` may throw, which ends them; of Slurm, waits for up
+/// to ten seconds until its queue does not have the job any more, whose name there is that of the folder.
 Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& programs, int threads, Poll poll);
 
 /// The command line of runJob().
 std::vector<std::string> commandOf(const std::string& job, const RunPlace& place, const RunPrograms& programs,
                                    int threads);
 
-/// What is worth telling of what failed processes wrote: the line of ours, or the last one of theirs.
+/// What is worth telling of what failed processes wrote: the line of ours; else what mpirun says in dashes, its first
+/// paragraph, or the line right before (of ssh); else the last line.
 std::string problemIn(const std::string& output);
 
 }  // namespace footfall::detail

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/distributed/share_file.hpp"
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
 namespace footfall::detail {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBlock = 1 << 18;
 constexpr std::string_view kMagic = "FFSHARE\n";
 
 Digest::Value checkSum(std::string_view head, std::string_view bytes) { return Digest().add(head).add(bytes).value(); }
@@ -45,6 +53,25 @@ OpenedShare openShare(std::string_view sealed) {
   } catch (const BadBytes& error) {
     throw std::string_view(error.what()).substr(0, 3) == "is " ? error : BadBytes("is cut off");
   }
+}
+
+// In blocks by read(), which keeps an error of the disk in the stream's state; an iterator of the stream lets the
+// library's own exception through.
+std::optional<std::string> contentOf(const std::string& path) {
+  std::error_code error;
+  if (!fs::exists(path, error) && !error) return std::nullopt;
+  if (!fs::is_regular_file(path, error)) throw BadBytes("is no file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file.is_open()) throw BadBytes("cannot be read");
+  std::string content;
+  while (file.good()) {
+    const std::size_t size = content.size();
+    content.resize(size + std::max(kBlock, size));
+    file.read(content.data() + size, static_cast<std::streamsize>(content.size() - size));
+    content.resize(size + static_cast<std::size_t>(file.gcount()));
+  }
+  if (file.bad()) throw BadBytes("cannot be read");
+  return content;
 }
 
 }  // namespace footfall::detail

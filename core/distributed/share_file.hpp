@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,5 +37,8 @@ struct OpenedShare {
 /// Throws BadBytes: no share, of another version, cut off or damaged. The message is the end of a sentence that begins
 /// with the file's name.
 OpenedShare openShare(std::string_view sealed);
+
+/// The whole content of a file, or none where there is none. Throws BadBytes, likewise, when it cannot be read.
+std::optional<std::string> contentOf(const std::string& path);
 
 }  // namespace footfall::detail

@@ -12,7 +12,6 @@
 #include <optional>
 #include <system_error>
 
-#include "core/distributed/job_folder.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 
@@ -49,7 +48,8 @@ bool isLeftOver(const fs::directory_entry& entry) {
 
 }  // namespace
 
-WorkFolder::WorkFolder(std::string path) : path_(std::move(path)) {
+WorkFolder::WorkFolder(std::string path, Making making) : path_(std::move(path)) {
+  if (making == Making::Nothing) return;
   std::error_code error;
   fs::create_directory(path_, error);
   if (error || !fs::is_directory(path_))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,12 @@ namespace footfall::detail {
 /// a run see the same folder. Each file is written beside its name and then renamed.
 class WorkFolder {
  public:
-  /// Makes the folder, but not those above it. Throws RunError.
-  explicit WorkFolder(std::string path);
+  enum class Making : std::uint8_t {
+    Folder,  ///< but not those above it
+    Nothing  ///< the folder is somebody else's, who may have removed it
+  };
+  /// Throws RunError where the folder cannot be made.
+  explicit WorkFolder(std::string path, Making making = Making::Folder);
 
   struct Stored {
     Index cell = -1;

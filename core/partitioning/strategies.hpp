@@ -34,6 +34,14 @@ struct CellFloors {
   /// For each triangle: in how many cells it is listed.
   std::vector<Index> cellCount;
 };
+/// Calls take(floor, cell) for all of them, cells from last to first: what is kept in the end is the first cell that
+/// lists a floor, to which a floor belongs that cells share and do not divide.
+template <class Take>
+void keepFirstCells(const CellFloors& floors, const Take& take) {
+  for (std::size_t cell = floors.first.size() - 1; cell-- > 0;)
+    for (std::size_t i = floors.first[cell]; i < floors.first[cell + 1]; ++i)
+      take(floors.floors[i], static_cast<Index>(cell));
+}
 /// Lists all triangles with walkable[t] != 0, and counts Cell::floors and Cell::obstacles.
 CellFloors assignFloors(Partition& partition, const StrategyInput& input);
 

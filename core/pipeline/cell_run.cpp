@@ -81,10 +81,9 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
   shares_ = std::vector<Shares>(static_cast<std::size_t>(count));
   for (std::size_t t = 0; t < walkable.size(); ++t)
     if (sharesOf_[t] >= 0) shares_[sharesOf_[t]].cells = floors.cellCount[t];
-  for (std::size_t cell = cells_.size(); cell-- > 0;)
-    for (std::size_t i = floors.first[cell]; i < floors.first[cell + 1]; ++i)
-      if (const Index shares = sharesOf_[floors.floors[i]]; shares >= 0)
-        shares_[shares].counted = static_cast<Index>(cell);
+  keepFirstCells(floors, [this](Index face, Index cell) {
+    if (const Index shares = sharesOf_[face]; shares >= 0) shares_[shares].counted = cell;
+  });
 }
 
 void CellRun::run() {

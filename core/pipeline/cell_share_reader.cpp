@@ -14,9 +14,7 @@ CellShareReader::CellShareReader(const CellFloors& floors, const std::vector<cha
       clearance_(clearance),
       filters_(filters),
       firstCell_(walkable.size(), -1) {
-  for (std::size_t cell = floors.first.size() - 1; cell-- > 0;)
-    for (std::size_t i = floors.first[cell]; i < floors.first[cell + 1]; ++i)
-      firstCell_[floors.floors[i]] = static_cast<Index>(cell);
+  keepFirstCells(floors, [this](Index face, Index cell) { firstCell_[face] = cell; });
 }
 
 CellShare CellShareReader::read(Index cell, std::string_view bytes) const {

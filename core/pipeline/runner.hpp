@@ -25,8 +25,9 @@ Partition previewPartition(const std::shared_ptr<const Environment>& environment
                            std::size_t step, RunContext& context, int threads = 0);
 
 /// As runPipeline(), by several processes that divide the cells of parallel blocks. The result's mesh is null in those
-/// that the last block does not go on in; the others' bytes are those of runPipeline(). What `cache` has of blocks is
-/// not run by anybody. Throws what `exchange` throws, too.
+/// that the last block does not go on in; the others' bytes are those of runPipeline(). This process goes on from the
+/// last state that `cache` has; others know nothing of it, and run all blocks where any is left to be run. Throws what
+/// `exchange` throws, too.
 RunResult runTogether(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
                       CellExchange& exchange, int threads = 0, ResultCache* cache = nullptr);
 

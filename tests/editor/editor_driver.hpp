@@ -61,16 +61,19 @@ inline QByteArray readFile(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+/// For what takes a moment, on machines that are busy with other things.
+constexpr int kWaitMs = 20000;
+
 /// Shown, with the focus: there may be no window manager to give it.
 inline bool showWindow(EditorWindow& window) {
   window.show();
-  if (!QTest::qWaitForWindowExposed(&window)) return false;
+  if (!QTest::qWaitForWindowExposed(&window, kWaitMs)) return false;
   window.activateWindow();
-  return QTest::qWaitForWindowActive(&window);
+  return QTest::qWaitForWindowActive(&window, kWaitMs);
 }
 
 inline bool waitUntilIdle(EditorWindow& window) {
-  return QTest::qWaitFor([&] { return window.idle(); }, 20000);
+  return QTest::qWaitFor([&] { return window.idle(); }, kWaitMs);
 }
 
 /// Reads a Z-up OBJ, as the ones above are, and waits for the result.
@@ -92,7 +95,7 @@ inline QStringList filterNames(EditorWindow& window) {
 /// Pastes into whatever dialog for files is open and confirms it.
 inline void answerFileDialog(const QString& path) {
   QWidget* dialog = nullptr;
-  QVERIFY(QTest::qWaitFor([&] { return (dialog = QApplication::activeModalWidget()) != nullptr; }));
+  QVERIFY(QTest::qWaitFor([&] { return (dialog = QApplication::activeModalWidget()) != nullptr; }, kWaitMs));
   auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
   QVERIFY(name);
   // Pasted, as the completion of half a path may turn it into something else.

@@ -127,6 +127,7 @@ for ((i = 0; i < 600; ++i)); do
   [ "${kept}" -eq 0 ] || break
   sleep 0.05
 done
+[ "${kept}" -gt 0 ] || fail "no cell was done within half a minute"
 scancel --user=root
 for ((i = 0; i < 600; ++i)); do
   [ -n "$(squeue --noheader)" ] || break

@@ -60,7 +60,7 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
     try {
       RankExchange::Options own;
       own.threads = options.threads;
-      own.patienceMs = options.patienceMs;
+      own.patienceMs = options.patienceMs(rank);
       own.workFolder = options.workFolder;
       own.leavesShares = options.leavesShares;
       own.note = [&](const Text& note) {
@@ -75,13 +75,15 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
       hasResult[static_cast<std::size_t>(rank)] = result.mesh ? 1 : 0;
       std::vector<RankStatistics> ranks = exchange->collect(context);
       exchange->end(context);
-      if (rank != 0) return;
-      outcome.result = std::move(result);
-      outcome.ranks = std::move(ranks);
+      if (rank == 0) {
+        outcome.result = std::move(result);
+        outcome.ranks = std::move(ranks);
+      }
     } catch (const std::exception& error) {
       if (exchange) exchange->fail(error.what());
       if (rank == 0) outcome.error = error.what();
     }
+    options.ended(rank);
     isCutOff[static_cast<std::size_t>(rank)] = exchange && exchange->isCutOff() ? 1 : 0;
   };
   std::vector<std::thread> threads;

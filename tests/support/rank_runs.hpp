@@ -22,7 +22,10 @@ struct RankOptions {
   /// The environment of a rank, where it is not the one that all have.
   std::function<std::shared_ptr<const Environment>(int rank)> environmentOf = nullptr;
   std::function<Pipeline(int rank)> pipelineOf = nullptr;  ///< likewise
-  double patienceMs = 10000;                               ///< RankExchange::Options
+  /// RankExchange::Options
+  std::function<double(int rank)> patienceMs = [](int) { return 10000.0; };
+  /// Called by a rank when it is over.
+  std::function<void(int rank)> ended = [](int) {};
 };
 
 struct RankOutcome {

@@ -14,7 +14,6 @@ namespace {
 
 using Kind = RunPlace::Kind;
 
-constexpr int kMostProcesses = 1024;
 constexpr int kWidth = 460;
 
 }  // namespace

@@ -19,6 +19,11 @@
 namespace footfall::ui {
 namespace {
 
+// A folder of a network tells up to a minute late what others have written (NFS: acregmax, acdirmax).
+constexpr double kFarPatienceMs = 90000;
+// mpirun may wait for ever for a process that died while it was started.
+constexpr double kStartMs = 60000;
+
 void keepMesh(RunJob& job, const RunEvent& event) {
   if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < job.prefixes.size())
     job.stepMeshes->store(job.prefixes[event.step + 1], event.part);
@@ -31,12 +36,15 @@ std::string jobFolder(const RunPlace& place) {
   return (in + QStringLiteral("/footfall-") + QUuid::createUuid().toString(QUuid::Id128).left(12)).toStdString();
 }
 
-// Other processes run the cells, and this one what is before and behind them. What the cache has, nobody runs.
+// Other processes run the cells, and this one what is before and behind them. Where the cache has all blocks, nobody is
+// started; else the processes begin with the first of them, also where the cache has it.
 void runElsewhere(RunJob& job, FinishedRun& finished) {
   FolderExchange::Options options;
   options.folder = jobFolder(job.place);
   options.threads = job.threads > 0 ? job.threads : processorCount();
   const bool isHere = job.place.kind == RunPlace::Kind::Processes;
+  if (!isHere) options.patienceMs = kFarPatienceMs;
+  if (job.place.kind != RunPlace::Kind::Slurm) options.startMs = kStartMs;  // its queue takes what it takes
   const int threadsOfEach = isHere ? std::max(1, options.threads / job.place.processes) : 0;
   options.work = [&job, threadsOfEach](const std::string& folder, Poll poll) {
     writeJob(folder, *job.environment, formatPipeline(job.pipeline));

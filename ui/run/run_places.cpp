@@ -7,6 +7,7 @@
 #include <QThread>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -19,7 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = RunPlace::Kind;
 
-constexpr int kMostProcesses = 100000;
 constexpr std::array<std::pair<Kind, const char*>, 4> kKinds = {{{Kind::ThisProcess, "this_program"},
                                                                  {Kind::Processes, "processes"},
                                                                  {Kind::Hosts, "hosts"},
@@ -30,12 +30,25 @@ bool mayStartUnasked(const RunPlace& place) {
          (place.kind == Kind::Processes && place.processes <= std::max(2, QThread::idealThreadCount()));
 }
 
+int processesIn(const Json& json) {
+  const Json count = json.value("processes", Json(2));
+  // A number beyond 64 bits is none of integers, and one beyond 63 is negative here.
+  const std::int64_t processes = count.is_number_integer() ? count.get<std::int64_t>() : 0;
+  if (processes < 1 || processes > kMostProcesses)
+    throw InputError(FOOTFALL_TEXT("run_on: %1 processes; give 1 to %2"), count.dump(), kMostProcesses);
+  return static_cast<int>(processes);
+}
+
 }  // namespace
 
-void RunPlaces::choose(const RunPlace& place) {
-  suggested_.reset();
-  if (chosen_ == place) return;
-  chosen_ = place;
+void RunPlaces::choose(const RunPlace& place) { set(place, std::nullopt); }
+
+void RunPlaces::forgetSuggestion() { set(chosen_, std::nullopt); }
+
+void RunPlaces::set(const RunPlace& chosen, const std::optional<RunPlace>& suggested) {
+  if (chosen_ == chosen && suggested_ == suggested) return;
+  chosen_ = chosen;
+  suggested_ = suggested;
   emit changed();
 }
 
@@ -60,15 +73,12 @@ void RunPlaces::load(const std::string& text) {
     throw InputError(FOOTFALL_TEXT("run_on is '%1'; give this_program, processes, hosts or slurm"), name);
   RunPlace place;
   place.kind = known->first;
-  place.processes = json.value("processes", 2);
-  if (place.processes < 1 || place.processes > kMostProcesses)
-    throw InputError(FOOTFALL_TEXT("run_on: %1 processes; give 1 to %2"), place.processes, kMostProcesses);
+  place.processes = processesIn(json);
   place.hostFile = json.value("host_file", std::string());
   place.partition = json.value("partition", std::string());
   place.folder = json.value("folder", std::string());
   if (place == chosen_ || mayStartUnasked(place)) return choose(place);
-  choose({});
-  suggested_ = place;
+  set({}, place);
 }
 
 QString placeText(Kind kind) {
@@ -90,15 +100,14 @@ QString placeText(const RunPlace& place) {
     case Kind::ThisProcess:
       break;
     case Kind::Processes:
-      return RunPlaces::tr("%1 processes here").arg(place.processes);
+      return RunPlaces::tr("%n process(es) here", nullptr, place.processes);
     case Kind::Hosts:
-      return RunPlaces::tr("%1 processes of %2")
-          .arg(place.processes)
+      return RunPlaces::tr("%n process(es) of %1", nullptr, place.processes)
           .arg(QFileInfo(QString::fromStdString(place.hostFile)).fileName());
     case Kind::Slurm:
-      return place.partition.empty()
-                 ? RunPlaces::tr("%1 machines of Slurm").arg(place.processes)
-                 : RunPlaces::tr("%1 machines of %2").arg(place.processes).arg(QString::fromStdString(place.partition));
+      return place.partition.empty() ? RunPlaces::tr("%n machine(s) of Slurm", nullptr, place.processes)
+                                     : RunPlaces::tr("%n machine(s) of %1", nullptr, place.processes)
+                                           .arg(QString::fromStdString(place.partition));
   }
   return placeText(place.kind);
 }
@@ -107,6 +116,10 @@ RunPrograms runPrograms() { return findPrograms(QCoreApplication::applicationDir
 
 void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::function<void(Kind)>& ask) {
   auto* group = new QActionGroup(&places);
+  const auto show = [&places, group] {
+    for (QAction* action : group->actions())
+      if (action->data().toInt() == static_cast<int>(places.chosen().kind)) action->setChecked(true);
+  };
   for (const auto& [kind, name] : kKinds) {
     const bool asks = kind != Kind::ThisProcess;
     Command command{QStringLiteral("pipeline.runOn.%1").arg(QString::fromLatin1(name)),
@@ -118,9 +131,9 @@ void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::f
                     {},
                     true};
     QAction* action = commands.add(command, [](bool) {});
+    action->setData(static_cast<int>(kind));
     group->addAction(action);
-    const auto show = [&places, action, kind = kind] { action->setChecked(places.chosen().kind == kind); };
-    // Not by its being checked: a choice that is made again can be changed.
+    // Not by its being checked: a choice that is made again can be changed. Until there is an answer, all is as it was.
     QObject::connect(action, &QAction::triggered, &places, [&places, ask, show, kind = kind, asks] {
       if (asks)
         ask(kind);
@@ -128,9 +141,9 @@ void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::f
         places.choose({});
       show();
     });
-    QObject::connect(&places, &RunPlaces::changed, action, show);
-    show();
   }
+  QObject::connect(&places, &RunPlaces::changed, group, show);
+  show();
 }
 
 }  // namespace footfall::ui

@@ -27,6 +27,8 @@ class RunPlaces : public QObject {
   /// What a session was run on and nobody has chosen here yet: opening a file neither starts work on other machines nor
   /// more processes than this one has processors.
   [[nodiscard]] const std::optional<RunPlace>& suggested() const { return suggested_; }
+  /// Another level is there, which comes with no session: what was chosen here stays.
+  void forgetSuggestion();
 
   /// As JSON, the suggestion where there is one. load() of an empty text is this program; it throws InputError with
   /// what is wrong.
@@ -34,16 +36,19 @@ class RunPlaces : public QObject {
   void load(const std::string& text);
 
  signals:
+  /// The choice or the suggestion.
   void changed();
 
  private:
+  void set(const RunPlace& chosen, const std::optional<RunPlace>& suggested);
+
   RunPlace chosen_;
   std::optional<RunPlace> suggested_;
 };
 
 /// What can be chosen from: "This program", "Processes of this machine", ...
 QString placeText(RunPlace::Kind kind);
-/// What was chosen, in a few words: "4 processes".
+/// What was chosen, in a few words: "4 processes here".
 QString placeText(const RunPlace& place);
 
 /// What starts the processes of runs: beside the editor, or in PATH.

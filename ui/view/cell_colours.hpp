@@ -1,5 +1,5 @@
-// What the colours of cells mean: by thread (or rank, where several processes ran them), time, triangles or estimated
-// cost. SPDX-License-Identifier: GPL-3.0-or-later
+// What the colours of cells mean: thread (or rank, of several processes), time, triangles or estimated cost.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <QColor>

@@ -136,7 +136,7 @@ QWidget* ExportDialog::createMeshOptions() {
   obstacleEdges_ = addBox(mesh, QStringLiteral("exportObstacleEdges"), tr("Obstacle edges as lines"),
                           tr("Edges that agents cannot cross though both sides are walkable"));
   steps_ = addBox(mesh, QStringLiteral("exportSteps"), {},
-                  tr("Off: agents cannot climb what they could; only level ways are in the file"));
+                  tr("Off: the file has no steps; floors that only steps join are apart in it"));
   drops_ = addBox(mesh, QStringLiteral("exportDrops"), tr("Drops as lines"),
                   tr("Lines from where an agent drops to where it lands"));
   placed_ = addBox(mesh, QStringLiteral("exportPlaced"), tr("Placed obstacles"),

@@ -145,13 +145,20 @@ void LevelOpening::takeDocument(const std::shared_ptr<const Environment>& before
                             : own
                                 ? rescaleLengths(uses_.document.pipeline(), before->metresPerUnit, level.metresPerUnit)
                                 : defaultPipeline(level);
-  uses_.composer.setLoaded(nullptr);  // the document is that of the new level from here on
+  // The document is that of the new level from here on, and so is where its runs are: nothing of that is to run on the
+  // old one.
+  uses_.composer.setLoaded(nullptr);
+  uses_.cells.watch().setEnvironment(nullptr, {});
+  uses_.controller.setEnvironment(nullptr, {});
   uses_.document.reset(pipeline, opening.import, opening.rest);
   uses_.sessions.setPath(opening.session);
   if (opening.unsaved) uses_.document.undoStack()->resetClean();
   if (opening.camera) uses_.view.cameraController().setPose(*opening.camera);
   if (opening.cells) uses_.cells.setShown(*opening.cells);
-  if (opening.sections) uses_.sections.load(*opening.sections);
+  if (opening.sections)
+    uses_.sections.load(*opening.sections);
+  else
+    uses_.cells.places().forgetSuggestion();
   if (!opening.pipeline && own) {
     uses_.messages.showHint(tr("Your filters were kept for this environment."), tr("Use default filters"),
                             [this] { useDefaultFilters(); });

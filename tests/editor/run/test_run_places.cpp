@@ -4,10 +4,14 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QPushButton>
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <optional>
 
 #include "footfall/errors.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "ui/base/translations.hpp"
 #include "ui/cells/run_place_dialog.hpp"
 #include "ui/run/run_places.hpp"
 
@@ -28,12 +32,41 @@ RunPlace processes(int count) {
   return place;
 }
 
+RunPlace hostsIn(const QTemporaryDir& folder, int count) {
+  RunPlace place = processes(count);
+  place.kind = RunPlace::Kind::Hosts;
+  place.hostFile = writeFile(folder, "hosts", "localhost\n").toStdString();
+  place.folder = folder.path().toStdString();
+  return place;
+}
+
 /// A program in place of mpirun.
 void setMpirun(const QTemporaryDir& folder, const QByteArray& text) {
   const QString path = writeFile(folder, "mpirun", "#!/bin/sh\n" + text);
   QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
   qputenv("FOOTFALL_MPIRUN", path.toUtf8());
   qputenv("FOOTFALL_MPI", path.toUtf8());
+}
+
+/// One in place of mpirun that fails, and how often it was started.
+void setFailingMpirun(const QTemporaryDir& folder) {
+  setMpirun(folder, "echo run >>'" + folder.filePath("runs").toUtf8() + "'\nexit 1\n");
+}
+qsizetype runsStarted(const QTemporaryDir& folder) { return readFile(folder.filePath("runs")).count('\n'); }
+
+/// Does something that makes a run, and waits until it has failed.
+bool failsAfter(EditorWindow& window, const std::function<void()>& change) {
+  QSignalSpy failed(&window.controller(), &RunController::failed);
+  change();
+  return QTest::qWaitFor([&] { return window.idle() && failed.count() > 0; }, 60000);
+}
+
+/// What is checked in the menu.
+QStringList checkedPlaces(EditorWindow& window) {
+  QStringList checked;
+  for (const char* place : {"this_program", "processes", "hosts", "slurm"})
+    if (window.commands().find(QStringLiteral("pipeline.runOn.") + place)->isChecked()) checked << place;
+  return checked;
 }
 
 QByteArray exported(EditorWindow& window, const QTemporaryDir& folder) {
@@ -52,6 +85,7 @@ class TestRunPlaces : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() { qputenv("TMPDIR", temporary_.path().toUtf8()); }
   void cleanup() {
     qunsetenv("FOOTFALL_MPI");
     qunsetenv("FOOTFALL_MPIRUN");
@@ -86,23 +120,103 @@ class TestRunPlaces : public QObject {
     places.choose(slurm);
     places.load({});
     QVERIFY(places.chosen() == RunPlace());
-    for (const char* wrong : {"{}", R"({"on":"moon"})", R"({"on":"processes","processes":0})", "nonsense"})
+    for (const char* wrong :
+         {"{}", R"({"on":"moon"})", R"({"on":"processes","processes":0})", R"({"on":"processes","processes":1025})",
+          R"({"on":"processes","processes":4294967298})", R"({"on":"processes","processes":18446744073709551618})",
+          R"({"on":"processes","processes":2.5})", R"({"on":"processes","processes":"2"})", "nonsense"})
       QVERIFY_EXCEPTION_THROWN(places.load(wrong), std::exception);
     QVERIFY(places.chosen() == RunPlace());
   }
 
-  void openingASessionStartsNobodyElsewhere() {
-    EditorWindow window;
-    QVERIFY(showWindow(window));
+  void aSuggestionThatIsDroppedIsTold() {
     const QTemporaryDir folder;
-    setMpirun(folder, "echo $$ >'" + folder.filePath("pid").toUtf8() + "'\nexit 1\n");
-    QVERIFY(openZUp(window, writeFile(folder, "waves.obj", wavesObj(10)), kPipeline));
-    RunPlaces far;
-    far.choose(processes(64));
-    window.runPlaces().load(far.save());
-    QVERIFY(waitUntilIdle(window));
+    RunPlaces far, places;
+    far.choose(hostsIn(folder, 3));
+    QSignalSpy changed(&places, &RunPlaces::changed);
+    places.load(far.save());
+    QCOMPARE(changed.count(), 1);
+    places.choose({});
+    QVERIFY(!places.suggested());
+    QCOMPARE(changed.count(), 2);
+    places.choose(processes(2));
+    places.forgetSuggestion();
+    QVERIFY(places.chosen() == processes(2));
+    QCOMPARE(changed.count(), 3);
+  }
+
+  void openingASessionStartsNobodyElsewhere() {
+    const QTemporaryDir folder;
+    setFailingMpirun(folder);
+    const QString level = writeFile(folder, "waves.obj", wavesObj(10)), session = folder.filePath("far.footfall");
+    const RunPlace far = hostsIn(folder, 3);
+    {
+      EditorWindow window;
+      QVERIFY(showWindow(window));
+      QVERIFY(openZUp(window, level, kPipeline));
+      QVERIFY(failsAfter(window, [&] { window.runPlaces().choose(far); }));
+      window.saveSession(session);
+      QVERIFY(waitUntilIdle(window));
+    }
+    QCOMPARE(runsStarted(folder), 1);
+    EditorWindow window;
+    window.setRemembering(false);
+    QVERIFY(showWindow(window));
+    window.open(session);
+    QVERIFY(waitUntilIdle(window) && window.controller().upToDate());
     QVERIFY(window.runPlaces().chosen() == RunPlace());
-    QVERIFY(!QFile::exists(folder.filePath("pid")));
+    QVERIFY(window.runPlaces().suggested() == far);
+    QCOMPARE(runsStarted(folder), 1);
+
+    // Another level has nothing to do with it.
+    QVERIFY(openZUp(window, level, kPipeline));
+    QVERIFY(!window.runPlaces().suggested());
+    QCOMPARE(window.runPlaces().save(), RunPlaces().save());
+
+    window.open(session);
+    QVERIFY(waitUntilIdle(window) && window.runPlaces().suggested() == far);
+    const QList<QPushButton*> buttons = window.messageBar().findChildren<QPushButton*>();
+    const auto again = std::ranges::find(buttons, QString("Run there again"), &QPushButton::text);
+    QVERIFY(again != buttons.end() && (*again)->isVisible());
+    QVERIFY(failsAfter(window, [&] { QTest::mouseClick(*again, Qt::LeftButton); }));
+    QVERIFY(window.runPlaces().chosen() == far && !window.runPlaces().suggested());
+    QCOMPARE(runsStarted(folder), 2);
+  }
+
+  // While another level is taken, with its filters and where it is run, nothing is run on the one before.
+  void theLevelBeforeIsNotRun() {
+    const QTemporaryDir folder;
+    setFailingMpirun(folder);
+    const QString first = writeFile(folder, "first.obj", wavesObj(10));
+    const QString session = folder.filePath("second.footfall");
+    EditorWindow window;
+    window.setRemembering(false);
+    QVERIFY(showWindow(window));
+    QVERIFY(openZUp(window, writeFile(folder, "second.obj", wavesObj(11)), kPipeline));
+    QVERIFY(failsAfter(window, [&] { window.runPlaces().choose(processes(2)); }));
+    window.saveSession(session);
+    QVERIFY(waitUntilIdle(window));
+    QCOMPARE(runsStarted(folder), 1);
+
+    std::shared_ptr<const Environment> before;
+    int ofBefore = 0;
+    const auto look = [&] { ofBefore += window.controller().busy() && window.controller().environment() == before; };
+    connect(&window.document(), &Document::filtersChanged, &window, look);
+    connect(&window.runPlaces(), &RunPlaces::changed, &window, look);
+    before = window.level();
+    QVERIFY(failsAfter(window, [&] {
+      ImportOptions import;
+      import.up = UpAxis::Z;
+      window.openWith(first, parsePipeline(std::string(kPipeline) + "AreaFilter 0.5\n", "test"), import);
+    }));
+    QCOMPARE(runsStarted(folder), 2);
+    before = nullptr;
+    window.runPlaces().choose({});
+    QVERIFY(waitUntilIdle(window) && window.controller().upToDate());
+    before = window.level();
+    QVERIFY(failsAfter(window, [&] { window.open(session); }));
+    QVERIFY(window.runPlaces().chosen() == processes(2));
+    QCOMPARE(runsStarted(folder), 3);
+    QCOMPARE(ofBefore, 0);
   }
 
   void theDialogAsksForWhatIsNeeded() {
@@ -132,11 +246,37 @@ class TestRunPlaces : public QObject {
     QVERIFY(box);
     QCOMPARE(box->currentText(), QString("This program"));
     window.runPlaces().choose(processes(3));
-    QCOMPARE(box->currentText(), QString("3 processes here"));
+    QCOMPARE(box->currentText(), placeText(processes(3)));
     QVERIFY(window.commands().find("pipeline.runOn.processes")->isChecked());
     emit box->activated(0);
     QVERIFY(window.runPlaces().chosen() == RunPlace());
     QVERIFY(window.commands().find("pipeline.runOn.this_program")->isChecked());
+  }
+
+  // Whatever becomes of the question.
+  void theMenuShowsTheChoiceAtAllTimes() {
+    const QTemporaryDir folder;
+    setFailingMpirun(folder);
+    EditorWindow window;
+    QVERIFY(showWindow(window));
+    const auto answer = [&](const char* place, bool accepts) {
+      window.commands().find(QStringLiteral("pipeline.runOn.") + place)->trigger();
+      const QStringList asked = checkedPlaces(window);
+      auto* dialog = window.findChild<RunPlaceDialog*>();
+      if (dialog == nullptr) return QStringList{"no dialog"};
+      dialog->done(accepts ? QDialog::Accepted : QDialog::Rejected);
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      return asked + checkedPlaces(window);
+    };
+    QCOMPARE(checkedPlaces(window), QStringList{"this_program"});
+    for (const char* place : {"slurm", "hosts", "processes"})
+      QCOMPARE(answer(place, false), (QStringList{"this_program", "this_program"}));
+    QCOMPARE(answer("processes", true), (QStringList{"this_program", "processes"}));
+    QCOMPARE(answer("processes", true), (QStringList{"processes", "processes"}));
+    QCOMPARE(answer("slurm", false), (QStringList{"processes", "processes"}));
+    window.commands().find("pipeline.runOn.this_program")->trigger();
+    QCOMPARE(checkedPlaces(window), QStringList{"this_program"});
+    QVERIFY(window.runPlaces().chosen() == RunPlace());
   }
 
   // By mpirun, where it is there: the same bytes, and cells by rank.
@@ -208,6 +348,19 @@ class TestRunPlaces : public QObject {
     window.controller().cancel();
     QVERIFY(QTest::qWaitFor([&] { return !QFile::exists(process) && jobsLeft().isEmpty(); }, 20000));
   }
+
+  // Last, as what is translated stays so.
+  void oneIsOne() {
+    for (const auto& [language, one, three] : {std::array{"en", "1 process here", "3 processes here"},
+                                               std::array{"de", "1 Prozess hier", "3 Prozesse hier"}}) {
+      loadTranslations(language);
+      QCOMPARE(placeText(processes(1)), QString(one));
+      QCOMPARE(placeText(processes(3)), QString(three));
+    }
+  }
+
+ private:
+  const QTemporaryDir temporary_;  ///< for jobs, which others leave in the machine's, too
 };
 
 FOOTFALL_EDITOR_SUITE(TestRunPlaces)

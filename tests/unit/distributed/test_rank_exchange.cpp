@@ -8,8 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
-#include <chrono>
-#include <thread>
+#include <latch>
 
 #include "core/distributed/share_file.hpp"
 #include "core/io/export.hpp"
@@ -334,19 +333,24 @@ class TestRankExchange : public QObject {
   // when that takes too long.
   void aRankThatFailsWhileRankZeroReads() {
     const EnvironmentPtr house = sample("house");
-    RankOptions options;
-    options.ranks = 3;
-    options.environmentOf = [&](int rank) {
-      if (rank == 1) throw RunError("cannot be read");
-      if (rank == 0) std::this_thread::sleep_for(std::chrono::milliseconds(600));
-      return house;
-    };
-    for (const double patience : {10000, 200}) {
-      options.patienceMs = patience;
+    for (const bool isPatient : {true, false}) {
+      std::latch fails(1), isOver(1);
+      RankOptions options;
+      options.ranks = 3;
+      options.environmentOf = [&](int rank) {
+        if (rank == 0) (isPatient ? fails : isOver).wait();
+        if (rank != 1) return house;
+        fails.count_down();
+        throw RunError("cannot be read");
+      };
+      options.patienceMs = [&](int rank) { return rank == 1 && !isPatient ? 100.0 : 60000.0; };
+      options.ended = [&](int rank) {
+        if (rank == 1) isOver.count_down();
+      };
       const RankOutcome outcome = runOnRanks(house, pipelineOf("GridStrategy 4 4"), options);
       QCOMPARE(outcome.error, std::string("rank 1: cannot be read"));
       QVERIFY(!outcome.isCutOff[0] && !outcome.isCutOff[2]);
-      QCOMPARE(bool(outcome.isCutOff[1]), patience < 600);
+      QCOMPARE(bool(outcome.isCutOff[1]), !isPatient);
     }
   }
 
@@ -356,6 +360,11 @@ class TestRankExchange : public QObject {
     options.workFolder = folder.filePath("missing/work").toStdString();
     const RankOutcome outcome = runOnRanks(sample("rooms"), pipelineOf("GridStrategy 4 4"), options);
     QVERIFY2(outcome.error.find("this folder for shares cannot be made") != std::string::npos, outcome.error.c_str());
+    // That of another process, which has removed it.
+    options.workFolder = folder.filePath("gone").toStdString();
+    options.leavesShares = true;
+    QVERIFY(!runOnRanks(sample("rooms"), pipelineOf("GridStrategy 4 4"), options).error.empty());
+    QVERIFY(QDir(folder.path()).isEmpty());
   }
 };
 

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-#include <atomic>
-#include <chrono>
-#include <thread>
+#include <algorithm>
 
 #include "core/base/child_process.hpp"
 #include "core/distributed/folder_exchange.hpp"
@@ -37,6 +36,14 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// As Open MPI frames what it says.
+std::string inDashes(const std::vector<const char*>& lines) {
+  const QByteArray dashes = QByteArray(74, '-') + '\n';
+  QByteArray text = dashes;
+  for (const char* line : lines) text.append(line).append('\n');
+  return (text + dashes).toStdString();
+}
+
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 RunPlace placeOf(RunPlace::Kind kind) {
@@ -56,6 +63,7 @@ struct JobRun {
             "GridStrategy 3 4\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nLayerSubdivisionFilter\n", "test")),
         given(formatPipeline(pipeline)) {
     options.folder = folder.filePath("job").toStdString();
+    options.startMs = 60000;
     const int threads = place.kind == RunPlace::Kind::Processes ? 1 : 0;
     options.work = [this, place, threads](const std::string& job, Poll poll) {
       writeJob(job, *house, given);
@@ -85,25 +93,27 @@ class TestRunPlace : public QObject {
 
  private slots:
   void commands() {
-    const RunPrograms programs{"/bin/footfall-mpi", "mpirun", "sbatch", "scancel"};
+    const RunPrograms programs{"/bin/footfall-mpi", "mpirun", "sbatch", "scancel", "squeue"};
     const std::string here = joined(commandOf("/jobs/a b", placeOf(RunPlace::Kind::Processes), programs, 2));
     QVERIFY(has(here, "mpirun --bind-to none -n 3 ") && has(here, "--host localhost:3 "));
     QVERIFY(has(here, "/bin/footfall-mpi cells /jobs/a b --threads 2 "));
     RunPlace hosts = placeOf(RunPlace::Kind::Hosts);
     hosts.hostFile = "/jobs/hosts";
     const std::string there = joined(commandOf("/jobs/1", hosts, programs, 0));
-    QVERIFY(has(there, "--hostfile /jobs/hosts ") && !has(there, "localhost") && !has(there, "--threads"));
+    QVERIFY(has(there, "--hostfile /jobs/hosts --map-by node ") && has(there, "--mca plm_rsh_args -o BatchMode=yes "));
+    QVERIFY(!has(there, "localhost") && !has(there, "--threads"));
     RunPlace slurm = placeOf(RunPlace::Kind::Slurm);
     QVERIFY(!has(joined(commandOf("/jobs/1", slurm, programs, 0)), "--partition"));
     slurm.partition = "long";
     const std::string batch = joined(commandOf("/jobs/it's", slurm, programs, 0));
+    QVERIFY(has(joined(commandOf("/jobs/footfall-5", slurm, programs, 0)), "--job-name footfall-5 "));
     QVERIFY(has(batch, "sbatch --wait ") && has(batch, "--nodes 3 ") && has(batch, "--partition long "));
     QVERIFY(has(batch, R"('/bin/footfall-mpi' cells '/jobs/it'\''s')"));
   }
 
   void whatIsMissingIsTold() {
     QTemporaryDir folder;
-    RunPrograms programs{"/none/footfall-mpi", "/none/mpirun", "/none/sbatch", "/none/scancel"};
+    RunPrograms programs{"/none/footfall-mpi", "/none/mpirun", "/none/sbatch", "/none/scancel", "/none/squeue"};
     QVERIFY(problemOf(placeOf(RunPlace::Kind::ThisProcess), programs).empty());
     QVERIFY(has(problemOf(placeOf(RunPlace::Kind::Processes), programs).str(), "/none/footfall-mpi was not found"));
     programs.footfallMpi = script(folder, "footfall-mpi", "");
@@ -113,6 +123,8 @@ class TestRunPlace : public QObject {
     QVERIFY(problemOf(placeOf(RunPlace::Kind::Processes), programs).empty());
     RunPlace hosts = placeOf(RunPlace::Kind::Hosts);
     hosts.hostFile = folder.filePath("hosts").toStdString();
+    QVERIFY(has(problemOf(hosts, programs).str(), "this host file cannot be read"));
+    hosts.hostFile = folder.path().toStdString();
     QVERIFY(has(problemOf(hosts, programs).str(), "this host file cannot be read"));
   }
 
@@ -145,21 +157,68 @@ class TestRunPlace : public QObject {
                 "ended with exit code 7"));
   }
 
+  // What mpirun itself says stands in dashes, with advice behind it.
+  void ofItsWordsTheFirstCount() {
+    QCOMPARE(
+        problemIn(
+            inDashes({"There are not enough slots available in the system to satisfy the 3",
+                      "slots that were requested by the application:", "", "  true", "",
+                      "Either request fewer slots for your application, or make more slots", "available for use."})),
+        std::string("There are not enough slots available in the system to satisfy the 3 slots that were requested "
+                    "by the application:"));
+    const std::string ssh = "ssh: Could not resolve hostname no: Name or service not known";
+    QCOMPARE(problemIn(ssh + "\r\n" +
+                       inDashes({"ORTE was unable to reliably start one or more daemons.", "This usually is caused by:",
+                                 "", "* not finding the required libraries and/or binaries on",
+                                 "  one or more nodes. Please check your PATH and LD_LIBRARY_PATH"})),
+             ssh);
+    QCOMPARE(problemIn(inDashes({"Open RTE was unable to open the hostfile:", "    /none",
+                                 "Check to make sure the path and filename are correct."}) +
+                       inDashes({"An internal error has occurred in ORTE:", "", "[[15661,0],0] FORCE-TERMINATE"})),
+             std::string("Open RTE was unable to open the hostfile: /none Check to make sure the path and filename are "
+                         "correct."));
+    QCOMPARE(problemIn(inDashes({})), std::string());
+    QCOMPARE(problemIn("footfall-mpi: note: rank 1: a note\n" + inDashes({"Primary job terminated normally, but"})),
+             std::string("Primary job terminated normally, but"));
+  }
+
+  // As the mpirun that is here says it.
+  void aHostFileThatIsTooShort() {
+    QTemporaryDir folder;
+    RunPlace place = placeOf(RunPlace::Kind::Hosts);
+    place.hostFile = script(folder, "hosts", "localhost slots=1\n");
+    if (const Text problem = problemOf(place, programs()); !problem.empty()) QSKIP(problem.str().c_str());
+    const std::string told = runJob(folder.path().toStdString(), place, programs(), 1, {}).str();
+    QVERIFY2(told.find("There are not enough slots available") == 0 && has(told, " (exit code "), told.c_str());
+  }
+
   // Slurm's job is not that of sbatch: it has to be ended by its name.
   void cancellingEndsTheJob() {
     QTemporaryDir folder;
     RunPrograms programs;
     programs.footfallMpi = script(folder, "footfall-mpi", "");
     programs.sbatch = script(folder, "sbatch", "touch '" + folder.filePath("begun").toUtf8() + "'; sleep 60\n");
-    programs.scancel = script(folder, "scancel", "echo \"$@\" >'" + folder.filePath("cancelled").toUtf8() + "'\n");
+    programs.scancel = script(folder, "scancel", "echo \"$@\" >>'" + folder.filePath("cancelled").toUtf8() + "'\n");
+    // It comes into the queue after the first look.
+    programs.squeue =
+        script(folder, "squeue",
+               "echo >>'" + folder.filePath("looks").toUtf8() + "'\n[ \"$3\" = footfall-5 ] || exit 1\n" +
+                   "if [ $(wc -l <'" + folder.filePath("looks").toUtf8() + "') = 1 ]; then echo 17; fi\n");
     const auto poll = [&] {
       if (QFile::exists(folder.filePath("begun"))) throw Cancelled();
     };
-    QVERIFY_EXCEPTION_THROWN(
-        runJob(folder.filePath("job-5").toStdString(), placeOf(RunPlace::Kind::Slurm), programs, 1, poll), Cancelled);
+    const std::string job = folder.filePath("footfall-5").toStdString();
+    QVERIFY_EXCEPTION_THROWN(runJob(job, placeOf(RunPlace::Kind::Slurm), programs, 1, poll), Cancelled);
     QFile cancelled(folder.filePath("cancelled"));
     QVERIFY(cancelled.open(QIODevice::ReadOnly));
-    QCOMPARE(cancelled.readAll(), QByteArray("--name footfall-job-5\n"));
+    QCOMPARE(cancelled.readAll(), QByteArray("--name footfall-5\n--name footfall-5\n"));
+
+    // A Slurm that does not answer.
+    programs.scancel = programs.squeue = script(folder, "asleep", "sleep 60\n");
+    QElapsedTimer clock;
+    clock.start();
+    QVERIFY_EXCEPTION_THROWN(runJob(job, placeOf(RunPlace::Kind::Slurm), programs, 1, poll), Cancelled);
+    QVERIFY(clock.elapsed() < 40000);
   }
 
   // By mpirun and footfall-mpi, where both are there.
@@ -168,8 +227,11 @@ class TestRunPlace : public QObject {
     if (const Text problem = problemOf(place, programs()); !problem.empty()) QSKIP(problem.str().c_str());
     QTemporaryDir folder;
     JobRun run(folder, place);
+    bool hasBegun = false;
+    run.options.ranksKnown = [&](const std::vector<int>&) { hasBegun = detail::hasBegun(run.options.folder); };
     QVERIFY(run.givesTheSame());
     QCOMPARE(run.threadsOfRanks, (std::vector<int>{1, 1, 1}));
+    QVERIFY(hasBegun);
     QVERIFY(QDir(folder.path()).isEmpty());
 
     // What the processes tell is what the run tells.
@@ -180,6 +242,17 @@ class TestRunPlace : public QObject {
     } catch (const RunError& error) {
       QVERIFY2(has(error.what(), "NoSuchFilter") && has(error.what(), "exit code 2"), error.what());
     }
+  }
+
+  // A name that was mistyped, and ranks that come when the editor has removed the folder.
+  void aJobThatIsNotThere() {
+    const RunPlace place = placeOf(RunPlace::Kind::Processes);
+    if (const Text problem = problemOf(place, programs()); !problem.empty()) QSKIP(problem.str().c_str());
+    QTemporaryDir folder;
+    const std::string told =
+        runJob(folder.filePath("jbo").toStdString(), placeOf(RunPlace::Kind::Processes), programs(), 1, {}).str();
+    QVERIFY2(has(told, "/jbo/job is missing; use the same version") && has(told, "exit code 2"), told.c_str());
+    QVERIFY(QDir(folder.path()).isEmpty());
   }
 
   // Two processes of a list whose only machine is this one.
@@ -209,26 +282,18 @@ class TestRunPlace : public QObject {
     QVERIFY(run.givesTheSame());
     QCOMPARE(run.threadsOfRanks, (std::vector<int>{2, 2}));
 
-    // A job that is cancelled leaves the queue.
-    std::atomic<bool> isOver{false};
-    std::thread canceller([&] {
-      while (!isOver && !QFile::exists(folder.filePath("job/ranks")))
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      run.context.cancel();
-    });
-    run.options.work = [&, work = run.options.work](const std::string& job, Poll poll) {
-      const Text told = work(job, poll);
-      isOver = true;
-      return told;
-    };
-    try {
-      run.givesTheSame();
-    } catch (const Cancelled&) {
-    }
-    isOver = true;
-    canceller.join();
+    // A job that is cancelled has left the queue when the run ends.
     const auto queue = [] { return runChild({"squeue", "--noheader"}, {}).output; };
-    for (int i = 0; i < 300 && !queue().empty(); ++i) QTest::qWait(100);
+    RunPrograms asleep = programs();
+    asleep.footfallMpi = script(folder, "footfall-mpi", "exec sleep 60\n");
+    QVERIFY(QDir(folder.path()).mkdir("footfall-5"));
+    std::size_t seen = 0;
+    const auto poll = [&] {
+      seen = std::max(seen, queue().size());
+      if (seen > 0) throw Cancelled();
+    };
+    QVERIFY_EXCEPTION_THROWN(runJob(folder.filePath("footfall-5").toStdString(), place, asleep, 0, poll), Cancelled);
+    QVERIFY(seen > 0);
     QCOMPARE(queue(), std::string());
   }
 };
