@@ -123,7 +123,8 @@ void addMemory(CLI::App& command, RunOptions& options) {
       command
           .add_option("--memory", options.memory,
                       "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), and "
-                      "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters")
+                      "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters, which an "
+                      "AreaFilter may follow")
           ->transform(CLI::AsSizeValue(false))
           ->type_name("BYTES");
   for (const std::string& name : ExportCommandOptions::names()) memory->excludes(command.get_option(name));
@@ -145,7 +146,7 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
                           "One step, such as \"SlopeFilter 45\"; give it once for each step. Without steps and file "
                           "the default pipeline runs");
   addThreads(command, options->threads);
-  options->exported.addTo(command, ". With --memory, the folder of the tiles");
+  options->exported.addTo(command, program.hasBound() ? ". With --memory, the folder of the tiles" : "");
   command.add_option("--stats", options->statistics, "Write times, counts and components to this file")
       ->type_name("FILE.json");
   command
@@ -157,7 +158,7 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
                    "Also run everything three times more, and three times on one thread without parallel blocks, to "
                    "tell the speed-up");
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
-  addMemory(command, *options);
+  if (program.hasBound()) addMemory(command, *options);
   program.addOptions(command);
   command.callback([options, &program] {
     if (options->memory > 0)

@@ -74,7 +74,8 @@ class TileMaker {
   TileMaker(const WalkableState& state, const CellFaces& cell)
       : kernel_(*state.kernel), source_(state.kernel->mesh()), mesh_(*state.mesh), numbers_(cell.faces.faceNumbers) {}
 
-  Tile make(const std::vector<char>& isOwn, RunContext& context) {
+  Tile make(const std::vector<char>& isOwn, RunContext& context,
+            const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
     std::vector<char> isShared(mesh_.vertices.size(), 0);
     for (const MeshTriangle& triangle : mesh_.triangles)
       if (isOwn[triangle.face] == 0)
@@ -103,6 +104,11 @@ class TileMaker {
       if (v % 1024 == 0) context.checkCancelled();
       if (isShared[used[v]] != 0) addBorder(static_cast<Index>(v), vertices[v]);
     }
+    if (inspect)
+      inspect(tile_, [&](Index v) {
+        const MeshVertex& vertex = vertices[static_cast<std::size_t>(v)];
+        return kernel_.exactPosition(vertex.point, vertex.face);
+      });
     return std::move(tile_);
   }
 
@@ -132,17 +138,24 @@ class TileMaker {
 
 }  // namespace
 
-std::vector<PipelineStep> stepsOfCells(const Pipeline& pipeline) {
-  std::vector<PipelineStep> steps;
+CellSteps stepsOfCells(const Pipeline& pipeline) {
+  CellSteps steps;
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled || step.filter->kind != FilterKind::Filter) continue;
-    if (!isOfCells(step))
-      throw InputError(
-          Pattern{"%1: %2 %3 and cannot keep to a bound of memory; leave it out, or run without the bound, "
-                  "with all of the environment in memory"},
-          placeOfStep(pipeline, i), step.filter->name, reasonOf(*step.filter));
-    steps.push_back(step);
+    const auto fail = [&](Pattern reason, Pattern todo) {
+      throw InputError(Pattern{"%1: %2 %3 and cannot keep to a bound of memory; %4, or run without the bound, with all "
+                               "of the environment in memory"},
+                       placeOfStep(pipeline, i), step.filter->name, reason, todo);
+    };
+    if (step.filter->type == FilterType::Area) {
+      steps.minimumArea = std::max(steps.minimumArea.value_or(0), step.values[0]);
+      continue;
+    }
+    if (!isOfCells(step)) fail(reasonOf(*step.filter), Pattern{"leave it out"});
+    if (steps.minimumArea)
+      fail(Pattern{"stands behind an AreaFilter, which needs all cells,"}, Pattern{"put it before"});
+    steps.local.push_back(step);
   }
   return steps;
 }
@@ -160,12 +173,12 @@ FloorRule floorRuleOf(const std::vector<PipelineStep>& steps) {
 }
 
 Tile makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const std::vector<PipelineStep>& steps,
-              RunContext& context) {
+              RunContext& context, const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
   if (cell.faces.soup.triangles.empty()) return {};
   const StatePtr first = makeInitialState(environmentOf(cell, head), context, {}, grid);
   const SourceMesh& mesh = first->kernel->mesh();
   const StatePtr last = runSteps(first, facesOfKind(mesh, cell.kinds, 1), steps, context);
-  return TileMaker(*last, cell).make(facesOfKind(mesh, cell.kinds, 2), context);
+  return TileMaker(*last, cell).make(facesOfKind(mesh, cell.kinds, 2), context, inspect);
 }
 
 }  // namespace footfall::detail

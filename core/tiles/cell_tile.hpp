@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gmpxx.h>
+
+#include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/exact/grid.hpp"
@@ -12,17 +17,27 @@
 
 namespace footfall::detail {
 
-/// The steps of a pipeline that cells can run by themselves: local filters that move nothing. Strategies and Collapse,
-/// which change no result, are left out. The pipeline is one that parsePipeline() has checked. Throws InputError
-/// "PLACE: what; what to do" where a step is another filter.
-std::vector<PipelineStep> stepsOfCells(const Pipeline& pipeline);
+/// A pipeline that keeps to a bound of memory.
+struct CellSteps {
+  std::vector<PipelineStep> local;      ///< filters that a cell runs by itself
+  std::optional<double> minimumArea{};  ///< behind them: regions of at most that are left out, over all cells
+};
+
+/// What a pipeline is for cells: local filters that move nothing, then an AreaFilter or several. Strategies and
+/// Collapse, which change no result, are left out. The pipeline is one that parsePipeline() has checked. Throws
+/// InputError "PLACE: what; what to do" where a step is another filter.
+CellSteps stepsOfCells(const Pipeline& pipeline);
 
 /// What collecting has to know of the steps.
 FloorRule floorRuleOf(const std::vector<PipelineStep>& steps);
 
+/// The exact place of a tile's vertex, in the environment's units.
+using ExactPlaceOf = std::function<std::array<mpq_class, 3>(Index vertex)>;
+
 /// What the steps leave of the cell's own floors, exactly as in the whole environment. `head` is that of the
-/// environment and `grid` that of all its vertices.
+/// environment and `grid` that of all its vertices. `inspect` (may be empty) is called with the tile while the places
+/// of its vertices are known exactly.
 Tile makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const std::vector<PipelineStep>& steps,
-              RunContext& context);
+              RunContext& context, const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect = {});
 
 }  // namespace footfall::detail

@@ -4,34 +4,15 @@
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <limits>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include "core/filters/rounding/placed_mesh.hpp"
+#include "core/tiles/border_names.hpp"
 
 namespace footfall::detail {
 namespace {
-
-/// By which one knows a vertex of several tiles.
-struct BorderName {
-  Vec3 place;
-  std::uint32_t face = 0;
-  std::string exact;
-  bool operator==(const BorderName&) const = default;
-};
-
-struct BorderHash {
-  std::size_t operator()(const BorderName& name) const {
-    std::uint64_t hash = name.face;
-    for (const double x : {name.place.x, name.place.y, name.place.z})
-      hash = std::rotl((hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15U, 29);
-    return static_cast<std::size_t>(hash ^ (hash >> 32));
-  }
-};
 
 /// A face of some tile, with the place of its triangles among all that were added.
 struct AddedFace {
@@ -74,7 +55,7 @@ struct TileJoiner::State {
 
   // Triangles in the order of their faces; vertices in the order of their first use.
   PlacedMesh joined(RunContext& context) {
-    borders_.clear();
+    borders_ = {};
     tbb::parallel_sort(faces_.begin(), faces_.end(), comesBefore);
     context.checkCancelled();
     PlacedMesh mesh;
@@ -109,7 +90,7 @@ struct TileJoiner::State {
       const auto next = static_cast<Index>(places_.size());
       numbers[v] = next;
       if (border != tile.borders.end() && static_cast<std::size_t>(border->vertex) == v) {
-        numbers[v] = borders_.try_emplace({tile.places[v], border->face, border->exact}, next).first->second;
+        numbers[v] = borders_.numberOf(tile.places[v], *border, next);
         ++border;
       }
       if (numbers[v] != next) continue;
@@ -123,7 +104,7 @@ struct TileJoiner::State {
   std::vector<MeshTriangle> triangles_;
   std::vector<Vec3> places_;
   std::vector<char> exact_;
-  std::unordered_map<BorderName, Index, BorderHash> borders_;
+  BorderNames borders_;
 };
 
 TileJoiner::TileJoiner() : state_(std::make_unique<State>()) {}

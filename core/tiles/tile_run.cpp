@@ -12,6 +12,7 @@
 #include "core/base/process_usage.hpp"
 #include "core/io/export.hpp"
 #include "core/tiles/cell_tile.hpp"
+#include "core/tiles/tile_regions.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -69,13 +70,13 @@ class WrittenFiles {
 class TileRun {
  public:
   TileRun(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
-          const std::function<void(const Tile&)>& take, RunContext& context)
+          TileStore& store, RunContext& context)
       : environment_(environment),
         steps_(stepsOfCells(pipeline)),
         options_(options),
-        take_(take),
+        store_(store),
         context_(context),
-        collector_(environment, floorRuleOf(steps_)) {
+        collector_(environment, floorRuleOf(steps_.local)) {
     checkRoles(environment.head());
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
     if (options.memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(fixed_ + kMegabyte);
@@ -100,6 +101,7 @@ class TileRun {
       if (range.size() == 1) failTooLittle(needed(collector_.measure(range, context_)));
       size = range.size() / 2;
     }
+    if (steps_.minimumArea) dropSmallRegions(*steps_.minimumArea);
     result_.wallMs = watch.wallMs();
     result_.cpuMs = watch.cpuMs();
     return std::move(result_);
@@ -137,45 +139,99 @@ class TileRun {
     const CellSize found{cell->faces.faceNumbers.size(), cell->floors};
     result_.largestCell = std::max(result_.largestCell, found.faces);
     result_.collected += found.faces;
-    const Tile tile = makeTile(*cell, environment_.head(), grid_, steps_, context_);
+    const Tile tile = makeTile(*cell, environment_.head(), grid_, steps_.local, context_);
     cell.reset();
-    if (!tile.triangles.empty()) take_(tile);
+    if (!tile.triangles.empty()) {
+      store_.add(tile);
+      ranges_.push_back(range);
+    }
     returnFreedMemory();
     context_.progress(static_cast<double>(range.last) / static_cast<double>(count));
     return found;
   }
 
+  // Regions hang together over borders: what each tile knows of its own is put together, and then each is read again.
+  void dropSmallRegions(double minimum) {
+    RegionSums sums(grid_);
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      const Tile tile = store_.read(i);
+      sums.add(tile, findTileRegions(tile, grid_, context_));
+      returnFreedMemory();
+    }
+    const auto findAgain = [this](std::size_t number, const RegionSums::Inspect& inspect) {
+      const std::optional<CellFaces> cell = collector_.collect(
+          ranges_[number], [](const CellSize&) { return true; }, context_, nullptr);
+      environment_.releasePages();
+      makeTile(*cell, environment_.head(), grid_, steps_.local, context_, inspect);
+      returnFreedMemory();
+    };
+    const std::vector<std::vector<char>> keeps = sums.largerThan(minimum, findAgain, context_);
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      if (std::all_of(keeps[i].begin(), keeps[i].end(), [](char keep) { return keep != 0; })) continue;
+      const Tile tile = store_.read(i);
+      store_.replace(i, withoutRegions(tile, findTileRegions(tile, grid_, context_).regionOf, keeps[i]));
+      returnFreedMemory();
+    }
+  }
+
   const PackedEnvironment& environment_;
-  std::vector<PipelineStep> steps_;
+  CellSteps steps_;
   TileRunOptions options_;
-  const std::function<void(const Tile&)>& take_;
+  TileStore& store_;
   RunContext& context_;
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
   Grid grid_;
+  std::vector<FaceRange> ranges_;  ///< of each tile
   TileRunResult result_;
+};
+
+/// Files of a folder.
+class TileFolder : public TileStore {
+ public:
+  TileFolder(const std::string& folder, RunContext& context) : folder_(folder), context_(context), written_(folder) {}
+
+  void add(const Tile& tile) override {
+    entries_.push_back(writeTile(folder_, entries_.size() + 1, tile));
+    written_.add(entries_.back().file);
+  }
+  Tile read(std::size_t number) override { return readTile(folder_, entries_[number], &context_); }
+  void replace(std::size_t number, const Tile& tile) override {
+    entries_[number] = writeTile(folder_, number + 1, tile);
+  }
+
+  /// Leaves the folder with its index.
+  void finish(TileSet& set) {
+    for (const TileEntry& entry : entries_) {
+      if (entry.triangles > 0)
+        set.tiles.push_back(entry);
+      else
+        std::filesystem::remove(std::filesystem::path(folder_) / entry.file);
+    }
+    written_.add(kTileIndex);
+    writeFileSafely((std::filesystem::path(folder_) / kTileIndex).string(), formatTileIndex(set));
+    written_.keep();
+  }
+
+ private:
+  std::string folder_;
+  RunContext& context_;
+  WrittenFiles written_;
+  std::vector<TileEntry> entries_;
 };
 
 }  // namespace
 
 TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
-                       const std::function<void(const Tile&)>& take, RunContext& context) {
-  return TileRun(environment, pipeline, options, take, context).run();
+                       TileStore& store, RunContext& context) {
+  return TileRun(environment, pipeline, options, store, context).run();
 }
 
 TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
                            const TileRunOptions& options, RunContext& context) {
-  WrittenFiles written(folder);
-  std::vector<TileEntry> tiles;
-  const auto write = [&](const Tile& tile) {
-    tiles.push_back(writeTile(folder, tiles.size() + 1, tile));
-    written.add(tiles.back().file);
-  };
-  TileRunResult result = runCells(environment, pipeline, options, write, context);
-  result.set.tiles = std::move(tiles);
-  written.add(kTileIndex);
-  writeFileSafely((std::filesystem::path(folder) / kTileIndex).string(), formatTileIndex(result.set));
-  written.keep();
+  TileFolder tiles(folder, context);
+  TileRunResult result = runCells(environment, pipeline, options, tiles, context);
+  tiles.finish(result.set);
   return result;
 }
 

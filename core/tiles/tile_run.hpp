@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 
 #include "core/io/packed/packed_environment.hpp"
@@ -27,10 +26,24 @@ struct TileRunResult {
   double wallMs = 0, cpuMs = 0;
 };
 
-/// Runs the pipeline cell by cell and calls take(tile) for each that has triangles. As runIntoTiles() else; the set of
-/// the result has no tiles.
+/// Where the tiles of a run are kept, numbered from 0 on.
+class TileStore {
+ public:
+  TileStore() = default;
+  virtual ~TileStore() = default;
+  TileStore(const TileStore&) = delete;
+  TileStore& operator=(const TileStore&) = delete;
+
+  virtual void add(const Tile& tile) = 0;
+  virtual Tile read(std::size_t number) = 0;
+  /// By one that has less of it, or nothing.
+  virtual void replace(std::size_t number, const Tile& tile) = 0;
+};
+
+/// Runs the pipeline cell by cell, and adds a tile for each that has triangles. As runIntoTiles() else; the set of the
+/// result has no tiles.
 TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
-                       const std::function<void(const Tile&)>& take, RunContext& context);
+                       TileStore& store, RunContext& context);
 
 /// Runs the pipeline cell by cell and writes a tile for each into `folder`, which must be there and empty, then the
 /// index. Cells follow the order of the packed environment's blocks, and are as large as the memory lets them be by

@@ -34,7 +34,9 @@ const std::vector<std::string> kPipelines{
     "GridStrategy 3 2\nSlopeFilter 45\nVerticalClearanceFilter 1\nCollapse\nVerticalClearanceFilter 3\n",
     "VerticalClearanceFilter 0.5\n",
     "SlopeFilter 40\n",
-    ""};
+    "",
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 2.5\n",
+    "SlopeFilter 60\nAreaFilter 1\nAreaFilter 0.25\n"};
 
 rc::Gen<Soup> anySoup() {
   return rc::gen::oneOf(rc::gen::map(gridTriangles(20, 3, 3), [](const auto& numbers) { return soupOf(numbers); }),
@@ -68,6 +70,16 @@ std::string bytesOf(const NavigationMesh& mesh) {
   return formatObj(mesh, {}) + std::to_string(mesh.sourceTriangles.size());
 }
 
+/// The bytes of tiles.
+class TilesInMemory : public TileStore {
+ public:
+  void add(const Tile& tile) override { tiles.push_back(encodeTile(tile)); }
+  Tile read(std::size_t number) override { return decodeTile(tiles[number]); }
+  void replace(std::size_t number, const Tile& tile) override { tiles[number] = encodeTile(tile); }
+
+  std::vector<std::string> tiles;
+};
+
 /// Empty when tiles of cells with at most so many triangles of their own, in any order, are joined to the same bytes.
 QString differenceOf(const PackedEnvironment& environment, const std::string& pipeline,
                      const std::vector<std::uint64_t>& cells) {
@@ -76,11 +88,10 @@ QString differenceOf(const PackedEnvironment& environment, const std::string& pi
   const RunResult whole =
       runPipeline(std::make_shared<Environment>(environment.readAll()), parsed, context, nullptr, 1);
   for (const std::uint64_t most : cells) {
-    std::vector<std::string> tiles;
-    runCells(
-        environment, parsed, {kEnough, most}, [&](const Tile& tile) { tiles.push_back(encodeTile(tile)); }, context);
+    TilesInMemory store;
+    runCells(environment, parsed, {kEnough, most}, store, context);
     TileJoiner joiner;
-    for (auto tile = tiles.rbegin(); tile != tiles.rend(); ++tile) joiner.add(decodeTile(*tile));
+    for (auto tile = store.tiles.rbegin(); tile != store.tiles.rend(); ++tile) joiner.add(decodeTile(*tile));
     std::shared_ptr<NavigationMesh> joined = joiner.join(context);
     joined->frame = environment.head().frame();
     if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != whole.mesh->sourceTriangles)
@@ -111,6 +122,20 @@ QString wordsOf(const Call& call) {
   return {};
 }
 
+/// Fails unless so many triangles are left, whatever the cells.
+void expectKept(const Soup& soup, const std::string& pipeline, std::size_t triangles) {
+  const TemporaryFolder folder;
+  pack(*soup.environment(), folder.path("soup.ffenv"));
+  const PackedEnvironment environment(folder.path("soup.ffenv"));
+  QCOMPARE(differenceOf(environment, pipeline, {1, 3, 1000}), QString());
+  RunContext context;
+  TilesInMemory store;
+  runCells(environment, parsePipeline(pipeline, "test"), {kEnough, 1}, store, context);
+  std::size_t kept = 0;
+  for (const std::string& tile : store.tiles) kept += decodeTile(tile).triangles.size();
+  QCOMPARE(kept, triangles);
+}
+
 }  // namespace
 
 class TestTileJoin : public QObject {
@@ -123,6 +148,8 @@ class TestTileJoin : public QObject {
   void samples();
   void environments_data();
   void environments();
+  void areasNearTheMinimum();
+  void obstaclesPartRegions();
   void bordersHaveOneNameAndPlace();
   void theSameTilesOnAnyThreads();
   void aBoundThatIsTooLittleSaysWhatItNeeds();
@@ -166,7 +193,7 @@ void TestTileJoin::samples() {
   const std::string level = packed(sample(name.toStdString()), folder);
   if (level.empty()) QSKIP("not there");
   const PackedEnvironment environment(level);
-  for (const std::size_t pipeline : {0, 1, 5})
+  for (const std::size_t pipeline : {0, 1, 5, 7})
     QCOMPARE(differenceOf(environment, kPipelines[pipeline], {700, 5000}), QString());
 }
 
@@ -180,7 +207,30 @@ void TestTileJoin::environments() {
   const TemporaryFolder folder;
   const std::string level = packed((sharedEnvironments() + '/' + name + ".obj").toStdString(), folder);
   if (level.empty()) QSKIP("real environments are not there");
-  QCOMPARE(differenceOf(PackedEnvironment(level), kPipelines[0], {3000}), QString());
+  const PackedEnvironment environment(level);
+  for (const std::size_t pipeline : {0, 7})
+    QCOMPARE(differenceOf(environment, kPipelines[pipeline], {3000}), QString());
+}
+
+void TestTileJoin::areasNearTheMinimum() {
+  // The sum of six roots lies between two doubles, nearer to both than sums of doubles can tell; each triangle is a
+  // tile.
+  Soup ramps;
+  double height = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double before = std::exchange(height, height + std::array{0.5, 1.0, 0.75, 0.25, 0.375, 0.625}[i]);
+    ramps.ramp(i, 0, i + 1, 1, before, height);
+  }
+  expectKept(ramps, "SlopeFilter 45\nAreaFilter 7.060272067199172\n", 12);
+  expectKept(ramps, "SlopeFilter 45\nAreaFilter 7.060272067199173\n", 0);
+}
+
+void TestTileJoin::obstaclesPartRegions() {
+  // Over a wall of another tile, and beside one.
+  const Soup room = Soup().floor(0, 0, 1, 4, 0).floor(1, 0, 4, 4, 0).wall(1, 0, 1, 4, 0, 1);
+  expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 3\n", 4);
+  expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 4\n", 2);
+  expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 12\n", 0);
 }
 
 void TestTileJoin::bordersHaveOneNameAndPlace() {
@@ -224,9 +274,8 @@ void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds() {
   RunContext context;
   const Pipeline pipeline = parsePipeline(kPipelines[0], "test");
   const auto cellsWithin = [&](std::uint64_t megabytes) {
-    return runCells(
-               environment, pipeline, {megabytes << 20}, [](const Tile&) {}, context)
-        .cells;
+    TilesInMemory store;
+    return runCells(environment, pipeline, {megabytes << 20}, store, context).cells;
   };
   const auto refused = [&](std::uint64_t megabytes) { return wordsOf<InputError>([&] { cellsWithin(megabytes); }); };
   std::uint64_t megabytes = 1;
@@ -248,7 +297,7 @@ void TestTileJoin::globalFiltersAreNamed() {
   const auto messageFor = [](const char* step) {
     return wordsOf<InputError>([&] { stepsOfCells(parsePipeline(kPipelines[0] + step, "test")); });
   };
-  for (const char* step : {"AreaFilter 1", "StepFilter 0.4", "RadiusFilter 0.3", "SimplificationFilter", "DropFilter 2",
+  for (const char* step : {"StepFilter 0.4", "RadiusFilter 0.3", "SimplificationFilter", "DropFilter 2",
                            "LayerSubdivisionFilter", "ReachableFilter 0 0 0"}) {
     const QString message = messageFor(step);
     QVERIFY2(message.startsWith("line 3: ") && message.contains(" sees across cells"), qPrintable(message));
@@ -257,6 +306,8 @@ void TestTileJoin::globalFiltersAreNamed() {
   QVERIFY(messageFor("RoundingFilter").contains("RoundingFilter moves vertices"));
   QVERIFY(messageFor("DuplicationFilter 0.1").contains("DuplicationFilter joins vertices across cells"));
   QCOMPARE(messageFor("DuplicationFilter 0"), QString());
+  QCOMPARE(messageFor("AreaFilter 1\nAreaFilter 2"), QString());
+  QVERIFY(messageFor("AreaFilter 1\nSlopeFilter 30").startsWith("line 4: SlopeFilter stands behind an AreaFilter"));
 }
 
 void TestTileJoin::whatFailsLeavesNothing() {
