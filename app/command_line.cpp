@@ -21,6 +21,7 @@ void runCommandLine(int argc, const char* const* argv) {
   addWhyCommand(app);
   addInfoCommand(app);
   addPackCommand(app);
+  addJoinCommand(app);
   addCellsCommand(app);
   addPathCommand(app);
   addPlanCommand(app);

@@ -20,6 +20,8 @@ void addWhyCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 /// `footfall pack`: a packed environment (.ffenv) of any other.
 void addPackCommand(CLI::App& app);
+/// `footfall join`: one file of the tiles that `footfall run --memory` wrote.
+void addJoinCommand(CLI::App& app);
 /// `footfall cells`: the cells of a strategy, without running the filters.
 void addCellsCommand(CLI::App& app);
 /// `footfall path`: the shortest path between two places. Where the target cannot be reached, the path leads to the

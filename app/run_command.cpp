@@ -6,12 +6,13 @@
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
+#include "app/export_options.hpp"
 #include "app/run_program.hpp"
+#include "app/tile_command.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/inspect/parameter_check.hpp"
 #include "core/io/export.hpp"
-#include "core/io/formats/save.hpp"
 #include "core/report/html_report.hpp"
 #include "core/report/run_trace.hpp"
 #include "core/report/speed_up.hpp"
@@ -19,7 +20,6 @@
 #include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/report.hpp"
-#include "footfall/up_axis.hpp"
 
 namespace footfall::app {
 using namespace detail;
@@ -29,91 +29,25 @@ struct RunOptions {
   EnvironmentOptions environment;
   PipelineOptions pipeline;
   int threads = 0;
-  std::string output;  ///< in one of exportFormats(); empty, as the next ones: not written
-  ExportOptions exported;
-  std::string exportUp;
-  std::uint32_t part = 0;  ///< from 1; 0: all
+  ExportCommandOptions exported;
+  std::uint64_t memory = 0;  ///< bytes that may be held at once; 0: as many as it takes
   std::string statistics, trace, report;
   bool speedUp = false;
   bool quiet = false;
 };
 
-void addExportOptions(CLI::App& command, RunOptions& options) {
-  ExportOptions& exported = options.exported;
-  const auto leaveOut = [&command](const char* name, bool& part, const char* help) {
-    command.add_flag_callback(
-        name, [&part] { part = false; }, help);
-  };
-  leaveOut("--no-layers", exported.layers, "Export one group of triangles in place of one for each layer");
-  leaveOut("--no-connections", exported.connections, "Leave out the lines where two layers meet");
-  leaveOut("--no-obstacle-edges", exported.obstacleEdges, "Leave out the lines of obstacle edges");
-  leaveOut("--no-steps", exported.steps, "Leave out the faces of steps");
-  leaveOut("--no-drops", exported.drops, "Leave out the lines of drops");
-  addUpAxis(command, "--export-up", options.exportUp,
-            "Up axis of an OBJ export; the environment's when left out. All other formats have one");
-  command
-      .add_option("--export-scale", exported.scale,
-                  "Multiply the coordinates of the export; 1 (the default) keeps the environment's units, in which OBJ "
-                  "is exact. All other formats are in metres before that")
-      ->type_name("S");
-  command.add_option("--godot", exported.godot, "The version of Godot that is to read a .tres: 4 (the default) or 3")
-      ->check(CLI::IsMember({3, 4}))
-      ->type_name("VERSION");
-  command.add_flag("--navmesh-node", exported.navmeshNode,
-                   "Of glTF: one mesh, whose node is \"walkable-navmesh\", which Godot imports as a navigation region");
-  addPolygonOptions(command, options.part, exported.coordinateSystem);
-}
-
-/// ".obj: OBJ, ...", a line for each format.
-std::string formatHelp() {
-  std::string help = "Write the walkable area to this file; its ending chooses the format:";
-  for (const FormatDescriptor& format : exportFormats())
-    help.append(&format == &exportFormats().front() ? "\n" : ";\n")
-        .append(format.ending)
-        .append("  ")
-        .append(Text(format.name).str());
-  return help;
-}
-
-/// What is in the result and the file does not hold, in one line on stderr.
-void printLosses(const NavigationMesh& mesh, const RunOptions& options, double error) {
-  const Text lost = lossesOf(exportFormatOf(options.output), mesh, options.exported);
-  std::string line = lost.empty() ? std::string() : "the format cannot hold " + lost.str();
-  // What nobody sees is not told: floats are a tenth of a millimetre apart at 1 km.
-  if (error > 0.0005) {
-    line += line.empty() ? "" : "; ";
-    line += formatted(error * 1000, "rounding to floats moved coordinates by up to %.3g mm");
-  }
-  if (!line.empty()) std::cerr << "footfall: note: " << options.output << ": " << line << '\n';
-}
-
 /// The export's own files among them, as far as they are known: layers of polygons are counted by the run.
 WriteTargets checkTargets(const RunOptions& options) {
-  if (!options.output.empty()) {
-    checkReplaced(options.output);
-    checkOptions(exportFormatOf(options.output), options.exported);
-  }
+  options.exported.check();
   checkEnding(options.statistics, "--stats", ".json");
   checkEnding(options.trace, "--trace", ".json");
   checkEnding(options.report, "--report", ".html");
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
-  targets.add(options.output, FOOTFALL_TEXT("the export"));
+  targets.add(options.exported.output, FOOTFALL_TEXT("the export"));
   targets.add(options.statistics, FOOTFALL_TEXT("the statistics"));
   targets.add(options.trace, FOOTFALL_TEXT("the timeline"));
   targets.add(options.report, FOOTFALL_TEXT("the report"));
-  checkScale(options.exported, {});
   return targets;
-}
-
-/// Returns by how much rounding moved coordinates, in metres.
-double writeExport(const RunOptions& options, const NavigationMesh& mesh, const Pipeline& pipeline,
-                   const WriteTargets& targets, const RunContext& context) {
-  const ExportFiles made = formatExport(exportFormatOf(options.output), options.output, mesh,
-                                        makeExportHeader(pipeline), options.exported, {}, context);
-  for (const OutputFile& file : made.files) targets.check(file.path);
-  checkReplaced(options.output);
-  writeFilesSafely(made.files, context);
-  return made.largestError;
 }
 
 /// What the numbers of the pipeline will do to the level that nobody wants, on stderr.
@@ -143,14 +77,14 @@ std::string runAndExport(const RunOptions& options, CommandSession& session, Run
   const RunResult result = program.run(session, environment, *pipeline, options.pipeline, times.loadMs);
   if (!program.writes()) return {};
 
-  if (!options.output.empty()) {
+  if (!options.exported.output.empty()) {
     const Stopwatch exporting;
     session.begin("exporting");
     context.checkCancelled();
-    const double error = writeExport(options, *result.mesh, *pipeline, targets, context);
+    const double error = writeExport(options.exported, *result.mesh, *pipeline, targets, context);
     times.exportMs = exporting.wallMs();
     session.end();
-    if (!options.quiet) printLosses(*result.mesh, options, error);
+    if (!options.quiet) printLosses(*result.mesh, options.exported, error);
   }
   times.totalMs = total.wallMs();
   if (options.speedUp) {
@@ -172,8 +106,7 @@ std::string runAndExport(const RunOptions& options, CommandSession& session, Run
 }
 
 void runAs(RunProgram& program, RunOptions& options) {
-  options.exported.up = upAxisFrom(options.exportUp);
-  if (options.part > 0) options.exported.part = options.part - 1;
+  options.exported.finish();
   program.begin(options.threads);
   options.quiet = options.quiet || !program.writes();
   CommandSession session(options.threads, options.quiet, program.showsProgress());
@@ -182,6 +115,25 @@ void runAs(RunProgram& program, RunOptions& options) {
   const std::unique_ptr<RunProgram, decltype(forget)> forgotten(&program, forget);
   print(runAndExport(options, session, program));
   program.end();
+}
+
+/// Tiles are no export: what is said of one is said when they are joined.
+void addMemory(CLI::App& command, RunOptions& options) {
+  CLI::Option* memory =
+      command
+          .add_option("--memory", options.memory,
+                      "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), and "
+                      "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters, which an "
+                      "AreaFilter may follow")
+          ->transform(CLI::AsSizeValue(false))
+          ->type_name("BYTES");
+  for (const std::string& name : ExportCommandOptions::names()) memory->excludes(command.get_option(name));
+  for (const char* name : {"--trace", "--report", "--speed-up"}) memory->excludes(command.get_option(name));
+}
+
+void runWithin(const RunOptions& options) {
+  runIntoFolder({options.environment, options.pipeline, options.exported.output, options.statistics, options.memory,
+                 options.threads, options.quiet});
 }
 
 }  // namespace
@@ -194,8 +146,7 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
                           "One step, such as \"SlopeFilter 45\"; give it once for each step. Without steps and file "
                           "the default pipeline runs");
   addThreads(command, options->threads);
-  command.add_option("-o,--output", options->output, formatHelp())->type_name("OUT");
-  addExportOptions(command, *options);
+  options->exported.addTo(command, program.hasBound() ? ". With --memory, the folder of the tiles" : "");
   command.add_option("--stats", options->statistics, "Write times, counts and components to this file")
       ->type_name("FILE.json");
   command
@@ -207,8 +158,14 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
                    "Also run everything three times more, and three times on one thread without parallel blocks, to "
                    "tell the speed-up");
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
+  if (program.hasBound()) addMemory(command, *options);
   program.addOptions(command);
-  command.callback([options, &program] { runAs(program, *options); });
+  command.callback([options, &program] {
+    if (options->memory > 0)
+      runWithin(*options);
+    else
+      runAs(program, *options);
+  });
 }
 
 }  // namespace footfall::app

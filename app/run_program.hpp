@@ -19,6 +19,8 @@ class RunProgram {
   RunProgram& operator=(const RunProgram&) = delete;
 
   virtual void addOptions(CLI::App& /*command*/) {}
+  /// Whether it can run within a bound of memory, by itself.
+  [[nodiscard]] virtual bool hasBound() const { return true; }
   /// Nothing is read yet.
   virtual void begin(int /*threads*/) {}
   /// Whether progress is shown where standard error is no terminal, too.

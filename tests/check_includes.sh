@@ -7,7 +7,7 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 # Each folder may use those before it, and itself. A public header belongs to the folder that implements it.
-core="base exact mesh environment io assembly filters partitioning distributed pipeline navigation inspect compare report"
+core="base exact mesh environment io assembly filters partitioning distributed pipeline tiles navigation inspect compare report"
 ui="base document view run level agents filters cells inspect path window"
 public="text:base errors:base geometry:base statistics:base run_context:base navigation_mesh:mesh
   environment:environment edit:environment up_axis:environment io:io filter:filters agent:pipeline pipeline:pipeline run:pipeline

@@ -20,6 +20,7 @@ class MpiProgram : public RunProgram {
   ~MpiProgram() override;
 
   void addOptions(CLI::App& command) override;
+  [[nodiscard]] bool hasBound() const override { return false; }
   void begin(int threads) override;
   /// In place of run(), for the command `cells`: leaves the shares of a job in its folder. Calls all of the above and
   /// end().

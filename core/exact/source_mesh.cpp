@@ -208,6 +208,7 @@ bool SourceMesh::hasObstacleEdge(Index a, Index b) const {
 
 SourceMesh makeSourceMesh(const SoupView& soup, bool bothSides, std::vector<std::uint32_t>* order, Poll poll) {
   SourceMesh mesh;
+  mesh.grid = soup.grid;
   // One thread sorts for long, another has the time to clear memory.
   tbb::parallel_invoke([&] { mesh.welded = SharedArray(weldVertices(soup.vertices, mesh, poll)); },
                        [&] { makeRoom(mesh, soup.triangles.size()); });

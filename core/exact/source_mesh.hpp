@@ -62,6 +62,7 @@ struct SoupView {
   std::span<const Triangle> triangles;
   std::span<const std::uint32_t> inputTriangles;  ///< for each triangle its number in the input; empty: 0, 1, 2, ...
   std::span<const std::array<std::uint32_t, 2>> obstacleEdges = {};  ///< pairs of vertices on which obstacles stand
+  Grid grid = {};  ///< of more than is shown: what is computed is to be the same as in all of it
 
   SoupView(std::span<const Vec3> givenVertices, std::span<const Triangle> givenTriangles,
            std::span<const std::uint32_t> givenInputTriangles = {})
@@ -81,7 +82,7 @@ struct SoupView {
 }
 /// A triangle of the soup that starts at its smallest vertex.
 std::array<Index, 3> turnedTriangle(const SourceMesh& mesh, const Triangle& triangle, bool bothSides);
-/// Finds the grid and the scaled coordinates of the vertices.
+/// Finds the grid, of the vertices and what it has already, and the scaled coordinates of the vertices.
 void chooseGrid(SourceMesh& mesh, Poll poll);
 /// The box of a triangle.
 [[nodiscard]] Box boxOf(const SourceMesh& mesh, Index triangle);

@@ -3,9 +3,8 @@
 //
 // The area of a region is a sum of (area in the plan) * |normal| / normal_z over its faces: rational numbers and square
 // roots. Doubles with error bounds decide nearly always; else the rational parts are summed exactly face by face and
-// the roots enclosed by intervals of growing precision. Areas that agree with the minimum to kFinestPrecision bits
-// count as equal, and are removed.
-#include <mpfr.h>
+// the roots enclosed by intervals of growing precision (compareRootSum()). Areas that agree with the minimum to the
+// finest one count as equal, and are removed.
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -19,19 +18,11 @@
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/root_sum.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
 namespace footfall::detail {
 namespace {
-
-constexpr mpfr_prec_t kFinestPrecision = 4096;
-
-ErrorDouble squareRoot(ErrorDouble x) {
-  // |sqrt(x) - q| = |x - q^2| / (sqrt(x) + q) <= |x - q^2| / q
-  const double q = std::sqrt(x.value);
-  const double residual = std::fabs(std::fma(-q, q, x.value));
-  return {q, ((x.error + residual) / q) * kInflate};
-}
 
 ErrorDouble twicePlanArea(const WalkableMesh& mesh, const MeshTriangle& t) {
   std::array<ErrorDouble, 3> x, y;
@@ -88,26 +79,7 @@ int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, std::span
     const auto [nx, ny, nz] = cross(v[1] - v[0], v[2] - v[0]);
     squares.emplace_back(plan * plan * (nx * nx + ny * ny + nz * nz) / (nz * nz));
   }
-  const mpq_class limit = mpq_class(minimum) * 2;
-  for (mpfr_prec_t precision = 128; precision <= kFinestPrecision; precision *= 4) {
-    mpfr_t low, high, term;
-    mpfr_inits2(precision, low, high, term, static_cast<mpfr_ptr>(nullptr));
-    mpfr_set_zero(low, 1);
-    mpfr_set_zero(high, 1);
-    for (const mpq_class& square : squares) {
-      mpfr_set_q(term, square.get_mpq_t(), MPFR_RNDD);
-      mpfr_sqrt(term, term, MPFR_RNDD);
-      mpfr_add(low, low, term, MPFR_RNDD);
-      mpfr_set_q(term, square.get_mpq_t(), MPFR_RNDU);
-      mpfr_sqrt(term, term, MPFR_RNDU);
-      mpfr_add(high, high, term, MPFR_RNDU);
-    }
-    const bool above = mpfr_cmp_q(low, limit.get_mpq_t()) > 0, below = mpfr_cmp_q(high, limit.get_mpq_t()) < 0;
-    mpfr_clears(low, high, term, static_cast<mpfr_ptr>(nullptr));
-    if (above) return 1;
-    if (below) return -1;
-  }
-  return 0;
+  return compareRootSum(squares, mpq_class(minimum) * 2);
 }
 
 }  // namespace

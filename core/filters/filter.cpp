@@ -18,7 +18,8 @@
 
 namespace footfall::detail {
 
-StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context, const Recall& recall) {
+StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context, const Recall& recall,
+                          const Grid& grid) {
   context.checkCancelled();
   const Poll poll(context);
   std::shared_ptr<const SourceMesh> mesh;
@@ -29,9 +30,11 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
                            environment->edit->keptTriangles,
                            environment->bothSides},
                           poll);
-  if (!mesh)
-    mesh = std::make_shared<SourceMesh>(
-        makeSourceMesh({environment->vertices, environment->triangles}, environment->bothSides, nullptr, poll));
+  if (!mesh) {
+    SoupView soup(environment->vertices, environment->triangles);
+    soup.grid = grid;
+    mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup, environment->bothSides, nullptr, poll));
+  }
   context.checkCancelled();
   auto state = std::make_shared<WalkableState>();
   state->environment = std::move(environment);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/assembly/recall.hpp"
+#include "core/exact/grid.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
@@ -32,9 +33,10 @@ struct ValueError : InputError {
   std::size_t value;  ///< number of the value within its step
 };
 
-/// The state before the first filter: all non-degenerate triangles that face up are walkable.
+/// The state before the first filter: all non-degenerate triangles that face up are walkable. `grid`: that of a whole
+/// of which the environment is a part, so that the same is computed as in the whole.
 StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunContext& context,
-                          const Recall& recall = {});
+                          const Recall& recall = {}, const Grid& grid = {});
 
 /// Runs one filter. `values` has one number for each parameter of the descriptor (booleans 0 or 1), already
 /// validated against it; a strategy or Collapse is the runner's. Throws Cancelled, InputError or std::bad_alloc; the

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <tuple>
 
 #include "core/assembly/mesh_assembly.hpp"
@@ -12,6 +13,7 @@
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
+#include "core/filters/rounding/placed_mesh.hpp"
 #include "core/filters/rounding/rounded_drops.hpp"
 #include "core/filters/rounding/rounded_links.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
@@ -71,21 +73,17 @@ RoundedMesh withPlaces(SplitMesh split, const std::vector<Vec3>& places) {
   return rounded;
 }
 
-// The split mesh of the state with the rounded places of the state's mesh, and its edges.
-RoundedMesh roundSplitMesh(const WalkableState& state, std::vector<Vec3>& places, std::vector<char>& sturdy,
-                           Adjacency& topology, RunContext& context) {
-  const Poll poll(context);
-  std::vector<char> exact;
-  SplitMesh split;
-  tbb::parallel_invoke([&] { places = roundVertices(*state.kernel, state.mesh->vertices, exact, context); },
-                       [&] {
-                         split = splitAtObstacleEdges(state.mesh->triangles, state.mesh->layers,
-                                                      state.mesh->vertices.size(), *topologyOf(state, poll), poll);
-                         topology = findEdges(split.triangles, split.vertices.size(), poll);
-                       });
-  sturdy.reserve(split.vertices.size());
-  for (const SplitVertex& v : split.vertices) sturdy.push_back(v.origin >= 0 ? exact[v.origin] : char{0});
-  return withPlaces(std::move(split), places);
+/// A mesh that is split, with its edges.
+struct SplitParts {
+  SplitMesh mesh;
+  Adjacency topology;
+};
+
+SplitParts splitOf(const std::vector<MeshTriangle>& triangles, const std::vector<std::uint32_t>& layers,
+                   std::size_t vertexCount, const Adjacency& edges, Poll poll) {
+  SplitParts parts{splitAtObstacleEdges(triangles, layers, vertexCount, edges, poll), {}};
+  parts.topology = findEdges(parts.mesh.triangles, parts.mesh.vertices.size(), poll);
+  return parts;
 }
 
 // Vertices that rounding moved, and ends of obstacle edges.
@@ -127,25 +125,35 @@ std::vector<Index> bordersOf(const Adjacency& topology, const std::vector<Index>
   return borders;
 }
 
-}  // namespace
-
-std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, RunContext& context) {
-  ExactFallbacks fallbacks;
-  const StatePtr state = withMesh(given, context, fallbacks);
-  const SourceMesh& source = state->kernel->mesh();
-  const Poll poll(context);
-  std::vector<char> sturdy;
+/// A rounded mesh that is in order, with its edges.
+struct SettledMesh {
+  RoundedMesh mesh;
   Adjacency topology;
-  std::vector<Vec3> places;
-  RoundedMesh rounded = roundSplitMesh(*state, places, sturdy, topology, context);
+  std::vector<std::array<Vec3, 2>> moved;  ///< places that repairs brought to others, in that order
+};
+
+// Repairs what rounding broke. `places` and `exact` are those of the vertices before they were split.
+SettledMesh settle(SplitParts parts, const std::vector<Vec3>& places, const std::vector<char>& exact,
+                   RunContext& context) {
+  std::vector<char> sturdy;
+  sturdy.reserve(parts.mesh.vertices.size());
+  for (const SplitVertex& v : parts.mesh.vertices) sturdy.push_back(v.origin >= 0 ? exact[v.origin] : char{0});
+  SettledMesh settled{withPlaces(std::move(parts.mesh), places), std::move(parts.topology), {}};
+  auto& [rounded, topology, moved] = settled;
   context.checkCancelled();
-  const auto edgesOf = [&] { return findEdges(rounded.triangles, rounded.vertices.size(), poll); };
+  const auto findAgain = [&context](const SettledMesh& made) {
+    return findEdges(made.mesh.triangles, made.mesh.vertices.size(), Poll(context));
+  };
   std::vector<char> suspects = suspectsOf(rounded, sturdy);
   markBorders(rounded, topology);
-  std::vector<std::array<Vec3, 2>> moved;
-  if (const RoundingCases cases = repairRounding(rounded, sturdy, context); cases.anyBroken()) {
-    for (const auto& [from, to] : cases.collapsed) moved.push_back({rounded.vertices[from], rounded.vertices[to]});
-    topology = edgesOf();
+  const auto repair = [&context](SettledMesh& made, const std::vector<char>& kept) {
+    const RoundingCases cases = repairRounding(made.mesh, kept, context);
+    for (const auto& [from, to] : cases.collapsed)
+      made.moved.push_back({made.mesh.vertices[from], made.mesh.vertices[to]});
+    return cases.anyBroken();
+  };
+  if (repair(settled, sturdy)) {
+    topology = findAgain(settled);
     suspects.clear();
   }
   context.checkCancelled();
@@ -153,19 +161,22 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
   constexpr int kMostRounds = 8;
   for (int round = 0; settleBorders(rounded, topology) && round < kMostRounds; ++round) {
     splitAgain(rounded, topology);
-    topology = edgesOf();
+    topology = findAgain(settled);
     suspects.clear();
     markBorders(rounded, topology);
-    const RoundingCases again = repairRounding(rounded, std::vector<char>(rounded.vertices.size(), 0), context);
-    for (const auto& [from, to] : again.collapsed) moved.push_back({rounded.vertices[from], rounded.vertices[to]});
-    if (again.anyBroken()) topology = edgesOf();
+    if (repair(settled, std::vector<char>(rounded.vertices.size(), 0))) topology = findAgain(settled);
   }
   context.checkCancelled();
-  if (markClosedSlivers(rounded, topology, suspects, context)) topology = edgesOf();
+  if (markClosedSlivers(rounded, topology, suspects, context)) topology = findAgain(settled);
   context.checkCancelled();
+  return settled;
+}
 
-  // Triangles by layer, then in the order of the mesh; vertices in the order of their first use.
-  const std::vector<Index> order = orderByLayer(rounded);
+// Triangles in the given order; vertices in the order of their first use. `sources` has the input triangle of each
+// face.
+std::shared_ptr<NavigationMesh> numbered(const SettledMesh& settled, const std::vector<Index>& order,
+                                         std::span<const std::uint32_t> sources, const RunContext& context) {
+  const RoundedMesh& rounded = settled.mesh;
   auto result = std::make_shared<NavigationMesh>();
   result->triangles.reserve(order.size());
   result->sourceTriangles.reserve(order.size());
@@ -183,18 +194,47 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
       corners[k] = static_cast<std::uint32_t>(number);
     }
     result->triangles.push_back(corners);
-    result->sourceTriangles.push_back(source.inputTriangles[t.face]);
+    result->sourceTriangles.push_back(sources[t.face]);
     if (!rounded.layers.empty()) result->layers.push_back(rounded.layers[i]);
   }
   context.checkCancelled();
-  result->layerCount = state->mesh->layerCount;
-  result->frame = state->environment->frame();
   addObstacleEdges(rounded, order, renumbered, *result);
-  addConnections(rounded, topology, renumbered, *result);
-  if (!state->mesh->links.empty())
-    result->links = roundLinks(state->mesh->links, places, moved, bordersOf(topology, order), *result);
-  result->drops = roundDrops(*state, places, moved, *result);
+  addConnections(rounded, settled.topology, renumbered, *result);
   return result;
+}
+
+}  // namespace
+
+std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, RunContext& context) {
+  ExactFallbacks fallbacks;
+  const StatePtr state = withMesh(given, context, fallbacks);
+  const WalkableMesh& mesh = *state->mesh;
+  std::vector<Vec3> places;
+  std::vector<char> exact;
+  SplitParts parts;
+  tbb::parallel_invoke([&] { places = roundVertices(*state->kernel, mesh.vertices, exact, context); },
+                       [&] {
+                         parts = splitOf(mesh.triangles, mesh.layers, mesh.vertices.size(),
+                                         *topologyOf(*state, Poll(context)), context);
+                       });
+  const SettledMesh settled = settle(std::move(parts), places, exact, context);
+  const std::vector<Index> order = orderByLayer(settled.mesh);
+  const auto& sources = state->kernel->mesh().inputTriangles;
+  const auto result = numbered(settled, order, {sources.begin(), sources.end()}, context);
+  result->layerCount = mesh.layerCount;
+  result->frame = state->environment->frame();
+  if (!mesh.links.empty())
+    result->links = roundLinks(mesh.links, places, settled.moved, bordersOf(settled.topology, order), *result);
+  result->drops = roundDrops(*state, places, settled.moved, *result);
+  return result;
+}
+
+std::shared_ptr<NavigationMesh> makeNavigationMesh(const PlacedMesh& mesh, RunContext& context) {
+  const std::size_t count = mesh.places.size();
+  const Adjacency edges = findEdges(mesh.triangles, count, Poll(context));
+  const SettledMesh settled =
+      settle(splitOf(mesh.triangles, {}, count, edges, context), mesh.places, mesh.exact, context);
+  return numbered(settled, orderByLayer(settled.mesh), mesh.sources, context);
 }
 
 }  // namespace footfall::detail

@@ -65,24 +65,23 @@ bool claim(std::atomic<std::uint64_t>* bits, std::uint32_t number) {
   return (bits[number / 64].fetch_or(bit, std::memory_order_relaxed) & bit) == 0;
 }
 
-/// The faces of several blocks that touch a box.
+BlockFace faceOf(const BlockArrays& arrays, std::size_t block, std::size_t place, UpAxis up) {
+  BlockFace face{block, place, arrays.faces[place], {}};
+  for (std::size_t k = 0; k < 3; ++k)
+    face.corners[k] = fromFileFrame(pointOf(arrays.places[arrays.corners[place][k]]), up);
+  return face;
+}
+
+/// Chosen faces of several blocks.
 class FaceCollector {
  public:
-  FaceCollector(const Box& box, UpAxis up) : box_(box), up_(up) {}
-
-  void add(const BlockArrays& arrays) {
-    for (std::size_t f = 0; f < arrays.faces.size(); ++f) {
-      Found face{arrays.faces[f], arrays.parts.empty() ? 0 : arrays.parts[f], {}};
-      std::array<Place, 3> own;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t v = arrays.corners[f][k];
-        face.corners[k] = arrays.vertices[v];
-        own[k] = {arrays.vertices[v], fromFileFrame(pointOf(arrays.places[v]), up_)};
-      }
-      if (!touch(around(own), box_)) continue;
-      faces_.push_back(face);
-      places_.insert(places_.end(), own.begin(), own.end());
+  void add(const BlockArrays& arrays, const BlockFace& chosen) {
+    Found face{chosen.number, arrays.parts.empty() ? 0 : arrays.parts[chosen.place], {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.corners[k] = arrays.vertices[arrays.corners[chosen.place][k]];
+      places_.push_back({face.corners[k], chosen.corners[k]});
     }
+    faces_.push_back(face);
   }
 
   PackedFaces collected(bool hasParts) {
@@ -120,25 +119,24 @@ class FaceCollector {
   static bool isBefore(const Item& a, const Item& b) {
     return a.number < b.number;
   }
-  static Box around(const std::array<Place, 3>& corners) {
-    Box box{numbersOf(corners[0].place), numbersOf(corners[0].place)};
-    for (const Place& corner : corners) {
-      const std::array<double, 3> p = numbersOf(corner.place);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.lower[axis] = std::min(box.lower[axis], p[axis]);
-        box.upper[axis] = std::max(box.upper[axis], p[axis]);
-      }
-    }
-    return box;
-  }
 
-  Box box_;
-  UpAxis up_;
   std::vector<Found> faces_;
   std::vector<Place> places_;
 };
 
 }  // namespace
+
+Box boxOf(const BlockFace& face) {
+  Box box{numbersOf(face.corners[0]), numbersOf(face.corners[0])};
+  for (const Vec3& corner : face.corners) {
+    const std::array<double, 3> p = numbersOf(corner);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.lower[axis] = std::min(box.lower[axis], p[axis]);
+      box.upper[axis] = std::max(box.upper[axis], p[axis]);
+    }
+  }
+  return box;
+}
 
 /// The file in memory, for reading.
 class PackedEnvironment::Mapping {
@@ -168,6 +166,10 @@ class PackedEnvironment::Mapping {
   Mapping& operator=(const Mapping&) = delete;
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Nothing of it need stay in memory; what is read again comes from the file.
+  void release() const {
+    if (bytes_ != nullptr) ::madvise(const_cast<char*>(bytes_), size_, MADV_DONTNEED);
+  }
   /// Bytes that are in the file as it was opened. Those that were cut off since then cannot be read.
   [[nodiscard]] std::string_view at(std::uint64_t offset, std::uint64_t size) const {
     struct stat status {};
@@ -315,14 +317,30 @@ BlockArrays PackedEnvironment::block(std::size_t number) const {
   return arraysOf(blocks_[number]);
 }
 
-PackedFaces PackedEnvironment::facesTouching(const Box& box, RunContext* context) const {
-  FaceCollector collector(box, head_.up);
-  for (const std::size_t number : blocksTouching(box)) {
+void PackedEnvironment::forFaces(std::size_t number, const std::function<void(const BlockFace&)>& visit) const {
+  const BlockArrays arrays = block(number);
+  for (std::size_t f = 0; f < arrays.faces.size(); ++f) visit(faceOf(arrays, number, f, head_.up));
+}
+
+PackedFaces PackedEnvironment::facesOf(std::span<const std::size_t> blocks,
+                                       const std::function<bool(const BlockFace&)>& isWanted,
+                                       RunContext* context) const {
+  FaceCollector collector;
+  for (const std::size_t number : blocks) {
     if (context != nullptr) context->checkCancelled();
-    collector.add(block(number));
+    const BlockArrays arrays = block(number);
+    for (std::size_t f = 0; f < arrays.faces.size(); ++f)
+      if (const BlockFace face = faceOf(arrays, number, f, head_.up); isWanted(face)) collector.add(arrays, face);
   }
   return collector.collected(!head_.parts.empty());
 }
+
+PackedFaces PackedEnvironment::facesTouching(const Box& box, RunContext* context) const {
+  return facesOf(
+      blocksTouching(box), [&](const BlockFace& face) { return touch(detail::boxOf(face), box); }, context);
+}
+
+void PackedEnvironment::releasePages() const { file_->release(); }
 
 void PackedEnvironment::fill(std::size_t number, Environment& environment, std::atomic<std::uint64_t>* vertices,
                              std::atomic<std::uint64_t>* faces) const {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,6 +32,15 @@ struct PackedFaces {
   std::vector<std::uint32_t> vertexNumbers, faceNumbers;  ///< of the environment
   std::vector<std::uint32_t> partOf;                      ///< empty without parts
 };
+
+/// A face of a block, to be chosen or not.
+struct BlockFace {
+  std::size_t block = 0, place = 0;  ///< the block, and the face's place in it
+  std::uint32_t number = 0;          ///< of the environment
+  std::array<Vec3, 3> corners;       ///< Z up
+};
+/// The box around the corners.
+Box boxOf(const BlockFace& face);
 
 /// A packed environment that is open. Blocks are checked (their check sum, and that all numbers are in range) when they
 /// are first touched. The file is mapped: whoever cuts it off while it is open is noticed when the next block is
@@ -59,6 +69,14 @@ class PackedEnvironment {
   /// The blocks with faces whose boxes touch this one (Z up, closed).
   [[nodiscard]] std::vector<std::size_t> blocksTouching(const Box& box) const;
   [[nodiscard]] BlockArrays block(std::size_t number) const;
+  /// Calls visit(face) for each face of a block.
+  void forFaces(std::size_t block, const std::function<void(const BlockFace&)>& visit) const;
+  /// The faces of some blocks for which `isWanted` is true.
+  [[nodiscard]] PackedFaces facesOf(std::span<const std::size_t> blocks,
+                                    const std::function<bool(const BlockFace&)>& isWanted,
+                                    RunContext* context = nullptr) const;
+  /// Gives the memory of all blocks back; they are read again when they are needed.
+  void releasePages() const;
   /// The faces whose own boxes touch this one (Z up, closed). Touches blocksTouching() alone.
   [[nodiscard]] PackedFaces facesTouching(const Box& box, RunContext* context = nullptr) const;
   /// The whole environment, bit by bit the one that was packed.

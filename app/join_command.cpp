@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "app/command_session.hpp"
+#include "app/commands.hpp"
+#include "app/export_options.hpp"
+#include "core/base/counted_text.hpp"
+#include "core/base/worker_arena.hpp"
+#include "core/tiles/tile_join.hpp"
+#include "footfall/pipeline.hpp"
+
+namespace footfall::app {
+using namespace detail;
+namespace {
+
+struct JoinOptions {
+  std::string folder;
+  ExportCommandOptions exported;
+  int threads = 0;
+  bool quiet = false;
+};
+
+void protectTiles(WriteTargets& targets, const std::string& folder, const TileSet& set) {
+  const auto protect = [&](const std::string& file) {
+    targets.protect((std::filesystem::path(folder) / file).string(), Pattern{"a part of the tiles"});
+  };
+  protect(kTileIndex);
+  for (const TileEntry& tile : set.tiles) protect(tile.file);
+}
+
+void join(JoinOptions& options) {
+  options.exported.finish();
+  options.exported.check();
+  WriteTargets targets;
+  targets.add(options.exported.output, Pattern{"the export"});
+  CommandSession session(options.threads, options.quiet);
+  RunContext& context = session.context();
+  session.begin("joining");
+  const JoinedTiles joined = onThreads(options.threads, [&](int) { return joinTiles(options.folder, context); });
+  protectTiles(targets, options.folder, joined.set);
+  const Pipeline pipeline = parsePipeline(joined.set.pipeline, options.folder);
+  session.begin("exporting");
+  const double error = writeExport(options.exported, *joined.mesh, pipeline, targets, context);
+  session.end();
+  if (options.quiet) return;
+  printLosses(*joined.mesh, options.exported, error);
+  print(options.exported.output + ": " +
+        countedText(joined.mesh->triangles.size(), Pattern{"1 triangle"}, Pattern{"%1 triangles"}).str() + " of " +
+        countedText(joined.set.tiles.size(), Pattern{"1 tile"}, Pattern{"%1 tiles"}).str() + '\n');
+}
+
+}  // namespace
+
+void addJoinCommand(CLI::App& app) {
+  const auto options = std::make_shared<JoinOptions>();
+  CLI::App& command = *app.add_subcommand("join", "Make one file of the tiles that `footfall run --memory` wrote");
+  command.add_option("FOLDER", options->folder, "The folder with the tiles and their index")->required();
+  options->exported.addTo(command)->required();
+  addThreads(command, options->threads);
+  command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
+  command.callback([options] { join(*options); });
+}
+
+}  // namespace footfall::app

@@ -1,0 +1,26 @@
+// `footfall run --memory`: a run that holds no more than a part of the environment, and writes its result in tiles.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/command_options.hpp"
+
+namespace footfall::app {
+
+struct TileCommandOptions {
+  EnvironmentOptions environment;
+  PipelineOptions pipeline;
+  std::string folder;        ///< to be made, or empty
+  std::string statistics;    ///< a file, or empty
+  std::uint64_t memory = 0;  ///< bytes
+  int threads = 0;
+  bool quiet = false;
+};
+
+/// Packs the environment first where it is not packed. Throws InputError, RunError or Cancelled; then the folder is as
+/// it was.
+void runIntoFolder(const TileCommandOptions& options);
+
+}  // namespace footfall::app

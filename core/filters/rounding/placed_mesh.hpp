@@ -1,0 +1,26 @@
+// A walkable mesh that is no more exact: what the product is made of where nobody has the environment.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/mesh/walkable_mesh.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// Triangles, places and `exact` as roundVertices() has them of a WalkableMesh, before anything is split or repaired.
+struct PlacedMesh {
+  std::vector<MeshTriangle> triangles;  ///< `face` is an index into `sources`
+  std::vector<Vec3> places;             ///< each coordinate the nearest double to the exact one
+  std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
+  std::vector<std::uint32_t> sources;   ///< for each face its input triangle
+};
+
+/// What makeNavigationMesh() makes of a state with that mesh, without layers, links and drops; the frame is left empty.
+std::shared_ptr<NavigationMesh> makeNavigationMesh(const PlacedMesh& mesh, RunContext& context);
+
+}  // namespace footfall::detail

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/cell_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "core/base/box_tree.hpp"
+#include "core/exact/source_predicates.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using Tree = BoxTree<3>;
+
+Tree::Bounds boundsOf(const Box& box) { return {box.lower, box.upper}; }
+
+/// Boxes, and what touches one of them. A box beside all of them may be taken for one that does.
+class BoxSet {
+ public:
+  BoxSet(std::vector<Box> boxes, RunContext& context) : boxes_(std::move(boxes)) {
+    std::vector<Index> ids(boxes_.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    tree_.build(
+        ids, [this](Index i) { return boundsOf(boxes_[static_cast<std::size_t>(i)]); }, context);
+  }
+
+  [[nodiscard]] bool touches(const Box& box) const {
+    bool found = false;
+    tree_.visitOverlapping(boundsOf(box), [&found](Index) { found = true; });
+    return found;
+  }
+
+ private:
+  std::vector<Box> boxes_;
+  Tree tree_;
+};
+
+std::vector<std::size_t> blocksTouching(const PackedEnvironment& environment, const BoxSet& boxes) {
+  std::vector<std::size_t> blocks;
+  for (std::size_t i = 0; i < environment.blocks().size(); ++i)
+    if (environment.blocks()[i].faces > 0 && boxes.touches(environment.boxOf(i))) blocks.push_back(i);
+  return blocks;
+}
+
+bool contains(const std::vector<std::uint32_t>& ascending, std::uint32_t number) {
+  return std::binary_search(ascending.begin(), ascending.end(), number);
+}
+
+}  // namespace
+
+/// Ascending by number; the boxes of all of them, with the clearance above.
+struct CellCollector::Floors {
+  std::vector<std::uint32_t> own, near;
+  std::vector<Box> boxes;
+};
+
+CellCollector::CellCollector(const PackedEnvironment& environment, FloorRule rule)
+    : environment_(environment), rule_(std::move(rule)), first_{0} {
+  for (const PackedBlock& block : environment.blocks()) first_.push_back(first_.back() + block.faces);
+}
+
+bool CellCollector::isFloor(const BlockFace& face) const {
+  auto [a, b, c] = face.corners;
+  const int side = facing(a, b, c);
+  if (side == 0 || (side < 0 && !environment_.head().bothSides)) return false;
+  if (side < 0) std::swap(b, c);
+  return std::all_of(rule_.slopes.begin(), rule_.slopes.end(),
+                     [p = a, q = b, r = c](double degrees) { return isWithinSlope(p, q, r, degrees); });
+}
+
+bool CellCollector::isOwn(const FaceRange& range, const BlockFace& face) const {
+  const std::uint64_t number = first_[face.block] + face.place;
+  return number >= range.first && number < range.last;
+}
+
+std::vector<std::size_t> CellCollector::ownBlocks(const FaceRange& range) const {
+  std::vector<std::size_t> blocks;
+  for (std::size_t i = 0; i + 1 < first_.size(); ++i)
+    if (first_[i] < range.last && first_[i + 1] > range.first) blocks.push_back(i);
+  return blocks;
+}
+
+CellCollector::Floors CellCollector::findFloors(const FaceRange& range, const Fits& fits, RunContext& context) const {
+  Floors floors;
+  std::vector<Box> boxes;
+  for (const std::size_t block : ownBlocks(range)) {
+    context.checkCancelled();
+    environment_.forFaces(block, [&](const BlockFace& face) {
+      if (!isOwn(range, face) || !isFloor(face)) return;
+      floors.own.push_back(face.number);
+      boxes.push_back(boxOf(face));
+    });
+  }
+  floors.boxes = boxes;
+  const BoxSet own(std::move(boxes), context);
+  for (const std::size_t block : blocksTouching(environment_, own)) {
+    context.checkCancelled();
+    if (!fits({floors.boxes.size(), floors.boxes.size()})) break;
+    environment_.forFaces(block, [&](const BlockFace& face) {
+      const Box box = boxOf(face);
+      if (isOwn(range, face) || !own.touches(box) || !isFloor(face)) return;
+      floors.near.push_back(face.number);
+      floors.boxes.push_back(box);
+    });
+  }
+  std::sort(floors.own.begin(), floors.own.end());
+  std::sort(floors.near.begin(), floors.near.end());
+  // As clearanceBox() has it.
+  for (Box& box : floors.boxes)
+    box.upper[2] = std::nextafter(box.upper[2] + rule_.height, std::numeric_limits<double>::infinity());
+  return floors;
+}
+
+std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fits& fits, RunContext& context,
+                                                CellSize* size) const {
+  Floors floors = findFloors(range, fits, context);
+  CellSize found{0, floors.own.size() + floors.near.size()};
+  const auto tell = [&] {
+    if (size != nullptr) *size = found;
+  };
+  tell();
+  if (!fits({found.floors, found.floors})) return std::nullopt;
+  CellFaces cell;
+  cell.floors = found.floors;
+  if (floors.own.empty()) return cell;
+  const BoxSet boxes(std::move(floors.boxes), context);
+  const std::vector<std::size_t> blocks = blocksTouching(environment_, boxes);
+  bool isFull = false;
+  PackedFaces faces = environment_.facesOf(
+      blocks,
+      [&](const BlockFace& face) {
+        if (isFull || !boxes.touches(boxOf(face))) return false;
+        ++found.faces;
+        isFull = !fits(found);
+        return true;
+      },
+      &context);
+  tell();
+  if (isFull) return std::nullopt;
+  cell.faces = std::move(faces);
+  for (const std::uint32_t number : cell.faces.faceNumbers)
+    cell.kinds.push_back(contains(floors.own, number) ? 2 : contains(floors.near, number) ? 1 : 0);
+  return cell;
+}
+
+CellSize CellCollector::measure(const FaceRange& range, RunContext& context) const {
+  Floors floors = findFloors(
+      range, [](const CellSize&) { return true; }, context);
+  CellSize size{0, floors.own.size() + floors.near.size()};
+  if (floors.own.empty()) return size;
+  const BoxSet boxes(std::move(floors.boxes), context);
+  for (const std::size_t block : blocksTouching(environment_, boxes)) {
+    context.checkCancelled();
+    environment_.forFaces(block, [&](const BlockFace& face) { size.faces += boxes.touches(boxOf(face)) ? 1U : 0U; });
+  }
+  return size;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/cell_tile.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "core/assembly/mesh_assembly.hpp"
+#include "core/filters/clearance/chosen_clearance.hpp"
+#include "core/filters/filter.hpp"
+#include "core/filters/rounding/rounded_mesh.hpp"
+#include "core/pipeline/block_structure.hpp"
+
+namespace footfall::detail {
+namespace {
+
+bool isOfCells(const PipelineStep& step) {
+  switch (step.filter->type) {
+    case FilterType::Duplication:
+      return step.values[0] == 0;
+    case FilterType::Degeneracy:
+    case FilterType::Slope:
+    case FilterType::VerticalClearance:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Pattern reasonOf(const FilterDescriptor& filter) {
+  if (filter.type == FilterType::Duplication)
+    return Pattern{"joins vertices across cells when its distance is above 0"};
+  if (filter.type == FilterType::Rounding) return Pattern{"moves vertices that cells share"};
+  return Pattern{"sees across cells"};
+}
+
+/// For each face of the source mesh whether its kind is at least `least`.
+std::vector<char> facesOfKind(const SourceMesh& mesh, const std::vector<std::uint8_t>& kinds, std::uint8_t least) {
+  std::vector<char> chosen(mesh.triangles.size());
+  for (std::size_t t = 0; t < chosen.size(); ++t) chosen[t] = static_cast<char>(kinds[mesh.inputTriangles[t]] >= least);
+  return chosen;
+}
+
+std::shared_ptr<const Environment> environmentOf(const CellFaces& cell, const Environment& head) {
+  auto environment = std::make_shared<Environment>();
+  environment->source = head.source;
+  environment->vertices = cell.faces.soup.vertices;
+  environment->triangles = cell.faces.soup.triangles;
+  environment->up = head.up;
+  environment->metresPerUnit = head.metresPerUnit;
+  environment->bothSides = head.bothSides;
+  return environment;
+}
+
+StatePtr runSteps(StatePtr state, const std::vector<char>& chosen, const std::vector<PipelineStep>& steps,
+                  RunContext& context) {
+  for (const PipelineStep& step : steps) {
+    if (step.filter->type == FilterType::VerticalClearance)
+      state = applyClearanceToChosen(state, step.values[0], chosen, context).state;
+    else
+      state = applyFilter(*step.filter, step.values, state, context).state;
+  }
+  if (state->mesh) return state;
+  auto floors = std::make_shared<WalkableState>(*state);
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    floors->walkable[t] = static_cast<char>(floors->walkable[t] != 0 && chosen[t] != 0);
+  ExactFallbacks fallbacks;
+  return withMesh(floors, context, fallbacks);
+}
+
+/// Takes the triangles of the cell's own floors out of the mesh.
+class TileMaker {
+ public:
+  TileMaker(const WalkableState& state, const CellFaces& cell)
+      : kernel_(*state.kernel), source_(state.kernel->mesh()), mesh_(*state.mesh), numbers_(cell.faces.faceNumbers) {}
+
+  Tile make(const std::vector<char>& isOwn, RunContext& context,
+            const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
+    std::vector<char> isShared(mesh_.vertices.size(), 0);
+    for (const MeshTriangle& triangle : mesh_.triangles)
+      if (isOwn[triangle.face] == 0)
+        for (const Index v : triangle.corners) isShared[v] = 1;
+    std::vector<Index> numbers(mesh_.vertices.size(), -1), used;
+    Index face = -1;
+    for (MeshTriangle triangle : mesh_.triangles) {
+      if (isOwn[triangle.face] == 0) continue;
+      if (triangle.face != std::exchange(face, triangle.face)) addFace(face);
+      ++tile_.faces.back().triangles;
+      triangle.face = static_cast<Index>(tile_.faces.size()) - 1;
+      for (Index& v : triangle.corners) {
+        if (numbers[v] < 0) {
+          numbers[v] = static_cast<Index>(used.size());
+          used.push_back(v);
+        }
+        v = numbers[v];
+      }
+      tile_.triangles.push_back(triangle);
+    }
+    std::vector<MeshVertex> vertices;
+    vertices.reserve(used.size());
+    for (const Index v : used) vertices.push_back(mesh_.vertices[v]);
+    tile_.places = roundVertices(kernel_, vertices, tile_.exact, context);
+    for (std::size_t v = 0; v < used.size(); ++v) {
+      if (v % 1024 == 0) context.checkCancelled();
+      if (isShared[used[v]] != 0) addBorder(static_cast<Index>(v), vertices[v]);
+    }
+    if (inspect)
+      inspect(tile_, [&](Index v) {
+        const MeshVertex& vertex = vertices[static_cast<std::size_t>(v)];
+        return kernel_.exactPosition(vertex.point, vertex.face);
+      });
+    return std::move(tile_);
+  }
+
+ private:
+  void addFace(Index face) {
+    TileFace made{numbers_[source_.inputTriangles[face]], 0, {}};
+    for (std::size_t k = 0; k < 3; ++k) made.corners[k] = source_.vertices[source_.triangles[face][k]];
+    tile_.faces.push_back(made);
+  }
+
+  // All floors at a vertex of two tiles touch floors of both: either cell has them all, and so the same first one.
+  void addBorder(Index number, const MeshVertex& vertex) {
+    TileBorder border{number, numbers_[source_.inputTriangles[vertex.face]], {}};
+    if (tile_.exact[number] == 0) {
+      const std::array<mpq_class, 3> place = kernel_.exactPosition(vertex.point, vertex.face);
+      border.exact = place[0].get_str() + ' ' + place[1].get_str() + ' ' + place[2].get_str();
+    }
+    tile_.borders.push_back(std::move(border));
+  }
+
+  const PlanKernel& kernel_;
+  const SourceMesh& source_;
+  const WalkableMesh& mesh_;
+  const std::vector<std::uint32_t>& numbers_;
+  Tile tile_;
+};
+
+}  // namespace
+
+CellSteps stepsOfCells(const Pipeline& pipeline) {
+  CellSteps steps;
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
+    const PipelineStep& step = pipeline.steps[i];
+    if (!step.enabled || step.filter->kind != FilterKind::Filter) continue;
+    const auto fail = [&](Pattern reason, Pattern todo) {
+      throw InputError(Pattern{"%1: %2 %3 and cannot keep to a bound of memory; %4, or run without the bound, with all "
+                               "of the environment in memory"},
+                       placeOfStep(pipeline, i), step.filter->name, reason, todo);
+    };
+    if (step.filter->type == FilterType::Area) {
+      steps.minimumArea = std::max(steps.minimumArea.value_or(0), step.values[0]);
+      continue;
+    }
+    if (!isOfCells(step)) fail(reasonOf(*step.filter), Pattern{"leave it out"});
+    if (steps.minimumArea)
+      fail(Pattern{"stands behind an AreaFilter, which needs all cells,"}, Pattern{"put it before"});
+    steps.local.push_back(step);
+  }
+  return steps;
+}
+
+FloorRule floorRuleOf(const std::vector<PipelineStep>& steps) {
+  FloorRule rule;
+  bool isJoined = false;  // later filters take triangles out of a mesh that is joined
+  for (const PipelineStep& step : steps) {
+    if (step.filter->type == FilterType::Slope && !isJoined) rule.slopes.push_back(step.values[0]);
+    if (step.filter->type != FilterType::VerticalClearance) continue;
+    isJoined = true;
+    rule.height = std::max(rule.height, step.values[0]);
+  }
+  return rule;
+}
+
+Tile makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const std::vector<PipelineStep>& steps,
+              RunContext& context, const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
+  if (cell.faces.soup.triangles.empty()) return {};
+  const StatePtr first = makeInitialState(environmentOf(cell, head), context, {}, grid);
+  const SourceMesh& mesh = first->kernel->mesh();
+  const StatePtr last = runSteps(first, facesOfKind(mesh, cell.kinds, 1), steps, context);
+  return TileMaker(*last, cell).make(facesOfKind(mesh, cell.kinds, 2), context, inspect);
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/tile.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/byte_stream.hpp"
+#include "core/base/digest.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::string_view kMagic{"FFTILE\r\n", 8};
+constexpr std::size_t kLeastFace = 74, kLeastTriangle = 4, kLeastVertex = 25, kLeastBorder = 3;
+
+void encode(const Vec3& place, ByteWriter& out) {
+  for (const double x : {place.x, place.y, place.z}) out.real(x);
+}
+
+Vec3 decodePlace(ByteReader& in) {
+  Vec3 place;
+  for (double* x : {&place.x, &place.y, &place.z})
+    if (*x = in.real(); !std::isfinite(*x)) throw BadBytes("is damaged");
+  return place;
+}
+
+std::string encodeContent(const Tile& tile) {
+  ByteWriter out;
+  out.number(tile.faces.size());
+  for (const TileFace& face : tile.faces) {
+    out.number(face.source);
+    out.number(face.triangles);
+    for (const Vec3& corner : face.corners) encode(corner, out);
+  }
+  out.number(tile.places.size());
+  for (std::size_t v = 0; v < tile.places.size(); ++v) {
+    encode(tile.places[v], out);
+    out.bytes.push_back(static_cast<char>(tile.exact[v]));
+  }
+  out.number(tile.triangles.size());
+  for (const MeshTriangle& triangle : tile.triangles) {
+    for (const Index corner : triangle.corners) out.number(static_cast<std::uint64_t>(corner));
+    out.number(triangle.obstacleEdges);
+  }
+  out.number(tile.borders.size());
+  Index before = 0;
+  for (const TileBorder& border : tile.borders) {
+    out.number(static_cast<std::uint64_t>(border.vertex - std::exchange(before, border.vertex)));
+    out.number(border.face);
+    out.text(border.exact);
+  }
+  return std::move(out.bytes);
+}
+
+std::uint32_t decodeNumber(ByteReader& in) {
+  const std::uint64_t number = in.number();
+  if (number > std::numeric_limits<std::uint32_t>::max()) throw BadBytes("is damaged");
+  return static_cast<std::uint32_t>(number);
+}
+
+void decodeFaces(ByteReader& in, Tile& tile) {
+  tile.faces.resize(in.count(kLeastFace));
+  for (TileFace& face : tile.faces) {
+    face.source = decodeNumber(in);
+    face.triangles = decodeNumber(in);
+    for (Vec3& corner : face.corners) corner = decodePlace(in);
+  }
+  tile.places.resize(in.count(kLeastVertex));
+  tile.exact.resize(tile.places.size());
+  for (std::size_t v = 0; v < tile.places.size(); ++v) {
+    tile.places[v] = decodePlace(in);
+    tile.exact[v] = static_cast<char>(in.below(2));
+  }
+}
+
+void decodeTriangles(ByteReader& in, Tile& tile) {
+  const auto vertices = static_cast<std::int64_t>(tile.places.size());
+  tile.triangles.resize(in.count(kLeastTriangle));
+  std::size_t face = 0;
+  std::uint64_t ofFace = 0;
+  for (MeshTriangle& triangle : tile.triangles) {
+    while (face < tile.faces.size() && ofFace == tile.faces[face].triangles) ++face, ofFace = 0;
+    if (face == tile.faces.size()) throw BadBytes("is damaged");
+    ++ofFace;
+    triangle.face = static_cast<Index>(face);
+    for (Index& corner : triangle.corners) corner = in.below(vertices);
+    triangle.obstacleEdges = static_cast<std::uint8_t>(in.below(8));
+  }
+  for (; face < tile.faces.size(); ++face, ofFace = 0)
+    if (tile.faces[face].triangles != ofFace) throw BadBytes("is damaged");
+  tile.borders.resize(in.count(kLeastBorder));
+  std::int64_t vertex = 0;
+  for (TileBorder& border : tile.borders) {
+    vertex += in.below(vertices - vertex);
+    border.vertex = static_cast<Index>(vertex);
+    border.face = decodeNumber(in);
+    border.exact = in.text();
+  }
+  in.expectEnd();
+}
+
+}  // namespace
+
+std::string encodeTile(const Tile& tile) {
+  const std::string content = encodeContent(tile);
+  ByteWriter out;
+  out.bytes.reserve(content.size() + 64);
+  out.bytes = kMagic;
+  out.fixed(kTileVersion);
+  out.fixed(content.size());
+  for (const std::uint64_t word : Digest().add(content).value()) out.fixed(word);
+  out.bytes += content;
+  return std::move(out.bytes);
+}
+
+Tile decodeTile(std::string_view bytes) {
+  if (bytes.substr(0, kMagic.size()) != kMagic) throw BadBytes("is no tile");
+  ByteReader head(bytes.substr(kMagic.size()));
+  std::string_view content;
+  try {
+    if (head.fixed() != kTileVersion) throw BadBytes("is a tile of another version");
+    const std::uint64_t size = head.fixed();
+    Digest::Value sum;
+    for (std::uint64_t& word : sum) word = head.fixed();
+    content = head.rest();
+    if (content.size() < size) throw BadBytes("is cut off");
+    if (content.size() > size || Digest().add(content).value() != sum) throw BadBytes("is damaged");
+  } catch (const BadBytes& error) {
+    throw std::string_view(error.what()).substr(0, 3) == "is " ? error : BadBytes("is cut off");
+  }
+  Tile tile;
+  try {
+    ByteReader in(content);
+    decodeFaces(in, tile);
+    decodeTriangles(in, tile);
+  } catch (const BadBytes&) {
+    throw BadBytes("is damaged");
+  }
+  return tile;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,52 @@
+// A part of an exact walkable area in a file: what local filters leave of some floors, before anything is repaired.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Floors belong to one tile as a whole; they are never cut. Where floors of two tiles meet, both have the same vertices
+// there, under the same names and with the same doubles, so that tiles can be joined without a tolerance.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh/walkable_mesh.hpp"
+
+namespace footfall::detail {
+
+/// To be raised with each change of the bytes, or of what a local filter finds; others are refused.
+inline constexpr std::uint64_t kTileVersion = 1;
+inline constexpr std::string_view kTileExtension = "fftile";
+
+/// What is left of one triangle of the environment.
+struct TileFace {
+  std::uint32_t source = 0;     ///< the triangle's number in the environment
+  std::uint32_t triangles = 0;  ///< so many of the tile's, behind those of the faces before
+  std::array<Vec3, 3> corners;  ///< of the whole triangle, from its smallest on: the order of all faces goes by them
+  bool operator==(const TileFace&) const = default;
+};
+
+/// A vertex that triangles of other tiles have, too. Its name is its place, `face` and `exact`.
+struct TileBorder {
+  Index vertex = -1;
+  std::uint32_t face = 0;  ///< the first triangle of the environment of which a walkable part has the vertex
+  std::string exact;       ///< coordinates "p/q p/q p/q" where doubles do not hold them, else empty
+  bool operator==(const TileBorder&) const = default;
+};
+
+struct Tile {
+  std::vector<TileFace> faces;          ///< in the order of SourceMesh::triangles
+  std::vector<MeshTriangle> triangles;  ///< `face` is an index into `faces`; ascending
+  std::vector<Vec3> places;             ///< of the vertices, in the order of their first use; the nearest doubles
+  std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
+  std::vector<TileBorder> borders;      ///< ascending by vertex
+};
+
+/// The bytes of a tile's file, with a check sum.
+std::string encodeTile(const Tile& tile);
+/// Throws BadBytes: no tile, of another version, cut off, damaged or out of range. The message is the end of a sentence
+/// that begins with the file's name.
+Tile decodeTile(std::string_view bytes);
+
+}  // namespace footfall::detail

@@ -1,0 +1,42 @@
+// One navigation mesh of a folder of tiles.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/tiles/tile_set.hpp"
+#include "footfall/navigation_mesh.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// Puts tiles together, in any order.
+class TileJoiner {
+ public:
+  TileJoiner();
+  ~TileJoiner();
+  TileJoiner(const TileJoiner&) = delete;
+  TileJoiner& operator=(const TileJoiner&) = delete;
+
+  /// Throws RunError where there are more triangles than numbers.
+  void add(const Tile& tile);
+  /// The mesh that a run with all of the environment in memory has, to the last bit; the frame is left empty. To be
+  /// called once.
+  std::shared_ptr<NavigationMesh> join(RunContext& context);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+struct JoinedTiles {
+  TileSet set;
+  std::shared_ptr<const NavigationMesh> mesh;
+};
+
+/// Joins all tiles of a folder: holds the result, and nothing of the environment. Throws InputError as readTileIndex()
+/// and readTile() do, RunError as TileJoiner, and Cancelled.
+JoinedTiles joinTiles(const std::string& folder, RunContext& context);
+
+}  // namespace footfall::detail

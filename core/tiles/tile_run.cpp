@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/tile_run.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "core/base/background_release.hpp"
+#include "core/base/process_usage.hpp"
+#include "core/io/export.hpp"
+#include "core/tiles/cell_tile.hpp"
+#include "core/tiles/tile_regions.hpp"
+
+namespace footfall::detail {
+namespace {
+
+// What a process holds without any triangle, and for each block, triangle and floor of a cell. A city takes half of it;
+// other levels cut their floors into more pieces.
+constexpr std::uint64_t kOfProcess = std::uint64_t{64} << 20;
+constexpr std::uint64_t kOfBlock = 256, kOfFace = 500, kOfFloor = 1000;
+constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
+
+std::string inMegabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
+
+/// The grid of all vertices. Looks at all blocks, and keeps none.
+Grid gridOf(const PackedEnvironment& environment, RunContext& context) {
+  constexpr std::size_t kReleased = 256;
+  Grid grid;
+  for (std::size_t i = 0; i < environment.blocks().size(); ++i) {
+    context.checkCancelled();
+    for (const std::array<double, 3>& place : environment.block(i).places)
+      for (const double x : place) grid.include(x);
+    if (i % kReleased == kReleased - 1) environment.releasePages();
+  }
+  environment.releasePages();
+  return grid;
+}
+
+void checkRoles(const Environment& head) {
+  if (std::all_of(head.usualRoles.begin(), head.usualRoles.end(), [](PartRole r) { return r == PartRole::Floor; }))
+    return;
+  throw InputError(
+      Pattern{"%1: its file says that some parts are no floors, which a run within a bound of memory cannot "
+              "regard; run without the bound, with all of the environment in memory"},
+      head.source);
+}
+
+/// Removes what was written unless the run ends well.
+class WrittenFiles {
+ public:
+  explicit WrittenFiles(const std::string& folder) : folder_(folder) {}
+  ~WrittenFiles() {
+    std::error_code ignored;
+    for (const std::string& file : files_) std::filesystem::remove(folder_ / file, ignored);
+  }
+  WrittenFiles(const WrittenFiles&) = delete;
+  WrittenFiles& operator=(const WrittenFiles&) = delete;
+
+  void add(const std::string& file) { files_.push_back(file); }
+  void keep() { files_.clear(); }
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<std::string> files_;
+};
+
+class TileRun {
+ public:
+  TileRun(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
+          TileStore& store, RunContext& context)
+      : environment_(environment),
+        steps_(stepsOfCells(pipeline)),
+        options_(options),
+        store_(store),
+        context_(context),
+        collector_(environment, floorRuleOf(steps_.local)) {
+    checkRoles(environment.head());
+    fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
+    if (options.memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(fixed_ + kMegabyte);
+    result_.set.frame = environment.head().frame();
+    result_.set.pipeline = formatPipeline(pipeline);
+    result_.set.triangles = environment.faceCount();
+  }
+
+  TileRunResult run() {
+    const Stopwatch watch;
+    grid_ = gridOf(environment_, context_);
+    const std::uint64_t count = collector_.faceCount();
+    std::uint64_t size = std::min(options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor));
+    for (std::uint64_t first = 0; first < count;) {
+      const FaceRange range{first, std::min(first + size, count)};
+      if (const std::optional<CellSize> found = runCell(range, count)) {
+        first = range.last;
+        size = nextSize(range.size(), *found);
+        continue;
+      }
+      ++result_.refused;
+      if (range.size() == 1) failTooLittle(needed(collector_.measure(range, context_)));
+      size = range.size() / 2;
+    }
+    if (steps_.minimumArea) dropSmallRegions(*steps_.minimumArea);
+    result_.wallMs = watch.wallMs();
+    result_.cpuMs = watch.cpuMs();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t needed(const CellSize& size) const {
+    return fixed_ + kOfFace * size.faces + kOfFloor * size.floors;
+  }
+
+  [[noreturn]] void failTooLittle(std::uint64_t least) const {
+    throw InputError(Pattern{"%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
+                             "the environment in memory"},
+                     environment_.head().source, inMegabytes(options_.memory), inMegabytes(least));
+  }
+
+  // So many triangles as fill the memory if they have as much around them as those before; with some room, and never
+  // many more at once, since it may get denser.
+  [[nodiscard]] std::uint64_t nextSize(std::uint64_t size, const CellSize& found) const {
+    const double room = 0.85 * static_cast<double>(options_.memory - fixed_);
+    const double used = static_cast<double>(std::max(needed(found) - fixed_, kOfFace));
+    const double next = static_cast<double>(size) * std::clamp(room / used, 0.5, 2.0);
+    return std::clamp(static_cast<std::uint64_t>(next), std::uint64_t{1},
+                      std::max<std::uint64_t>(options_.mostFaces, 1));
+  }
+
+  // What it held; empty when the cell does not fit.
+  std::optional<CellSize> runCell(const FaceRange& range, std::uint64_t count) {
+    context_.checkCancelled();
+    const auto fits = [this](const CellSize& size) { return needed(size) <= options_.memory; };
+    std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr);
+    environment_.releasePages();
+    if (!cell) return std::nullopt;
+    ++result_.cells;
+    const CellSize found{cell->faces.faceNumbers.size(), cell->floors};
+    result_.largestCell = std::max(result_.largestCell, found.faces);
+    result_.collected += found.faces;
+    const Tile tile = makeTile(*cell, environment_.head(), grid_, steps_.local, context_);
+    cell.reset();
+    if (!tile.triangles.empty()) {
+      store_.add(tile);
+      ranges_.push_back(range);
+    }
+    returnFreedMemory();
+    context_.progress(static_cast<double>(range.last) / static_cast<double>(count));
+    return found;
+  }
+
+  // Regions hang together over borders: what each tile knows of its own is put together, and then each is read again.
+  void dropSmallRegions(double minimum) {
+    RegionSums sums(grid_);
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      const Tile tile = store_.read(i);
+      sums.add(tile, findTileRegions(tile, grid_, context_));
+      returnFreedMemory();
+    }
+    const auto findAgain = [this](std::size_t number, const RegionSums::Inspect& inspect) {
+      const std::optional<CellFaces> cell = collector_.collect(
+          ranges_[number], [](const CellSize&) { return true; }, context_, nullptr);
+      environment_.releasePages();
+      makeTile(*cell, environment_.head(), grid_, steps_.local, context_, inspect);
+      returnFreedMemory();
+    };
+    const std::vector<std::vector<char>> keeps = sums.largerThan(minimum, findAgain, context_);
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      if (std::all_of(keeps[i].begin(), keeps[i].end(), [](char keep) { return keep != 0; })) continue;
+      const Tile tile = store_.read(i);
+      store_.replace(i, withoutRegions(tile, findTileRegions(tile, grid_, context_).regionOf, keeps[i]));
+      returnFreedMemory();
+    }
+  }
+
+  const PackedEnvironment& environment_;
+  CellSteps steps_;
+  TileRunOptions options_;
+  TileStore& store_;
+  RunContext& context_;
+  CellCollector collector_;
+  std::uint64_t fixed_ = 0;
+  Grid grid_;
+  std::vector<FaceRange> ranges_;  ///< of each tile
+  TileRunResult result_;
+};
+
+/// Files of a folder.
+class TileFolder : public TileStore {
+ public:
+  TileFolder(const std::string& folder, RunContext& context) : folder_(folder), context_(context), written_(folder) {}
+
+  void add(const Tile& tile) override {
+    entries_.push_back(writeTile(folder_, entries_.size() + 1, tile));
+    written_.add(entries_.back().file);
+  }
+  Tile read(std::size_t number) override { return readTile(folder_, entries_[number], &context_); }
+  void replace(std::size_t number, const Tile& tile) override {
+    entries_[number] = writeTile(folder_, number + 1, tile);
+  }
+
+  /// Leaves the folder with its index.
+  void finish(TileSet& set) {
+    for (const TileEntry& entry : entries_) {
+      if (entry.triangles > 0)
+        set.tiles.push_back(entry);
+      else
+        std::filesystem::remove(std::filesystem::path(folder_) / entry.file);
+    }
+    written_.add(kTileIndex);
+    writeFileSafely((std::filesystem::path(folder_) / kTileIndex).string(), formatTileIndex(set));
+    written_.keep();
+  }
+
+ private:
+  std::string folder_;
+  RunContext& context_;
+  WrittenFiles written_;
+  std::vector<TileEntry> entries_;
+};
+
+}  // namespace
+
+TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
+                       TileStore& store, RunContext& context) {
+  return TileRun(environment, pipeline, options, store, context).run();
+}
+
+TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
+                           const TileRunOptions& options, RunContext& context) {
+  TileFolder tiles(folder, context);
+  TileRunResult result = runCells(environment, pipeline, options, tiles, context);
+  tiles.finish(result.set);
+  return result;
+}
+
+}  // namespace footfall::detail

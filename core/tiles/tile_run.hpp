@@ -1,0 +1,59 @@
+// Running a pipeline of local filters over an environment that no memory need hold.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/io/packed/packed_environment.hpp"
+#include "core/tiles/tile_set.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+struct TileRunOptions {
+  std::uint64_t memory = 0;         ///< bytes that the process may hold at once
+  std::uint64_t mostFaces = ~0ULL;  ///< of the environment, that a cell has for itself; tests make it small
+};
+
+struct TileRunResult {
+  TileSet set;
+  std::uint64_t cells = 0;        ///< that ran, also those of which nothing is walkable
+  std::uint64_t largestCell = 0;  ///< triangles that were in memory at once
+  std::uint64_t collected = 0;    ///< triangles of all cells together: neighbours have some in common
+  std::uint64_t refused = 0;      ///< cells that were made smaller because they would not have fitted
+  double wallMs = 0, cpuMs = 0;
+};
+
+/// Where the tiles of a run are kept, numbered from 0 on.
+class TileStore {
+ public:
+  TileStore() = default;
+  virtual ~TileStore() = default;
+  TileStore(const TileStore&) = delete;
+  TileStore& operator=(const TileStore&) = delete;
+
+  virtual void add(const Tile& tile) = 0;
+  virtual Tile read(std::size_t number) = 0;
+  /// By one that has less of it, or nothing.
+  virtual void replace(std::size_t number, const Tile& tile) = 0;
+};
+
+/// Runs the pipeline cell by cell, and adds a tile for each that has triangles. As runIntoTiles() else; the set of the
+/// result has no tiles.
+TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
+                       TileStore& store, RunContext& context);
+
+/// Runs the pipeline cell by cell and writes a tile for each into `folder`, which must be there and empty, then the
+/// index. Cells follow the order of the packed environment's blocks, and are as large as the memory lets them be by
+/// what is known before they run; so the same environment, pipeline and options give the same bytes, whatever the
+/// threads.
+///
+/// Throws InputError where a filter cannot keep to a bound of memory, where parts have roles, and where the bound is
+/// too little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what was written is
+/// removed.
+TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
+                           const TileRunOptions& options, RunContext& context);
+
+}  // namespace footfall::detail

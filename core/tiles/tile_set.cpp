@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/tile_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "core/base/byte_stream.hpp"
+#include "core/io/export.hpp"
+#include "core/io/input_file.hpp"
+#include "footfall/up_axis.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "footfall tiles";
+constexpr Pattern kRunAgain{"run `footfall run --memory` again"};
+
+std::string pathIn(const std::string& folder, const std::string& file) {
+  return (std::filesystem::path(folder) / file).string();
+}
+
+std::string padded(std::uint64_t number, unsigned base, std::size_t width) {
+  std::string text(width, '0');
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, number /= base)
+    *digit = "0123456789abcdef"[number % base];
+  return text;
+}
+
+std::string textOf(const Digest::Value& sum) { return padded(sum[0], 16, 16) + padded(sum[1], 16, 16); }
+
+Box boxAround(const std::vector<Vec3>& places) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (const Vec3& place : places) {
+    const std::array<double, 3> numbers{place.x, place.y, place.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.lower[axis] = std::min(box.lower[axis], numbers[axis]);
+      box.upper[axis] = std::max(box.upper[axis], numbers[axis]);
+    }
+  }
+  return box;
+}
+
+TileEntry entryOf(const Json& json) {
+  TileEntry entry;
+  entry.file = json.at("file").get<std::string>();
+  // Nothing outside the folder.
+  if (std::filesystem::path(entry.file).filename() != entry.file) throw BadBytes("names a file that is not in it");
+  entry.faces = json.at("faces").get<std::uint64_t>();
+  entry.triangles = json.at("triangles").get<std::uint64_t>();
+  entry.vertices = json.at("vertices").get<std::uint64_t>();
+  entry.borders = json.at("borders").get<std::uint64_t>();
+  entry.box.lower = json.at("box").at(0).get<std::array<double, 3>>();
+  entry.box.upper = json.at("box").at(1).get<std::array<double, 3>>();
+  const std::string sum = json.at("sum").get<std::string>();
+  if (sum.size() != 32 || sum.find_first_not_of("0123456789abcdef") != std::string::npos) throw BadBytes("is damaged");
+  for (std::size_t i = 0; i < 2; ++i) entry.sum[i] = std::stoull(sum.substr(16 * i, 16), nullptr, 16);
+  return entry;
+}
+
+TileSet setOf(const std::string& text) {
+  const Json json = Json::parse(text);
+  if (!json.is_object() || json.value("format", std::string()) != kFormat) throw BadBytes("is no index of tiles");
+  if (json.at("version").get<std::uint64_t>() != kTileVersion) throw BadBytes("is an index of another version");
+  TileSet set;
+  set.frame.source = json.at("source").get<std::string>();
+  const auto up = upAxisFrom(json.at("up").get<std::string>());
+  set.frame.up = up ? *up : throw BadBytes("is damaged");
+  set.frame.metresPerUnit = json.at("metres_per_unit").get<double>();
+  if (!(set.frame.metresPerUnit > 0 && std::isfinite(set.frame.metresPerUnit))) throw BadBytes("is damaged");
+  for (const Json& storey : json.at("storeys"))
+    set.frame.storeys.push_back({storey.at("name").get<std::string>(), storey.at("height").get<double>()});
+  set.pipeline = json.at("pipeline").get<std::string>();
+  set.triangles = json.at("triangles").get<std::uint64_t>();
+  for (const Json& tile : json.at("tiles")) set.tiles.push_back(entryOf(tile));
+  return set;
+}
+
+}  // namespace
+
+TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile) {
+  TileEntry entry;
+  entry.file = "tile-" + padded(number, 10, 7) + '.' + std::string(kTileExtension);
+  entry.faces = tile.faces.size();
+  entry.triangles = tile.triangles.size();
+  entry.vertices = tile.places.size();
+  entry.borders = tile.borders.size();
+  entry.box = boxAround(tile.places);
+  const std::string bytes = encodeTile(tile);
+  entry.sum = Digest().add(bytes).value();
+  writeFileSafely(pathIn(folder, entry.file), bytes);
+  return entry;
+}
+
+std::string formatTileIndex(const TileSet& set) {
+  Json json;
+  json["format"] = kFormat;
+  json["version"] = kTileVersion;
+  json["source"] = set.frame.source;
+  json["up"] = nameOf(set.frame.up);
+  json["metres_per_unit"] = set.frame.metresPerUnit;
+  json["storeys"] = Json::array();
+  for (const Storey& storey : set.frame.storeys)
+    json["storeys"].push_back({{"name", storey.name}, {"height", storey.height}});
+  json["pipeline"] = set.pipeline;
+  json["triangles"] = set.triangles;
+  json["tiles"] = Json::array();
+  for (const TileEntry& tile : set.tiles)
+    json["tiles"].push_back({{"file", tile.file},
+                             {"faces", tile.faces},
+                             {"triangles", tile.triangles},
+                             {"vertices", tile.vertices},
+                             {"borders", tile.borders},
+                             {"box", Json::array({tile.box.lower, tile.box.upper})},
+                             {"sum", textOf(tile.sum)}});
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+TileSet readTileIndex(const std::string& folder, RunContext* context) {
+  const std::string path = pathIn(folder, kTileIndex);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    failInput(folder, 0, Pattern{"is no folder of tiles"}, Pattern{"give the one that `footfall run --memory` wrote"});
+  if (!std::filesystem::exists(path, ignored))
+    failInput(folder, 0, Pattern{"has no index.json: it is no folder of tiles, or the run did not end"}, kRunAgain);
+  const std::string text = readInputFile(path, context);
+  try {
+    return setOf(text);
+  } catch (const BadBytes& error) {
+    failInput(path, 0, error.what(), kRunAgain);
+  } catch (const nlohmann::json::exception&) {
+    failInput(path, 0, Pattern{"is damaged"}, kRunAgain);
+  }
+}
+
+Tile readTile(const std::string& folder, const TileEntry& entry, RunContext* context) {
+  const std::string path = pathIn(folder, entry.file), bytes = readInputFile(path, context);
+  if (Digest().add(bytes).value() != entry.sum)
+    failInput(path, 0, Pattern{"is damaged, or of another run than the index"}, kRunAgain);
+  try {
+    return decodeTile(bytes);
+  } catch (const BadBytes& error) {
+    failInput(path, 0, error.what(), kRunAgain);
+  }
+}
+
+}  // namespace footfall::detail

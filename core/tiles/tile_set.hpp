@@ -1,0 +1,44 @@
+// A folder of tiles with its index: what a run within a bound of memory leaves.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/digest.hpp"
+#include "core/tiles/tile.hpp"
+#include "footfall/geometry.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+inline constexpr const char* kTileIndex = "index.json";
+
+struct TileEntry {
+  std::string file;  ///< its name in the folder
+  std::uint64_t faces = 0, triangles = 0, vertices = 0, borders = 0;
+  Box box;  ///< of its vertices, Z up
+  Digest::Value sum{};
+};
+
+struct TileSet {
+  SourceFrame frame;
+  std::string pipeline;         ///< formatPipeline()
+  std::uint64_t triangles = 0;  ///< of the environment
+  std::vector<TileEntry> tiles;
+};
+
+/// Writes a tile that has triangles under the name of its number, from 1 on. Throws RunError as writeFileSafely() does.
+TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile);
+
+/// JSON. The same set gives the same text.
+std::string formatTileIndex(const TileSet& set);
+
+/// Throws InputError "PATH: what; what to do" where the folder has no index or it is none, and Cancelled.
+TileSet readTileIndex(const std::string& folder, RunContext* context);
+
+/// Throws InputError where the file is missing, damaged, or not the one that the index has.
+Tile readTile(const std::string& folder, const TileEntry& entry, RunContext* context);
+
+}  // namespace footfall::detail

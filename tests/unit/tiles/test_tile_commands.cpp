@@ -1,0 +1,156 @@
+// `footfall run --memory` and `footfall join` as a user runs them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/io/formats/format_table.hpp"
+#include "tests/unit/program_run.hpp"
+
+using namespace footfall;
+using namespace footfall::test;
+
+namespace {
+
+const QStringList kPipeline{"--filter", "SlopeFilter 45", "--filter", "VerticalClearanceFilter 2",
+                            "--filter", "AreaFilter 1"};
+
+QString sample(const QString& name) { return QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name); }
+
+QStringList entriesOf(const QString& folder) {
+  return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+}
+
+/// A city that needs more memory than the bound below when it is held as a whole.
+QString makeCity(const QTemporaryDir& folder) {
+  const QString path = folder.filePath("city.obj");
+  QProcess process;
+  process.start(FOOTFALL_BINARY_DIR "/footfall-samples", {"city", "600000", path});
+  return process.waitForFinished(120000) && process.exitCode() == 0 ? path : QString();
+}
+
+}  // namespace
+
+class TestTileCommands : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void everyFormatHasTheSameBytes();
+  void theBoundIsKept();
+  void whatCannotBeIsRefused();
+  void damagedTilesAreRefused();
+};
+
+void TestTileCommands::everyFormatHasTheSameBytes() {
+  const QTemporaryDir folder;
+  const QString packed = folder.filePath("house.ffenv"), tiles = folder.filePath("tiles");
+  QCOMPARE(runProgram({"pack", sample("house"), "-o", packed, "--quiet"}).exitCode, 0);
+  const Outcome tiled = runProgram(QStringList{"run", packed, "--memory", "70M", "-o", tiles} + kPipeline);
+  QVERIFY2(tiled.exitCode == 0, tiled.err);
+  QVERIFY2(tiled.out.contains(" walkable triangles of "), tiled.out);
+  for (const detail::FormatDescriptor& format : detail::exportFormats()) {
+    const QString whole = folder.filePath("whole") + format.ending, joined = folder.filePath("joined") + format.ending;
+    const Outcome run = runProgram(QStringList{"run", packed, "--quiet", "-o", whole} + kPipeline);
+    const Outcome join = runProgram({"join", tiles, "--quiet", "-o", joined});
+    QCOMPARE(join.exitCode, run.exitCode);  // a format can be missing
+    QCOMPARE(contentOf(joined), contentOf(whole));
+  }
+  // From the original, which is packed for the run alone, and with options of the export.
+  const QString again = folder.filePath("again"), first = folder.filePath("1.obj"), second = folder.filePath("2.obj");
+  QCOMPARE(
+      runProgram(QStringList{"run", sample("house"), "--memory", "1G", "--quiet", "-o", again} + kPipeline).exitCode,
+      0);
+  QVERIFY(!entriesOf(again).contains("environment.ffenv"));
+  const QStringList scaled{"--export-up", "z", "--export-scale", "2", "--no-obstacle-edges", "--quiet"};
+  QCOMPARE(runProgram(QStringList{"join", again, "-o", first} + scaled).exitCode, 0);
+  QCOMPARE(runProgram(QStringList{"run", packed, "-o", second} + scaled + kPipeline).exitCode, 0);
+  QVERIFY(!contentOf(first).isEmpty());
+  QCOMPARE(contentOf(first), contentOf(second));
+}
+
+void TestTileCommands::theBoundIsKept() {
+  const QTemporaryDir folder;
+  const QString city = makeCity(folder);
+  if (city.isEmpty()) QSKIP("the generator of samples is not there");
+  const QString packed = folder.filePath("city.ffenv");
+  QCOMPARE(runProgram({"pack", city, "-o", packed, "--quiet"}).exitCode, 0);
+  qint64 whole = 0;
+  for (const int megabytes : {4000, 160}) {
+    const QString statistics = folder.filePath("stats.json");
+    const Outcome run =
+        runProgram(QStringList{"run", packed, "--memory", QString("%1M").arg(megabytes), "--quiet", "-o",
+                               folder.filePath(QString::number(megabytes)), "--stats", statistics} +
+                   kPipeline);
+    QVERIFY2(run.exitCode == 0, run.err);
+    const QJsonObject memory = QJsonDocument::fromJson(contentOf(statistics))["memory"].toObject();
+    const auto bound = static_cast<qint64>(megabytes) << 20;
+    QCOMPARE(memory["bound_bytes"].toInteger(), bound);
+    const qint64 peak = memory["peak_bytes"].toInteger();
+    QVERIFY2(peak > 0 && peak <= bound, qPrintable(QString::number(peak)));
+    if (whole > 0) QVERIFY2(whole > bound, "the bound is none for this city");
+    whole = peak;
+  }
+}
+
+void TestTileCommands::whatCannotBeIsRefused() {
+  const QTemporaryDir folder;
+  const QString tiles = folder.filePath("tiles"), house = sample("house");
+  const auto refused = [&](const QStringList& arguments, const char* words) {
+    const Outcome outcome = runProgram(arguments);
+    return outcome.exitCode == 2 && outcome.err.contains(words) && entriesOf(folder.path()).isEmpty()
+               ? QByteArray()
+               : outcome.err + outcome.out;
+  };
+  const QStringList run{"run", house, "--memory", "1G", "-o", tiles};
+  QCOMPARE(refused(run, "the default pipeline sees across cells"), QByteArray());
+  QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "StepFilter 0.4"}, "StepFilter sees across cells"),
+           QByteArray());
+  QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--memory: parts cannot be left out"), QByteArray());
+  QCOMPARE(refused(run + kPipeline + QStringList{"--no-layers"}, "--no-layers"), QByteArray());
+  QCOMPARE(refused(QStringList{"run", house, "--memory", "1G"} + kPipeline, "give the folder for the tiles"),
+           QByteArray());
+  QCOMPARE(refused(QStringList{"run", house, "--memory", "1M", "-o", tiles} + kPipeline,
+                   "a memory of 1 MB is too little; give "),
+           QByteArray());
+  QCOMPARE(refused({"join", tiles, "-o", folder.filePath("a.obj")}, "is no folder of tiles"), QByteArray());
+  QVERIFY(QDir().mkdir(tiles));
+  const Outcome empty = runProgram({"join", tiles, "-o", folder.filePath("a.obj")});
+  QVERIFY2(empty.exitCode == 2 && empty.err.contains("has no index.json"), empty.err);
+  write(tiles + "/mine.txt", "x");
+  const Outcome taken = runProgram(run + kPipeline);
+  QVERIFY2(taken.exitCode == 2 && taken.err.contains("is no empty folder"), taken.err);
+  QCOMPARE(entriesOf(tiles), QStringList{"mine.txt"});
+}
+
+void TestTileCommands::damagedTilesAreRefused() {
+  const QTemporaryDir folder;
+  const QString tiles = folder.filePath("tiles"), out = folder.filePath("a.obj");
+  QCOMPARE(
+      runProgram(QStringList{"run", sample("house"), "--memory", "1G", "--quiet", "-o", tiles} + kPipeline).exitCode,
+      0);
+  const auto joinedWith = [&](const QString& file, const QByteArray& content) {
+    const QByteArray before = contentOf(tiles + '/' + file);
+    write(tiles + '/' + file, content);
+    const Outcome outcome = runProgram({"join", tiles, "-o", out});
+    write(tiles + '/' + file, before);
+    return outcome.exitCode == 2 && !QFile::exists(out) ? outcome.err : QByteArray("was taken: ") + outcome.err;
+  };
+  const QString tile = "tile-0000001.fftile";
+  const QByteArray bytes = contentOf(tiles + '/' + tile), index = contentOf(tiles + "/index.json");
+  QByteArray changed = bytes;
+  changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
+  for (const QByteArray& content : {changed, bytes.first(bytes.size() / 2), QByteArray("nothing")})
+    QVERIFY(joinedWith(tile, content).contains("is damaged, or of another run"));
+  QVERIFY(joinedWith("index.json", "{}").contains("is no index of tiles"));
+  QVERIFY(joinedWith("index.json", index.first(index.size() / 2)).contains("is damaged"));
+  QByteArray outside = index;
+  QVERIFY(joinedWith("index.json", outside.replace("tile-0000001", "../tile-0000001")).contains("not in it"));
+  QByteArray newer = index;
+  QVERIFY(joinedWith("index.json", newer.replace("\"version\": 1", "\"version\": 2")).contains("of another version"));
+  QCOMPARE(runProgram({"join", tiles, "-o", out, "--quiet"}).exitCode, 0);
+}
+
+QTEST_APPLESS_MAIN(TestTileCommands)
+#include "test_tile_commands.moc"

@@ -1,0 +1,330 @@
+// Runs within a bound of memory: whatever the cells, the tiles joined are the bytes of a run with everything in memory.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <rapidcheck.h>
+
+#include <QTest>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "core/base/worker_arena.hpp"
+#include "core/io/export.hpp"
+#include "core/tiles/cell_tile.hpp"
+#include "core/tiles/tile_join.hpp"
+#include "core/tiles/tile_run.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/run.hpp"
+#include "tests/support/soup_generators.hpp"
+#include "tests/unit/packed_round_trip.hpp"
+#include "tests/unit/program_run.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::test;
+
+namespace {
+
+constexpr std::uint64_t kEnough = std::uint64_t{4} << 30;
+
+/// Tests before and behind a clearance, two clearances, blocks, no clearance, nothing at all.
+const std::vector<std::string> kPipelines{
+    "SlopeFilter 45\nVerticalClearanceFilter 2\n",
+    "DuplicationFilter 0\nDegeneracyFilter\nSlopeFilter 50\nVerticalClearanceFilter 1.5\nSlopeFilter 30\n",
+    "VerticalClearanceFilter 1\nSlopeFilter 60\nDegeneracyFilter\nVerticalClearanceFilter 2\n",
+    "GridStrategy 3 2\nSlopeFilter 45\nVerticalClearanceFilter 1\nCollapse\nVerticalClearanceFilter 3\n",
+    "VerticalClearanceFilter 0.5\n",
+    "SlopeFilter 40\n",
+    "",
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 2.5\n",
+    "SlopeFilter 60\nAreaFilter 1\nAreaFilter 0.25\n"};
+
+rc::Gen<Soup> anySoup() {
+  return rc::gen::oneOf(rc::gen::map(gridTriangles(20, 3, 3), [](const auto& numbers) { return soupOf(numbers); }),
+                        rc::gen::map(gridTriangles(24, 1000, 20), [](const auto& numbers) { return soupOf(numbers); }),
+                        rc::gen::map(buildingParts(12), [](const auto& numbers) { return buildingOf(numbers); }),
+                        rc::gen::map(upTo(20, below(64)), [](const auto& steps) { return walkOf(steps); }));
+}
+
+void pack(const Environment& environment, const std::string& target) {
+  EnvironmentPacker packer("a soup", target, nullptr, kLittle);
+  for (const Vec3& vertex : environment.vertices) packer.addVertex(vertex);
+  for (const Triangle& triangle : environment.triangles) packer.addFace(triangle, 0);
+  packer.finish(environment);
+}
+
+/// In a folder of its own; the bytes of all files there.
+std::map<std::string, QByteArray> makeTiles(const PackedEnvironment& environment, const std::string& pipeline,
+                                            const std::string& folder, std::uint64_t mostFaces, int threads = 0) {
+  std::filesystem::create_directory(folder);
+  RunContext context;
+  onThreads(threads, [&](int) {
+    return runIntoTiles(environment, parsePipeline(pipeline, "test"), folder, {kEnough, mostFaces}, context);
+  });
+  std::map<std::string, QByteArray> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    files[entry.path().filename().string()] = readAll(entry.path().string());
+  return files;
+}
+
+std::string bytesOf(const NavigationMesh& mesh) {
+  return formatObj(mesh, {}) + std::to_string(mesh.sourceTriangles.size());
+}
+
+/// The bytes of tiles.
+class TilesInMemory : public TileStore {
+ public:
+  void add(const Tile& tile) override { tiles.push_back(encodeTile(tile)); }
+  Tile read(std::size_t number) override { return decodeTile(tiles[number]); }
+  void replace(std::size_t number, const Tile& tile) override { tiles[number] = encodeTile(tile); }
+
+  std::vector<std::string> tiles;
+};
+
+/// Empty when tiles of cells with at most so many triangles of their own, in any order, are joined to the same bytes.
+QString differenceOf(const PackedEnvironment& environment, const std::string& pipeline,
+                     const std::vector<std::uint64_t>& cells) {
+  RunContext context;
+  const Pipeline parsed = parsePipeline(pipeline, "test");
+  const RunResult whole =
+      runPipeline(std::make_shared<Environment>(environment.readAll()), parsed, context, nullptr, 1);
+  for (const std::uint64_t most : cells) {
+    TilesInMemory store;
+    runCells(environment, parsed, {kEnough, most}, store, context);
+    TileJoiner joiner;
+    for (auto tile = store.tiles.rbegin(); tile != store.tiles.rend(); ++tile) joiner.add(decodeTile(*tile));
+    std::shared_ptr<NavigationMesh> joined = joiner.join(context);
+    joined->frame = environment.head().frame();
+    if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != whole.mesh->sourceTriangles)
+      return QString("cells of %1: %2").arg(most).arg(QString::fromStdString(pipeline));
+  }
+  return {};
+}
+
+/// The file of an environment, packed; empty where it is not there.
+std::string packed(const std::string& path, const TemporaryFolder& folder) {
+  if (!std::filesystem::exists(path)) return {};
+  const std::string target = folder.path("level.ffenv");
+  packEnvironment(path, target, {}, nullptr);
+  return target;
+}
+
+std::string sample(const std::string& name) {
+  return std::string(FOOTFALL_SOURCE_DIR) + "/samples/" + name + "/" + name + ".obj";
+}
+
+template <class Error, class Call>
+QString wordsOf(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Fails unless so many triangles are left, whatever the cells.
+void expectKept(const Soup& soup, const std::string& pipeline, std::size_t triangles) {
+  const TemporaryFolder folder;
+  pack(*soup.environment(), folder.path("soup.ffenv"));
+  const PackedEnvironment environment(folder.path("soup.ffenv"));
+  QCOMPARE(differenceOf(environment, pipeline, {1, 3, 1000}), QString());
+  RunContext context;
+  TilesInMemory store;
+  runCells(environment, parsePipeline(pipeline, "test"), {kEnough, 1}, store, context);
+  std::size_t kept = 0;
+  for (const std::string& tile : store.tiles) kept += decodeTile(tile).triangles.size();
+  QCOMPARE(kept, triangles);
+}
+
+}  // namespace
+
+class TestTileJoin : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void soups();
+  void soupsOfBothSides();
+  void samples_data();
+  void samples();
+  void environments_data();
+  void environments();
+  void areasNearTheMinimum();
+  void obstaclesPartRegions();
+  void bordersHaveOneNameAndPlace();
+  void theSameTilesOnAnyThreads();
+  void aBoundThatIsTooLittleSaysWhatItNeeds();
+  void globalFiltersAreNamed();
+  void whatFailsLeavesNothing();
+};
+
+void TestTileJoin::soups() {
+  QVERIFY(check("tiles of soups", 200, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : kPipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
+void TestTileJoin::soupsOfBothSides() {
+  QVERIFY(check("tiles of soups, both sides up", 30, [] {
+    const auto environment = (*anySoup()).environment(true);
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const QString difference = differenceOf(PackedEnvironment(folder.path("soup.ffenv")), kPipelines[0], {1, 4});
+    if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+  }));
+}
+
+void TestTileJoin::samples_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* name : {"house", "rooms", "villa", "arena", "tower", "docks"}) QTest::newRow(name) << name;
+}
+
+void TestTileJoin::samples() {
+  QFETCH(QString, name);
+  const TemporaryFolder folder;
+  const std::string level = packed(sample(name.toStdString()), folder);
+  if (level.empty()) QSKIP("not there");
+  const PackedEnvironment environment(level);
+  for (const std::size_t pipeline : {0, 1, 5, 7})
+    QCOMPARE(differenceOf(environment, kPipelines[pipeline], {700, 5000}), QString());
+}
+
+void TestTileJoin::environments_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* name : {"nav_test", "steelribs", "complex", "fortitude", "level"}) QTest::newRow(name) << name;
+}
+
+void TestTileJoin::environments() {
+  QFETCH(QString, name);
+  const TemporaryFolder folder;
+  const std::string level = packed((sharedEnvironments() + '/' + name + ".obj").toStdString(), folder);
+  if (level.empty()) QSKIP("real environments are not there");
+  const PackedEnvironment environment(level);
+  for (const std::size_t pipeline : {0, 7})
+    QCOMPARE(differenceOf(environment, kPipelines[pipeline], {3000}), QString());
+}
+
+void TestTileJoin::areasNearTheMinimum() {
+  // The sum of six roots lies between two doubles, nearer to both than sums of doubles can tell; each triangle is a
+  // tile.
+  Soup ramps;
+  double height = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double before = std::exchange(height, height + std::array{0.5, 1.0, 0.75, 0.25, 0.375, 0.625}[i]);
+    ramps.ramp(i, 0, i + 1, 1, before, height);
+  }
+  expectKept(ramps, "SlopeFilter 45\nAreaFilter 7.060272067199172\n", 12);
+  expectKept(ramps, "SlopeFilter 45\nAreaFilter 7.060272067199173\n", 0);
+}
+
+void TestTileJoin::obstaclesPartRegions() {
+  // Over a wall of another tile, and beside one.
+  const Soup room = Soup().floor(0, 0, 1, 4, 0).floor(1, 0, 4, 4, 0).wall(1, 0, 1, 4, 0, 1);
+  expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 3\n", 4);
+  expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 4\n", 2);
+  expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 12\n", 0);
+}
+
+void TestTileJoin::bordersHaveOneNameAndPlace() {
+  const TemporaryFolder folder;
+  const PackedEnvironment environment(packed(sample("house"), folder));
+  const std::string tiles = folder.path("tiles");
+  makeTiles(environment, kPipelines[0], tiles, 40);
+  RunContext context;
+  const TileSet set = readTileIndex(tiles, &context);
+  QVERIFY(set.tiles.size() > 3);
+  // Every border vertex is in another tile, too; the same place under another name is another vertex.
+  std::map<std::string, int> seen;
+  for (const TileEntry& entry : set.tiles) {
+    const Tile tile = readTile(tiles, entry, &context);
+    QCOMPARE(tile.borders.size(), entry.borders);
+    std::set<std::string> own;
+    for (const TileBorder& border : tile.borders) {
+      const Vec3& p = tile.places[static_cast<std::size_t>(border.vertex)];
+      std::string name = std::to_string(border.face) + ' ' + border.exact;
+      for (const double x : {p.x, p.y, p.z}) name += ' ' + std::to_string(std::bit_cast<std::uint64_t>(x));
+      QVERIFY(own.insert(name).second);
+      ++seen[name];
+      QCOMPARE(border.exact.empty(), tile.exact[static_cast<std::size_t>(border.vertex)] != 0);
+    }
+  }
+  QVERIFY(!seen.empty());
+  for (const auto& [name, count] : seen) QVERIFY2(count > 1, name.c_str());
+}
+
+void TestTileJoin::theSameTilesOnAnyThreads() {
+  const TemporaryFolder folder;
+  const PackedEnvironment environment(packed(sample("house"), folder));
+  const auto one = makeTiles(environment, kPipelines[0], folder.path("one"), 30, 1);
+  QVERIFY(one == makeTiles(environment, kPipelines[0], folder.path("four"), 30, 4));
+  QVERIFY(one.contains(kTileIndex));
+}
+
+void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds() {
+  const TemporaryFolder folder;
+  const PackedEnvironment environment(packed(sample("villa"), folder));
+  RunContext context;
+  const Pipeline pipeline = parsePipeline(kPipelines[0], "test");
+  const auto cellsWithin = [&](std::uint64_t megabytes) {
+    TilesInMemory store;
+    return runCells(environment, pipeline, {megabytes << 20}, store, context).cells;
+  };
+  const auto refused = [&](std::uint64_t megabytes) { return wordsOf<InputError>([&] { cellsWithin(megabytes); }); };
+  std::uint64_t megabytes = 1;
+  QString message = refused(megabytes);
+  QVERIFY2(message.contains("a memory of 1 MB is too little; give "), qPrintable(message));
+  // What it says is enough, or the next one says more.
+  for (int i = 0; i < 20 && !message.isEmpty(); ++i) {
+    const std::uint64_t more = message.section("give ", 1).section(" MB", 0, 0).toULongLong();
+    QVERIFY(more > megabytes);
+    megabytes = more;
+    message = refused(megabytes);
+  }
+  QCOMPARE(message, QString());
+  QVERIFY(cellsWithin(megabytes) > 1);
+  QCOMPARE(cellsWithin(4096), std::uint64_t{1});
+}
+
+void TestTileJoin::globalFiltersAreNamed() {
+  const auto messageFor = [](const char* step) {
+    return wordsOf<InputError>([&] { stepsOfCells(parsePipeline(kPipelines[0] + step, "test")); });
+  };
+  for (const char* step : {"StepFilter 0.4", "RadiusFilter 0.3", "SimplificationFilter", "DropFilter 2",
+                           "LayerSubdivisionFilter", "ReachableFilter 0 0 0"}) {
+    const QString message = messageFor(step);
+    QVERIFY2(message.startsWith("line 3: ") && message.contains(" sees across cells"), qPrintable(message));
+    QVERIFY(message.contains("run without the bound"));
+  }
+  QVERIFY(messageFor("RoundingFilter").contains("RoundingFilter moves vertices"));
+  QVERIFY(messageFor("DuplicationFilter 0.1").contains("DuplicationFilter joins vertices across cells"));
+  QCOMPARE(messageFor("DuplicationFilter 0"), QString());
+  QCOMPARE(messageFor("AreaFilter 1\nAreaFilter 2"), QString());
+  QVERIFY(messageFor("AreaFilter 1\nSlopeFilter 30").startsWith("line 4: SlopeFilter stands behind an AreaFilter"));
+}
+
+void TestTileJoin::whatFailsLeavesNothing() {
+  const TemporaryFolder folder;
+  const PackedEnvironment environment(packed(sample("house"), folder));
+  const std::string tiles = folder.path("tiles");
+  std::filesystem::create_directory(tiles);
+  int left = 3;
+  RunContext* running = nullptr;
+  RunContext context([&](const RunEvent& event) {
+    if (event.kind == RunEvent::Kind::Progress && --left == 0) running->cancel();
+  });
+  running = &context;
+  QVERIFY_EXCEPTION_THROWN(
+      runIntoTiles(environment, parsePipeline(kPipelines[0], "test"), tiles, {kEnough, 20}, context), Cancelled);
+  QVERIFY(std::filesystem::is_empty(tiles));
+}
+
+QTEST_APPLESS_MAIN(TestTileJoin)
+#include "test_tile_join.moc"
