@@ -136,7 +136,7 @@ std::optional<double> shortestOfAllSequences(const NavigationMesh& mesh, const S
 }
 
 double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from, const SurfacePlace& to, int points) {
-  // Points belong to one side of one triangle; the same point of the side behind it costs nothing to reach.
+  // Points belong to one side of one triangle, and lead to the same point of the side behind it, or over a gap.
   const auto perSide = static_cast<std::size_t>(points) + 2;
   const std::size_t perTriangle = 3 * perSide;
   std::map<std::pair<Index, Index>, std::vector<std::pair<Index, int>>> sides;
@@ -187,7 +187,8 @@ double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from
     const std::size_t side = node % perTriangle / perSide;
     const Index a = mesh.triangles[t][side], b = mesh.triangles[t][(side + 1) % 3];
     const auto cross = [&](Index other, std::size_t otherSide) {
-      improve(other * perTriangle + otherSide * perSide + (perSide - 1 - node % perSide), length);
+      const std::size_t there = other * perTriangle + otherSide * perSide + (perSide - 1 - node % perSide);
+      improve(there, length + planDistance(position(node), position(there)));  // over a gap they lie apart
     };
     if (const auto found = steps.find({t, side}); found != steps.end()) {
       for (const auto& [other, otherSide] : found->second) cross(other, otherSide);

@@ -13,7 +13,6 @@ namespace footfall::detail {
 namespace {
 
 constexpr double kSlack = GapConditions::kSlack;
-constexpr double kLeastCosine = 0.5;  // of the angle between two borders
 constexpr double kTouch = 8 * GapConditions::kUnit;
 constexpr double kWide = 16 * kTouch;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -80,16 +79,20 @@ std::optional<GapFrame> GapConditions::frameOf(const GapBorder& first, const Gap
   const double ex = first.to.x - first.from.x, ey = first.to.y - first.from.y;
   const double fx = second.from.x - second.to.x, fy = second.from.y - second.to.y;
   const double e = std::sqrt(ex * ex + ey * ey), f = std::sqrt(fx * fx + fy * fy);
-  if (!(e > kShort) || !(f > kShort) || !(ex * fx + ey * fy >= kLeastCosine * e * f)) return std::nullopt;
+  if (!(e > kShort) || !(f > kShort) || !(ex * fx + ey * fy >= kLeastSine * e * f)) return std::nullopt;
   const double x = ex / e + fx / f, y = ey / e + fy / f, size = std::sqrt(x * x + y * y);
   return GapFrame{first.from.x, first.from.y, x / size, y / size};
 }
 
 std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const GapBorder& second) const {
   const std::optional<GapFrame> frame = frameOf(first, second);
-  if (!frame) return std::nullopt;
-  const Profiles p(*frame, first, second);
-  GapPiece piece{*frame, {std::max(p.first.begin, p.second.begin), std::min(p.first.end, p.second.end)}, {}};
+  return frame ? findNear(first, second, *frame, kSlack) : std::nullopt;
+}
+
+std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const GapBorder& second, const GapFrame& frame,
+                                                double spare) const {
+  const Profiles p(frame, first, second);
+  GapPiece piece{frame, {std::max(p.first.begin, p.second.begin), std::min(p.first.end, p.second.end)}, {}};
   std::array<double, 2>& ends = piece.ends;
   if (!(ends[1] - ends[0] > kShort)) return std::nullopt;
   // Where they are hardly apart, or end in one place, the caller decides on which side they are.
@@ -106,7 +109,7 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
     }
     if (!keepPositive(ends, room[0], room[1])) return std::nullopt;
   }
-  const double most = gap_ - kSlack;
+  const double most = gap_ - spare;
   const std::array<double, 2> widths{p.widthAt(ends[0]), p.widthAt(ends[1])};
   piece.isAsWide = std::max(widths[0], widths[1]) > most && std::max(widths[0], widths[1]) <= gap_ + kTouch;
   if (!piece.isAsWide && !keepPositive(ends, most - widths[0], most - widths[1])) return std::nullopt;
@@ -214,7 +217,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   std::vector<GapPiece> pieces;
   const auto add = [&](double from, double to) {
     if (!(to - from > kShort)) return;
-    pieces.push_back({frame, {from, to}, {}, near.isAsWide});
+    pieces.push_back({frame, {from, to}, {}, near.isAsWide, near.corner});
     if (from == begin) pieces.back().touching[0] = whole.touching[0];
     if (to == end) pieces.back().touching[1] = whole.touching[1];
   };

@@ -9,7 +9,9 @@
 // All of this is computed in doubles and asked with kSlack to spare, against which their errors are nothing: what is
 // found is so. What holds with 2^-40 of the largest coordinate to spare is found, except that |pq| is 1 / cos(a / 2)
 // times the distance from p to F where the borders include an angle a, and that an end is drawn in by kSlack where an
-// obstacle makes it. Horizontal borders and obstacles that touch a limit exactly (a door that is as high as the
+// obstacle makes it. Where nothing is free so, the direction of the shortest way takes the place of a right angle to
+// the bisector (findAtCorner()): a corner may be nearer to a border, or to another corner, than what lies straight
+// across. Horizontal borders and obstacles that touch a limit exactly (a door that is as high as the
 // clearance) are compared exactly. Slits that are as wide as the gap, and obstacles that touch the end of a piece, are
 // left to the caller, who compares exactly, the obstacles with the line there: single points do not count.
 #pragma once
@@ -45,6 +47,9 @@ struct GapPiece {
   std::array<double, 2> ends{};
   std::array<std::vector<Index>, 2> touching;  ///< obstacles at each end that must be proven to lie beyond it
   bool isAsWide = false;                       ///< as wide as the gap may be, within rounding: must be proven not wider
+  /// A place of the first border at a corner, or where both run apart at a large angle: a link is needed only where it
+  /// leads somewhere (removeNeedlessCorners()).
+  std::optional<Vec3> corner = {};
 };
 
 class GapConditions {
@@ -61,9 +66,18 @@ class GapConditions {
   GapConditions(const SourceMesh& mesh, const std::vector<char>& removed, double step, double clearance, double gap)
       : mesh_(mesh), removed_(removed), step_(step), clearance_(clearance), gap_(gap) {}
 
-  /// The frame of two borders that face each other at an angle of at most 60 degrees.
-  [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second);
+  /// Least sine of the angle at which a way leaves a border or comes to one, and of the angle that is missing to a
+  /// right one between two borders: 7 degrees.
+  static constexpr double kLeastSine = 0.125;
 
+  /// The frame of two borders that face each other: its ways are at a right angle to their bisector.
+  [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second);
+  /// The same for a link between a piece of each: its ways are those from end to end of these.
+  [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second,
+                                                       const std::array<GapBorder, 2>& pieces);
+
+  /// The pieces of two borders that face each other, near enough, over which nothing stands, in their order.
+  [[nodiscard]] std::vector<GapPiece> find(const GapBorder& first, const GapBorder& second);
   /// Where two borders face each other near enough, whatever stands between them; or nothing.
   [[nodiscard]] std::optional<GapPiece> findNear(const GapBorder& first, const GapBorder& second) const;
   /// The pieces of `near` over which nothing stands, in their order.
@@ -72,6 +86,16 @@ class GapConditions {
  private:
   /// A corner of an obstacle in the frame.
   using Corner = std::array<double, 3>;
+
+  /// Where nothing is found so: pieces about the nearest places of both, with ways in the direction from one to the
+  /// other. Where both are ends and lie so that such ways meet one border only, the direction is turned until they meet
+  /// both, as far as the gap allows and all ways between are free.
+  [[nodiscard]] std::vector<GapPiece> findAtCorner(const GapBorder& first, const GapBorder& second);
+  [[nodiscard]] std::optional<GapPiece> findNear(const GapBorder& first, const GapBorder& second, const GapFrame& frame,
+                                                 double spare) const;
+  /// All of a frame where both borders lie beside each other, if all of it is free.
+  [[nodiscard]] std::optional<GapPiece> findWhole(const GapBorder& first, const GapBorder& second,
+                                                  const GapFrame& frame);
 
   const SourceMesh& mesh_;
   const std::vector<char>& removed_;

@@ -31,7 +31,7 @@ constexpr double kDrawnIn = 4 * GapConditions::kSlack;
 /// errors borders are whose directions are known well enough; and a little less than the least cosine of two borders.
 constexpr double kRough = 1;
 constexpr double kLong = 0x1p12;
-constexpr double kRoughCosine = 0.48;
+constexpr double kRoughCosine = 0.12;
 
 Vec3 roundToUnit(const Vec3& p) {
   return {std::nearbyint(p.x / kUnit) * kUnit, std::nearbyint(p.y / kUnit) * kUnit, p.z};
@@ -74,8 +74,7 @@ const GapBorder& GapLinker::lineOf(Index border) {
   return line->second;
 }
 
-// Ways over a gap are at most 30 degrees from a right angle to either border: so each lies within the gap's width on
-// the right of the first border's line, and leads at most half as far along it.
+// A way over a gap lies within the gap's width on the right of the first border's line, and leads no farther along it.
 bool GapLinker::mayFace(const MeshBorder& e, const MeshBorder& f) const {
   const MeshVertex &a = splits_.vertex(e.from), &b = splits_.vertex(e.to);
   const std::array<const MeshVertex*, 2> ends{&splits_.vertex(f.to), &splits_.vertex(f.from)};
@@ -95,7 +94,7 @@ bool GapLinker::mayFace(const MeshBorder& e, const MeshBorder& f) const {
   }
   const auto [nearest, farthest] = std::minmax({outwards[0], outwards[1]});
   const auto [first, last] = std::minmax({along[0], along[1]});
-  return nearest <= gap + slack && farthest >= -slack && first <= length + gap / 2 + slack && last >= -gap / 2 - slack;
+  return nearest <= gap + slack && farthest >= -slack && first <= length + gap + slack && last >= -gap - slack;
 }
 
 std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions& conditions) const {
@@ -103,10 +102,7 @@ std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions
   const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
   if (!mayFace(e, f)) return found;
   const GapBorder line = computeLine(first), other = computeLine(second);
-  std::optional<GapPiece> piece = conditions.findNear(line, other);
-  if (!piece) return found;
-  for (GapPiece& free : conditions.findFree(line, other, *piece))
-    found.push_back({first, second, std::move(free), {}, false});
+  for (GapPiece& free : conditions.find(line, other)) found.push_back({first, second, std::move(free), {}, false});
   return found;
 }
 
@@ -114,7 +110,7 @@ std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, const st
                                              GapConditions* conditions) {
   std::vector<GapStretch> found;
   const GapBorder &e = lineOf(first), &f = lineOf(second);
-  const std::optional<GapFrame> frame = GapConditions::frameOf(e, f);
+  const std::optional<GapFrame> frame = GapConditions::frameOf(e, f, edges);
   if (!frame) return found;
   const auto along = [&](const Vec3& place) { return frame->along(place.x, place.y); };
   const double begin = std::max({along(e.from), along(f.to), along(edges[0].from), along(edges[1].to)});

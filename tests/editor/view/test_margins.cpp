@@ -84,6 +84,43 @@ class TestMargins : public QObject {
     QCOMPARE(reasons(), (QStringList{"Too near a border"}));
   }
 
+  void afterAFailedRunTheyAreThoseOfTheLastResult() {
+    open(QByteArray(kClearance) + "RadiusFilter 1\n");
+    const int radius = window_->document().filters()[2].id;
+    // A result whose kinds are not looked for yet, and a run that fails: a radius far below what doubles tell apart.
+    bool left = false;
+    connect(&window_->controller(), &RunController::finished, this, [&] {
+      if (std::exchange(left, true)) return;
+      QVERIFY(window_->controller().seeksMarginKinds());
+      window_->document().setValue(radius, 0, 1e-30, 2);
+    });
+    const QSignalSpy failed(&window_->controller(), &RunController::failed);
+    window_->document().setValue(radius, 0, 1.5, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(!window_->controller().upToDate());
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
+    QCOMPARE(window_->controller().finishedRun()->pipeline.steps[2].values[0], 1.5);
+    const QStringList both{"Too near a wall", "Too near a ledge"};
+    QCOMPARE(reasons(), both);
+    QVERIFY(hasPaint({-2.7, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({2.7, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({0, 0, 0}, walkablePaint().colour));
+    // Another one fails when they are known.
+    window_->document().setValue(radius, 0, 1e-31, 3);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 2, 20000);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(reasons(), both);
+    QVERIFY(hasPaint({-2.7, 0, 0}, Removal::NearWall));
+    // The first result's are not taken for those of a later one.
+    window_->document().setValue(radius, 0, 0.5, 4);
+    QVERIFY(waitUntilIdle(*window_));
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
+    QCOMPARE(reasons(), both);
+    QVERIFY(hasPaint({-3.7, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({-2.7, 0, 0}, walkablePaint().colour));
+  }
+
   void aDragHasTheKindsAtItsEnd() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     window_->controller().setDragging(true);

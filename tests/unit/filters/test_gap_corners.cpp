@@ -1,0 +1,423 @@
+// StepFilter across gaps at corners and between borders at large angles: from both sides of the definition.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <random>
+
+#include "core/assembly/walkable_state.hpp"
+#include "core/base/disjoint_sets.hpp"
+#include "core/mesh/gap_bridges.hpp"
+#include "core/mesh/surface_topology.hpp"
+#include "footfall/inspect.hpp"
+#include "footfall/io.hpp"
+#include "footfall/path.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run.hpp"
+#include "tests/reference/gaps.hpp"
+#include "tests/support/live_runs.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/run_with_threads.hpp"
+#include "tests/support/soup.hpp"
+#include "tests/support/soup_generators.hpp"
+
+using namespace footfall;
+using namespace footfall::test;
+using reference::BorderEdge3;
+using reference::Point3;
+using reference::Rational;
+
+namespace {
+
+constexpr double kHeight = 2;
+
+std::string gaps(double step, double gap, const std::string& more = "") {
+  return minimalPipeline(kHeight) + "\nStepFilter " +
+         QString("%1 %2").arg(step, 0, 'g', 17).arg(gap, 0, 'g', 17).toStdString() + "\n" + more;
+}
+NavigationMesh linked(const Soup& soup, double step, double gap, const std::string& more = "") {
+  return navigationMesh(runFilters(soup.environment(), gaps(step, gap, more)));
+}
+std::size_t gapCount(const NavigationMesh& mesh) {
+  return static_cast<std::size_t>(std::ranges::count(mesh.links, StepKind::Gap, &StepLink::kind));
+}
+double planLength(const NavigationMesh& mesh, const std::array<std::uint32_t, 2>& edge) {
+  const Vec3 &p = mesh.vertices[edge[0]], &q = mesh.vertices[edge[1]];
+  return std::hypot(p.x - q.x, p.y - q.y);
+}
+std::size_t parts(const NavigationMesh& mesh) { return findComponents(mesh).list.size(); }
+std::uint32_t pathParts(const NavigationMesh& mesh) { return makeSurfaceTopology(withBridges(mesh)).componentCount; }
+
+/// Two floors of 4 by 4 corner to corner, the second one moved by that much.
+Soup diagonal(double x, double y, double rise = 0) {
+  return Soup().floor(0, 0, 4, 4, 0).floor(4 + x, 4 + y, 8 + x, 8 + y, rise);
+}
+Soup turned(const Soup& soup, double degrees) {
+  const double angle = degrees * std::acos(-1.0) / 180, c = std::cos(angle), s = std::sin(angle);
+  return soup.mapped([=](const Vec3& p) { return Vec3{c * p.x - s * p.y, s * p.x + c * p.y, p.z}; });
+}
+/// A floor between x = 0 and 4 whose lower right corner points down, and a floor below: `degrees` between both borders.
+Soup pointed(double degrees, double apart) {
+  const double angle = degrees * std::acos(-1.0) / 180;
+  const double x = 3 * std::cos(angle), y = 3 * std::sin(angle);
+  return Soup().floor(-4, -4, 4, 0, 0).triangle({0, apart, 0}, {x, apart + y, 0}, {-x, apart + y, 0});
+}
+
+/// Not its very ends, where nothing but a point may be in the way.
+Point3 nearestOn(const BorderEdge3& border, const Point3& p, const Rational& end = 0) {
+  const Rational dx = border.to.x - border.from.x, dy = border.to.y - border.from.y;
+  const Rational t = ((p.x - border.from.x) * dx + (p.y - border.from.y) * dy) / (dx * dx + dy * dy);
+  return placeOn(border, std::clamp(t, end, Rational(1 - end)));
+}
+
+bool isLevel(const BorderEdge3& edge) { return edge.from.z == edge.to.z; }
+
+struct Counts {
+  std::size_t linked = 0, expected = 0;
+};
+
+/// A run's mesh with exact places.
+struct ExactBorders {
+  std::vector<Point3> places;
+  std::vector<BorderEdge3> borders;
+  std::vector<Index> parts;  ///< of the borders: what hangs together over edges and links
+  std::vector<std::array<BorderEdge3, 2>> gaps;
+
+  explicit ExactBorders(const StatePtr& state) {
+    const WalkableMesh& mesh = *state->mesh;
+    for (const MeshVertex& v : mesh.vertices) {
+      const auto p = state->kernel->exactPosition(v.point, v.face);
+      places.push_back({p[0], p[1], p[2]});
+    }
+    const auto edgeOf = [&](const std::array<Index, 2>& edge) { return BorderEdge3{places[edge[0]], places[edge[1]]}; };
+    const auto topology = topologyOf(*state);
+    const TriangleCorners corners(mesh.triangles);
+    DisjointSets sets(mesh.triangles.size());
+    std::map<std::array<Index, 2>, Index> triangleAt;  // of the border
+    for (Index e = 0; e < topology->edgeCount(); ++e) {
+      const auto sides = topology->sidesOf(e);
+      if (sides.size() > 1 && !isObstacle(mesh.triangles, sides)) {
+        for (const Index side : sides) sets.unite(side / 3, sides[0] / 3);
+        continue;
+      }
+      for (const Index side : sides) {
+        const std::array<Index, 2> ends{corners.beginOf(side), corners.endOf(side)};
+        borders.push_back(edgeOf(ends));
+        parts.push_back(side / 3);
+        triangleAt[ends] = side / 3;
+      }
+    }
+    for (const MeshLink& link : mesh.links) {
+      sets.unite(triangleAt.at(link.from), triangleAt.at(link.to));
+      if (link.isGap) gaps.push_back({edgeOf(link.from), edgeOf(link.to)});
+    }
+    for (Index& part : parts) part = sets.find(part);
+  }
+};
+
+/// Places of `a` from which the definition holds with a margin to spare to the nearest place of `b`, which is no less
+/// than `margin` away, at an angle that is listed: there, and a little before and behind.
+bool holdsSomewhere(const Environment& environment, const BorderEdge3& a, const BorderEdge3& b, double step, double gap,
+                    double margin) {
+  const double ax = Rational(a.to.x - a.from.x).get_d(), ay = Rational(a.to.y - a.from.y).get_d();
+  const double bx = Rational(b.to.x - b.from.x).get_d(), by = Rational(b.to.y - b.from.y).get_d();
+  const double la = std::hypot(ax, ay), lb = std::hypot(bx, by);
+  if (la < 100 * margin || lb < 100 * margin || ax * bx + ay * by > -0.126 * la * lb) return false;
+  const auto holdsAt = [&](double s) {
+    if (!(s >= 0 && s <= 1)) return false;
+    const Point3 p = placeOn(a, s), q = nearestOn(b, p);
+    const double x = Rational(q.x - p.x).get_d(), y = Rational(q.y - p.y).get_d(), width = std::hypot(x, y);
+    const bool isSteep = (x * ay - y * ax) < 0.13 * la * width || (x * -by + y * bx) < 0.13 * lb * width;
+    return width > margin && !isSteep &&
+           canStepOver(environment, a, b, p, q, step - margin, kHeight + margin, gap - margin);
+  };
+  for (const double at : {0.5, 0.9, 0.1, 0.99, 0.01, 1 - 1e-3, 1e-3, 1 - 1e-4, 1e-4}) {
+    const double beside = margin / la;
+    if (holdsAt(at) && holdsAt(at + beside) && holdsAt(at - beside)) return true;
+  }
+  return false;
+}
+
+/// From above: all links over gaps are ones by the definition, on level borders from each side to the nearest place of
+/// the other one.
+/// From below: where it holds with a margin from both of two borders, their triangles are connected.
+bool agrees(const std::shared_ptr<const Environment>& environment, double step, double gap, double margin,
+            Counts& counts) {
+  const StatePtr state = runFilters(environment, gaps(step, gap));
+  const ExactBorders exact(state);
+  const auto fail = [&](const char* what, const Point3& p, const Point3& q) {
+    qWarning("%s: %s at %.17g %.17g, %.17g %.17g", toText(*environment).c_str(), what, p.x.get_d(), p.y.get_d(),
+             q.x.get_d(), q.y.get_d());
+    return false;
+  };
+  for (const auto& gapEdges : exact.gaps) {
+    ++counts.linked;
+    for (const int percent : {1, 37, 61, 99}) {
+      const Rational s(percent * 1000 + 13, 101000);
+      const Point3 p = placeOn(gapEdges[0], s), q = placeOn(gapEdges[1], 1 - s);
+      if (!canStepOver(*environment, gapEdges[0], gapEdges[1], p, q, step, kHeight, gap)) return fail("linked", p, q);
+      if (!isLevel(gapEdges[0]) || !isLevel(gapEdges[1])) continue;
+      for (const int side : {0, 1}) {
+        const BorderEdge3 &own = gapEdges[side], &other = gapEdges[1 - side];
+        const Point3 from = side == 0 ? p : q, to = nearestOn(other, from, Rational(1, 1 << 20));
+        if (!canStepOver(*environment, own, other, from, to, step, kHeight, gap)) return fail("nearest", from, to);
+      }
+    }
+  }
+  if (margin == 0) return true;
+  for (std::size_t i = 0; i < exact.borders.size(); ++i)
+    for (std::size_t j = i + 1; j < exact.borders.size(); ++j) {
+      if (exact.parts[i] == exact.parts[j]) continue;
+      if (holdsSomewhere(*environment, exact.borders[i], exact.borders[j], step, gap, margin) &&
+          holdsSomewhere(*environment, exact.borders[j], exact.borders[i], step, gap, margin))
+        return fail("not connected", exact.borders[i].from, exact.borders[j].from);
+    }
+  counts.expected += exact.borders.size();
+  return true;
+}
+
+/// Convex floors at all angles whose corners come near to each other, with walls, steps and ceilings.
+Soup randomCorners(std::mt19937& random) {
+  const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  const auto pick = [&](int count) { return std::uniform_int_distribution(0, count - 1)(random); };
+  const bool isGrid = pick(3) == 0;
+  const auto place = [&](double low, double high) {
+    return isGrid ? std::round(number(low, high) * 32) / 32 : number(low, high);
+  };
+  Soup soup;
+  for (int i = 0; i < 4; ++i) {
+    // Two edges from a corner near the middle, away from it.
+    const double angle = i * 1.5707963 + number(-0.7, 0.7), opening = number(0.2, 1.5);
+    const double x = place(-0.2, 0.2), y = place(-0.2, 0.2), z = pick(2) == 0 ? 0 : place(-0.3, 0.3);
+    const double rise = pick(3) == 0 ? place(-0.2, 0.2) : 0;
+    const auto at = [&](double a, double up) {
+      return Vec3{x + place(1, 2) * std::cos(a), y + place(1, 2) * std::sin(a), z + up};
+    };
+    soup.triangle({x, y, z}, at(angle - opening / 2, rise), at(angle + opening / 2, 0));
+  }
+  for (int i = pick(3); i > 0; --i) {
+    const double x = place(-0.4, 0.4), y = place(-0.4, 0.4), base = place(-0.3, 2.2);
+    soup.wall(x, y, x + place(-0.3, 0.3), y + place(-0.3, 0.3), base, base + place(0.05, 1.5));
+  }
+  if (pick(4) == 0) soup.ceiling(-1, -1, place(0, 1), place(0, 1), place(1.8, 2.6));
+  return soup;
+}
+
+}  // namespace
+
+class TestGapCorners : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cornerToCorner() {
+    // A ruling from either corner is 0.05 long at the most: 0.03 across and 0.04 along, of which 0.03 is there already.
+    const NavigationMesh mesh = linked(diagonal(0.03, 0.03, 0.25), 0.25, 0.05);
+    QCOMPARE(gapCount(mesh), std::size_t{1});  // on one side of the corner; the other one would lead nowhere else
+    QCOMPARE(parts(mesh), std::size_t{1});
+    QCOMPARE(pathParts(mesh), 1U);
+    QCOMPARE(findMeshError(mesh), std::string());
+    for (const StepLink& link : mesh.links) {
+      QCOMPARE(bridgeOver(link, mesh.vertices).size(), std::size_t{2});
+      QVERIFY(std::fabs(link.width - 0.05) < 1e-10 && link.width <= 0.05);
+      QCOMPARE(link.height, 0.25);
+      for (const auto& edge : {link.from, link.to}) QVERIFY(std::fabs(planLength(mesh, edge) - 0.01) < 1e-10);
+    }
+    // Too far, too high, at the corner itself.
+    QCOMPARE(gapCount(linked(diagonal(0.03, 0.0401), 0.25, 0.05)), std::size_t{0});
+    QCOMPARE(gapCount(linked(diagonal(0.03, 0.03, 0.26), 0.25, 0.05)), std::size_t{0});
+    QCOMPARE(gapCount(linked(diagonal(0, 0), 0.25, 0.05)), std::size_t{0});
+    QCOMPARE(gapCount(linked(diagonal(0, 0.03), 0.25, 0.05)), std::size_t{1});  // the other way leads along borders
+    QCOMPARE(parts(linked(diagonal(0.03, 0.03), 0.25, 0)), std::size_t{2});
+  }
+
+  void anyTurn() {
+    for (int degrees = 0; degrees < 360; degrees += 7)
+      for (const double x : {0.005, 0.02, 0.03}) {
+        const NavigationMesh mesh = linked(turned(diagonal(x, 0.03, 0.125), degrees), 0.25, 0.05);
+        QVERIFY2(gapCount(mesh) >= 1 && parts(mesh) == 1 && pathParts(mesh) == 1,
+                 qPrintable(QString("%1 degrees, %2").arg(degrees).arg(x)));
+      }
+  }
+
+  void aCornerAtABorder() {
+    // As near as the gap allows, and by more than the bisector of both allowed.
+    for (const double degrees : {10.0, 30.0, 45.0, 60.0, 70.0, 80.0}) {
+      const auto text = QString::number(degrees);
+      const NavigationMesh mesh = linked(pointed(degrees, 0.0499), 0.25, 0.05);
+      QVERIFY2(gapCount(mesh) == 1 && parts(mesh) == 1 && pathParts(mesh) == 1, qPrintable(text));
+      for (const StepLink& link : mesh.links) QVERIFY(link.width <= 0.05);
+      QCOMPARE(gapCount(linked(pointed(degrees, 0.0501), 0.25, 0.05)), std::size_t{0});
+    }
+    QCOMPARE(gapCount(linked(pointed(85, 0.03), 0.25, 0.05)), std::size_t{0});  // at less than 7 degrees
+  }
+
+  void whatStandsAtACornerBlocksIt() {
+    const auto with = [](double x0, double y0, double x1, double y1, double low) {
+      return gapCount(linked(diagonal(0.03, 0.03).wall(x0, y0, x1, y1, low, 3), 0.25, 0.05));
+    };
+    QCOMPARE(with(4, 4.03, 4.03, 4, 0), std::size_t{0});     // across
+    QCOMPARE(with(4, 4.03, 4.03, 4, 2), std::size_t{1});     // above
+    QCOMPARE(with(4.03, 4.03, 5, 4.03, 0), std::size_t{0});  // at the corner, along the border
+    // What is in the way on one side leaves the other one, the longer of both.
+    const auto lengthWith = [](const Soup& wall) {
+      const NavigationMesh mesh = linked(diagonal(0.03, 0.03).add(wall), 0.25, 0.05);
+      return mesh.links.size() == 1 ? planLength(mesh, mesh.links[0].from) : 0;
+    };
+    const Soup above = Soup().wall(3.994, 4.001, 3.994, 4.07, 0, 3),
+               below = Soup().wall(4.001, 3.994, 4.07, 3.994, 0, 3);
+    QVERIFY(std::fabs(lengthWith(above) - 0.01) < 1e-10 && std::fabs(lengthWith(below) - 0.01) < 1e-10);
+    // Ways are turned as far as what is in the way leaves them.
+    const double length = lengthWith(Soup(above).add(below));
+    QVERIFY(length > 0.0029 && length < 0.006);
+  }
+
+  void slitsGetNoLinksAcrossTheirVertices() {
+    // Chains of edges on both sides, straight and round.
+    Soup straight, round;
+    for (int i = 0; i < 8; ++i) {
+      straight.floor(0, i, 4, i + 1, 0).floor(4.03, i + 0.5, 8, i + 1.5, 0);
+      const auto at = [](double radius, double k) {
+        return Vec3{radius * std::cos(k * 0.1), radius * std::sin(k * 0.1), 0};
+      };
+      round.quad(at(1, i), at(4, i), at(4, i + 1), at(1, i + 1));
+      round.quad(at(4.03, i), at(8, i), at(8, i + 1), at(4.03, i + 1));
+    }
+    QCOMPARE(gapCount(linked(straight, 0.25, 0.05)), std::size_t{15});
+    const NavigationMesh mesh = linked(round, 0.25, 0.05);
+    QCOMPARE(gapCount(mesh), std::size_t{8});
+    QCOMPARE(parts(mesh), std::size_t{1});
+  }
+
+  void pathsAndLaterFilters() {
+    const std::string more = "AreaFilter 17\nSimplificationFilter\nLayerSubdivisionFilter\n";
+    for (const std::string& text : {std::string(), more, std::string("VerticalClearanceFilter 2.5\n"),
+                                    std::string("RoundingFilter\n"), "DuplicationFilter 1e-6\n" + more}) {
+      const auto mesh = std::make_shared<const NavigationMesh>(linked(diagonal(0.03, 0.03, 0.125), 0.25, 0.05, text));
+      QCOMPARE(gapCount(*mesh), std::size_t{1});
+      const PathFinder finder(mesh);
+      const PathResult path = finder.find({1, 1, 0}, {7, 7, 0.125});
+      QVERIFY2(path.reached() && path.gaps.size() == 1, text.c_str());
+      QVERIFY(std::fabs(path.planLength - 6 * std::sqrt(2.0)) < 1e-9);
+    }
+    QCOMPARE(gapCount(linked(diagonal(0.03, 0.03), 0.25, 0.05, "RadiusFilter 0.2\n")), std::size_t{0});
+  }
+
+  void exportsAndWhy() {
+    const QTemporaryDir folder;
+    const Soup soup = diagonal(0.03, 0.03, 0.125);
+    const NavigationMesh mesh = linked(soup, 0.25, 0.05);
+    const std::string path = folder.filePath("a.obj").toStdString();
+    save(mesh, path);
+    const NavigationMesh read = readNavigationMesh(path).mesh;
+    QCOMPARE(read.links.size(), mesh.links.size());
+    for (std::size_t i = 0; i < mesh.links.size(); ++i) {
+      QCOMPARE(read.links[i].width, mesh.links[i].width);
+      QVERIFY(read.links[i].kind == StepKind::Gap);
+    }
+    // What a smaller gap lacks is told as it is: from corner to corner.
+    const auto apart = std::make_shared<const NavigationMesh>(linked(soup, 0.25, 0.04));
+    const PathFinder finder(apart);
+    const PathResult none = finder.find({1, 1, 0}, {7, 7, 0.125});
+    QVERIFY(none.status == PathStatus::NotConnected);
+    const SeparationFinder separations(finder, soup.environment(), kHeight, 0.25, nullptr, 0.04);
+    const auto separation = separations.find(none.start->triangle, none.target->triangle);
+    QVERIFY(separation.has_value());
+    QVERIFY(std::fabs(separation->barrier().gap - std::hypot(0.03, 0.03)) < 1e-9);
+    QVERIFY(std::fabs(separation->barrier().excess - (std::hypot(0.03, 0.03) - 0.04)) < 1e-9);
+  }
+
+  void structuredSoupsAgree() {
+    Counts counts;
+    std::vector<Soup> soups;
+    for (const double degrees : {0.0, 5.0, 30.0, 45.0, 60.0, 75.0, 84.0, 89.0, 90.0})
+      for (const double apart : {0.02, 0.0499, 0x1p-30}) {
+        soups.push_back(pointed(degrees == 0 ? 1 : degrees, apart));
+        soups.push_back(turned(diagonal(apart, 0.02), degrees));
+        soups.push_back(turned(diagonal(apart, std::nextafter(apart, 1), 0.2), degrees));
+      }
+    soups.push_back(diagonal(0x1p-50, 0x1p-50));
+    soups.push_back(diagonal(0.03, 0.04));  // exactly the gap
+    soups.push_back(diagonal(0.03, 0.03).wall(4.03, 4.03, 4.03, 5, 0, 3));
+    soups.push_back(diagonal(0.03, 0.03).box({4.01, 4.01, 0}, {4.02, 4.02, 0.25}));
+    soups.push_back(diagonal(0.03, 0.03).ramp(3.9, 4, 4.1, 4.1, 0, 0.6));
+    for (std::size_t i = 0; i < soups.size(); ++i)
+      for (const double step : {0.125, 0.25})
+        QVERIFY2(agrees(soups[i].environment(), step, 0.05, 1e-6, counts), qPrintable(QString::number(i)));
+    qInfo("%zu links, %zu borders", counts.linked, counts.expected);
+    QVERIFY(counts.linked > 100);
+  }
+
+  void randomCornersAgree() {
+    Counts counts;
+    std::mt19937 random(static_cast<std::uint32_t>(seed()));
+    for (int i = 0; i < rounds(60); ++i) {
+      const double step = std::array{0.2, 0.4}[i % 2], gap = std::array{0.05, 0.2, 0.4}[i % 3];
+      QVERIFY2(agrees(randomCorners(random).environment(), step, gap, 1e-6, counts), qPrintable(QString::number(i)));
+    }
+    qInfo("%zu links, %zu borders", counts.linked, counts.expected);
+    QVERIFY(counts.linked > 100);
+  }
+
+  void farFromTheOrigin() {
+    // What holds with 2^-40 of the largest coordinate to spare is listed there, too.
+    Counts counts;
+    std::mt19937 random(static_cast<std::uint32_t>(seed() + 1));
+    for (int i = 0; i < rounds(30); ++i) {
+      const Soup soup = randomCorners(random).mapped([](const Vec3& v) {
+        return Vec3{122000.123 + v.x, 487000.456 + v.y, v.z};
+      });
+      QVERIFY2(agrees(soup.environment(), 0.3, 0.2, 487000 * 0x1p-40, counts), qPrintable(QString::number(i)));
+    }
+    QVERIFY(counts.linked > 20);
+  }
+
+  void moreNeverPartsAndOrderChangesNothing() {
+    std::mt19937 random(7);
+    for (int i = 0; i < rounds(60); ++i) {
+      const auto environment = randomCorners(random).environment();
+      for (const double step : {0.1, 0.3}) {
+        std::size_t before = SIZE_MAX;
+        for (const double gap : {0.0, 0.05, 0.1, 0.2, 0.3}) {
+          const std::string text = gaps(step, gap);
+          const NavigationMesh mesh = navigationMesh(runFilters(environment, text));
+          QCOMPARE(findMeshError(mesh), std::string());
+          QVERIFY2(parts(mesh) <= before, qPrintable(QString("%1, gap %2").arg(i).arg(gap)));
+          before = parts(mesh);
+          QVERIFY(parts(navigationMesh(runFilters(environment, gaps(step + 0.2, gap)))) <= before);
+          std::vector<std::uint32_t> order(environment->triangles.size());
+          for (std::uint32_t t = 0; t < order.size(); ++t) order[t] = t;
+          std::shuffle(order.begin(), order.end(), random);
+          NavigationMesh other;
+          runWithThreads(1 + i % 3,
+                         [&] { other = navigationMesh(runFilters(shuffled(*environment, order, 1), text)); });
+          QVERIFY(other.triangles == mesh.triangles && other.vertices == mesh.vertices);
+          QVERIFY(std::ranges::equal(other.links, mesh.links, [](const StepLink& a, const StepLink& b) {
+            return a.from == b.from && a.to == b.to && a.kind == b.kind && a.width == b.width && a.height == b.height;
+          }));
+        }
+      }
+    }
+  }
+
+  void liveEditsGiveTheSame() {
+    Soup level = diagonal(0.03, 0.03).floor(-4.02, -4.03, -0.02, -0.03, 0.1).floor(-4.02, 4.01, -0.04, 8, 0.2);
+    const std::string pipeline = gaps(0.3, 0.05, "SimplificationFilter\nLayerSubdivisionFilter\n");
+    ResultCache cache;
+    EditableEnvironment edited(level.environment());
+    QVERIFY(agrees(edited.environment(), pipeline, cache));
+    const auto crate = [](double x, double y) { return soupFor(Soup().box({x, y, 0}, {x + 0.75, y + 0.75, 0.5})); };
+    const ObstacleId id = edited.add(crate(3.5, 1));
+    for (const auto& [x, y] : {std::pair(3.5, 3.5), {3.2, 3.2}, {4.0, 4.0}, {-0.5, -0.5}, {4.01, 4.2}, {1.0, 1.0}}) {
+      edited.replace(id, crate(x, y));
+      QVERIFY2(agrees(edited.environment(), pipeline, cache), qPrintable(QString::number(x)));
+    }
+    edited.remove(id);
+    QVERIFY(agrees(edited.environment(), pipeline, cache));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestGapCorners)
+#include "test_gap_corners.moc"
