@@ -160,6 +160,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
     for (const auto& [from, to] : again.collapsed) moved.push_back({rounded.vertices[from], rounded.vertices[to]});
     if (again.anyBroken()) topology = edgesOf();
   }
+  dropSharedObstacles(rounded, topology);
   context.checkCancelled();
   if (markClosedSlivers(rounded, topology, suspects, context)) topology = edgesOf();
   context.checkCancelled();
