@@ -166,6 +166,7 @@ SettledMesh settle(SplitParts parts, const std::vector<Vec3>& places, const std:
     markBorders(rounded, topology);
     if (repair(settled, std::vector<char>(rounded.vertices.size(), 0))) topology = findAgain(settled);
   }
+  dropSharedObstacles(rounded, topology);
   context.checkCancelled();
   if (markClosedSlivers(rounded, topology, suspects, context)) topology = findAgain(settled);
   context.checkCancelled();

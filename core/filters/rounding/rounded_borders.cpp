@@ -152,6 +152,14 @@ bool settleBorders(RoundedMesh& mesh, const Adjacency& topology) {
   return shared;
 }
 
+void dropSharedObstacles(RoundedMesh& mesh, const Adjacency& topology) {
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    if (sides.size() < 2 || !isObstacle(mesh.triangles, sides)) continue;
+    for (const Index s : sides) mesh.triangles[s / 3].obstacleEdges &= static_cast<std::uint8_t>(~(1 << s % 3));
+  }
+}
+
 bool markClosedSlivers(RoundedMesh& mesh, const Adjacency& topology, const std::vector<char>& suspects,
                        RunContext& context) {
   std::vector<Border> borders = findBorders(mesh, topology);

@@ -47,6 +47,10 @@ void markBorders(RoundedMesh& mesh, const Adjacency& topology);
 /// it is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.
 bool settleBorders(RoundedMesh& mesh, const Adjacency& topology);
 
+/// Obstacle edges whose sides share vertices become inner edges. It is for those that cannot be split: with both ends
+/// inside the area, and no double between these that would be a vertex of either side.
+void dropSharedObstacles(RoundedMesh& mesh, const Adjacency& topology);
+
 /// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
 /// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
 /// only are split where the common part ends; then the result is true, and the topology has changed.

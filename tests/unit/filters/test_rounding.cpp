@@ -208,6 +208,19 @@ class TestRounding : public QObject {
     QVERIFY(mesh.triangles.size() > 10);
   }
 
+  // The wall's foot crosses the floor's fold, and what stands above it there is as long as one unit in the last place:
+  // no double lies between its ends, so that its sides cannot have vertices of their own.
+  void obstaclesWithoutAMiddleGo() {
+    test::Soup floors;
+    floors.triangle({0.4, 2.8, 2}, {0.40000000000000036, 7.8, 3}, {0.4, 2.8, 3});
+    floors.triangle({0.8, 0.6, 2}, {1.6, 1.2, 3}, {-0.19999999999999973, 3.6, 3});
+    floors.triangle({1.6, 1.2, 3}, {0.6, 4.2, 3}, {-0.19999999999999973, 3.6, 3});
+    const NavigationMesh mesh =
+        test::navigationMesh(test::runFilters(floors.environment(), test::minimalPipeline(1.5)));
+    QCOMPARE(test::findMeshError(mesh), std::string());
+    QVERIFY(mesh.obstacleEdges.empty() && test::countParts(mesh) == 1);
+  }
+
   void roundingStartsANewGeneration() {
     // a box over a floor: after rounding, clearance finds the same again
     const auto environment = environmentOf({{0, 0, 0}, {9, 0, 0}, {0, 9, 0.3}, {1, 1, 1}, {3, 1.1, 1.7}, {1.3, 3, 1.2}},
