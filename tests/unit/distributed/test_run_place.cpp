@@ -292,7 +292,7 @@ class TestRunPlace : public QObject {
     QCOMPARE(run.threadsOfRanks, (std::vector<int>{2, 2}));
 
     // A job that is cancelled has left the queue when the run ends.
-    const auto queue = [] { return runChild({"squeue", "--noheader"}, {}).output; };
+    const auto queue = [] { return runChild({"squeue", "--noheader", "--name", "footfall-5"}, {}).output; };
     RunPrograms asleep = programs();
     asleep.footfallMpi = script(folder, "footfall-mpi", "exec sleep 60\n");
     QVERIFY(QDir(folder.path()).mkdir("footfall-5"));
