@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <thread>
@@ -25,6 +26,9 @@ constexpr double kMostLookMs = 1000;
 constexpr double kPausesOfLook = 10;
 constexpr double kLookOfWaiting = 0.01;  // a queue may take hours
 constexpr double kRemoveMs = 2000;       // processes that are ending may still write
+
+/// Ends processes that nobody waits for any more.
+struct AllArrived : std::exception {};
 
 // A folder of a network may go on telling that a file is not there, until somebody lists the folder.
 void listFolder(const fs::path& folder) {
@@ -61,9 +65,12 @@ void FolderExchange::start() {
     try {
       const auto poll = [this] {
         const std::lock_guard lock(mutex_);
+        if (isStopping_ && left_ == 0 && phase_.isLast()) throw AllArrived();
         if (isStopping_) throw Cancelled();
       };
       problem = options_.work(options_.folder, poll);
+    } catch (const AllArrived&) {
+      // That is no failure.
     } catch (const InputError& failed) {
       problem = failed.text();
     } catch (const RunError& failed) {
@@ -125,6 +132,7 @@ std::vector<char> FolderExchange::begin(const CellPhase& phase, RunContext& cont
   phase_ = phase;
   phase_.check = nullptr;
   beganMs_ = systemMs() - phase.nowMs;
+  left_ = phase.costs.size();  // before somebody may ask whether all have arrived
   if (!worker_.joinable()) {
     start();
     awaitRanks(lock, context);
@@ -138,7 +146,6 @@ std::vector<char> FolderExchange::begin(const CellPhase& phase, RunContext& cont
     for (const std::size_t cell : balance.bins[rank]) rankOf_[cell] = static_cast<int>(rank);
   hasCome_.assign(phase.costs.size(), 0);
   seen_.clear();
-  left_ = phase.costs.size();
   nextLookMs_ = 0;
   return std::vector<char>(phase.costs.size(), 0);
 }

@@ -29,7 +29,8 @@ class FolderExchange : public CellExchange {
     std::string folder;
     int threads = 1;  ///< of this process
     /// Starts the processes, waits for their end, and returns what went wrong; empty: nothing. Called by a thread of
-    /// its own. `poll` is to be called every now and then; it throws when the run is over, which ends the processes.
+    /// its own. `poll` is to be called every now and then; it throws when the run is over, which ends the processes:
+    /// Cancelled where their results are not wanted, another std::exception where all have arrived.
     std::function<Text(const std::string& folder, Poll poll)> work;
     /// Called by begin() when it is known how many threads each process has (threadsOfRanks()).
     std::function<void(const std::vector<int>&)> ranksKnown = [](const std::vector<int>&) {};

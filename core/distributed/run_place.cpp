@@ -105,10 +105,14 @@ ChildResult runWithin(double ms, const std::vector<std::string>& command) {
   }
 }
 
+void cancelJob(const std::string& job, const RunPrograms& programs) {
+  runWithin(kAskMs, {programs.scancel, "--name", nameOf(job)});
+}
+
 // An sbatch that was ended may have submitted the job, which then comes into the queue a little later.
 void endJob(const std::string& job, const RunPrograms& programs) {
   for (const Stopwatch watch; watch.wallMs() < kEndMs;) {
-    runWithin(kAskMs, {programs.scancel, "--name", nameOf(job)});
+    cancelJob(job, programs);
     std::this_thread::sleep_for(kEndPause);
     const ChildResult queue = runWithin(kAskMs, {programs.squeue, "--noheader", "--name", nameOf(job)});
     if (queue.status == kNoProgram) return;
@@ -204,8 +208,11 @@ Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& pr
   ChildResult result;
   try {
     result = runChild(command, poll, ChildEnding::Asked);
-  } catch (...) {
+  } catch (const Cancelled&) {
     if (place.kind == RunPlace::Kind::Slurm) endJob(job, programs);
+    throw;
+  } catch (...) {
+    if (place.kind == RunPlace::Kind::Slurm) cancelJob(job, programs);
     throw;
   }
   if (result.status == 0) return {};

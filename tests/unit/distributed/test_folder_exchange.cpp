@@ -235,12 +235,14 @@ class TestFolderExchange : public QObject {
 
   void cancellingEndsTheProcesses() {
     JobRun run(house(), kFilters);
-    std::atomic<bool> hasBegun{false};
+    std::atomic<bool> hasBegun{false}, isCancelled{false};
     run.options.work = [&](const std::string&, Poll poll) -> Text {
       hasBegun = true;
-      for (;;) {
-        poll();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      try {
+        for (;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) poll();
+      } catch (const Cancelled&) {
+        isCancelled = true;
+        throw;
       }
     };
     std::thread canceller([&] {
@@ -250,6 +252,7 @@ class TestFolderExchange : public QObject {
     const std::string problem = run.problem();
     canceller.join();
     QCOMPARE(problem, std::string(Cancelled().what()));
+    QVERIFY(isCancelled);
     QVERIFY(run.leavesNothing());
   }
 
@@ -265,6 +268,27 @@ class TestFolderExchange : public QObject {
       QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == size);
       file.close();
       QVERIFY(contentOf(path) == content.toStdString());
+    }
+  }
+
+  // Whether the results are wanted decides how long somebody waits for the processes.
+  void theyLearnWhyTheyEnd() {
+    for (const bool cancels : {false, true}) {
+      JobRun run(house(), kFilters);
+      bool isCancelled = false;
+      run.options.work = [&](const std::string& job, Poll poll) -> Text {
+        try {
+          run.work(job, poll);
+          if (cancels) run.context.cancel();
+          for (;;) poll();
+        } catch (const Cancelled&) {
+          isCancelled = true;
+          throw;
+        }
+      };
+      if (cancels) run.ranks.cellDone = [&run](int) { run.context.cancel(); };
+      QCOMPARE(run.problem(), cancels ? std::string(Cancelled().what()) : std::string());
+      QCOMPARE(isCancelled, cancels);
     }
   }
 

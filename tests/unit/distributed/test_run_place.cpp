@@ -212,6 +212,15 @@ class TestRunPlace : public QObject {
     QFile cancelled(folder.filePath("cancelled"));
     QVERIFY(cancelled.open(QIODevice::ReadOnly));
     QCOMPARE(cancelled.readAll(), QByteArray("--name footfall-5\n--name footfall-5\n"));
+    cancelled.close();
+
+    // When all is done, nobody waits for the queue.
+    QVERIFY(QFile::remove(folder.filePath("looks")) && cancelled.remove());
+    const auto ends = [&] {
+      if (QFile::exists(folder.filePath("begun"))) throw std::runtime_error("done");
+    };
+    QVERIFY_EXCEPTION_THROWN(runJob(job, placeOf(RunPlace::Kind::Slurm), programs, 1, ends), std::runtime_error);
+    QVERIFY(cancelled.exists() && !QFile::exists(folder.filePath("looks")));
 
     // A Slurm that does not answer.
     programs.scancel = programs.squeue = script(folder, "asleep", "sleep 60\n");
@@ -283,7 +292,7 @@ class TestRunPlace : public QObject {
     QCOMPARE(run.threadsOfRanks, (std::vector<int>{2, 2}));
 
     // A job that is cancelled has left the queue when the run ends.
-    const auto queue = [] { return runChild({"squeue", "--noheader"}, {}).output; };
+    const auto queue = [] { return runChild({"squeue", "--noheader", "--name", "footfall-5"}, {}).output; };
     RunPrograms asleep = programs();
     asleep.footfallMpi = script(folder, "footfall-mpi", "exec sleep 60\n");
     QVERIFY(QDir(folder.path()).mkdir("footfall-5"));
