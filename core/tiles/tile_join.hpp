@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/tiles/tile_set.hpp"
 #include "footfall/navigation_mesh.hpp"
@@ -31,12 +33,13 @@ class TileJoiner {
 };
 
 struct JoinedTiles {
-  TileSet set;
+  std::vector<TileSet> sets;  ///< of each folder
   std::shared_ptr<const NavigationMesh> mesh;
 };
 
-/// Joins all tiles of a folder: holds the result, and nothing of the environment. Throws InputError as readTileIndex()
-/// and readTile() do, RunError as TileJoiner, and Cancelled.
-JoinedTiles joinTiles(const std::string& folder, RunContext& context);
+/// Joins all tiles of the folders, which are the slices of one environment: holds the result, and nothing of the
+/// environment. Throws InputError as readTileIndex() and readTile() do and where the folders are not all slices of one
+/// run, RunError as TileJoiner, and Cancelled.
+JoinedTiles joinTiles(std::span<const std::string> folders, RunContext& context);
 
 }  // namespace footfall::detail

@@ -43,8 +43,8 @@ void checkRoles(const Environment& head) {
   if (std::all_of(head.usualRoles.begin(), head.usualRoles.end(), [](PartRole r) { return r == PartRole::Floor; }))
     return;
   throw InputError(
-      Pattern{"%1: its file says that some parts are no floors, which a run within a bound of memory cannot "
-              "regard; run without the bound, with all of the environment in memory"},
+      FOOTFALL_TEXT("%1: its file says that some parts are no floors, which a run within a bound of memory cannot "
+                    "regard; run without the bound, with all of the environment in memory"),
       head.source);
 }
 
@@ -78,9 +78,14 @@ class TileRun {
         context_(context),
         collector_(environment, floorRuleOf(steps_.local)) {
     checkRoles(environment.head());
+    if (steps_.minimumArea && options.slice.count > 1)
+      throw InputError(
+          FOOTFALL_TEXT("AreaFilter sees over the borders of slices; leave it out, or run all slices at once"));
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
     if (options.memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(fixed_ + kMegabyte);
     result_.set.frame = environment.head().frame();
+    result_.set.environment = environment.tableSum();
+    result_.set.slice = options.slice;
     result_.set.pipeline = formatPipeline(pipeline);
     result_.set.triangles = environment.faceCount();
   }
@@ -88,9 +93,9 @@ class TileRun {
   TileRunResult run() {
     const Stopwatch watch;
     grid_ = gridOf(environment_, context_);
-    const std::uint64_t count = collector_.faceCount();
+    const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
     std::uint64_t size = std::min(options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor));
-    for (std::uint64_t first = 0; first < count;) {
+    for (std::uint64_t first = begin; first < count;) {
       const FaceRange range{first, std::min(first + size, count)};
       if (const std::optional<CellSize> found = runCell(range, count)) {
         first = range.last;
@@ -108,14 +113,21 @@ class TileRun {
   }
 
  private:
+  // Faces of the slices up to that one.
+  [[nodiscard]] std::uint64_t endOfSlice(std::uint64_t number) const {
+    const std::uint64_t faces = collector_.faceCount(), slices = options_.slice.count;
+    return faces / slices * number + faces % slices * number / slices;
+  }
+
   [[nodiscard]] std::uint64_t needed(const CellSize& size) const {
     return fixed_ + kOfFace * size.faces + kOfFloor * size.floors;
   }
 
   [[noreturn]] void failTooLittle(std::uint64_t least) const {
-    throw InputError(Pattern{"%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
-                             "the environment in memory"},
-                     environment_.head().source, inMegabytes(options_.memory), inMegabytes(least));
+    throw InputError(
+        FOOTFALL_TEXT("%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
+                      "the environment in memory"),
+        environment_.head().source, inMegabytes(options_.memory), inMegabytes(least));
   }
 
   // So many triangles as fill the memory if they have as much around them as those before; with some room, and never

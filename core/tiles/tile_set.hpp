@@ -22,8 +22,15 @@ struct TileEntry {
   Digest::Value sum{};
 };
 
+/// Part `number`, from 1 on, of so many parts of an environment that are run by themselves.
+struct TileSlice {
+  std::uint32_t number = 1, count = 1;
+};
+
 struct TileSet {
   SourceFrame frame;
+  Digest::Value environment{};  ///< PackedEnvironment::tableSum()
+  TileSlice slice;
   std::string pipeline;         ///< formatPipeline()
   std::uint64_t triangles = 0;  ///< of the environment
   std::vector<TileEntry> tiles;
