@@ -90,6 +90,7 @@ class TileMaker {
     std::vector<Index> numbers(mesh_.vertices.size(), -1), used;
     Index face = -1;
     for (MeshTriangle triangle : mesh_.triangles) {
+      if (++polled_ % 65536 == 0) context.checkCancelled();
       if (isOwn[triangle.face] == 0) continue;
       if (triangle.face != std::exchange(face, triangle.face)) addFace(face);
       ++tile_.faces.back().triangles;
@@ -141,6 +142,7 @@ class TileMaker {
   const WalkableMesh& mesh_;
   const std::vector<std::uint32_t>& numbers_;
   Tile tile_;
+  std::size_t polled_ = 0;
 };
 
 }  // namespace

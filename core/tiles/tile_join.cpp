@@ -34,14 +34,14 @@ bool comesBefore(const AddedFace& a, const AddedFace& b) {
 
 struct TileJoiner::State {
  public:
-  void add(const Tile& tile) {
+  void add(const Tile& tile, const Poll& poll) {
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 3;
     if (tile.triangles.size() > kMost - triangles_.size())
       throw RunError(
           FOOTFALL_TEXT("the tiles have more than %1 triangles together, which is more than one file can have; use "
                         "them one by one"),
           kMost);
-    const std::vector<Index> numbers = numberVertices(tile);
+    const std::vector<Index> numbers = numberVertices(tile, poll);
     std::size_t first = triangles_.size();
     for (const TileFace& face : tile.faces) {
       faces_.push_back({face, first});
@@ -83,10 +83,11 @@ struct TileJoiner::State {
   }
 
  private:
-  std::vector<Index> numberVertices(const Tile& tile) {
+  std::vector<Index> numberVertices(const Tile& tile, const Poll& poll) {
     std::vector<Index> numbers(tile.places.size());
     auto border = tile.borders.begin();
     for (std::size_t v = 0; v < numbers.size(); ++v) {
+      if (v % 32768 == 0) poll();
       const auto next = static_cast<Index>(places_.size());
       numbers[v] = next;
       if (border != tile.borders.end() && static_cast<std::size_t>(border->vertex) == v) {
@@ -110,7 +111,7 @@ struct TileJoiner::State {
 TileJoiner::TileJoiner() : state_(std::make_unique<State>()) {}
 TileJoiner::~TileJoiner() = default;
 
-void TileJoiner::add(const Tile& tile) { state_->add(tile); }
+void TileJoiner::add(const Tile& tile, const Poll& poll) { state_->add(tile, poll); }
 
 std::shared_ptr<NavigationMesh> TileJoiner::join(RunContext& context) {
   const PlacedMesh mesh = state_->joined(context);
@@ -155,7 +156,7 @@ JoinedTiles joinTiles(std::span<const std::string> folders, RunContext& context)
   for (std::size_t i = 0; i < folders.size(); ++i)
     for (const TileEntry& entry : joined.sets[i].tiles) {
       context.checkCancelled();
-      joiner.add(readTile(folders[i], entry, &context));
+      joiner.add(readTile(folders[i], entry, &context), context);
       context.progress(0.5 * static_cast<double>(++added) / static_cast<double>(tiles));
     }
   const std::shared_ptr<NavigationMesh> mesh = joiner.join(context);

@@ -21,8 +21,9 @@ class TileJoiner {
   TileJoiner(const TileJoiner&) = delete;
   TileJoiner& operator=(const TileJoiner&) = delete;
 
-  /// Throws RunError where there are more triangles than numbers.
-  void add(const Tile& tile);
+  /// Throws RunError where there are more triangles than numbers. `poll` is called now and then and may throw to
+  /// cancel.
+  void add(const Tile& tile, const Poll& poll = {});
   /// The mesh that a run with all of the environment in memory has, to the last bit; the frame is left empty. To be
   /// called once.
   std::shared_ptr<NavigationMesh> join(RunContext& context);

@@ -204,12 +204,12 @@ class TileFolder : public TileStore {
   TileFolder(const std::string& folder, RunContext& context) : folder_(folder), context_(context), written_(folder) {}
 
   void add(const Tile& tile) override {
-    entries_.push_back(writeTile(folder_, entries_.size() + 1, tile));
+    entries_.push_back(writeTile(folder_, entries_.size() + 1, tile, context_));
     written_.add(entries_.back().file);
   }
   Tile read(std::size_t number) override { return readTile(folder_, entries_[number], &context_); }
   void replace(std::size_t number, const Tile& tile) override {
-    entries_[number] = writeTile(folder_, number + 1, tile);
+    entries_[number] = writeTile(folder_, number + 1, tile, context_);
   }
 
   /// Leaves the folder with its index.

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/base/byte_stream.hpp"
-#include "core/io/export.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/output_files.hpp"
 #include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
@@ -94,7 +94,7 @@ TileSet setOf(const std::string& text) {
 
 }  // namespace
 
-TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile) {
+TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile, const RunContext& context) {
   TileEntry entry;
   entry.file = "tile-" + padded(number, 10, 7) + '.' + std::string(kTileExtension);
   entry.faces = tile.faces.size();
@@ -102,9 +102,9 @@ TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& t
   entry.vertices = tile.places.size();
   entry.borders = tile.borders.size();
   entry.box = boxAround(tile.places);
-  const std::string bytes = encodeTile(tile);
-  entry.sum = Digest().add(bytes).value();
-  writeFileSafely(pathIn(folder, entry.file), bytes);
+  const std::array<OutputFile, 1> files{{{pathIn(folder, entry.file), encodeTile(tile, context)}}};
+  entry.sum = Digest().add(files[0].bytes).value();
+  writeFilesSafely(files, context);
   return entry;
 }
 
@@ -158,7 +158,7 @@ Tile readTile(const std::string& folder, const TileEntry& entry, RunContext* con
   if (Digest().add(bytes).value() != entry.sum)
     failInput(path, 0, FOOTFALL_TEXT("is damaged, or of another run than the index"), kRunAgain);
   try {
-    return decodeTile(bytes);
+    return decodeTile(bytes, Poll(context));
   } catch (const BadBytes& error) {
     failInput(path, 0, error.what(), kRunAgain);
   }

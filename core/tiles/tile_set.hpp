@@ -36,8 +36,8 @@ struct TileSet {
   std::vector<TileEntry> tiles;
 };
 
-/// Writes a tile that has triangles under the name of its number, from 1 on. Throws RunError as writeFileSafely() does.
-TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile);
+/// Writes a tile under the name of its number, from 1 on. Throws what writeFilesSafely() throws, and Cancelled.
+TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile, const RunContext& context);
 
 /// JSON. The same set gives the same text.
 std::string formatTileIndex(const TileSet& set);
