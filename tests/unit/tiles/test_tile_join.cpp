@@ -158,7 +158,7 @@ class TestTileJoin : public QObject {
 };
 
 void TestTileJoin::soups() {
-  QVERIFY(check("tiles of soups", 200, [] {
+  QVERIFY(check("tiles of soups", 120, [] {
     const auto environment = (*anySoup()).environment();
     if (environment->triangles.empty()) return;
     const TemporaryFolder folder;
