@@ -176,7 +176,7 @@ void runIntoFolder(const TileCommandOptions& options) {
                                         isPacked ? options.environment.import() : ImportOptions{});
     if (!options.quiet)
       for (const Text& note : environment.head().notes) std::cerr << "footfall: note: " << note.str() << '\n';
-    session.begin("running in cells");
+    session.begin("running in cells", kTileRunSteps);
     TileRunResult made = runIntoTiles(environment, pipeline, options.folder, bounds, session.context());
     session.end();
     return made;

@@ -97,7 +97,9 @@ class TileRun {
     std::uint64_t size = std::min(options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor));
     for (std::uint64_t first = begin; first < count;) {
       const FaceRange range{first, std::min(first + size, count)};
-      if (const std::optional<CellSize> found = runCell(range, count)) {
+      context_.beginStep(kTileRunSteps * (first - begin) / (count - begin),
+                         "cell " + std::to_string(result_.cells + 1));
+      if (const std::optional<CellSize> found = runCell(range)) {
         first = range.last;
         size = nextSize(range.size(), *found);
         continue;
@@ -141,7 +143,7 @@ class TileRun {
   }
 
   // What it held; empty when the cell does not fit.
-  std::optional<CellSize> runCell(const FaceRange& range, std::uint64_t count) {
+  std::optional<CellSize> runCell(const FaceRange& range) {
     context_.checkCancelled();
     const auto fits = [this](const CellSize& size) { return needed(size) <= options_.memory; };
     std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr);
@@ -158,12 +160,12 @@ class TileRun {
       ranges_.push_back(range);
     }
     returnFreedMemory();
-    context_.progress(static_cast<double>(range.last) / static_cast<double>(count));
     return found;
   }
 
   // Regions hang together over borders: what each tile knows of its own is put together, and then each is read again.
   void dropSmallRegions(double minimum) {
+    context_.beginStep(kTileRunSteps - 1, "areas");
     RegionSums sums(grid_);
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
       const Tile tile = store_.read(i);

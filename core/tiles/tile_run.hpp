@@ -12,6 +12,9 @@
 
 namespace footfall::detail {
 
+/// Of so many steps of progress each cell begins that one up to which the triangles before it are.
+inline constexpr std::size_t kTileRunSteps = 1000;
+
 struct TileRunOptions {
   std::uint64_t memory = 0;         ///< bytes that the process may hold at once
   std::uint64_t mostFaces = ~0ULL;  ///< of the environment, that a cell has for itself; tests make it small
