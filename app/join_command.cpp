@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
@@ -17,7 +18,7 @@ using namespace detail;
 namespace {
 
 struct JoinOptions {
-  std::string folder;
+  std::vector<std::string> folders;
   ExportCommandOptions exported;
   int threads = 0;
   bool quiet = false;
@@ -39,9 +40,13 @@ void join(JoinOptions& options) {
   CommandSession session(options.threads, options.quiet);
   RunContext& context = session.context();
   session.begin("joining");
-  const JoinedTiles joined = onThreads(options.threads, [&](int) { return joinTiles(options.folder, context); });
-  protectTiles(targets, options.folder, joined.set);
-  const Pipeline pipeline = parsePipeline(joined.set.pipeline, options.folder);
+  const JoinedTiles joined = onThreads(options.threads, [&](int) { return joinTiles(options.folders, context); });
+  std::size_t tiles = 0;
+  for (std::size_t i = 0; i < joined.sets.size(); ++i) {
+    protectTiles(targets, options.folders[i], joined.sets[i]);
+    tiles += joined.sets[i].tiles.size();
+  }
+  const Pipeline pipeline = parsePipeline(joined.sets.front().pipeline, options.folders.front());
   session.begin("exporting");
   const double error = writeExport(options.exported, *joined.mesh, pipeline, targets, context);
   session.end();
@@ -49,7 +54,7 @@ void join(JoinOptions& options) {
   printLosses(*joined.mesh, options.exported, error);
   print(options.exported.output + ": " +
         countedText(joined.mesh->triangles.size(), Pattern{"1 triangle"}, Pattern{"%1 triangles"}).str() + " of " +
-        countedText(joined.set.tiles.size(), Pattern{"1 tile"}, Pattern{"%1 tiles"}).str() + '\n');
+        countedText(tiles, Pattern{"1 tile"}, Pattern{"%1 tiles"}).str() + '\n');
 }
 
 }  // namespace
@@ -57,7 +62,10 @@ void join(JoinOptions& options) {
 void addJoinCommand(CLI::App& app) {
   const auto options = std::make_shared<JoinOptions>();
   CLI::App& command = *app.add_subcommand("join", "Make one file of the tiles that `footfall run --memory` wrote");
-  command.add_option("FOLDER", options->folder, "The folder with the tiles and their index")->required();
+  command
+      .add_option("FOLDER", options->folders,
+                  "The folder with the tiles and their index; of a run in slices, all folders")
+      ->required();
   options->exported.addTo(command)->required();
   addThreads(command, options->threads);
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");

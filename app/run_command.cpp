@@ -31,6 +31,7 @@ struct RunOptions {
   int threads = 0;
   ExportCommandOptions exported;
   std::uint64_t memory = 0;  ///< bytes that may be held at once; 0: as many as it takes
+  std::string slice;         ///< "K/N", or empty
   std::string statistics, trace, report;
   bool speedUp = false;
   bool quiet = false;
@@ -127,13 +128,19 @@ void addMemory(CLI::App& command, RunOptions& options) {
                       "AreaFilter may follow")
           ->transform(CLI::AsSizeValue(false))
           ->type_name("BYTES");
+  command
+      .add_option("--slice", options.slice,
+                  "With --memory: run the K-th of N slices alone, as jobs of a queue do; `footfall join` takes the "
+                  "folders of all of them")
+      ->needs(memory)
+      ->type_name("K/N");
   for (const std::string& name : ExportCommandOptions::names()) memory->excludes(command.get_option(name));
   for (const char* name : {"--trace", "--report", "--speed-up"}) memory->excludes(command.get_option(name));
 }
 
 void runWithin(const RunOptions& options) {
   runIntoFolder({options.environment, options.pipeline, options.exported.output, options.statistics, options.memory,
-                 options.threads, options.quiet});
+                 options.slice, options.threads, options.quiet});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "app/tile_command.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -102,6 +103,19 @@ Pipeline givenPipeline(const PipelineOptions& options) {
   return std::move(*pipeline);
 }
 
+/// "2/8".
+TileSlice sliceFrom(const std::string& text) {
+  TileSlice slice;
+  if (text.empty()) return slice;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, slice.number);
+  const bool isDivided = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+  const auto count = isDivided ? std::from_chars(number.ptr + 1, end, slice.count) : number;
+  if (!isDivided || count.ec != std::errc() || count.ptr != end || slice.number < 1 || slice.number > slice.count)
+    throw InputError("--slice: \"" + text + "\" is no slice; give K/N, such as 1/8 for the first of eight");
+  return slice;
+}
+
 void checkOptions(const TileCommandOptions& options) {
   const EnvironmentOptions& environment = options.environment;
   if (!environment.ignored.empty() || !environment.obstacleOnly.empty() || !environment.asUsual.empty())
@@ -144,6 +158,9 @@ std::string summaryOf(const TileCommandOptions& options, const TileRunResult& re
 
 void runIntoFolder(const TileCommandOptions& options) {
   checkOptions(options);
+  TileRunOptions bounds;
+  bounds.memory = options.memory;
+  bounds.slice = sliceFrom(options.slice);
   const Pipeline pipeline = givenPipeline(options.pipeline);
   stepsOfCells(pipeline);
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
@@ -159,14 +176,18 @@ void runIntoFolder(const TileCommandOptions& options) {
                                         isPacked ? options.environment.import() : ImportOptions{});
     if (!options.quiet)
       for (const Text& note : environment.head().notes) std::cerr << "footfall: note: " << note.str() << '\n';
-    session.begin("running in cells");
-    TileRunResult made = runIntoTiles(environment, pipeline, options.folder, {options.memory}, session.context());
+    session.begin("running in cells", kTileRunSteps);
+    TileRunResult made = runIntoTiles(environment, pipeline, options.folder, bounds, session.context());
     session.end();
     return made;
   });
   folder.keep();
   if (!options.statistics.empty()) writeFileSafely(options.statistics, formatTileStatistics(options, result));
-  if (!options.quiet) print(summaryOf(options, result));
+  if (options.quiet) return;
+  if (peakRssBytes() > options.memory)
+    std::cerr << "footfall: note: the run held more than --memory: floors that many obstacles cut take more than they "
+                 "usually do; give less\n";
+  print(summaryOf(options, result));
 }
 
 }  // namespace footfall::app

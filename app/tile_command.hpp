@@ -15,6 +15,7 @@ struct TileCommandOptions {
   std::string folder;        ///< to be made, or empty
   std::string statistics;    ///< a file, or empty
   std::uint64_t memory = 0;  ///< bytes
+  std::string slice;         ///< "K/N", or empty: all
   int threads = 0;
   bool quiet = false;
 };

@@ -1647,6 +1647,70 @@
         <source>no process has begun within %1 s; run again, or run on this program alone</source>
         <translation>innerhalb von %1 s hat kein Prozess begonnen; erneut berechnen oder mit diesem Programm allein</translation>
     </message>
+    <message>
+        <source>%1: %2 joins vertices across cells when its distance is above 0 and cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 fasst mit einem Abstand über 0 Ecken über Zellen hinweg zusammen und kann keine Speichergrenze einhalten; lassen Sie ihn weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>%1: %2 moves vertices that cells share and cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 bewegt Ecken, die Zellen gemeinsam haben, und kann keine Speichergrenze einhalten; lassen Sie ihn weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>%1: %2 sees across cells and cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 sieht über Zellen hinaus und kann keine Speichergrenze einhalten; lassen Sie ihn weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>%1: %2 stands behind an AreaFilter, which needs all cells; put it before that, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 steht hinter einem AreaFilter, der alle Zellen braucht; setzen Sie ihn davor, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>the tiles have more than %1 triangles together, which is more than one file can have; use them one by one</source>
+        <translation>die Kacheln haben zusammen mehr als %1 Dreiecke, mehr als eine Datei haben kann; verwenden Sie sie einzeln</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are tiles of different environments, pipelines or slices; give folders of one run</source>
+        <translation>%1 und %2 sind Kacheln verschiedener Umgebungen, Pipelines oder Teile; geben Sie Ordner eines Laufs an</translation>
+    </message>
+    <message>
+        <source>%1 is slice %2 of %3, and the folders given are not all of them, each once; give all</source>
+        <translation>%1 ist Teil %2 von %3, und die angegebenen Ordner sind nicht alle Teile, jeder einmal; geben Sie alle an</translation>
+    </message>
+    <message>
+        <source>%1: its file says that some parts are no floors, which a run within a bound of memory cannot regard; run without the bound, with all of the environment in memory</source>
+        <translation>%1: Laut der Datei sind manche Teile keine Böden, was ein Lauf mit Speichergrenze nicht berücksichtigen kann; rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>AreaFilter sees over the borders of slices; leave it out, or run all slices at once</source>
+        <translation>AreaFilter sieht über die Grenzen von Teilen hinaus; lassen Sie ihn weg, oder rechnen Sie alle Teile auf einmal</translation>
+    </message>
+    <message>
+        <source>%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 Speicher sind zu wenig; geben Sie mindestens %3 an, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>run `footfall run --memory` again</source>
+        <translation>rechnen Sie noch einmal mit `footfall run --memory`</translation>
+    </message>
+    <message>
+        <source>is no folder of tiles</source>
+        <translation>ist kein Ordner mit Kacheln</translation>
+    </message>
+    <message>
+        <source>give the one that `footfall run --memory` wrote</source>
+        <translation>geben Sie den an, den `footfall run --memory` geschrieben hat</translation>
+    </message>
+    <message>
+        <source>has no index.json: it is no folder of tiles, or the run did not end</source>
+        <translation>hat keine index.json: Es ist kein Ordner mit Kacheln, oder der Lauf kam nicht zum Ende</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is damaged, or of another run than the index</source>
+        <translation>ist beschädigt oder von einem anderen Lauf als das Verzeichnis</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>

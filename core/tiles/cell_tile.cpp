@@ -27,11 +27,18 @@ bool isOfCells(const PipelineStep& step) {
   }
 }
 
-Pattern reasonOf(const FilterDescriptor& filter) {
+Pattern problemOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Duplication)
-    return Pattern{"joins vertices across cells when its distance is above 0"};
-  if (filter.type == FilterType::Rounding) return Pattern{"moves vertices that cells share"};
-  return Pattern{"sees across cells"};
+    return FOOTFALL_TEXT(
+        "%1: %2 joins vertices across cells when its distance is above 0 and cannot keep to a bound of "
+        "memory; leave it out, or run without the bound, with all of the environment in memory");
+  if (filter.type == FilterType::Rounding)
+    return FOOTFALL_TEXT(
+        "%1: %2 moves vertices that cells share and cannot keep to a bound of memory; leave it out, or "
+        "run without the bound, with all of the environment in memory");
+  return FOOTFALL_TEXT(
+      "%1: %2 sees across cells and cannot keep to a bound of memory; leave it out, or run without the "
+      "bound, with all of the environment in memory");
 }
 
 /// For each face of the source mesh whether its kind is at least `least`.
@@ -83,6 +90,7 @@ class TileMaker {
     std::vector<Index> numbers(mesh_.vertices.size(), -1), used;
     Index face = -1;
     for (MeshTriangle triangle : mesh_.triangles) {
+      if (++polled_ % 65536 == 0) context.checkCancelled();
       if (isOwn[triangle.face] == 0) continue;
       if (triangle.face != std::exchange(face, triangle.face)) addFace(face);
       ++tile_.faces.back().triangles;
@@ -134,6 +142,7 @@ class TileMaker {
   const WalkableMesh& mesh_;
   const std::vector<std::uint32_t>& numbers_;
   Tile tile_;
+  std::size_t polled_ = 0;
 };
 
 }  // namespace
@@ -143,18 +152,16 @@ CellSteps stepsOfCells(const Pipeline& pipeline) {
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled || step.filter->kind != FilterKind::Filter) continue;
-    const auto fail = [&](Pattern reason, Pattern todo) {
-      throw InputError(Pattern{"%1: %2 %3 and cannot keep to a bound of memory; %4, or run without the bound, with all "
-                               "of the environment in memory"},
-                       placeOfStep(pipeline, i), step.filter->name, reason, todo);
-    };
+    const auto fail = [&](Pattern problem) { throw InputError(problem, placeOfStep(pipeline, i), step.filter->name); };
     if (step.filter->type == FilterType::Area) {
       steps.minimumArea = std::max(steps.minimumArea.value_or(0), step.values[0]);
       continue;
     }
-    if (!isOfCells(step)) fail(reasonOf(*step.filter), Pattern{"leave it out"});
+    if (!isOfCells(step)) fail(problemOf(*step.filter));
     if (steps.minimumArea)
-      fail(Pattern{"stands behind an AreaFilter, which needs all cells,"}, Pattern{"put it before"});
+      fail(
+          FOOTFALL_TEXT("%1: %2 stands behind an AreaFilter, which needs all cells; put it before that, or run without "
+                        "the bound, with all of the environment in memory"));
     steps.local.push_back(step);
   }
   return steps;

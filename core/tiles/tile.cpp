@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kMagic{"FFTILE\r\n", 8};
 constexpr std::size_t kLeastFace = 74, kLeastTriangle = 4, kLeastVertex = 25, kLeastBorder = 3;
+constexpr std::size_t kPolled = 1 << 15;
 
 void encode(const Vec3& place, ByteWriter& out) {
   for (const double x : {place.x, place.y, place.z}) out.real(x);
@@ -25,21 +26,25 @@ Vec3 decodePlace(ByteReader& in) {
   return place;
 }
 
-std::string encodeContent(const Tile& tile) {
+std::string encodeContent(const Tile& tile, const Poll& poll) {
+  std::size_t polled = 0;
   ByteWriter out;
   out.number(tile.faces.size());
   for (const TileFace& face : tile.faces) {
+    if (++polled % kPolled == 0) poll();
     out.number(face.source);
     out.number(face.triangles);
     for (const Vec3& corner : face.corners) encode(corner, out);
   }
   out.number(tile.places.size());
   for (std::size_t v = 0; v < tile.places.size(); ++v) {
+    if (++polled % kPolled == 0) poll();
     encode(tile.places[v], out);
     out.bytes.push_back(static_cast<char>(tile.exact[v]));
   }
   out.number(tile.triangles.size());
   for (const MeshTriangle& triangle : tile.triangles) {
+    if (++polled % kPolled == 0) poll();
     for (const Index corner : triangle.corners) out.number(static_cast<std::uint64_t>(corner));
     out.number(triangle.obstacleEdges);
   }
@@ -59,9 +64,11 @@ std::uint32_t decodeNumber(ByteReader& in) {
   return static_cast<std::uint32_t>(number);
 }
 
-void decodeFaces(ByteReader& in, Tile& tile) {
+void decodeFaces(ByteReader& in, Tile& tile, const Poll& poll) {
+  std::size_t polled = 0;
   tile.faces.resize(in.count(kLeastFace));
   for (TileFace& face : tile.faces) {
+    if (++polled % kPolled == 0) poll();
     face.source = decodeNumber(in);
     face.triangles = decodeNumber(in);
     for (Vec3& corner : face.corners) corner = decodePlace(in);
@@ -69,17 +76,20 @@ void decodeFaces(ByteReader& in, Tile& tile) {
   tile.places.resize(in.count(kLeastVertex));
   tile.exact.resize(tile.places.size());
   for (std::size_t v = 0; v < tile.places.size(); ++v) {
+    if (++polled % kPolled == 0) poll();
     tile.places[v] = decodePlace(in);
     tile.exact[v] = static_cast<char>(in.below(2));
   }
 }
 
-void decodeTriangles(ByteReader& in, Tile& tile) {
+void decodeTriangles(ByteReader& in, Tile& tile, const Poll& poll) {
+  std::size_t polled = 0;
   const auto vertices = static_cast<std::int64_t>(tile.places.size());
   tile.triangles.resize(in.count(kLeastTriangle));
   std::size_t face = 0;
   std::uint64_t ofFace = 0;
   for (MeshTriangle& triangle : tile.triangles) {
+    if (++polled % kPolled == 0) poll();
     while (face < tile.faces.size() && ofFace == tile.faces[face].triangles) ++face, ofFace = 0;
     if (face == tile.faces.size()) throw BadBytes("is damaged");
     ++ofFace;
@@ -102,8 +112,8 @@ void decodeTriangles(ByteReader& in, Tile& tile) {
 
 }  // namespace
 
-std::string encodeTile(const Tile& tile) {
-  const std::string content = encodeContent(tile);
+std::string encodeTile(const Tile& tile, const Poll& poll) {
+  const std::string content = encodeContent(tile, poll);
   ByteWriter out;
   out.bytes.reserve(content.size() + 64);
   out.bytes = kMagic;
@@ -114,7 +124,7 @@ std::string encodeTile(const Tile& tile) {
   return std::move(out.bytes);
 }
 
-Tile decodeTile(std::string_view bytes) {
+Tile decodeTile(std::string_view bytes, const Poll& poll) {
   if (bytes.substr(0, kMagic.size()) != kMagic) throw BadBytes("is no tile");
   ByteReader head(bytes.substr(kMagic.size()));
   std::string_view content;
@@ -132,8 +142,8 @@ Tile decodeTile(std::string_view bytes) {
   Tile tile;
   try {
     ByteReader in(content);
-    decodeFaces(in, tile);
-    decodeTriangles(in, tile);
+    decodeFaces(in, tile, poll);
+    decodeTriangles(in, tile, poll);
   } catch (const BadBytes&) {
     throw BadBytes("is damaged");
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/poll.hpp"
 #include "core/mesh/walkable_mesh.hpp"
 
 namespace footfall::detail {
@@ -43,10 +44,10 @@ struct Tile {
   std::vector<TileBorder> borders;      ///< ascending by vertex
 };
 
-/// The bytes of a tile's file, with a check sum.
-std::string encodeTile(const Tile& tile);
+/// The bytes of a tile's file, with a check sum. `poll` is called now and then and may throw to cancel.
+std::string encodeTile(const Tile& tile, const Poll& poll = {});
 /// Throws BadBytes: no tile, of another version, cut off, damaged or out of range. The message is the end of a sentence
 /// that begins with the file's name.
-Tile decodeTile(std::string_view bytes);
+Tile decodeTile(std::string_view bytes, const Poll& poll = {});
 
 }  // namespace footfall::detail

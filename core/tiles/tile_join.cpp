@@ -34,14 +34,14 @@ bool comesBefore(const AddedFace& a, const AddedFace& b) {
 
 struct TileJoiner::State {
  public:
-  void add(const Tile& tile) {
+  void add(const Tile& tile, const Poll& poll) {
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 3;
     if (tile.triangles.size() > kMost - triangles_.size())
       throw RunError(
-          Pattern{"the tiles have more than %1 triangles together, which is more than one file can have; use "
-                  "them one by one"},
+          FOOTFALL_TEXT("the tiles have more than %1 triangles together, which is more than one file can have; use "
+                        "them one by one"),
           kMost);
-    const std::vector<Index> numbers = numberVertices(tile);
+    const std::vector<Index> numbers = numberVertices(tile, poll);
     std::size_t first = triangles_.size();
     for (const TileFace& face : tile.faces) {
       faces_.push_back({face, first});
@@ -83,10 +83,11 @@ struct TileJoiner::State {
   }
 
  private:
-  std::vector<Index> numberVertices(const Tile& tile) {
+  std::vector<Index> numberVertices(const Tile& tile, const Poll& poll) {
     std::vector<Index> numbers(tile.places.size());
     auto border = tile.borders.begin();
     for (std::size_t v = 0; v < numbers.size(); ++v) {
+      if (v % 32768 == 0) poll();
       const auto next = static_cast<Index>(places_.size());
       numbers[v] = next;
       if (border != tile.borders.end() && static_cast<std::size_t>(border->vertex) == v) {
@@ -110,7 +111,7 @@ struct TileJoiner::State {
 TileJoiner::TileJoiner() : state_(std::make_unique<State>()) {}
 TileJoiner::~TileJoiner() = default;
 
-void TileJoiner::add(const Tile& tile) { state_->add(tile); }
+void TileJoiner::add(const Tile& tile, const Poll& poll) { state_->add(tile, poll); }
 
 std::shared_ptr<NavigationMesh> TileJoiner::join(RunContext& context) {
   const PlacedMesh mesh = state_->joined(context);
@@ -118,16 +119,48 @@ std::shared_ptr<NavigationMesh> TileJoiner::join(RunContext& context) {
   return makeNavigationMesh(mesh, context);
 }
 
-JoinedTiles joinTiles(const std::string& folder, RunContext& context) {
-  JoinedTiles joined{readTileIndex(folder, &context), nullptr};
-  TileJoiner joiner;
-  for (std::size_t i = 0; i < joined.set.tiles.size(); ++i) {
-    context.checkCancelled();
-    joiner.add(readTile(folder, joined.set.tiles[i], &context));
-    context.progress(0.5 * static_cast<double>(i + 1) / static_cast<double>(joined.set.tiles.size()));
+namespace {
+
+// Each slice once, all of one environment and pipeline.
+void checkSlices(std::span<const std::string> folders, const std::vector<TileSet>& sets) {
+  const TileSet& first = sets.front();
+  std::vector<char> isThere(sets.size(), 0);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const TileSet& set = sets[i];
+    if (set.environment != first.environment || set.pipeline != first.pipeline ||
+        set.slice.count != first.slice.count || set.frame.up != first.frame.up ||
+        set.frame.metresPerUnit != first.frame.metresPerUnit)
+      throw InputError(
+          FOOTFALL_TEXT("%1 and %2 are tiles of different environments, pipelines or slices; give folders of one "
+                        "run"),
+          folders.front(), folders[i]);
+    if (set.slice.number > sets.size() || std::exchange(isThere[set.slice.number - 1], 1) != 0 ||
+        set.slice.count != sets.size())
+      throw InputError(
+          FOOTFALL_TEXT("%1 is slice %2 of %3, and the folders given are not all of them, each once; give all"),
+          folders[i], set.slice.number, set.slice.count);
   }
+}
+
+}  // namespace
+
+JoinedTiles joinTiles(std::span<const std::string> folders, RunContext& context) {
+  JoinedTiles joined;
+  std::size_t tiles = 0, added = 0;
+  for (const std::string& folder : folders) {
+    joined.sets.push_back(readTileIndex(folder, &context));
+    tiles += joined.sets.back().tiles.size();
+  }
+  checkSlices(folders, joined.sets);
+  TileJoiner joiner;
+  for (std::size_t i = 0; i < folders.size(); ++i)
+    for (const TileEntry& entry : joined.sets[i].tiles) {
+      context.checkCancelled();
+      joiner.add(readTile(folders[i], entry, &context), context);
+      context.progress(0.5 * static_cast<double>(++added) / static_cast<double>(tiles));
+    }
   const std::shared_ptr<NavigationMesh> mesh = joiner.join(context);
-  mesh->frame = joined.set.frame;
+  mesh->frame = joined.sets.front().frame;
   joined.mesh = mesh;
   return joined;
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/tiles/tile_set.hpp"
 #include "footfall/navigation_mesh.hpp"
@@ -19,8 +21,9 @@ class TileJoiner {
   TileJoiner(const TileJoiner&) = delete;
   TileJoiner& operator=(const TileJoiner&) = delete;
 
-  /// Throws RunError where there are more triangles than numbers.
-  void add(const Tile& tile);
+  /// Throws RunError where there are more triangles than numbers. `poll` is called now and then and may throw to
+  /// cancel.
+  void add(const Tile& tile, const Poll& poll = {});
   /// The mesh that a run with all of the environment in memory has, to the last bit; the frame is left empty. To be
   /// called once.
   std::shared_ptr<NavigationMesh> join(RunContext& context);
@@ -31,12 +34,13 @@ class TileJoiner {
 };
 
 struct JoinedTiles {
-  TileSet set;
+  std::vector<TileSet> sets;  ///< of each folder
   std::shared_ptr<const NavigationMesh> mesh;
 };
 
-/// Joins all tiles of a folder: holds the result, and nothing of the environment. Throws InputError as readTileIndex()
-/// and readTile() do, RunError as TileJoiner, and Cancelled.
-JoinedTiles joinTiles(const std::string& folder, RunContext& context);
+/// Joins all tiles of the folders, which are the slices of one environment: holds the result, and nothing of the
+/// environment. Throws InputError as readTileIndex() and readTile() do and where the folders are not all slices of one
+/// run, RunError as TileJoiner, and Cancelled.
+JoinedTiles joinTiles(std::span<const std::string> folders, RunContext& context);
 
 }  // namespace footfall::detail

@@ -43,8 +43,8 @@ void checkRoles(const Environment& head) {
   if (std::all_of(head.usualRoles.begin(), head.usualRoles.end(), [](PartRole r) { return r == PartRole::Floor; }))
     return;
   throw InputError(
-      Pattern{"%1: its file says that some parts are no floors, which a run within a bound of memory cannot "
-              "regard; run without the bound, with all of the environment in memory"},
+      FOOTFALL_TEXT("%1: its file says that some parts are no floors, which a run within a bound of memory cannot "
+                    "regard; run without the bound, with all of the environment in memory"),
       head.source);
 }
 
@@ -78,9 +78,14 @@ class TileRun {
         context_(context),
         collector_(environment, floorRuleOf(steps_.local)) {
     checkRoles(environment.head());
+    if (steps_.minimumArea && options.slice.count > 1)
+      throw InputError(
+          FOOTFALL_TEXT("AreaFilter sees over the borders of slices; leave it out, or run all slices at once"));
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
     if (options.memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(fixed_ + kMegabyte);
     result_.set.frame = environment.head().frame();
+    result_.set.environment = environment.tableSum();
+    result_.set.slice = options.slice;
     result_.set.pipeline = formatPipeline(pipeline);
     result_.set.triangles = environment.faceCount();
   }
@@ -88,11 +93,13 @@ class TileRun {
   TileRunResult run() {
     const Stopwatch watch;
     grid_ = gridOf(environment_, context_);
-    const std::uint64_t count = collector_.faceCount();
+    const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
     std::uint64_t size = std::min(options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor));
-    for (std::uint64_t first = 0; first < count;) {
+    for (std::uint64_t first = begin; first < count;) {
       const FaceRange range{first, std::min(first + size, count)};
-      if (const std::optional<CellSize> found = runCell(range, count)) {
+      context_.beginStep(kTileRunSteps * (first - begin) / (count - begin),
+                         "cell " + std::to_string(result_.cells + 1));
+      if (const std::optional<CellSize> found = runCell(range)) {
         first = range.last;
         size = nextSize(range.size(), *found);
         continue;
@@ -108,14 +115,21 @@ class TileRun {
   }
 
  private:
+  // Faces of the slices up to that one.
+  [[nodiscard]] std::uint64_t endOfSlice(std::uint64_t number) const {
+    const std::uint64_t faces = collector_.faceCount(), slices = options_.slice.count;
+    return faces / slices * number + faces % slices * number / slices;
+  }
+
   [[nodiscard]] std::uint64_t needed(const CellSize& size) const {
     return fixed_ + kOfFace * size.faces + kOfFloor * size.floors;
   }
 
   [[noreturn]] void failTooLittle(std::uint64_t least) const {
-    throw InputError(Pattern{"%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
-                             "the environment in memory"},
-                     environment_.head().source, inMegabytes(options_.memory), inMegabytes(least));
+    throw InputError(
+        FOOTFALL_TEXT("%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
+                      "the environment in memory"),
+        environment_.head().source, inMegabytes(options_.memory), inMegabytes(least));
   }
 
   // So many triangles as fill the memory if they have as much around them as those before; with some room, and never
@@ -129,7 +143,7 @@ class TileRun {
   }
 
   // What it held; empty when the cell does not fit.
-  std::optional<CellSize> runCell(const FaceRange& range, std::uint64_t count) {
+  std::optional<CellSize> runCell(const FaceRange& range) {
     context_.checkCancelled();
     const auto fits = [this](const CellSize& size) { return needed(size) <= options_.memory; };
     std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr);
@@ -146,12 +160,12 @@ class TileRun {
       ranges_.push_back(range);
     }
     returnFreedMemory();
-    context_.progress(static_cast<double>(range.last) / static_cast<double>(count));
     return found;
   }
 
   // Regions hang together over borders: what each tile knows of its own is put together, and then each is read again.
   void dropSmallRegions(double minimum) {
+    context_.beginStep(kTileRunSteps - 1, "areas");
     RegionSums sums(grid_);
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
       const Tile tile = store_.read(i);
@@ -192,12 +206,12 @@ class TileFolder : public TileStore {
   TileFolder(const std::string& folder, RunContext& context) : folder_(folder), context_(context), written_(folder) {}
 
   void add(const Tile& tile) override {
-    entries_.push_back(writeTile(folder_, entries_.size() + 1, tile));
+    entries_.push_back(writeTile(folder_, entries_.size() + 1, tile, context_));
     written_.add(entries_.back().file);
   }
   Tile read(std::size_t number) override { return readTile(folder_, entries_[number], &context_); }
   void replace(std::size_t number, const Tile& tile) override {
-    entries_[number] = writeTile(folder_, number + 1, tile);
+    entries_[number] = writeTile(folder_, number + 1, tile, context_);
   }
 
   /// Leaves the folder with its index.

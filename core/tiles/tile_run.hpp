@@ -12,9 +12,13 @@
 
 namespace footfall::detail {
 
+/// Of so many steps of progress each cell begins that one up to which the triangles before it are.
+inline constexpr std::size_t kTileRunSteps = 1000;
+
 struct TileRunOptions {
   std::uint64_t memory = 0;         ///< bytes that the process may hold at once
   std::uint64_t mostFaces = ~0ULL;  ///< of the environment, that a cell has for itself; tests make it small
+  TileSlice slice{};                ///< of the environment, to be run alone
 };
 
 struct TileRunResult {
@@ -50,9 +54,9 @@ TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pip
 /// what is known before they run; so the same environment, pipeline and options give the same bytes, whatever the
 /// threads.
 ///
-/// Throws InputError where a filter cannot keep to a bound of memory, where parts have roles, and where the bound is
-/// too little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what was written is
-/// removed.
+/// Throws InputError where a filter cannot keep to a bound of memory or see over slices, where parts have roles, and
+/// where the bound is too little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what
+/// was written is removed.
 TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
                            const TileRunOptions& options, RunContext& context);
 

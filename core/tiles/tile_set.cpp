@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/base/byte_stream.hpp"
-#include "core/io/export.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/output_files.hpp"
 #include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "footfall tiles";
-constexpr Pattern kRunAgain{"run `footfall run --memory` again"};
+constexpr Pattern kRunAgain = FOOTFALL_TEXT("run `footfall run --memory` again");
 
 std::string pathIn(const std::string& folder, const std::string& file) {
   return (std::filesystem::path(folder) / file).string();
@@ -49,6 +49,13 @@ Box boxAround(const std::vector<Vec3>& places) {
   return box;
 }
 
+Digest::Value sumOf(const Json& json) {
+  const std::string text = json.get<std::string>();
+  if (text.size() != 32 || text.find_first_not_of("0123456789abcdef") != std::string::npos)
+    throw BadBytes("is damaged");
+  return {std::stoull(text.substr(0, 16), nullptr, 16), std::stoull(text.substr(16), nullptr, 16)};
+}
+
 TileEntry entryOf(const Json& json) {
   TileEntry entry;
   entry.file = json.at("file").get<std::string>();
@@ -60,9 +67,7 @@ TileEntry entryOf(const Json& json) {
   entry.borders = json.at("borders").get<std::uint64_t>();
   entry.box.lower = json.at("box").at(0).get<std::array<double, 3>>();
   entry.box.upper = json.at("box").at(1).get<std::array<double, 3>>();
-  const std::string sum = json.at("sum").get<std::string>();
-  if (sum.size() != 32 || sum.find_first_not_of("0123456789abcdef") != std::string::npos) throw BadBytes("is damaged");
-  for (std::size_t i = 0; i < 2; ++i) entry.sum[i] = std::stoull(sum.substr(16 * i, 16), nullptr, 16);
+  entry.sum = sumOf(json.at("sum"));
   return entry;
 }
 
@@ -79,6 +84,9 @@ TileSet setOf(const std::string& text) {
   for (const Json& storey : json.at("storeys"))
     set.frame.storeys.push_back({storey.at("name").get<std::string>(), storey.at("height").get<double>()});
   set.pipeline = json.at("pipeline").get<std::string>();
+  set.environment = sumOf(json.at("environment"));
+  set.slice = {json.at("slice").at(0).get<std::uint32_t>(), json.at("slice").at(1).get<std::uint32_t>()};
+  if (set.slice.number < 1 || set.slice.number > set.slice.count) throw BadBytes("is damaged");
   set.triangles = json.at("triangles").get<std::uint64_t>();
   for (const Json& tile : json.at("tiles")) set.tiles.push_back(entryOf(tile));
   return set;
@@ -86,7 +94,7 @@ TileSet setOf(const std::string& text) {
 
 }  // namespace
 
-TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile) {
+TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile, const RunContext& context) {
   TileEntry entry;
   entry.file = "tile-" + padded(number, 10, 7) + '.' + std::string(kTileExtension);
   entry.faces = tile.faces.size();
@@ -94,9 +102,9 @@ TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& t
   entry.vertices = tile.places.size();
   entry.borders = tile.borders.size();
   entry.box = boxAround(tile.places);
-  const std::string bytes = encodeTile(tile);
-  entry.sum = Digest().add(bytes).value();
-  writeFileSafely(pathIn(folder, entry.file), bytes);
+  const std::array<OutputFile, 1> files{{{pathIn(folder, entry.file), encodeTile(tile, context)}}};
+  entry.sum = Digest().add(files[0].bytes).value();
+  writeFilesSafely(files, context);
   return entry;
 }
 
@@ -111,6 +119,8 @@ std::string formatTileIndex(const TileSet& set) {
   for (const Storey& storey : set.frame.storeys)
     json["storeys"].push_back({{"name", storey.name}, {"height", storey.height}});
   json["pipeline"] = set.pipeline;
+  json["environment"] = textOf(set.environment);
+  json["slice"] = {set.slice.number, set.slice.count};
   json["triangles"] = set.triangles;
   json["tiles"] = Json::array();
   for (const TileEntry& tile : set.tiles)
@@ -128,25 +138,27 @@ TileSet readTileIndex(const std::string& folder, RunContext* context) {
   const std::string path = pathIn(folder, kTileIndex);
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
-    failInput(folder, 0, Pattern{"is no folder of tiles"}, Pattern{"give the one that `footfall run --memory` wrote"});
+    failInput(folder, 0, FOOTFALL_TEXT("is no folder of tiles"),
+              FOOTFALL_TEXT("give the one that `footfall run --memory` wrote"));
   if (!std::filesystem::exists(path, ignored))
-    failInput(folder, 0, Pattern{"has no index.json: it is no folder of tiles, or the run did not end"}, kRunAgain);
+    failInput(folder, 0, FOOTFALL_TEXT("has no index.json: it is no folder of tiles, or the run did not end"),
+              kRunAgain);
   const std::string text = readInputFile(path, context);
   try {
     return setOf(text);
   } catch (const BadBytes& error) {
     failInput(path, 0, error.what(), kRunAgain);
   } catch (const nlohmann::json::exception&) {
-    failInput(path, 0, Pattern{"is damaged"}, kRunAgain);
+    failInput(path, 0, FOOTFALL_TEXT("is damaged"), kRunAgain);
   }
 }
 
 Tile readTile(const std::string& folder, const TileEntry& entry, RunContext* context) {
   const std::string path = pathIn(folder, entry.file), bytes = readInputFile(path, context);
   if (Digest().add(bytes).value() != entry.sum)
-    failInput(path, 0, Pattern{"is damaged, or of another run than the index"}, kRunAgain);
+    failInput(path, 0, FOOTFALL_TEXT("is damaged, or of another run than the index"), kRunAgain);
   try {
-    return decodeTile(bytes);
+    return decodeTile(bytes, Poll(context));
   } catch (const BadBytes& error) {
     failInput(path, 0, error.what(), kRunAgain);
   }

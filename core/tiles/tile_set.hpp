@@ -22,15 +22,22 @@ struct TileEntry {
   Digest::Value sum{};
 };
 
+/// Part `number`, from 1 on, of so many parts of an environment that are run by themselves.
+struct TileSlice {
+  std::uint32_t number = 1, count = 1;
+};
+
 struct TileSet {
   SourceFrame frame;
+  Digest::Value environment{};  ///< PackedEnvironment::tableSum()
+  TileSlice slice;
   std::string pipeline;         ///< formatPipeline()
   std::uint64_t triangles = 0;  ///< of the environment
   std::vector<TileEntry> tiles;
 };
 
-/// Writes a tile that has triangles under the name of its number, from 1 on. Throws RunError as writeFileSafely() does.
-TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile);
+/// Writes a tile under the name of its number, from 1 on. Throws what writeFilesSafely() throws, and Cancelled.
+TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile, const RunContext& context);
 
 /// JSON. The same set gives the same text.
 std::string formatTileIndex(const TileSet& set);

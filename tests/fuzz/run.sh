@@ -53,6 +53,7 @@ run_target import 1024
 run_target share 2048
 run_target packed 2048
 run_target streams 1024
+run_target tile 2048
 say "footfall-fuzz-pipeline"
 if [ "${seconds}" -eq 0 ]; then
   build/fuzz/tests/fuzz/footfall-fuzz-pipeline --cases 1 --seed "${seed}" --folder "${found}"

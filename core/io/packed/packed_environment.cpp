@@ -16,6 +16,7 @@
 #include "core/base/byte_stream.hpp"
 #include "core/base/digest.hpp"
 #include "core/base/parallel_ranges.hpp"
+#include "core/base/poll.hpp"
 #include "core/io/file_frame.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/packed/packed_description.hpp"
@@ -84,9 +85,9 @@ class FaceCollector {
     faces_.push_back(face);
   }
 
-  PackedFaces collected(bool hasParts) {
-    std::sort(faces_.begin(), faces_.end(), isBefore<Found>);
-    std::sort(places_.begin(), places_.end(), isBefore<Place>);
+  PackedFaces collected(bool hasParts, const Poll& poll) {
+    sort(faces_, poll);
+    sort(places_, poll);
     const auto isSame = [](const Place& a, const Place& b) { return a.number == b.number; };
     places_.erase(std::unique(places_.begin(), places_.end(), isSame), places_.end());
     PackedFaces result;
@@ -96,6 +97,7 @@ class FaceCollector {
       result.soup.vertices.push_back(place.place);
     }
     for (const Found& face : faces_) {
+      if (result.faceNumbers.size() % kPolled == 0) poll();
       Triangle& local = result.soup.triangles.emplace_back();
       for (std::size_t k = 0; k < 3; ++k)
         local[k] = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), face.corners[k]) -
@@ -115,9 +117,16 @@ class FaceCollector {
     std::uint32_t number;
     Vec3 place;
   };
+  static constexpr std::size_t kPolled = 1 << 16;
+
+  // There may be millions.
   template <class Item>
-  static bool isBefore(const Item& a, const Item& b) {
-    return a.number < b.number;
+  static void sort(std::vector<Item>& items, const Poll& poll) {
+    std::size_t compared = 0;
+    std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+      if (++compared % kPolled == 0) poll();
+      return a.number < b.number;
+    });
   }
 
   std::vector<Found> faces_;
@@ -332,7 +341,7 @@ PackedFaces PackedEnvironment::facesOf(std::span<const std::size_t> blocks,
     for (std::size_t f = 0; f < arrays.faces.size(); ++f)
       if (const BlockFace face = faceOf(arrays, number, f, head_.up); isWanted(face)) collector.add(arrays, face);
   }
-  return collector.collected(!head_.parts.empty());
+  return collector.collected(!head_.parts.empty(), Poll(context));
 }
 
 PackedFaces PackedEnvironment::facesTouching(const Box& box, RunContext* context) const {

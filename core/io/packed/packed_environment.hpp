@@ -61,6 +61,8 @@ class PackedEnvironment {
   [[nodiscard]] std::uint64_t vertexCount() const { return header_.vertices; }
   [[nodiscard]] std::uint64_t faceCount() const { return header_.faces; }
   [[nodiscard]] std::span<const PackedBlock> blocks() const { return blocks_; }
+  /// By which one knows the geometry again.
+  [[nodiscard]] const CheckSum& tableSum() const { return header_.tableSum; }
   /// Where a block lies, Z up.
   [[nodiscard]] Box boxOf(std::size_t block) const;
   /// How many blocks have been touched.

@@ -39,6 +39,7 @@ class TestTileCommands : public QObject {
  private slots:
   void everyFormatHasTheSameBytes();
   void theBoundIsKept();
+  void slicesAreJoined();
   void whatCannotBeIsRefused();
   void damagedTilesAreRefused();
 };
@@ -92,6 +93,39 @@ void TestTileCommands::theBoundIsKept() {
     if (whole > 0) QVERIFY2(whole > bound, "the bound is none for this city");
     whole = peak;
   }
+}
+
+void TestTileCommands::slicesAreJoined() {
+  const QTemporaryDir folder;
+  const QStringList local = kPipeline.first(4);  // without the area
+  const auto named = [&](const char* name) { return folder.filePath(name); };
+  for (const char* slice : {"1", "2", "3"})
+    QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "1G", "--slice", QString(slice) + "/3",
+                                    "--quiet", "-o", named(slice)} +
+                        local)
+                 .exitCode,
+             0);
+  QCOMPARE(
+      runProgram(QStringList{"run", sample("villa"), "--memory", "1G", "--quiet", "-o", named("all")} + local).exitCode,
+      0);
+  QCOMPARE(runProgram({"join", named("all"), "--quiet", "-o", named("all.obj")}).exitCode, 0);
+  QCOMPARE(runProgram({"join", named("3"), named("1"), named("2"), "--quiet", "-o", named("joined.obj")}).exitCode, 0);
+  QVERIFY(!contentOf(named("all.obj")).isEmpty());
+  QCOMPARE(contentOf(named("joined.obj")), contentOf(named("all.obj")));
+  const auto refused = [&](const QStringList& folders, const char* words) {
+    const Outcome outcome = runProgram(QStringList{"join"} + folders + QStringList{"-o", named("no.obj")});
+    return outcome.exitCode == 2 && outcome.err.contains(words) ? QByteArray() : outcome.err;
+  };
+  QCOMPARE(refused({named("1"), named("2")}, "is slice 1 of 3, and the folders given are not all"), QByteArray());
+  QCOMPARE(refused({named("1"), named("2"), named("2")}, "is slice 2 of 3"), QByteArray());
+  QCOMPARE(refused({named("1"), named("2"), named("all")}, "are tiles of different environments"), QByteArray());
+  const QStringList run{"run", sample("house"), "--memory", "1G", "-o", named("x"), "--slice"};
+  for (const char* wrong : {"0/3", "4/3", "x", "1/", "/2", "1/2x"}) {
+    const Outcome outcome = runProgram(run + QStringList{wrong} + local);
+    QVERIFY2(outcome.exitCode == 2 && outcome.err.contains("is no slice"), outcome.err);
+  }
+  const Outcome area = runProgram(run + QStringList{"1/2"} + kPipeline);
+  QVERIFY2(area.exitCode == 2 && area.err.contains("AreaFilter sees over the borders of slices"), area.err);
 }
 
 void TestTileCommands::whatCannotBeIsRefused() {

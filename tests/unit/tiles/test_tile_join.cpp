@@ -158,7 +158,7 @@ class TestTileJoin : public QObject {
 };
 
 void TestTileJoin::soups() {
-  QVERIFY(check("tiles of soups", 200, [] {
+  QVERIFY(check("tiles of soups", 120, [] {
     const auto environment = (*anySoup()).environment();
     if (environment->triangles.empty()) return;
     const TemporaryFolder folder;
@@ -318,7 +318,7 @@ void TestTileJoin::whatFailsLeavesNothing() {
   int left = 3;
   RunContext* running = nullptr;
   RunContext context([&](const RunEvent& event) {
-    if (event.kind == RunEvent::Kind::Progress && --left == 0) running->cancel();
+    if (event.kind == RunEvent::Kind::StepStarted && --left == 0) running->cancel();
   });
   running = &context;
   QVERIFY_EXCEPTION_THROWN(
