@@ -46,14 +46,17 @@ void BorderSplits::findBorders() {
   const auto isBorder = [&](std::span<const Index> sides) {
     return sides.size() <= 1 || isObstacle(mesh_.triangles, sides);
   };
+  std::vector<Index> edges;
   std::size_t count = 0;
-  for (Index e = 0; e < topology_->edgeCount(); ++e)
-    if (const auto sides = topology_->sidesOf(e); isBorder(sides)) count += sides.size();
-  borders_.reserve(count);
   for (Index e = 0; e < topology_->edgeCount(); ++e) {
     const auto sides = topology_->sidesOf(e);
     if (!isBorder(sides)) continue;
-    for (const Index side : sides)
+    edges.push_back(e);
+    count += sides.size();
+  }
+  borders_.reserve(count);
+  for (const Index e : edges) {
+    for (const Index side : topology_->sidesOf(e))
       borders_.push_back({side, e, corners.beginOf(side), corners.endOf(side), mesh_.triangles[side / 3].face});
   }
 }

@@ -61,6 +61,8 @@ class BorderSplits {
   /// Those strictly between two places of its line, in no particular order.
   [[nodiscard]] std::vector<MeshVertex> between(Index edge, const MeshVertex& a, const MeshVertex& b);
 
+  /// The border has the direction of its edge's first side, as the new vertices of the edge have.
+  [[nodiscard]] bool isForward(const MeshBorder& border) const;
   /// A border's vertices from its first to its last.
   [[nodiscard]] std::size_t chainLength(const MeshBorder& border) const { return of(border.edge).size() + 2; }
   [[nodiscard]] const MeshVertex& chainVertex(const MeshBorder& border, std::size_t i) const;
@@ -86,7 +88,6 @@ class BorderSplits {
   [[nodiscard]] int order(const Line& line, const MeshVertex& a, const MeshVertex& b) {
     return line.direction * geometry_->compare(a, b, line.axis);
   }
-  [[nodiscard]] bool isForward(const MeshBorder& border) const;
   [[nodiscard]] Index beginOf(Index side) const { return mesh_.triangles[side / 3].corners[side % 3]; }
 
   const WalkableState& state_;

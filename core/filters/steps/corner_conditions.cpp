@@ -9,7 +9,6 @@ namespace footfall::detail {
 namespace {
 
 constexpr double kSlack = GapConditions::kSlack;
-constexpr double kShort = GapConditions::kShort;
 /// Places may be off by kSlack / 2 along a frame, so by eight times that along a border, and ways as much longer.
 constexpr double kSpare = 16 * kSlack;
 /// The square of the cosine of half an angle of 60 degrees: borders at a larger one come together at a corner, or run

@@ -97,11 +97,19 @@ bool GapLinker::mayFace(const MeshBorder& e, const MeshBorder& f) const {
   return nearest <= gap + slack && farthest >= -slack && first <= length + gap + slack && last >= -gap - slack;
 }
 
-std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions& conditions) const {
+std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions& conditions, GapLines& lines) const {
   std::vector<GapStretch> found;
   const MeshBorder &e = splits_.border(first), &f = splits_.border(second);
   if (!mayFace(e, f)) return found;
-  const GapBorder line = computeLine(first), other = computeLine(second);
+  const auto lineOf = [&](Index number) {
+    const auto slot = static_cast<std::size_t>(number % GapLines::kCount);
+    if (lines.numbers[slot] != number) {
+      lines.lines[slot] = computeLine(number);
+      lines.numbers[slot] = number;
+    }
+    return lines.lines[slot];
+  };
+  const GapBorder line = lineOf(first), other = lineOf(second);
   for (GapPiece& free : conditions.find(line, other)) found.push_back({first, second, std::move(free), {}, false});
   return found;
 }
@@ -127,33 +135,28 @@ void GapLinker::add(std::vector<GapStretch> stretches) {
   std::move(stretches.begin(), stretches.end(), std::back_inserter(gaps_));
 }
 
-Vec3 GapLinker::chainPlace(const MeshBorder& border, std::size_t i) {
+GapLinker::Chain GapLinker::chainOf(Index number) {
+  static const std::vector<Vec3> kNone;
+  const MeshBorder& border = splits_.border(number);
   const std::vector<MeshVertex>& inside = splits_.of(border.edge);
-  const GapBorder& line = lineOf(static_cast<Index>(&border - splits_.borders().data()));
-  if (i == 0) return line.from;
-  if (i == inside.size() + 1) return line.to;
+  const GapBorder& line = lineOf(number);
+  if (inside.empty()) return {line, kNone};
   std::vector<Vec3>& places = places_[border.edge];
   if (places.size() != inside.size()) {
     places.clear();
     for (const MeshVertex& v : inside) places.push_back(placeOf(v));
   }
-  return places[&splits_.chainVertex(border, i) - inside.data()];
+  return {line, places, splits_.isForward(border)};
 }
 
-double GapLinker::alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i) {
-  const Vec3 place = chainPlace(border, i);
-  return frame.along(place.x, place.y);
-}
-
-GapLinker::ChainPart GapLinker::partOf(Index number, const GapFrame& frame, double low, double high) {
-  const MeshBorder& border = splits_.border(number);
-  const std::size_t count = splits_.chainLength(border);
-  const bool isAscending = alongOf(border, frame, 0) < alongOf(border, frame, count - 1);
+GapLinker::ChainPart GapLinker::partOf(const Chain& chain, const GapFrame& frame, double low, double high) {
+  const std::size_t count = chain.length();
+  const bool isAscending = chain.along(frame, 0) < chain.along(frame, count - 1);
   const auto firstWhere = [&](const auto& holds) {
     std::size_t begin = 0, end = count;
     while (begin < end) {
       const std::size_t middle = begin + (end - begin) / 2;
-      if (holds(alongOf(border, frame, middle)))
+      if (holds(chain.along(frame, middle)))
         end = middle;
       else
         begin = middle + 1;
@@ -167,24 +170,28 @@ GapLinker::ChainPart GapLinker::partOf(Index number, const GapFrame& frame, doub
           firstWhere([&](double along) { return along < low; })};
 }
 
-const MeshVertex* GapLinker::vertexAt(Index number, const GapFrame& frame, double along) {
-  const MeshBorder& border = splits_.border(number);
-  const ChainPart part = partOf(number, frame, along - kAcross, along + kAcross);
-  const MeshVertex* best = nullptr;
+std::optional<std::size_t> GapLinker::findAt(const Chain& chain, const GapFrame& frame, double along) {
+  const ChainPart part = partOf(chain, frame, along - kAcross, along + kAcross);
+  std::optional<std::size_t> best;
   double least = 0;
   for (std::size_t i = part.begin; i < part.end; ++i) {
-    const double distance = std::fabs(alongOf(border, frame, i) - along);
-    if (best != nullptr && distance >= least) continue;
-    best = &splits_.chainVertex(border, i);
+    const double distance = std::fabs(chain.along(frame, i) - along);
+    if (best && distance >= least) continue;
+    best = i;
     least = distance;
   }
   return best;
 }
 
-void GapLinker::planCut(GapStretch& stretch, Index number, double along, Cuts& cuts) {
+const MeshVertex* GapLinker::vertexAt(Index number, const GapFrame& frame, double along) {
+  const std::optional<std::size_t> found = findAt(chainOf(number), frame, along);
+  return found ? &splits_.chainVertex(splits_.border(number), *found) : nullptr;
+}
+
+void GapLinker::planCut(GapStretch& stretch, Index number, const Chain& chain, double along, Cuts& cuts) {
   const GapFrame& frame = stretch.piece.frame;
-  if (vertexAt(number, frame, along) != nullptr) return;
-  const GapBorder& line = lineOf(number);
+  if (findAt(chain, frame, along)) return;
+  const GapBorder& line = chain.line;
   const double begin = frame.along(line.from.x, line.from.y), end = frame.along(line.to.x, line.to.y);
   const double t = (along - begin) / (end - begin);
   const double across = frame.across(line.from.x, line.from.y) * (1 - t) + frame.across(line.to.x, line.to.y) * t;
@@ -209,17 +216,19 @@ void GapLinker::planCut(GapStretch& stretch, Index number, double along, Cuts& c
 void GapLinker::planCuts(Cuts& cuts) {
   for (GapStretch& stretch : gaps_) {
     context_.checkCancelled();
+    if (stretch.isDropped) continue;
     const auto [low, high] = stretch.piece.ends;
+    const std::array numbers{stretch.first, stretch.second};
+    const std::array chains{chainOf(stretch.first), chainOf(stretch.second)};
     for (const double end : {low, high})
-      for (const Index border : {stretch.first, stretch.second})
-        if (!stretch.isDropped) planCut(stretch, border, end, cuts);
-    for (const auto& [own, other] :
-         {std::array{stretch.first, stretch.second}, std::array{stretch.second, stretch.first}}) {
-      const MeshBorder& border = splits_.border(own);
+      for (const std::size_t k : {0, 1})
+        if (!stretch.isDropped) planCut(stretch, numbers[k], chains[k], end, cuts);
+    for (const std::size_t k : {0, 1}) {
+      const Chain& own = chains[k];
       const ChainPart part = partOf(own, stretch.piece.frame, low + kAcross, high - kAcross);
-      const std::size_t last = std::min(part.end, splits_.chainLength(border) - 1);
+      const std::size_t last = std::min(part.end, own.length() - 1);
       for (std::size_t i = std::max<std::size_t>(part.begin, 1); i < last && !stretch.isDropped; ++i)
-        planCut(stretch, other, alongOf(border, stretch.piece.frame, i), cuts);
+        planCut(stretch, numbers[1 - k], chains[1 - k], own.along(stretch.piece.frame, i), cuts);
     }
   }
 }
@@ -381,10 +390,12 @@ void GapLinker::addLinks(const GapStretch& stretch, std::vector<MeshLink>& links
   const auto placesOf = [&](Index number) {
     const MeshBorder& border = splits_.border(number);
     const GapPiece& piece = stretch.piece;
-    const ChainPart part = partOf(number, piece.frame, piece.ends[0] - kAcross, piece.ends[1] + kAcross);
+    const Chain chain = chainOf(number);
+    const ChainPart part = partOf(chain, piece.frame, piece.ends[0] - kAcross, piece.ends[1] + kAcross);
     std::vector<Place> places;
+    places.reserve(part.end - part.begin);
     for (std::size_t i = part.begin; i < part.end; ++i)
-      places.push_back({splits_.chainNumber(border, i), alongOf(border, piece.frame, i)});
+      places.push_back({splits_.chainNumber(border, i), chain.along(piece.frame, i)});
     return places;
   };
   const std::vector<Place> first = placesOf(stretch.first);

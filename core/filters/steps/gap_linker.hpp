@@ -22,6 +22,14 @@ struct GapStretch {
   bool isDropped = false;
 };
 
+/// Borders that were asked for last, one for each remainder; for one thread.
+struct GapLines {
+  static constexpr Index kCount = 64;
+  std::array<Index, kCount> numbers;
+  std::array<GapBorder, kCount> lines;
+  GapLines() { numbers.fill(-1); }
+};
+
 /// Splits the borders beside gaps so that a link is a pair of whole edges: the place across from a vertex is where a
 /// line at a right angle to the bisector of both borders meets the other one; such lines lead through places of the
 /// plan, which the kernel gets. What the cuts made of a gap is then proven: the area between its ends is free.
@@ -31,8 +39,8 @@ class GapLinker {
   GapLinker(BorderSplits& splits, double gap, RunContext& context);
 
   /// The free pieces between two borders that are not on one line in the plan, in their order. Changes nothing: may be
-  /// called by several threads, with conditions of their own.
-  std::vector<GapStretch> find(Index first, Index second, GapConditions& conditions) const;
+  /// called by several threads, with conditions and lines of their own.
+  std::vector<GapStretch> find(Index first, Index second, GapConditions& conditions, GapLines& lines) const;
   /// The same of a gap that was stepped over between two edges, and between what is left of their borders: the stretch
   /// along which all four lie. Nothing but obstacles is asked about, and they only where there are conditions.
   std::vector<GapStretch> findAgain(Index first, Index second, const std::array<GapBorder, 2>& edges,
@@ -82,13 +90,30 @@ class GapLinker {
   [[nodiscard]] GapBorder computeLine(Index border) const;
   /// Whether two borders may face each other near enough, by rounded vertices. False is certain.
   [[nodiscard]] bool mayFace(const MeshBorder& e, const MeshBorder& f) const;
-  [[nodiscard]] Vec3 chainPlace(const MeshBorder& border, std::size_t i);
-  [[nodiscard]] double alongOf(const MeshBorder& border, const GapFrame& frame, std::size_t i);
-  [[nodiscard]] ChainPart partOf(Index border, const GapFrame& frame, double low, double high);
+  /// A border's vertices, from its first one to its last, by their places; until an edge gets more of them.
+  struct Chain {
+    const GapBorder& line;
+    const std::vector<Vec3>& inside;
+    bool isForward = true;  ///< `inside` is in the border's direction
+    [[nodiscard]] std::size_t length() const { return inside.size() + 2; }
+    [[nodiscard]] const Vec3& place(std::size_t i) const {
+      if (i == 0) return line.from;
+      if (i == inside.size() + 1) return line.to;
+      return inside[isForward ? i - 1 : inside.size() - i];
+    }
+    [[nodiscard]] double along(const GapFrame& frame, std::size_t i) const {
+      const Vec3& p = place(i);
+      return frame.along(p.x, p.y);
+    }
+  };
+  [[nodiscard]] Chain chainOf(Index border);
+  [[nodiscard]] static ChainPart partOf(const Chain& chain, const GapFrame& frame, double low, double high);
+  /// The number of the vertex at a place along a frame; nothing when there is none.
+  [[nodiscard]] static std::optional<std::size_t> findAt(const Chain& chain, const GapFrame& frame, double along);
   /// The vertex of a border at a place along a frame; null when there is none.
   [[nodiscard]] const MeshVertex* vertexAt(Index border, const GapFrame& frame, double along);
   void planCuts(Cuts& cuts);
-  void planCut(GapStretch& stretch, Index border, double along, Cuts& cuts);
+  void planCut(GapStretch& stretch, Index border, const Chain& chain, double along, Cuts& cuts);
   void makeCuts(const std::vector<Cut>& cuts, const Spread& spread);
   /// Proves of all gaps what the cuts made of them; draws ends in. False when none was.
   bool proveAll();

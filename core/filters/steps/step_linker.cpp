@@ -35,6 +35,7 @@ StepLinker::Worker StepLinker::makeWorker(const Limits& limits, double gap) cons
   return {{kernel, splits_.mesh().vertices},
           {kernel, state_.removed, kernel.levelOf(limits.step).value(), kernel.levelOf(limits.height).value()},
           {kernel.mesh(), state_.removed, scaled(limits.step), scaled(limits.height), scaled(gap)},
+          {},
           {}};
 }
 
@@ -125,25 +126,39 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
   tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
     Worker& worker = workers.local();
     StepFindings& found = worker.found;
-    for (Index place = range.begin(); place != range.end(); ++place) {
-      context_.checkCancelled();
-      const Index i = splits_.tree().idAt(place);
-      if (isKnown(i)) continue;
+    const auto tryBoth = [&](Index i, Index other) {
+      if (!mayBeOpposite(i, other)) return;
+      const Index first = std::min(i, other), second = std::max(i, other);
+      const std::size_t undecided = worker.conditions.undecided();
+      const bool areOnOneLine = tryPair(first, second, worker);
+      found.undecided.insert(found.undecided.end(), worker.conditions.undecided() - undecided, {first, second});
+      if (gap > 0 && !areOnOneLine) append(found.gaps, gaps_->find(first, second, worker.gaps, worker.lines));
+    };
+    const auto queryFor = [&](Index i) {
       Bounds query = boundsOf(splits_.border(i));
       for (const int k : {0, 1, 2}) {
         query.lower[k] -= k < 2 ? scaledGap : scaledStep;
         query.upper[k] += k < 2 ? scaledGap : scaledStep;
       }
-      const auto visit = [&](Index other) {
+      return query;
+    };
+    std::vector<Bounds> row;
+    for (Index place = range.begin(); place < range.end() && areAllNew; place += BoxTree<3>::kRow) {
+      context_.checkCancelled();
+      row.clear();
+      for (Index k = place; k < std::min(place + BoxTree<3>::kRow, range.end()); ++k)
+        row.push_back(queryFor(splits_.tree().idAt(k)));
+      splits_.tree().visitOverlapping(place, row,
+                                      [&](Index own, Index other) { tryBoth(splits_.tree().idAt(own), other); });
+    }
+    for (Index place = range.begin(); place != range.end() && !areAllNew; ++place) {
+      context_.checkCancelled();
+      const Index i = splits_.tree().idAt(place);
+      if (isKnown(i)) continue;
+      splits_.tree().visitOverlapping(queryFor(i), [&](Index other) {
         // What is known does not look for others.
-        if (other == i || (!areAllNew && other < i && !isKnown(other)) || !mayBeOpposite(i, other)) return;
-        const Index first = std::min(i, other), second = std::max(i, other);
-        const std::size_t undecided = worker.conditions.undecided();
-        const bool areOnOneLine = tryPair(first, second, worker);
-        found.undecided.insert(found.undecided.end(), worker.conditions.undecided() - undecided, {first, second});
-        if (gap > 0 && !areOnOneLine) append(found.gaps, gaps_->find(first, second, worker.gaps));
-      };
-      splits_.tree().visitOverlapping(query, visit, areAllNew ? place + 1 : 0);
+        if (other != i && (other > i || isKnown(other))) tryBoth(i, other);
+      });
     }
   });
   StepFindings all = std::move(known_);

@@ -53,6 +53,7 @@ class StepLinker {
     MeshGeometry geometry;
     StepConditions conditions;
     GapConditions gaps;
+    GapLines lines;
     StepFindings found;
   };
 

@@ -67,6 +67,21 @@ class TestWhyCommand : public QObject {
     }
   }
 
+  void aGapBetweenCorners() {
+    write(path("corners.obj"),
+          "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4\n"
+          "v 4.03 4.03 0.125\nv 8 4.03 0.125\nv 8 8 0.125\nv 4.03 8 0.125\nf 5 6 7 8\n");
+    const auto why = [&](const QString& gap) {
+      return footfallWhy({path("corners.obj"), "--up", "z", "--filter", "VerticalClearanceFilter 2", "--filter",
+                          "StepFilter 0.25 " + gap, "--from", "1", "1", "0", "--to", "7", "7", "0.125"});
+    };
+    const Outcome linked = why("0.05"), apart = why("0.04");
+    QVERIFY2(linked.exitCode == 0 && apart.exitCode == 0, apart.err.constData());
+    QVERIFY2(linked.out.contains("a way leads from the start to the target"), linked.out.constData());
+    QVERIFY2(apart.out.contains("at 4 4 0: a gap of 0.042426 and a step of 0.125 up, 0.002426 too wide"),
+             apart.out.constData());
+  }
+
   void pipelineFile() {
     write(path("p.pipeline"), "SlopeFilter 45\nVerticalClearanceFilter 1\nAreaFilter 100\n");
     const Outcome outcome = footfallWhy({"--at", "1", "3", "0", "-p", path("p.pipeline"), path("z.obj"), "--up", "z"});

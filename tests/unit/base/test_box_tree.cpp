@@ -67,6 +67,42 @@ class TestBoxTree : public QObject {
         });
         for (Index o = 0; o < count; ++o) QVERIFY(seen[o] != 0 || !overlaps(boxes[i], boxes[o]));
       }
+      // In rows, wherever these begin: the same pairs, each once.
+      const auto findPairs = [&](Index begin, const auto& queries) {
+        std::vector<std::array<Index, 2>> pairs;
+        for (Index place = begin; place < count; place += Tree::kRow) {
+          std::vector<Tree::Bounds> row;
+          for (Index k = place; k < std::min(place + Tree::kRow, count); ++k) row.push_back(boxes[tree.idAt(k)]);
+          queries(place, row, pairs);
+        }
+        std::ranges::sort(pairs);
+        return pairs;
+      };
+      for (const Index begin : {0, 1, 3}) {
+        const auto inRows = findPairs(begin, [&](Index place, const auto& row, auto& pairs) {
+          tree.visitOverlapping(place, row, [&](Index own, Index o) { pairs.push_back({own, o}); });
+        });
+        const auto oneByOne = findPairs(begin, [&](Index place, const auto& row, auto& pairs) {
+          for (std::size_t k = 0; k < row.size(); ++k) {
+            const Index own = place + static_cast<Index>(k);
+            tree.visitOverlapping(
+                row[k],
+                [&](Index o) {
+                  pairs.push_back({own, o});
+                },
+                own + 1);
+          }
+        });
+        const auto isLater = [&](const std::array<Index, 2>& pair) {
+          for (Index k = 0; k <= pair[0]; ++k)
+            if (tree.idAt(k) == pair[1]) return false;
+          return true;
+        };
+        for (const auto& pair : inRows) QVERIFY(isLater(pair));
+        QVERIFY(std::ranges::adjacent_find(inRows) == inRows.end());
+        QVERIFY(std::ranges::includes(oneByOne, inRows));
+        for (const auto& pair : oneByOne) QVERIFY(std::ranges::binary_search(inRows, pair) || !isLater(pair));
+      }
     }
   }
 

@@ -76,7 +76,7 @@ Point3 nearestOn(const BorderEdge3& border, const Point3& p, const Rational& end
 bool isLevel(const BorderEdge3& edge) { return edge.from.z == edge.to.z; }
 
 struct Counts {
-  std::size_t linked = 0, expected = 0;
+  std::size_t linked = 0, expected = 0, decided = 0;
 };
 
 /// A run's mesh with exact places.
@@ -118,25 +118,39 @@ struct ExactBorders {
   }
 };
 
-/// Places of `a` from which the definition holds with a margin to spare to the nearest place of `b`, which is no less
-/// than `margin` away, at an angle that is listed: there, and a little before and behind.
+/// A place of `a` from which the definition holds with a margin to spare to the nearest place of `b`, which is no less
+/// than `margin` away, at an angle that is listed: there, and a little before and behind; and it holds back from `b`
+/// right beside that place: of a border of which a single point is linked, nothing is.
 bool holdsSomewhere(const Environment& environment, const BorderEdge3& a, const BorderEdge3& b, double step, double gap,
                     double margin) {
+  const auto lengthOf = [](const BorderEdge3& e) {
+    return std::hypot(Rational(e.to.x - e.from.x).get_d(), Rational(e.to.y - e.from.y).get_d());
+  };
   const double ax = Rational(a.to.x - a.from.x).get_d(), ay = Rational(a.to.y - a.from.y).get_d();
   const double bx = Rational(b.to.x - b.from.x).get_d(), by = Rational(b.to.y - b.from.y).get_d();
-  const double la = std::hypot(ax, ay), lb = std::hypot(bx, by);
+  const double la = lengthOf(a), lb = lengthOf(b);
   if (la < 100 * margin || lb < 100 * margin || ax * bx + ay * by > -0.126 * la * lb) return false;
-  const auto holdsAt = [&](double s) {
-    if (!(s >= 0 && s <= 1)) return false;
-    const Point3 p = placeOn(a, s), q = nearestOn(b, p);
+  const auto holdsAt = [&](const BorderEdge3& own, const BorderEdge3& other, const Rational& s) {
+    if (s < 0 || s > 1) return false;
+    const Point3 p = placeOn(own, s), q = nearestOn(other, p);
     const double x = Rational(q.x - p.x).get_d(), y = Rational(q.y - p.y).get_d(), width = std::hypot(x, y);
-    const bool isSteep = (x * ay - y * ax) < 0.13 * la * width || (x * -by + y * bx) < 0.13 * lb * width;
-    return width > margin && !isSteep &&
-           canStepOver(environment, a, b, p, q, step - margin, kHeight + margin, gap - margin);
+    const auto sineOf = [&](const BorderEdge3& e) {
+      return (x * Rational(e.to.y - e.from.y).get_d() - y * Rational(e.to.x - e.from.x).get_d()) /
+             (lengthOf(e) * width);
+    };
+    return width > margin && sineOf(own) > 0.13 && -sineOf(other) > 0.13 &&
+           canStepOver(environment, own, other, p, q, step - margin, kHeight + margin, gap - margin);
+  };
+  const auto holdsAround = [&](const BorderEdge3& own, const BorderEdge3& other, const Rational& s) {
+    const Rational beside(margin / lengthOf(own));
+    return holdsAt(own, other, s) && holdsAt(own, other, s + beside) && holdsAt(own, other, s - beside);
   };
   for (const double at : {0.5, 0.9, 0.1, 0.99, 0.01, 1 - 1e-3, 1e-3, 1 - 1e-4, 1e-4}) {
-    const double beside = margin / la;
-    if (holdsAt(at) && holdsAt(at + beside) && holdsAt(at - beside)) return true;
+    if (!holdsAround(a, b, Rational(at))) continue;
+    const Point3 q = nearestOn(b, placeOn(a, Rational(at)));
+    const double there = ((Rational(q.x - b.from.x).get_d()) * bx + Rational(q.y - b.from.y).get_d() * by) / (lb * lb);
+    for (const double beside : {2 * margin / lb, -2 * margin / lb})
+      if (holdsAround(b, a, Rational(there + beside))) return true;
   }
   return false;
 }
@@ -167,11 +181,15 @@ bool agrees(const std::shared_ptr<const Environment>& environment, double step, 
       }
     }
   }
-  if (margin == 0) return true;
+  // Where many borders are about as far from each other as the gap is wide, cuts bring forth others without an end, and
+  // what is not matched after some rounds is not linked: the filter says so.
+  const RunResult result = run(environment, gaps(step, gap), nullptr);
+  if (result.steps.back().note.str().find("undecided") != std::string::npos) return true;
+  ++counts.decided;
   for (std::size_t i = 0; i < exact.borders.size(); ++i)
     for (std::size_t j = i + 1; j < exact.borders.size(); ++j) {
       if (exact.parts[i] == exact.parts[j]) continue;
-      if (holdsSomewhere(*environment, exact.borders[i], exact.borders[j], step, gap, margin) &&
+      if (holdsSomewhere(*environment, exact.borders[i], exact.borders[j], step, gap, margin) ||
           holdsSomewhere(*environment, exact.borders[j], exact.borders[i], step, gap, margin))
         return fail("not connected", exact.borders[i].from, exact.borders[j].from);
     }
@@ -358,7 +376,7 @@ class TestGapCorners : public QObject {
       QVERIFY2(agrees(randomCorners(random).environment(), step, gap, 1e-6, counts), qPrintable(QString::number(i)));
     }
     qInfo("%zu links, %zu borders", counts.linked, counts.expected);
-    QVERIFY(counts.linked > 100);
+    QVERIFY(counts.linked > 100 && counts.decided > static_cast<std::size_t>(rounds(60)) / 2);
   }
 
   void farFromTheOrigin() {
