@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "footfall/environment.hpp"
-#include "tests/reference/border_distance.hpp"
+#include "tests/reference/bent_distance.hpp"
 
 namespace footfall::reference {
 
@@ -40,8 +40,8 @@ class RadiusPromise {
   RadiusPromise(const NavigationMesh& before, std::size_t floors, const NavigationMesh& after,
                 const RadiusDistances& distances);
 
-  /// Tells walls from ledges, which must be done where the distances differ.
-  void divide(const Environment& environment, double step, double height) { before_.divide(environment, step, height); }
+  /// Tells walls from ledges, which must be done where the distances differ. Then walks may bend.
+  void divide(const Environment& environment, double step, double height);
 
   [[nodiscard]] RadiusTally look(int places, std::mt19937& random) const;
 
@@ -60,6 +60,7 @@ class RadiusPromise {
   const NavigationMesh& mesh_;
   std::size_t floors_;
   BorderDistance before_, after_;
+  std::unique_ptr<BentDistance> bent_;  ///< to the kind that keeps more away, where the distances differ
   RadiusDistances asked_;
   double radius_;  ///< the larger one
   std::vector<double> sums_;

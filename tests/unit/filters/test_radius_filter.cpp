@@ -236,7 +236,7 @@ class TestRadiusFilter : public QObject {
       const Soup soup = i % 2 == 0 ? buildingOf(parts) : turned(buildingOf(parts));
       const std::string before = minimalPipeline(1.5) + "\n" + (i % 3 == 0 ? "StepFilter 0.5\n" : "");
       for (const Distances& distances : {Distances{0.3, 0}, Distances{0, 0.3}, Distances{0.75, 0.2},
-                                         Distances{0.2, 0.5, 0.1}, Distances{0.3, 0.3, 0.001}}) {
+                                         Distances{0.2, 0.5, 0.1}, Distances{0.3, 0.6}, Distances{0.3, 0.3, 0.001}}) {
         const Tally tally = checkPromise(soup.environment(i % 5 == 0), before, distances, 300, random);
         QVERIFY2(tally.wrong == 0, qPrintable(QString("building %1, %2, %3, %4")
                                                   .arg(i)
