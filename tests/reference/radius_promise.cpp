@@ -148,7 +148,7 @@ NavigationMesh bridged(const NavigationMesh& mesh) {
 }
 
 RadiusCase::RadiusCase(const std::shared_ptr<const Environment>& environment, const std::string& before,
-                       const RadiusDistances& distances) {
+                       const RadiusDistances& distances, MeasuredArea measured) {
   std::array<char, 200> filter{};
   std::snprintf(filter.data(), filter.size(), "\nRadiusFilter %.17g %.17g %.17g\n", distances.walls, distances.ledges,
                 distances.tolerance);
@@ -156,7 +156,8 @@ RadiusCase::RadiusCase(const std::shared_ptr<const Environment>& environment, co
   // Which of several gaps at one edge has the bridge is a matter of their order: then the area must be in the triangles
   // that the filter has it in.
   NavigationMesh floors = test::navigationMesh(state);
-  if (std::any_of(floors.links.begin(), floors.links.end(),
+  if (measured == MeasuredArea::Simplified ||
+      std::any_of(floors.links.begin(), floors.links.end(),
                   [](const StepLink& link) { return link.kind == StepKind::Gap; }))
     floors = test::navigationMesh(test::runFilters(state, "SimplificationFilter"));
   all_ = bridged(floors);
@@ -175,8 +176,8 @@ RadiusTally RadiusCase::look(int places, std::mt19937& random) const {
 }
 
 RadiusTally lookAtRadius(const std::shared_ptr<const Environment>& environment, const std::string& before,
-                         const RadiusDistances& distances, int places, std::mt19937& random) {
-  return RadiusCase(environment, before, distances).look(places, random);
+                         const RadiusDistances& distances, int places, std::mt19937& random, MeasuredArea measured) {
+  return RadiusCase(environment, before, distances, measured).look(places, random);
 }
 
 }  // namespace footfall::reference

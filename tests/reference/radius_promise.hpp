@@ -69,11 +69,15 @@ class RadiusPromise {
 /// A mesh with bridges over its gaps, behind its own triangles, and with no other links than steps.
 NavigationMesh bridged(const NavigationMesh& mesh);
 
+/// What the area is measured in. Where lines coincide but for roundings, the rounded products of the area as it is and
+/// of the simplified area that RadiusFilter begins with differ, in what is joined and by slivers.
+enum class MeasuredArea { AsGiven, Simplified };
+
 /// A pipeline's text with RadiusFilter behind it, against the same without.
 class RadiusCase {
  public:
   RadiusCase(const std::shared_ptr<const Environment>& environment, const std::string& before,
-             const RadiusDistances& distances);
+             const RadiusDistances& distances, MeasuredArea measured = MeasuredArea::AsGiven);
 
   /// A mesh that no product may be counts as wrong.
   [[nodiscard]] RadiusTally look(int places, std::mt19937& random) const;
@@ -86,6 +90,7 @@ class RadiusCase {
 
 /// The same at once.
 RadiusTally lookAtRadius(const std::shared_ptr<const Environment>& environment, const std::string& before,
-                         const RadiusDistances& distances, int places, std::mt19937& random);
+                         const RadiusDistances& distances, int places, std::mt19937& random,
+                         MeasuredArea measured = MeasuredArea::AsGiven);
 
 }  // namespace footfall::reference
