@@ -92,6 +92,20 @@ class TestRadiusShadows : public QObject {
     QVERIFY(left <= exact && left > exact - 0.02 * discs);
   }
 
+  // The upper edges of two slopes coincide but for roundings. The lower slope is no wall to the upper one: it ends
+  // there.
+  void whatEndsAtABorderIsNoWall() {
+    const Soup slopes =
+        Soup()
+            .triangle({-0.19999999999999973, 3.6000000000000005, 3}, {1.8000000000000007, 7.6, 4}, {-1.4, 5.2, 4})
+            .triangle({1.2000000000000004, 3.4, 1}, {2.6000000000000005, 8.2, 4}, {-0.59999999999999964, 5.8, 4});
+    std::mt19937 random(static_cast<unsigned>(seed()));
+    const RadiusTally tally =
+        reference::lookAtRadius(slopes.environment(), minimalPipeline(1.5), {0, 0.3}, rounds(2000), random);
+    QVERIFY(tally.near > 500 && tally.far > 200);
+    QCOMPARE(tally.wrong, std::size_t{0});
+  }
+
   void saysWhyRoundACorner() {
     const auto environment = Soup().floor(0, 0, 10, 10, 0).wall(3, 0.5, 7, 0.5, 0, 3).environment();
     RunContext context;
