@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace footfall::reference {
 namespace {
@@ -96,6 +97,20 @@ void BentDistance::findDistances(bool orDoubtful) {
       corners_[i].isDoubtful = corners_[i].isDoubtful || isDoubtful;
       if (least) offer(i, *least);
     }
+  // Along an edge of the border, which doubles may take for a walk into it.
+  for (const BorderDistance::Border& border : straight_.borders()) {
+    const auto& [begin, end, kind] = border.stretch;
+    if (kind != kind_ && !(orDoubtful && kind == BorderKind::Doubtful)) continue;
+    const Triangle& t = mesh_.triangles[border.triangle];
+    const Vec3 &a = mesh_.vertices[t[border.side]], &b = mesh_.vertices[t[(border.side + 1) % 3]];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    for (const auto& [place, share] : {std::pair{a, begin}, std::pair{b, 1 - end}})
+      for (const std::size_t i : cells_[cellOf(place.x, place.y)])
+        if (std::hypot(corners_[i].x - place.x, corners_[i].y - place.y) < 1e-9 &&
+            std::any_of(corners_[i].beside.begin(), corners_[i].beside.end(),
+                        [&](const SurfacePlace& p) { return p.triangle == border.triangle; }))
+          offer(i, share * length);
+  }
   while (!queue.empty()) {
     const auto [passed, corner] = *queue.begin();
     queue.erase(queue.begin());
