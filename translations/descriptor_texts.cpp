@@ -36,7 +36,7 @@
     QT_TRANSLATE_NOOP("Filter", "Gap"),
     QT_TRANSLATE_NOOP("Filter", "How wide a gap an agent steps over, seen from above. 0: borders must coincide."),
     QT_TRANSLATE_NOOP("Filter", "Radius"),
-    QT_TRANSLATE_NOOP("Filter", "Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the world. Distances are those of a straight walk, seen from above; steps are no border."),
+    QT_TRANSLATE_NOOP("Filter", "Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the world. Distances are those of the shortest walk, seen from above; steps are no border."),
     QT_TRANSLATE_NOOP("Filter", "No walkable place is nearer to a wall than the radius, or to a ledge than its own distance, and none that is farther than that by more than the tolerance is removed. Straight borders move by the distance, rounded outwards; round corners are polygons."),
     QT_TRANSLATE_NOOP("Filter", "How far an agent's middle stays away from walls: borders where something reaches higher than a step and not above its head. 0: walls keep nothing away."),
     QT_TRANSLATE_NOOP("Filter", "From ledges"),

@@ -2023,10 +2023,6 @@
         <translation>Radius</translation>
     </message>
     <message>
-        <source>Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the world. Distances are those of a straight walk, seen from above; steps are no border.</source>
-        <translation>Entfernt, was für einen Agenten mit einem Körper zu nah am Rand der begehbaren Fläche ist: an Wänden, an Kanten, von denen er fallen könnte, und an den Enden der Welt. Abstände sind die eines geraden Weges, von oben gesehen; Stufen sind kein Rand.</translation>
-    </message>
-    <message>
         <source>Reachable</source>
         <translation>Erreichbar</translation>
     </message>
@@ -2173,6 +2169,10 @@
     <message>
         <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, straight along the plan. Filters that follow keep links where they leave both borders; another StepFilter adds to them.</source>
         <translation>Jede Strecke, auf der zwei Ränder im Grundriss zusammenfallen, wird genau dort verbunden, wo sich ihre Höhen höchstens um die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der lichten Höhe über dem oberen liegt. Ränder, die einander über eine Lücke gegenüberliegen, werden verbunden, wo das für alle geraden Wege im Grundriss darüber bewiesen ist. Folgende Filter behalten Verbindungen, wo sie beide Ränder übrig lassen; ein weiterer StepFilter fügt welche hinzu.</translation>
+    </message>
+    <message>
+        <source>Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the world. Distances are those of the shortest walk, seen from above; steps are no border.</source>
+        <translation>Entfernt, was für einen Agenten mit einem Körper zu nah am Rand der begehbaren Fläche ist: an Wänden, an Kanten, von denen er fallen könnte, und an den Enden der Welt. Abstände sind die des kürzesten Weges, von oben gesehen; Stufen sind kein Rand.</translation>
     </message>
 </context>
 <context>

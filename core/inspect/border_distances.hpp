@@ -18,8 +18,8 @@ class BorderDistances {
   struct Nearest {
     std::optional<double> wall, ledge;  ///< environment units; empty where there is none
   };
-  /// The least lengths, in the plan, of straight walks from a place on a triangle of the mesh. `x` and `y` in the
-  /// environment's units.
+  /// The least lengths, in the plan, of straight walks from a place on a triangle of the mesh; walks that bend
+  /// (core/filters/radius/bent_margins.hpp) are not looked for. `x` and `y` in the environment's units.
   [[nodiscard]] Nearest at(Index triangle, double x, double y, RunContext& context) const;
 
   [[nodiscard]] const WalkableState& state() const { return state_; }

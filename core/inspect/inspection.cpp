@@ -91,12 +91,16 @@ BorderDistances::Nearest distancesAt(const InspectedRun& run, std::size_t number
   return distances->at(cover->triangle, follower.place().x().get_d(), follower.place().y().get_d(), context);
 }
 
-/// Too near a wall or a ledge; if neither, as the tolerance took more, what is nearer beside what is asked.
+/// Too near a wall or a ledge. If neither, the tolerance took more, and it is what is nearer beside what is asked; or
+/// the way there bends, as it does to what keeps more away.
 PlaceVerdict verdictOfRadius(const BorderDistances::Nearest& nearest, const std::vector<double>& values) {
   const double wall = nearest.wall.value_or(std::numeric_limits<double>::infinity());
   const double ledge = nearest.ledge.value_or(std::numeric_limits<double>::infinity());
   if (wall < values[0]) return PlaceVerdict::TooNearWall;
   if (ledge < values[1]) return PlaceVerdict::TooNearLedge;
+  const double more = 1 + values[2];
+  if (wall > more * values[0] && ledge > more * values[1] && values[0] != values[1])
+    return values[0] > values[1] ? PlaceVerdict::TooNearWall : PlaceVerdict::TooNearLedge;
   return wall * values[1] <= ledge * values[0] ? PlaceVerdict::TooNearWall : PlaceVerdict::TooNearLedge;
 }
 

@@ -103,7 +103,7 @@ bool BorderDistance::isNeedle(std::uint32_t triangle) const {
   const Place a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
   const double longest = std::max({std::hypot(b[0] - a[0], b[1] - a[1]), std::hypot(c[0] - b[0], c[1] - b[1]),
                                    std::hypot(a[0] - c[0], a[1] - c[1])});
-  return orientation(a, b, c) < 1e-6 * longest * longest;
+  return longest < 1e-9 || orientation(a, b, c) < 1e-6 * longest * longest;
 }
 
 std::optional<std::uint32_t> BorderDistance::find(double x, double y, double z, double most) const {
@@ -154,9 +154,13 @@ BorderDistance::Walk BorderDistance::walk(const SurfacePlace& from, double x, do
   return {{t, x, y}, whole, false, true};
 }
 
-void BorderDistance::divide(const Environment& environment, double step, double height) {
+void BorderDistance::divide(const Environment& environment, double step, double height, std::size_t floors) {
   std::vector<Border> divided;
   for (const Border& border : borders_) {
+    if (border.triangle >= floors) {
+      divided.push_back(border);
+      continue;
+    }
     const auto& t = mesh_.triangles[border.triangle];
     for (const BorderStretch& stretch : stretchesOf(environment, mesh_.vertices[t[border.side]],
                                                     mesh_.vertices[t[(border.side + 1) % 3]], step, height))

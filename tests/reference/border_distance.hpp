@@ -31,8 +31,8 @@ class BorderDistance {
   };
   [[nodiscard]] const std::vector<Border>& borders() const { return borders_; }
 
-  /// Divides the border into walls and ledges.
-  void divide(const Environment& environment, double step, double height);
+  /// Divides the border of the first `floors` triangles into walls and ledges; what the others have is doubtful.
+  void divide(const Environment& environment, double step, double height, std::size_t floors);
 
   struct Distance {
     std::optional<double> least;  ///< nothing where it is above the limit
@@ -53,8 +53,12 @@ class BorderDistance {
   /// Straight on to a place of the plan, or to the first border.
   [[nodiscard]] Walk walk(const SurfacePlace& from, double x, double y) const;
 
+  /// The triangles behind a side.
+  [[nodiscard]] const std::vector<std::uint32_t>& beyond(std::uint32_t triangle, int side) const {
+    return beyond_[triangle][side];
+  }
   [[nodiscard]] double height(const SurfacePlace& place) const;
-  /// So thin that doubles say little of the heights on it.
+  /// So thin, or so small, that doubles say little of it.
   [[nodiscard]] bool isNeedle(std::uint32_t triangle) const;
   /// The triangle over or under a place of the plan whose height is nearest, if it differs by at most `most`.
   [[nodiscard]] std::optional<std::uint32_t> find(double x, double y, double z, double most) const;

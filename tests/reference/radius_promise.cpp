@@ -39,6 +39,13 @@ RadiusPromise::RadiusPromise(const NavigationMesh& before, std::size_t floors, c
   }
 }
 
+// What is nearer than the smaller distance by a walk that bends is nearer than that to what it bends at.
+void RadiusPromise::divide(const Environment& environment, double step, double height) {
+  before_.divide(environment, step, height, floors_);
+  const BorderKind larger = asked_.walls > asked_.ledges ? BorderKind::Wall : BorderKind::Ledge;
+  bent_ = std::make_unique<BentDistance>(mesh_, before_, larger, 1.2 * radius_);
+}
+
 RadiusTally RadiusPromise::look(int places, std::mt19937& random) const {
   RadiusTally tally;
   if (floors_ == 0) return tally;
@@ -86,7 +93,7 @@ void RadiusPromise::lookAt(const SurfacePlace& place, RadiusTally& tally) const 
     return;
   }
   const bool isLeft = after_.find(place.x, place.y, before_.height(place), 1e-6).has_value();
-  const double slack = kRounding * (1 + radius_);
+  const double slack = (bent_ ? BentDistance::kError : kRounding) * (1 + radius_);
   const Nearest certain = nearestTo(place, false), possible = nearestTo(place, true);
   const auto isNear = [&](const std::optional<double>& d, double asked) { return d && *d < asked - slack; };
   const auto isFar = [&](const std::optional<double>& d, double asked) {
@@ -116,8 +123,11 @@ RadiusPromise::Nearest RadiusPromise::nearestTo(const SurfacePlace& place, bool 
     const auto [distance, isDoubtful] = before_.at(place, most, orDoubtful);
     return {distance, distance, isDoubtful};
   }
-  const auto wall = before_.at(place, most, BorderKind::Wall, orDoubtful);
-  const auto ledge = before_.at(place, most, BorderKind::Ledge, orDoubtful);
+  const auto at = [&](BorderKind kind, bool isLarger) {
+    return isLarger ? bent_->at(place, orDoubtful) : before_.at(place, most, kind, orDoubtful);
+  };
+  const auto wall = at(BorderKind::Wall, asked_.walls > asked_.ledges);
+  const auto ledge = at(BorderKind::Ledge, asked_.walls < asked_.ledges);
   return {wall.least, ledge.least, wall.isDoubtful || ledge.isDoubtful};
 }
 
@@ -138,7 +148,7 @@ NavigationMesh bridged(const NavigationMesh& mesh) {
 }
 
 RadiusCase::RadiusCase(const std::shared_ptr<const Environment>& environment, const std::string& before,
-                       const RadiusDistances& distances) {
+                       const RadiusDistances& distances, MeasuredArea measured) {
   std::array<char, 200> filter{};
   std::snprintf(filter.data(), filter.size(), "\nRadiusFilter %.17g %.17g %.17g\n", distances.walls, distances.ledges,
                 distances.tolerance);
@@ -146,7 +156,8 @@ RadiusCase::RadiusCase(const std::shared_ptr<const Environment>& environment, co
   // Which of several gaps at one edge has the bridge is a matter of their order: then the area must be in the triangles
   // that the filter has it in.
   NavigationMesh floors = test::navigationMesh(state);
-  if (std::any_of(floors.links.begin(), floors.links.end(),
+  if (measured == MeasuredArea::Simplified ||
+      std::any_of(floors.links.begin(), floors.links.end(),
                   [](const StepLink& link) { return link.kind == StepKind::Gap; }))
     floors = test::navigationMesh(test::runFilters(state, "SimplificationFilter"));
   all_ = bridged(floors);
@@ -165,8 +176,8 @@ RadiusTally RadiusCase::look(int places, std::mt19937& random) const {
 }
 
 RadiusTally lookAtRadius(const std::shared_ptr<const Environment>& environment, const std::string& before,
-                         const RadiusDistances& distances, int places, std::mt19937& random) {
-  return RadiusCase(environment, before, distances).look(places, random);
+                         const RadiusDistances& distances, int places, std::mt19937& random, MeasuredArea measured) {
+  return RadiusCase(environment, before, distances, measured).look(places, random);
 }
 
 }  // namespace footfall::reference

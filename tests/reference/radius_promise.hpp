@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "footfall/environment.hpp"
-#include "tests/reference/border_distance.hpp"
+#include "tests/reference/bent_distance.hpp"
 
 namespace footfall::reference {
 
@@ -40,8 +40,8 @@ class RadiusPromise {
   RadiusPromise(const NavigationMesh& before, std::size_t floors, const NavigationMesh& after,
                 const RadiusDistances& distances);
 
-  /// Tells walls from ledges, which must be done where the distances differ.
-  void divide(const Environment& environment, double step, double height) { before_.divide(environment, step, height); }
+  /// Tells walls from ledges, which must be done where the distances differ. Then walks may bend.
+  void divide(const Environment& environment, double step, double height);
 
   [[nodiscard]] RadiusTally look(int places, std::mt19937& random) const;
 
@@ -60,6 +60,7 @@ class RadiusPromise {
   const NavigationMesh& mesh_;
   std::size_t floors_;
   BorderDistance before_, after_;
+  std::unique_ptr<BentDistance> bent_;  ///< to the kind that keeps more away, where the distances differ
   RadiusDistances asked_;
   double radius_;  ///< the larger one
   std::vector<double> sums_;
@@ -68,11 +69,15 @@ class RadiusPromise {
 /// A mesh with bridges over its gaps, behind its own triangles, and with no other links than steps.
 NavigationMesh bridged(const NavigationMesh& mesh);
 
+/// What the area is measured in. Where lines coincide but for roundings, the rounded products of the area as it is and
+/// of the simplified area that RadiusFilter begins with differ, in what is joined and by slivers.
+enum class MeasuredArea { AsGiven, Simplified };
+
 /// A pipeline's text with RadiusFilter behind it, against the same without.
 class RadiusCase {
  public:
   RadiusCase(const std::shared_ptr<const Environment>& environment, const std::string& before,
-             const RadiusDistances& distances);
+             const RadiusDistances& distances, MeasuredArea measured = MeasuredArea::AsGiven);
 
   /// A mesh that no product may be counts as wrong.
   [[nodiscard]] RadiusTally look(int places, std::mt19937& random) const;
@@ -85,6 +90,7 @@ class RadiusCase {
 
 /// The same at once.
 RadiusTally lookAtRadius(const std::shared_ptr<const Environment>& environment, const std::string& before,
-                         const RadiusDistances& distances, int places, std::mt19937& random);
+                         const RadiusDistances& distances, int places, std::mt19937& random,
+                         MeasuredArea measured = MeasuredArea::AsGiven);
 
 }  // namespace footfall::reference

@@ -120,8 +120,8 @@ FilterDescriptor describeRadius() {
       .label = "Radius",
       .help =
           "Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it "
-          "could fall from, and the ends of the world. Distances are those of a straight walk, seen from above; steps "
-          "are no border.",
+          "could fall from, and the ends of the world. Distances are those of the shortest walk, seen from above; "
+          "steps are no border.",
       .precondition = "",
       .effect =
           "No walkable place is nearer to a wall than the radius, or to a ledge than its own distance, and none that "

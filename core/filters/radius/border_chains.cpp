@@ -130,4 +130,11 @@ std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const st
   return chains;
 }
 
+void fanBehind(const MarginSurface& surface, const BorderChain& chain, std::vector<Index>& fan) {
+  if (chain.endsInside)
+    fan = {chain.sides.back()};
+  else
+    surface.fanBehind(chain.sides.back(), fan);
+}
+
 }  // namespace footfall::detail

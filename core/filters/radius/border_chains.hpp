@@ -27,4 +27,7 @@ struct BorderChain {
 /// In an order that depends on the surface alone. `pieces` are all of its border, by side and then along it.
 std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const std::vector<BorderPiece>& pieces);
 
+/// MarginSurface::fanBehind() of a chain; where it ends inside of a side, that side alone.
+void fanBehind(const MarginSurface& surface, const BorderChain& chain, std::vector<Index>& fan);
+
 }  // namespace footfall::detail

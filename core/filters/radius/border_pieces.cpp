@@ -62,7 +62,8 @@ bool isBesideToRounding(BorderKinds& kinds, Index triangle) {
 }
 
 /// Where a triangle begins to be a wall right at the border: it is as high over it as the step and rises outwards, or
-/// as the clearance and falls. So are all borders that a slanting ceiling makes, to within rounding.
+/// as the clearance and falls. So are all borders that a slanting ceiling makes, to within rounding. What ends at the
+/// border, to within rounding, does neither.
 std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
   const EdgeFrame& frame = kinds.frame();
   const double step = kinds.heightOf(kinds.stepLevel()), height = kinds.heightOf(kinds.heightLevel());
@@ -71,6 +72,9 @@ std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
     const CoverAlong& cover = kinds.covers()[i];
     if (!cover.isOutside) continue;
     const std::array<Vec3, 3> corners = kinds.cornersOf(cover.triangle);
+    if (std::all_of(corners.begin(), corners.end(),
+                    [&](const Vec3& p) { return frame.outwards().at(frame.local(p)) <= 2 * frame.margin(); }))
+      continue;
     const CoverHeights above = heightsOver(frame, corners);
     const double atBegin = above.atBegin, atEnd = above.atEnd;
     const Vec3 n = above.normal;

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/base/number_text.hpp"
+#include "core/filters/radius/bent_margins.hpp"
 #include "core/filters/radius/border_chains.hpp"
 #include "core/filters/radius/margin_spread.hpp"
 #include "core/filters/radius/plan_polygon.hpp"
@@ -26,9 +28,9 @@ struct Corner {
   /// Where neighbouring tangents of the arc meet, clockwise; of a mitre the one place where the two edges' parallels
   /// meet. None where the two rectangles know nothing of each other.
   std::vector<PlanVector> tangents;
-  std::vector<double> turns;                ///< of these, clockwise from the first chain's direction backwards
-  std::size_t split = 0;                    ///< the first chain has those up to this one, the second from here on
-  bool hasFirst = true, hasSecond = false;  ///< which of them have a part of it
+  std::vector<double> turns;  ///< of these, clockwise from the first chain's direction backwards
+  std::size_t split = 0;      ///< the first chain has those up to this one, the second from here on
+  bool hasSecond = false;     ///< has a part of it
   bool isMitre = false;
   std::vector<Index> fan;                     ///< MarginSurface::fanBehind()
   double end = 0;                             ///< turn of the second chain
@@ -44,9 +46,9 @@ class MarginFinder {
     walls_ = std::min(distances.walls, 2 * box_.diagonal());
     ledges_ = std::min(distances.ledges, 2 * box_.diagonal());
     const double half = 1 / (1 + 0.9 * distances.tolerance);  // cosine of half the angle of an arc
-    cosine_ = 2 * half * half - 1;
-    sine_ = 2 * half * std::sqrt(1 - half * half);
-    arcsPerMargin_ = cosine_ > 0.95 ? 5 : cosine_ > 0.87 ? 3 : 2;  // about a quarter of a turn at most
+    arcs_.cosine = 2 * half * half - 1;
+    arcs_.sine = 2 * half * std::sqrt(1 - half * half);
+    arcs_.perMargin = arcs_.cosine > 0.95 ? 5 : arcs_.cosine > 0.87 ? 3 : 2;  // about a quarter of a turn at most
     least_ = std::min(walls_ > 0 ? walls_ : ledges_, ledges_ > 0 ? ledges_ : walls_);
     mostSlack_ = least_ * distances.tolerance / 32;
   }
@@ -55,13 +57,18 @@ class MarginFinder {
     chains_ = findBorderChains(
         surface_, walls_ == ledges_ ? wholeBorders(surface_)
                                     : dividedBorders(state_, surface_, ledges_ > walls_, context_, fallbacks_));
-    for (const BorderChain& chain : chains_) checkSlack(chain);
+    for (const BorderChain& chain : chains_) {
+      checkSlack(chain);
+      asked_.push_back(askedOf(chain));
+    }
+    if (walls_ != ledges_) bent_.emplace(surface_, box_, chains_, asked_, arcs_, context_);
     reached_.resize(chains_.size());
     corners_.resize(chains_.size());
-    others_.resize(chains_.size());
     std::vector<std::vector<Margin>> found(chains_.size());
     tbb::enumerable_thread_specific<Spread> spreads([&] { return Spread(surface_, context_); });
-    forChains([&](Index i) { reached_[i] = reachedBy(chains_[i], spreads.local()); });
+    forChains([&](Index i) {
+      if (!isBent(i)) reached_[i] = reachedBy(chains_[i], spreads.local());
+    });
     forChains([&](Index i) {
       if (chains_[i].behind >= 0) findCorner(i, chains_[i].behind);
     });
@@ -70,6 +77,8 @@ class MarginFinder {
     std::vector<Margin> margins;
     for (std::vector<Margin>& some : found)
       for (Margin& margin : some) margins.push_back(std::move(margin));
+    if (bent_)
+      for (Margin& margin : bent_->find()) margins.push_back(std::move(margin));
     return margins;
   }
 
@@ -95,7 +104,7 @@ class MarginFinder {
   }
 
   /// What an agent keeps away from a border; a mere place counts as what is next to it, if that is more.
-  [[nodiscard]] double asked(const BorderChain& chain) const {
+  [[nodiscard]] double askedOf(const BorderChain& chain) const {
     double distance = chain.isLedge ? ledges_ : walls_;
     if (!chain.isShort) return distance;
     if (chain.before < 0 && chain.behind < 0) return std::max(walls_, ledges_);
@@ -103,14 +112,9 @@ class MarginFinder {
       if (other >= 0) distance = std::max(distance, chains_[other].isLedge ? ledges_ : walls_);
     return distance;
   }
+  [[nodiscard]] double asked(const BorderChain& chain) const { return asked_[&chain - chains_.data()]; }
   [[nodiscard]] double distanceOf(const BorderChain& chain) const { return asked(chain) * (1 + 0x1p-46) + chain.slack; }
-
-  void findFan(const BorderChain& chain, std::vector<Index>& fan) const {
-    if (chain.endsInside)
-      fan = {chain.sides.back()};
-    else
-      surface_.fanBehind(chain.sides.back(), fan);
-  }
+  [[nodiscard]] bool isBent(Index chain) const { return bent_ && bent_->has(chain); }
 
   /// Triangles that beams from the edge reach; ascending.
   [[nodiscard]] std::vector<Index> reachedBy(const BorderChain& chain, Spread& spread) const {
@@ -128,8 +132,8 @@ class MarginFinder {
   void findCorner(Index before, Index behind) {
     const BorderChain &first = chains_[before], &second = chains_[behind];
     Corner& corner = corners_[before];
-    if (first.isShort || second.isShort) return;
-    findFan(first, corner.fan);
+    if (first.isShort || second.isShort || asked(first) != asked(second) || isBent(before) || isBent(behind)) return;
+    fanBehind(surface_, first, corner.fan);
     const PlanVector back = -1.0 * first.along;
     double turn = 0;
     const auto ahead = [&](const PlanVector& d) {
@@ -154,63 +158,38 @@ class MarginFinder {
       turn += more;
     }
     corner.end = turn;
-    const double a = asked(first), b = asked(second);
     const bool isShared = second.before == before;
-    if (a != b) {
-      // An arc for each, where the other one has not all of it: the larger one covers what both do.
-      Corner& other = others_[before] = corner;
-      other.hasFirst = false;
-      other.hasSecond = isShared;
-      if (a > b || (a > 0 && turn > 3 - kTouch)) addArc(first, second, 1, std::min(turn, 2.0), corner);
-      if (isShared && (b > a || (b > 0 && turn > 3 - kTouch)))
-        addArc(first, second, std::max(turn - 2, 0.0), turn - 1, other);
-    } else {
-      corner.hasSecond = isShared;
-      if (turn > 2 - kTouch)
-        addArc(first, second, 1, turn - 1, corner);
-      else if (isShared && a > 0)
-        addMitre(before, behind, corner);
-    }
+    corner.hasSecond = isShared;
+    if (turn > 2 - kTouch)
+      addArc(first, second, 1, turn - 1, corner);
+    else if (isShared && asked(first) > 0)
+      addMitre(before, behind, corner);
   }
 
-  // From one turn to another one. Where the two distances differ, that is as far as the other border itself,
-  // or straight on: what is beyond comes to that border by none of its points but the corner.
+  // From one turn to another one.
   void addArc(const BorderChain& first, const BorderChain& second, double from, double to, Corner& corner) const {
     if (to < from - kTouch) return;
     const PlanVector back = -1.0 * first.along, apex = first.end;
-    const bool isEqual = asked(first) == asked(second), isFirsts = !isEqual && corner.hasFirst,
-               isSeconds = !isEqual && !corner.hasFirst;
-    const double distance = isFirsts    ? distanceOf(first)
-                            : isSeconds ? distanceOf(second)
-                                        : std::max(distanceOf(first), distanceOf(second));
+    const double distance = std::max(distanceOf(first), distanceOf(second));
     double turn = from;
     const auto ahead = [&](const PlanVector& d) {
       const double more = std::fmod(-turnFrom(back, d) - turn, 4);
       return more < 0 ? more + 4 : more;
     };
-    const auto add = [&](const PlanVector& place, double at) {
-      corner.tangents.push_back(roundToUnit(place));
-      corner.turns.push_back(at);
-    };
-    // Farther round by a little.
-    const auto addEnd = [&](const PlanVector& direction, const PlanVector& round, double at) {
-      add(apex + distance * direction + 2 * std::max(first.slack, second.slack) * round, at);
-    };
-    const PlanVector last = !isFirsts ? leftOf(second.along) : to < corner.end ? first.along : second.along;
-    PlanVector d = !isSeconds ? leftOf(first.along) : from > 0 ? -1.0 * second.along : back;
-    if (isSeconds) addEnd(d, leftOf(d), from);
+    const PlanVector last = leftOf(second.along);
+    PlanVector d = leftOf(first.along);
     for (bool isDone = false; !isDone;) {
-      PlanVector e = unitOf({cosine_ * d.x + sine_ * d.y, cosine_ * d.y - sine_ * d.x});
+      PlanVector e = arcs_.next(d);
       const double there = turn + ahead(e);
       isDone = there >= to - kTouch;
       if (isDone) e = last;
       const PlanVector middle = d + e;
-      add(apex + (distance / (1 + dot(d, e))) * middle, turn + ahead(middle));
+      corner.tangents.push_back(roundToUnit(apex + (distance / (1 + dot(d, e))) * middle));
+      corner.turns.push_back(turn + ahead(middle));
       turn = there;
       d = e;
     }
-    if (isFirsts) addEnd(last, -1.0 * leftOf(last), to);
-    corner.split = !corner.hasSecond ? corner.tangents.size() - 1 : corner.hasFirst ? corner.tangents.size() / 2 : 0;
+    corner.split = corner.hasSecond ? corner.tangents.size() / 2 : corner.tangents.size() - 1;
   }
 
   // Where the border turns towards the walkable side, what is before one edge beyond the two edges' bisector is before
@@ -271,7 +250,7 @@ class MarginFinder {
 
   void makeMargins(Index number, Spread& spread, std::vector<Margin>& margins) const {
     const BorderChain& chain = chains_[number];
-    if (asked(chain) == 0) return;
+    if (asked(chain) == 0 || isBent(number)) return;
     if (chain.isShort) {
       addDisc(chain, spread, margins);
       return;
@@ -279,11 +258,11 @@ class MarginFinder {
     Part before, behind;
     before.isBehind = false;
     if (chain.before >= 0) {
-      const Corner& corner = corners_[chain.before].hasSecond ? corners_[chain.before] : others_[chain.before];
+      const Corner& corner = corners_[chain.before];
       if (corner.hasSecond && !corner.tangents.empty() && chains_[chain.before].behind == number)
         before = {&corner, corner.split, corner.tangents.size() - 1, false};
     }
-    if (chain.behind >= 0 && corners_[number].hasFirst && !corners_[number].tangents.empty())
+    if (chain.behind >= 0 && !corners_[number].tangents.empty())
       behind = {&corners_[number], 0, corners_[number].split, true};
     // An arc that does not fit into a convex polygon with the rectangle has polygons of its own.
     std::vector<Part> apart;
@@ -344,8 +323,8 @@ class MarginFinder {
   void addSectors(const BorderChain& chain, const Part& part, Spread& spread, std::vector<Margin>& margins) const {
     const Corner& corner = *part.corner;
     const PlanVector apex = part.isBehind ? chain.end : chain.begin;
-    for (std::size_t i = part.first; i < part.last; i += arcsPerMargin_) {
-      const std::size_t j = std::min(i + arcsPerMargin_, part.last);
+    for (std::size_t i = part.first; i < part.last; i += arcs_.perMargin) {
+      const std::size_t j = std::min(i + arcs_.perMargin, part.last);
       Margin margin{{corner.tangents.begin() + static_cast<std::ptrdiff_t>(i),
                      corner.tangents.begin() + static_cast<std::ptrdiff_t>(j) + 1},
                     {}};
@@ -382,7 +361,7 @@ class MarginFinder {
     PlanVector d{1, 0};
     bool hasTurned = false;
     for (bool isDone = false; !isDone;) {
-      const PlanVector e = unitOf({cosine_ * d.x + sine_ * d.y, cosine_ * d.y - sine_ * d.x});
+      const PlanVector e = arcs_.next(d);
       hasTurned = hasTurned || e.x < 0;
       isDone = hasTurned && e.x > 0 && e.y <= 0;
       tangents.push_back(roundToUnit(chain.begin + (distance / (1 + dot(d, e))) * (d + e)));
@@ -393,15 +372,15 @@ class MarginFinder {
     std::vector<Index> around = chain.sides, fan;
     for (const Index i : {chain.before, static_cast<Index>(&chain - chains_.data())}) {
       if (i < 0) continue;
-      findFan(chains_[i], fan);
+      fanBehind(surface_, chains_[i], fan);
       around.insert(around.end(), fan.begin(), fan.end());
     }
     for (const PlanVector& middle : {PlanVector{1, 0}, PlanVector{0, 1}, PlanVector{-1, 0}, PlanVector{0, -1}}) {
       for (const Index side : around) spread.enter(side, -1, 1);
       spread.run(Rays{chain.begin, middle, 1.25 * distance});
     }
-    for (std::size_t i = 0; i + 1 < tangents.size(); i += arcsPerMargin_) {
-      const std::size_t j = std::min(i + arcsPerMargin_, tangents.size() - 1);
+    for (std::size_t i = 0; i + 1 < tangents.size(); i += arcs_.perMargin) {
+      const std::size_t j = std::min(i + arcs_.perMargin, tangents.size() - 1);
       Margin margin{
           {tangents.begin() + static_cast<std::ptrdiff_t>(i), tangents.begin() + static_cast<std::ptrdiff_t>(j) + 1},
           {}};
@@ -426,13 +405,13 @@ class MarginFinder {
   double walls_ = 0, ledges_ = 0, least_ = 0;  ///< distances; the smaller one above 0
   MarginSurface surface_;
   ClipBox box_;
-  double cosine_ = 0, sine_ = 0;
+  ArcSteps arcs_;
   double mostSlack_ = 0;
-  std::size_t arcsPerMargin_ = 1;
   std::vector<BorderChain> chains_;
   std::vector<std::vector<Index>> reached_;  ///< of each chain the triangles that beams reach
   std::vector<Corner> corners_;              ///< behind each chain
-  std::vector<Corner> others_;               ///< what is the second chain\'s alone, where the distances differ
+  std::vector<double> asked_;                ///< of each chain
+  std::optional<BentMargins> bent_;          ///< where the distances differ
 };
 
 }  // namespace

@@ -1,17 +1,16 @@
 // What is too near the border of the walkable area (design section 7, RadiusFilter).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// D(p) is the least length, in the plan, of a straight walk from p to a border of one kind, a wall or a ledge, and r
-// what is to stay free of that kind. One walks over joined edges, over steps, and over gaps where they have a bridge;
-// what that surface ends at is border. So nothing with D(p) < r is left, and nothing with D(p) > (1 + tolerance) r is
-// lost. The nearest border point of p is inside a border edge, then p lies in the rectangle of height r over that edge;
-// or it is the end of an edge, then p lies in a sector around it. Where the border goes on with the same r, that is the
-// sector between the normals of both edges, and there is one only if it turns by more than half a turn on the walkable
-// side. Where it goes on with another r, or with another kind, each edge has its own: from its normal to the other
-// edge, but no farther than straight on, because what is beyond comes to the edge by nothing but its end, and single
-// points do not count. Of two sectors in one direction the smaller one lies in the larger. So the area with D(p) < r is
-// within the union of these rectangles and sectors, taken on the surface: on those triangles that a straight walk of at
-// most r from the edge or corner reaches.
+// D(p) is the least length, in the plan, of a walk from p to a border of one kind, a wall or a ledge, and r what is to
+// stay free of that kind. With one distance that walk is straight where it is shorter than r. One walks over joined
+// edges, over steps, and over gaps where they have a bridge; what that surface ends at is border. So nothing with D(p)
+// < r is left, and nothing with D(p) > (1 + tolerance) r is lost. The nearest border point of p is inside a border
+// edge, then p lies in the rectangle of height r over that edge; or it is the end of an edge, then p lies in a sector
+// around it. Where the border goes on with the same r, that is the sector between the normals of both edges, and there
+// is one only if it turns by more than half a turn on the walkable side. So the area with D(p) < r is within the union
+// of these rectangles and sectors, taken on the surface: on those triangles that a straight walk of at most r from the
+// edge or corner reaches. With two distances, walks may bend where an edge of the larger one is near one of the smaller
+// one: core/filters/radius/bent_margins.hpp has what follows then.
 //
 // Each shape is a convex polygon with double corners. The outer edges of a rectangle and the tangents that stand for
 // the arc of a sector are drawn at the distance R = r (1 + 2^-46) + m, where m is 32 units of the scaled coordinates
@@ -35,9 +34,7 @@
 // What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
 // nearer still: if not, the straight walk from there to the nearest place of the edge would get there. Which triangles
 // are reached is found in doubles, and in doubt they are: this may take too much only where one triangle is above
-// itself, as on a spiral about a post thinner than the radius, and never too little. What is behind another border is
-// nearer to that, but that one may keep less away: with different distances this takes too much where one triangle
-// reaches around the end of such a border.
+// itself, as on a spiral about a post thinner than the radius, and never too little.
 //
 // Where a wall ends on an edge is known to within 2^-38 of the largest coordinate. What is in doubt counts as the kind
 // with the larger distance, and what is shorter than twice that counts as a point.

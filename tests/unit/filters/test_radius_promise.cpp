@@ -75,6 +75,8 @@ class TestRadiusPromise : public QObject {
       addRows(QString("%1, walls and ledges").arg(name), QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2,
               0.3, 0.1);
     addRows("nav_test, walls alone", "nav_test.obj", 2, 0.3, 0);
+    addRows("villa, ledges more", QString(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj"), 2, 0.3, 0.6);
+    addRows("villa, walls alone", QString(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj"), 2, 0.3, 0);
   }
   void isKept() {
     QFETCH(QString, file);
