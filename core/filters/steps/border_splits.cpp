@@ -11,6 +11,11 @@
 #include "core/mesh/triangle_split.hpp"
 
 namespace footfall::detail {
+namespace {
+
+constexpr std::size_t kPolled = 1 << 16;
+
+}  // namespace
 
 BoxTree<3>::Bounds BorderSplits::boundsOf(const MeshVertex& a, const MeshVertex& b) {
   BoxTree<3>::Bounds bounds;
@@ -37,11 +42,11 @@ BorderSplits::BorderSplits(const WalkableState& state, RunContext& context)
       mesh_(*state.mesh),
       topology_(topologyOf(state, context)),
       geometry_(std::in_place, *kernel_, mesh_.vertices) {
-  findBorders();
+  findBorders(context);
   buildTree(context);
 }
 
-void BorderSplits::findBorders() {
+void BorderSplits::findBorders(Poll poll) {
   const TriangleCorners corners(mesh_.triangles);
   const auto isBorder = [&](std::span<const Index> sides) {
     return sides.size() <= 1 || isObstacle(mesh_.triangles, sides);
@@ -49,6 +54,7 @@ void BorderSplits::findBorders() {
   std::vector<Index> edges;
   std::size_t count = 0;
   for (Index e = 0; e < topology_->edgeCount(); ++e) {
+    if (static_cast<std::size_t>(e) % kPolled == 0) poll();
     const auto sides = topology_->sidesOf(e);
     if (!isBorder(sides)) continue;
     edges.push_back(e);
@@ -173,14 +179,23 @@ Index BorderSplits::chainNumber(const MeshBorder& border, std::size_t i) const {
   return found->second.first + static_cast<Index>(isForward(border) ? i - 1 : count - i);
 }
 
-std::shared_ptr<WalkableMesh> BorderSplits::makeMesh() {
+std::shared_ptr<WalkableMesh> BorderSplits::makeMesh(Poll poll) {
   auto result = std::make_shared<WalkableMesh>();
   result->layerCount = mesh_.layerCount;
-  result->vertices = mesh_.vertices;
   std::vector<Index> edges;
-  for (const auto& [edge, line] : lines_)
+  std::size_t count = mesh_.vertices.size();
+  for (const auto& [edge, line] : lines_) {
     if (!line.places.empty()) edges.push_back(edge);
+    count += line.places.size();
+  }
   std::sort(edges.begin(), edges.end());
+  result->vertices.reserve(count);
+  for (std::size_t first = 0; first < mesh_.vertices.size(); first += kPolled) {
+    poll();
+    const auto begin = mesh_.vertices.begin() + static_cast<std::ptrdiff_t>(first);
+    result->vertices.insert(result->vertices.end(), begin,
+                            begin + static_cast<std::ptrdiff_t>(std::min(kPolled, mesh_.vertices.size() - first)));
+  }
   // New vertices of each edge, in the direction of its first side and in the other one.
   std::vector<std::array<std::vector<Index>, 2>> inside(edges.size());
   std::vector<EdgeVertices> on;  // of triangles that are split
@@ -206,6 +221,7 @@ std::shared_ptr<WalkableMesh> BorderSplits::makeMesh() {
   }
   result->triangles.reserve(mesh_.triangles.size() + 2 * edges.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (t % kPolled == 0) poll();
     if (slotOf[t] < 0)
       result->triangles.push_back(mesh_.triangles[t]);
     else

@@ -9,6 +9,7 @@
 
 #include "core/assembly/walkable_state.hpp"
 #include "core/base/box_tree.hpp"
+#include "core/base/poll.hpp"
 #include "core/filters/steps/step_conditions.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "footfall/run_context.hpp"
@@ -70,7 +71,7 @@ class BorderSplits {
   [[nodiscard]] Index chainNumber(const MeshBorder& border, std::size_t i) const;
 
   /// The mesh with all new vertices, without links.
-  std::shared_ptr<WalkableMesh> makeMesh();
+  std::shared_ptr<WalkableMesh> makeMesh(Poll poll);
 
   /// A coordinate of the plan in which two vertices differ, the one in which they seem to differ most; -1 where they
   /// are one point of the plan.
@@ -83,7 +84,7 @@ class BorderSplits {
     Index first = -1;                ///< number of the first one, once the mesh is made
   };
 
-  void findBorders();
+  void findBorders(Poll poll);
   void buildTree(RunContext& context);
   [[nodiscard]] int order(const Line& line, const MeshVertex& a, const MeshVertex& b) {
     return line.direction * geometry_->compare(a, b, line.axis);

@@ -362,7 +362,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
   splitAtSteps();
   if (gaps_ && !gaps_->isEmpty()) gaps_->split([&](const std::vector<Index>& changed) { spreadSplits(changed); });
   context_.checkCancelled();
-  std::shared_ptr<WalkableMesh> result = splits_.makeMesh();
+  std::shared_ptr<WalkableMesh> result = splits_.makeMesh(context_);
   addStepLinks(result->links);
   if (gaps_) {
     const std::vector<MeshLink> links = gaps_->links();

@@ -44,7 +44,8 @@ Box boxOf(const BlockFace& face);
 
 /// A packed environment that is open. Blocks are checked (their check sum, and that all numbers are in range) when they
 /// are first touched. The file is mapped: whoever cuts it off while it is open is noticed when the next block is
-/// touched, but what is cut off between that and the reading ends the process, as with every mapped file.
+/// touched, but what is cut off, or written over in place, between that and the reading ends the process, as with every
+/// mapped file.
 ///
 /// All functions throw InputError "PATH: what; what to do" where the file is no packed environment, of another version,
 /// cut off or damaged. Any number of threads may use one object.

@@ -120,7 +120,7 @@ class TestAdjacency : public QObject {
         renumbered.push_back(stays ? static_cast<Index>(some.size()) : -1);
         if (stays) some.push_back(t);
       }
-      const Adjacency found = edgesOfSome(edges, renumbered);
+      const Adjacency found = edgesOfSome(edges, renumbered, {});
       const Adjacency expected = findEdges(some, static_cast<std::size_t>(vertices));
       QVERIFY(found.sides == expected.sides);
       QVERIFY(found.first == expected.first);
