@@ -167,8 +167,9 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
   if (program.hasBound()) addMemory(command, *options);
   program.addOptions(command);
-  command.callback([options, &program] {
-    if (options->memory > 0)
+  command.callback([options, &program, &command] {
+    const CLI::Option* memory = command.get_option_no_throw("--memory");
+    if (memory != nullptr && memory->count() > 0)
       runWithin(*options);
     else
       runAs(program, *options);

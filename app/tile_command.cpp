@@ -154,6 +154,18 @@ std::string summaryOf(const TileCommandOptions& options, const TileRunResult& re
          std::to_string((peakRssBytes() + kMegabyte - 1) / kMegabyte) + " MB\n";
 }
 
+/// Nothing but tiles and their index goes into their folder.
+void checkOutside(const std::string& statistics, const std::string& folder) {
+  namespace fs = std::filesystem;
+  if (statistics.empty()) return;
+  std::error_code ignored;
+  const fs::path file = fs::weakly_canonical(fs::absolute(statistics), ignored);
+  const fs::path tiles = fs::weakly_canonical(fs::absolute(folder), ignored);
+  if (file == tiles || file.parent_path() == tiles)
+    throw InputError(FOOTFALL_TEXT("--stats %1: this is in the folder of the tiles; name a file elsewhere"),
+                     statistics);
+}
+
 }  // namespace
 
 void runIntoFolder(const TileCommandOptions& options) {
@@ -165,6 +177,7 @@ void runIntoFolder(const TileCommandOptions& options) {
   stepsOfCells(pipeline);
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
   checkEnding(options.statistics, "--stats", ".json");
+  checkOutside(options.statistics, options.folder);
   targets.add(options.statistics, Pattern{"the statistics"});
   TargetFolder folder(options.folder);
   CommandSession session(options.threads, options.quiet);

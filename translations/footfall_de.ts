@@ -1644,8 +1644,8 @@
         <translation>die binäre glTF-Datei endet vor ihrem ersten Abschnitt</translation>
     </message>
     <message>
-        <source>no process has begun within %1 s; run again, or run on this program alone</source>
-        <translation>innerhalb von %1 s hat kein Prozess begonnen; erneut berechnen oder mit diesem Programm allein</translation>
+        <source>not all processes have begun within %1 s; run again, or run on this program alone</source>
+        <translation>innerhalb von %1 s haben nicht alle Prozesse begonnen; erneut berechnen oder mit diesem Programm allein</translation>
     </message>
     <message>
         <source>%1: %2 joins vertices across cells when its distance is above 0 and cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
@@ -1710,6 +1710,10 @@
     <message>
         <source>is damaged, or of another run than the index</source>
         <translation>ist beschädigt oder von einem anderen Lauf als das Verzeichnis</translation>
+    </message>
+    <message>
+        <source>--stats %1: this is in the folder of the tiles; name a file elsewhere</source>
+        <translation>--stats %1: das liegt im Ordner der Kacheln; eine Datei anderswo angeben</translation>
     </message>
 </context>
 <context>

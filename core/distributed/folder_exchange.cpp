@@ -117,7 +117,7 @@ void FolderExchange::awaitRanks(std::unique_lock<std::mutex>& lock, RunContext& 
     }
     checkFailed();
     if (options_.startMs > 0 && written && written->wallMs() > options_.startMs && !hasBegun(options_.folder))
-      throw RunError(FOOTFALL_TEXT("no process has begun within %1 s; run again, or run on this program alone"),
+      throw RunError(FOOTFALL_TEXT("not all processes have begun within %1 s; run again, or run on this program alone"),
                      static_cast<std::int64_t>(options_.startMs / 1000));
   }
 }

@@ -145,7 +145,10 @@ Environment readFolder(const std::string& folder, const std::function<Environmen
   for (const std::string& path : files) {
     Environment file = read(path);
     const std::string original = fs::path(file.origin).filename().string();
-    if (!original.empty() && std::ranges::binary_search(files, (fs::path(path).parent_path() / original).string())) {
+    // Another name says that it is something else, though it was packed of a file with that name.
+    const bool isNamedAlike = fs::path(original).stem() == fs::path(path).stem();
+    if (!original.empty() && isNamedAlike &&
+        std::ranges::binary_search(files, (fs::path(path).parent_path() / original).string())) {
       joiner.leaveOut(path, original);
       continue;
     }

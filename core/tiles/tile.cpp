@@ -102,7 +102,9 @@ void decodeTriangles(ByteReader& in, Tile& tile, const Poll& poll) {
   tile.borders.resize(in.count(kLeastBorder));
   std::int64_t vertex = 0;
   for (TileBorder& border : tile.borders) {
-    vertex += in.below(vertices - vertex);
+    const std::int64_t step = in.below(vertices - vertex);
+    if (step == 0 && &border != tile.borders.data()) throw BadBytes("is damaged");  // one vertex twice
+    vertex += step;
     border.vertex = static_cast<Index>(vertex);
     border.face = decodeNumber(in);
     border.exact = in.text();

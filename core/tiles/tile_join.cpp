@@ -127,7 +127,7 @@ void checkSlices(std::span<const std::string> folders, const std::vector<TileSet
   std::vector<char> isThere(sets.size(), 0);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const TileSet& set = sets[i];
-    if (set.environment != first.environment || set.pipeline != first.pipeline ||
+    if (set.environment != first.environment || set.pipeline != first.pipeline || set.bothSides != first.bothSides ||
         set.slice.count != first.slice.count || set.frame.up != first.frame.up ||
         set.frame.metresPerUnit != first.frame.metresPerUnit)
       throw InputError(

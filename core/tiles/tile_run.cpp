@@ -84,6 +84,7 @@ class TileRun {
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
     if (options.memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(fixed_ + kMegabyte);
     result_.set.frame = environment.head().frame();
+    result_.set.bothSides = environment.head().bothSides;
     result_.set.environment = environment.tableSum();
     result_.set.slice = options.slice;
     result_.set.pipeline = formatPipeline(pipeline);

@@ -84,6 +84,7 @@ TileSet setOf(const std::string& text) {
   for (const Json& storey : json.at("storeys"))
     set.frame.storeys.push_back({storey.at("name").get<std::string>(), storey.at("height").get<double>()});
   set.pipeline = json.at("pipeline").get<std::string>();
+  set.bothSides = json.at("both_sides").get<bool>();
   set.environment = sumOf(json.at("environment"));
   set.slice = {json.at("slice").at(0).get<std::uint32_t>(), json.at("slice").at(1).get<std::uint32_t>()};
   if (set.slice.number < 1 || set.slice.number > set.slice.count) throw BadBytes("is damaged");
@@ -119,6 +120,7 @@ std::string formatTileIndex(const TileSet& set) {
   for (const Storey& storey : set.frame.storeys)
     json["storeys"].push_back({{"name", storey.name}, {"height", storey.height}});
   json["pipeline"] = set.pipeline;
+  json["both_sides"] = set.bothSides;
   json["environment"] = textOf(set.environment);
   json["slice"] = {set.slice.number, set.slice.count};
   json["triangles"] = set.triangles;

@@ -30,6 +30,7 @@ struct TileSlice {
 struct TileSet {
   SourceFrame frame;
   Digest::Value environment{};  ///< PackedEnvironment::tableSum()
+  bool bothSides = false;       ///< of the run: an option may differ from what the file says
   TileSlice slice;
   std::string pipeline;         ///< formatPipeline()
   std::uint64_t triangles = 0;  ///< of the environment

@@ -226,9 +226,10 @@ class TestFolderExchange : public QObject {
         return run.work(job, poll);
       };
       const std::string problem = run.problem();
-      QCOMPARE(problem, begins
-                            ? std::string()
-                            : std::string("no process has begun within 1 s; run again, or run on this program alone"));
+      QCOMPARE(problem,
+               begins
+                   ? std::string()
+                   : std::string("not all processes have begun within 1 s; run again, or run on this program alone"));
       QVERIFY(run.leavesNothing());
     }
   }

@@ -54,14 +54,18 @@ class TestFolderReader : public QObject {
   void packedFilesBesideTheirOriginalsAreLeftOut() {
     const TemporaryFolder folder;
     const std::string original = folder.write("b.obj", kTwoParts);
-    packEnvironment(original, folder.path("a.ffenv"), {}, nullptr);
+    packEnvironment(original, folder.path("b.ffenv"), {}, nullptr);
     const auto both = importEnvironment(folder.path(""));
     QVERIFY(both->triangles == importEnvironment(original)->triangles);
     QCOMPARE(both->notes.size(), std::size_t{1});
     QCOMPARE(both->notes[0].str(),
-             std::string("a.ffenv was left out: b.obj, of which it was packed, is in the folder, too"));
+             std::string("b.ffenv was left out: b.obj, of which it was packed, is in the folder, too"));
     std::filesystem::remove(original);
     QVERIFY(importEnvironment(folder.path(""))->triangles == both->triangles);
+    // Of a file with that name elsewhere.
+    folder.write("b.obj", kFloor);
+    std::filesystem::rename(folder.path("b.ffenv"), folder.path("a.ffenv"));
+    QCOMPARE(importEnvironment(folder.path(""))->triangles.size(), both->triangles.size() + 1);
   }
 
   void bothSidesOfSomeFilesOnlyAreRefused_data() {

@@ -39,6 +39,9 @@ class TestTileCommands : public QObject {
  private slots:
   void everyFormatHasTheSameBytes();
   void theBoundIsKept();
+  void statisticsGoElsewhere();
+  void noMemoryAtAllIsRefused();
+  void slicesOfOtherSidesAreNotJoined();
   void slicesAreJoined();
   void whatCannotBeIsRefused();
   void damagedTilesAreRefused();
@@ -93,6 +96,43 @@ void TestTileCommands::theBoundIsKept() {
     if (whole > 0) QVERIFY2(whole > bound, "the bound is none for this city");
     whole = peak;
   }
+}
+
+void TestTileCommands::statisticsGoElsewhere() {
+  const QTemporaryDir folder;
+  const QString tiles = folder.filePath("tiles");
+  for (const QString& statistics : {tiles + "/index.json", tiles}) {
+    const Outcome run = runProgram(
+        QStringList{"run", sample("house"), "--memory", "1G", "-o", tiles, "--stats", statistics} + kPipeline.first(4));
+    QCOMPARE(run.exitCode, 2);
+    QVERIFY2(run.err.contains("--stats"), run.err);
+    QVERIFY(QDir(folder.path()).isEmpty());
+  }
+}
+
+void TestTileCommands::noMemoryAtAllIsRefused() {
+  const QTemporaryDir folder;
+  const Outcome run = runProgram(
+      QStringList{"run", sample("house"), "--memory", "0", "--slice", "2/8", "-o", folder.filePath("out.obj")} +
+      kPipeline.first(4));
+  QCOMPARE(run.exitCode, 2);
+  QVERIFY(QDir(folder.path()).isEmpty());
+}
+
+void TestTileCommands::slicesOfOtherSidesAreNotJoined() {
+  const QTemporaryDir folder;
+  const QString packed = folder.filePath("villa.ffenv");
+  QCOMPARE(runProgram({"pack", sample("villa"), "-o", packed, "--quiet"}).exitCode, 0);
+  for (const QStringList& slice : {QStringList{"1/2", "one"}, QStringList{"2/2", "two", "--both-sides"}})
+    QCOMPARE(runProgram(QStringList{"run", packed, "--memory", "1G", "--slice", slice[0], "--quiet", "-o",
+                                    folder.filePath(slice[1])} +
+                        slice.mid(2) + kPipeline.first(4))
+                 .exitCode,
+             0);
+  const Outcome joined =
+      runProgram({"join", folder.filePath("one"), folder.filePath("two"), "-o", folder.filePath("out.obj")});
+  QCOMPARE(joined.exitCode, 2);
+  QVERIFY2(joined.err.contains("give folders of one run"), joined.err);
 }
 
 void TestTileCommands::slicesAreJoined() {
