@@ -1,11 +1,8 @@
 // Every format of the table: bad options, bad targets, a full disk and cancelling leave what was there.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sys/resource.h>
-
 #include <QDir>
 #include <QProcess>
 #include <QtTest>
-#include <csignal>
 
 #include "core/io/formats/detour_export.hpp"
 #include "core/io/formats/save.hpp"
@@ -15,6 +12,7 @@
 #include "footfall/run.hpp"
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/program_run.hpp"
+#include "tests/unit/small_files.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -42,26 +40,6 @@ struct Case {
   std::string ending;
   /// The bytes; throws what `poll` throws.
   std::function<std::vector<OutputFile>(const std::string& path, Poll poll)> make;
-};
-
-/// All files that a process writes are cut off at a size, as on a disk that is full.
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t size) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &limit_);
-    const rlimit small{size, limit_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallFiles() {
-    ::setrlimit(RLIMIT_FSIZE, &limit_);
-    std::signal(SIGXFSZ, before_);
-  }
-  SmallFiles(const SmallFiles&) = delete;
-  SmallFiles& operator=(const SmallFiles&) = delete;
-
- private:
-  rlimit limit_{};
-  void (*before_)(int);
 };
 
 }  // namespace

@@ -1,11 +1,9 @@
 // Packed environments: opening, parts of them, damage, full disks, and what runs make of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <QRandomGenerator>
 #include <QtTest>
-#include <csignal>
 #include <cstring>
 
 #include "core/base/digest.hpp"
@@ -16,6 +14,7 @@
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/packed_round_trip.hpp"
 #include "tests/unit/program_run.hpp"
+#include "tests/unit/small_files.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -34,25 +33,6 @@ void seal(QByteArray& bytes) {
   const CheckSum sum = Digest().add(std::string_view(bytes.constData(), kSummedHeader)).value();
   std::memcpy(bytes.data() + kSummedHeader, sum.data(), sizeof sum);
 }
-
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t size) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &limit_);
-    const rlimit small{size, limit_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallFiles() {
-    ::setrlimit(RLIMIT_FSIZE, &limit_);
-    std::signal(SIGXFSZ, before_);
-  }
-  SmallFiles(const SmallFiles&) = delete;
-  SmallFiles& operator=(const SmallFiles&) = delete;
-
- private:
-  rlimit limit_{};
-  void (*before_)(int);
-};
 
 }  // namespace
 
