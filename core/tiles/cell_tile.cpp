@@ -10,6 +10,7 @@
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/pipeline/block_structure.hpp"
+#include "core/tiles/tile_geometry.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -27,6 +28,12 @@ bool isOfCells(const PipelineStep& step) {
   }
 }
 
+/// Behind all of those, tile by tile with what lies beside it.
+bool isOverTiles(const PipelineStep& step) {
+  return step.filter->type == FilterType::LayerSubdivision ||
+         (step.filter->type == FilterType::Simplification && step.values[0] == 0);
+}
+
 Pattern problemOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Duplication)
     return FOOTFALL_TEXT(
@@ -36,6 +43,10 @@ Pattern problemOf(const FilterDescriptor& filter) {
     return FOOTFALL_TEXT(
         "%1: %2 moves vertices that cells share and cannot keep to a bound of memory; leave it out, or "
         "run without the bound, with all of the environment in memory");
+  if (filter.type == FilterType::Simplification)
+    return FOOTFALL_TEXT(
+        "%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run without the bound, "
+        "with all of the environment in memory");
   return FOOTFALL_TEXT(
       "%1: %2 sees across cells and cannot keep to a bound of memory; leave it out, or run without the "
       "bound, with all of the environment in memory");
@@ -81,7 +92,7 @@ class TileMaker {
   TileMaker(const WalkableState& state, const CellFaces& cell)
       : kernel_(*state.kernel), source_(state.kernel->mesh()), mesh_(*state.mesh), numbers_(cell.faces.faceNumbers) {}
 
-  Tile make(const std::vector<char>& isOwn, RunContext& context,
+  Tile make(const std::vector<char>& isOwn, bool keepsGeometry, RunContext& context,
             const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
     std::vector<char> isShared(mesh_.vertices.size(), 0);
     for (const MeshTriangle& triangle : mesh_.triangles)
@@ -112,6 +123,7 @@ class TileMaker {
       if (v % 1024 == 0) context.checkCancelled();
       if (isShared[used[v]] != 0) addBorder(static_cast<Index>(v), vertices[v]);
     }
+    if (keepsGeometry) addGeometry(vertices);
     if (inspect)
       inspect(tile_, [&](Index v) {
         const MeshVertex& vertex = vertices[static_cast<std::size_t>(v)];
@@ -121,6 +133,17 @@ class TileMaker {
   }
 
  private:
+  void addGeometry(const std::vector<MeshVertex>& vertices) {
+    tile_.geometry = geometryOf(kernel_, vertices, numbers_);
+    tile_.pieces.reserve(tile_.triangles.size());
+    Index face = -1;
+    std::uint32_t number = 0;
+    for (const MeshTriangle& triangle : tile_.triangles) {
+      if (triangle.face != std::exchange(face, triangle.face)) number = 0;
+      tile_.pieces.push_back({number++, face});
+    }
+  }
+
   void addFace(Index face) {
     TileFace made{numbers_[source_.inputTriangles[face]], 0, {}};
     for (std::size_t k = 0; k < 3; ++k) made.corners[k] = source_.vertices[source_.triangles[face][k]];
@@ -129,12 +152,8 @@ class TileMaker {
 
   // All floors at a vertex of two tiles touch floors of both: either cell has them all, and so the same first one.
   void addBorder(Index number, const MeshVertex& vertex) {
-    TileBorder border{number, numbers_[source_.inputTriangles[vertex.face]], {}};
-    if (tile_.exact[number] == 0) {
-      const std::array<mpq_class, 3> place = kernel_.exactPosition(vertex.point, vertex.face);
-      border.exact = place[0].get_str() + ' ' + place[1].get_str() + ' ' + place[2].get_str();
-    }
-    tile_.borders.push_back(std::move(border));
+    tile_.borders.push_back(
+        borderOf(kernel_, vertex, tile_.exact[number] != 0, number, numbers_[source_.inputTriangles[vertex.face]]));
   }
 
   const PlanKernel& kernel_;
@@ -153,11 +172,20 @@ CellSteps stepsOfCells(const Pipeline& pipeline) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled || step.filter->kind != FilterKind::Filter) continue;
     const auto fail = [&](Pattern problem) { throw InputError(problem, placeOfStep(pipeline, i), step.filter->name); };
-    if (step.filter->type == FilterType::Area) {
+    if (isOverTiles(step)) {
+      steps.global.push_back(step);
+      continue;
+    }
+    const bool isArea = step.filter->type == FilterType::Area;
+    if (!isArea && !isOfCells(step)) fail(problemOf(*step.filter));
+    if (!steps.global.empty())
+      fail(
+          FOOTFALL_TEXT("%1: %2 stands behind a filter that needs all cells; put it before that, or run without the "
+                        "bound, with all of the environment in memory"));
+    if (isArea) {
       steps.minimumArea = std::max(steps.minimumArea.value_or(0), step.values[0]);
       continue;
     }
-    if (!isOfCells(step)) fail(problemOf(*step.filter));
     if (steps.minimumArea)
       fail(
           FOOTFALL_TEXT("%1: %2 stands behind an AreaFilter, which needs all cells; put it before that, or run without "
@@ -180,12 +208,13 @@ FloorRule floorRuleOf(const std::vector<PipelineStep>& steps) {
 }
 
 Tile makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const std::vector<PipelineStep>& steps,
-              RunContext& context, const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
+              bool keepsGeometry, RunContext& context,
+              const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
   if (cell.faces.soup.triangles.empty()) return {};
   const StatePtr first = makeInitialState(environmentOf(cell, head), context, {}, grid);
   const SourceMesh& mesh = first->kernel->mesh();
   const StatePtr last = runSteps(first, facesOfKind(mesh, cell.kinds, 1), steps, context);
-  return TileMaker(*last, cell).make(facesOfKind(mesh, cell.kinds, 2), context, inspect);
+  return TileMaker(*last, cell).make(facesOfKind(mesh, cell.kinds, 2), keepsGeometry, context, inspect);
 }
 
 }  // namespace footfall::detail

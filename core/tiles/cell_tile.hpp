@@ -21,6 +21,7 @@ namespace footfall::detail {
 struct CellSteps {
   std::vector<PipelineStep> local;      ///< filters that a cell runs by itself
   std::optional<double> minimumArea{};  ///< behind them: regions of at most that are left out, over all cells
+  std::vector<PipelineStep> global{};   ///< behind that: filters that see over the borders of tiles
 };
 
 /// What a pipeline is for cells: local filters that move nothing, then an AreaFilter or several. Strategies and
@@ -35,9 +36,11 @@ FloorRule floorRuleOf(const std::vector<PipelineStep>& steps);
 using ExactPlaceOf = std::function<std::array<mpq_class, 3>(Index vertex)>;
 
 /// What the steps leave of the cell's own floors, exactly as in the whole environment. `head` is that of the
-/// environment and `grid` that of all its vertices. `inspect` (may be empty) is called with the tile while the places
+/// environment and `grid` that of all its vertices. `keepsGeometry`: with all that filters over the borders of tiles
+/// need to know. `inspect` (may be empty) is called with the tile while the places
 /// of its vertices are known exactly.
 Tile makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const std::vector<PipelineStep>& steps,
-              RunContext& context, const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect = {});
+              bool keepsGeometry, RunContext& context,
+              const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect = {});
 
 }  // namespace footfall::detail

@@ -17,13 +17,13 @@
 namespace footfall::detail {
 
 /// To be raised with each change of the bytes, or of what a local filter finds; others are refused.
-inline constexpr std::uint64_t kTileVersion = 1;
+inline constexpr std::uint64_t kTileVersion = 2;
 inline constexpr std::string_view kTileExtension = "fftile";
 
 /// What is left of one triangle of the environment.
 struct TileFace {
   std::uint32_t source = 0;     ///< the triangle's number in the environment
-  std::uint32_t triangles = 0;  ///< so many of the tile's, behind those of the faces before
+  std::uint32_t triangles = 0;  ///< so many of the tile's, behind those of the faces before; 0 where it is a plane only
   std::array<Vec3, 3> corners;  ///< of the whole triangle, from its smallest on: the order of all faces goes by them
   bool operator==(const TileFace&) const = default;
 };
@@ -36,12 +36,39 @@ struct TileBorder {
   bool operator==(const TileBorder&) const = default;
 };
 
+/// Where a triangle stands among all of its face, of which others may be in other tiles, and in whose plane it lies
+/// once triangles may span several faces.
+struct TilePiece {
+  std::uint32_t number = 0;  ///< ascending within a face, over all tiles
+  Index plane = -1;          ///< an index into `faces`
+  bool operator==(const TilePiece&) const = default;
+};
+
+/// A triangle of the environment over other corners.
+struct TileSource {
+  std::array<Index, 3> corners{};
+  std::uint32_t number = 0;  ///< in the environment
+  bool operator==(const TileSource&) const = default;
+};
+
+/// What vertices were made of: while a run still has to decide about them exactly.
+struct TileGeometry {
+  std::vector<double> heights;        ///< PlanKernel::heights()
+  std::vector<Vec3> corners;          ///< of the environment
+  std::vector<TileSource> triangles;  ///< `corners` are indices into the list above
+  /// One for each vertex of the tile. Their numbers (of plan ids, vertices and triangles) are places in these lists.
+  std::vector<MeshVertex> vertices;
+};
+
 struct Tile {
   std::vector<TileFace> faces;          ///< in the order of SourceMesh::triangles
   std::vector<MeshTriangle> triangles;  ///< `face` is an index into `faces`; ascending
   std::vector<Vec3> places;             ///< of the vertices, in the order of their first use; the nearest doubles
   std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
   std::vector<TileBorder> borders;      ///< ascending by vertex
+  std::vector<TilePiece> pieces;      ///< one for each triangle; empty: numbered from 0 on, in the plane of their face
+  std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
+  TileGeometry geometry;              ///< or empty
 };
 
 /// The bytes of a tile's file, with a check sum. `poll` is called now and then and may throw to cancel.

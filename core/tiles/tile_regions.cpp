@@ -10,6 +10,7 @@
 #include "core/base/vector.hpp"
 #include "core/filters/root_sum.hpp"
 #include "core/mesh/mesh_topology.hpp"
+#include "core/tiles/tile_geometry.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -179,35 +180,9 @@ std::map<Index, std::vector<mpq_class>> RegionSums::rootsOf(const std::vector<In
 }
 
 Tile withoutRegions(const Tile& tile, const std::vector<Index>& regionOf, const std::vector<char>& keeps) {
-  Tile kept;
-  std::vector<Index> numbers(tile.places.size(), -1);
-  Index face = -1;
-  for (std::size_t t = 0; t < tile.triangles.size(); ++t) {
-    if (keeps[static_cast<std::size_t>(regionOf[t])] == 0) continue;
-    MeshTriangle triangle = tile.triangles[t];
-    if (triangle.face != std::exchange(face, triangle.face)) {
-      kept.faces.push_back(tile.faces[static_cast<std::size_t>(face)]);
-      kept.faces.back().triangles = 0;
-    }
-    ++kept.faces.back().triangles;
-    triangle.face = static_cast<Index>(kept.faces.size()) - 1;
-    for (Index& v : triangle.corners) {
-      if (numbers[v] < 0) {
-        numbers[v] = static_cast<Index>(kept.places.size());
-        kept.places.push_back(tile.places[v]);
-        kept.exact.push_back(tile.exact[v]);
-      }
-      v = numbers[v];
-    }
-    kept.triangles.push_back(triangle);
-  }
-  for (TileBorder border : tile.borders) {
-    border.vertex = numbers[border.vertex];
-    if (border.vertex >= 0) kept.borders.push_back(std::move(border));
-  }
-  std::sort(kept.borders.begin(), kept.borders.end(),
-            [](const TileBorder& a, const TileBorder& b) { return a.vertex < b.vertex; });
-  return kept;
+  std::vector<char> chosen(tile.triangles.size());
+  for (std::size_t t = 0; t < chosen.size(); ++t) chosen[t] = keeps[static_cast<std::size_t>(regionOf[t])];
+  return chosenTriangles(tile, chosen);
 }
 
 }  // namespace footfall::detail

@@ -13,6 +13,7 @@
 #include "core/io/export.hpp"
 #include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_regions.hpp"
+#include "core/tiles/tile_stage.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -81,6 +82,9 @@ class TileRun {
     if (steps_.minimumArea && options.slice.count > 1)
       throw InputError(
           FOOTFALL_TEXT("AreaFilter sees over the borders of slices; leave it out, or run all slices at once"));
+    if (!steps_.global.empty() && options.slice.count > 1)
+      throw InputError(FOOTFALL_TEXT("%1 sees over the borders of slices; leave it out, or run all slices at once"),
+                       steps_.global.front().filter->name);
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
     if (options.memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(fixed_ + kMegabyte);
     result_.set.frame = environment.head().frame();
@@ -95,7 +99,8 @@ class TileRun {
     const Stopwatch watch;
     grid_ = gridOf(environment_, context_);
     const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
-    std::uint64_t size = std::min(options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor));
+    std::uint64_t size = std::min(
+        options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor + (isExact() ? 2 * kOfUnionTriangle : 0)));
     for (std::uint64_t first = begin; first < count;) {
       const FaceRange range{first, std::min(first + size, count)};
       context_.beginStep(kTileRunSteps * (first - begin) / (count - begin),
@@ -106,10 +111,12 @@ class TileRun {
         continue;
       }
       ++result_.refused;
-      if (range.size() == 1) failTooLittle(needed(collector_.measure(range, context_)));
+      if (range.size() == 1)
+        failTooLittle(neededForTile_ != 0 ? fixed_ + neededForTile_ : needed(collector_.measure(range, context_)));
       size = range.size() / 2;
     }
     if (steps_.minimumArea) dropSmallRegions(*steps_.minimumArea);
+    if (!steps_.global.empty()) runGlobalSteps();
     result_.wallMs = watch.wallMs();
     result_.cpuMs = watch.cpuMs();
     return std::move(result_);
@@ -121,6 +128,9 @@ class TileRun {
     const std::uint64_t faces = collector_.faceCount(), slices = options_.slice.count;
     return faces / slices * number + faces % slices * number / slices;
   }
+
+  /// Whether tiles are to keep what filters over their borders need to know.
+  [[nodiscard]] bool isExact() const { return !steps_.global.empty(); }
 
   [[nodiscard]] std::uint64_t needed(const CellSize& size) const {
     return fixed_ + kOfFace * size.faces + kOfFloor * size.floors;
@@ -137,7 +147,7 @@ class TileRun {
   // many more at once, since it may get denser.
   [[nodiscard]] std::uint64_t nextSize(std::uint64_t size, const CellSize& found) const {
     const double room = 0.85 * static_cast<double>(options_.memory - fixed_);
-    const double used = static_cast<double>(std::max(needed(found) - fixed_, kOfFace));
+    const double used = static_cast<double>(std::max({needed(found) - fixed_, neededForTile_, kOfFace}));
     const double next = static_cast<double>(size) * std::clamp(room / used, 0.5, 2.0);
     return std::clamp(static_cast<std::uint64_t>(next), std::uint64_t{1},
                       std::max<std::uint64_t>(options_.mostFaces, 1));
@@ -147,21 +157,45 @@ class TileRun {
   std::optional<CellSize> runCell(const FaceRange& range) {
     context_.checkCancelled();
     const auto fits = [this](const CellSize& size) { return needed(size) <= options_.memory; };
+    neededForTile_ = 0;
     std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr);
     environment_.releasePages();
     if (!cell) return std::nullopt;
-    ++result_.cells;
     const CellSize found{cell->faces.faceNumbers.size(), cell->floors};
+    const Tile tile = makeTile(*cell, environment_.head(), grid_, steps_.local, isExact(), context_);
+    cell.reset();
+    if (isExact()) neededForTile_ = 2 * kOfUnionTriangle * tile.triangles.size();  // with as much beside it
+    if (fixed_ + neededForTile_ > options_.memory) return std::nullopt;
+    ++result_.cells;
     result_.largestCell = std::max(result_.largestCell, found.faces);
     result_.collected += found.faces;
-    const Tile tile = makeTile(*cell, environment_.head(), grid_, steps_.local, context_);
-    cell.reset();
     if (!tile.triangles.empty()) {
       store_.add(tile);
       ranges_.push_back(range);
     }
     returnFreedMemory();
     return found;
+  }
+
+  // Filters that see over the borders of tiles, one after another; then nobody needs to know what vertices are made of.
+  void runGlobalSteps() {
+    TileStage stage{store_, ranges_.size(), {}, grid_, options_.memory - fixed_, {}};
+    stage.failTooLittle = [this](std::uint64_t bytes) { failTooLittle(fixed_ + bytes); };
+    for (std::size_t i = 0; i < ranges_.size(); ++i)
+      if (const Tile tile = store_.read(i); !tile.triangles.empty()) stage.tiles.push_back(storedTileOf(i, tile));
+    for (const PipelineStep& step : steps_.global) {
+      context_.beginStep(kTileRunSteps - 1, std::string(step.filter->name));
+      if (step.filter->type == FilterType::Simplification)
+        simplifyTiles(stage, context_);
+      else
+        layTiles(stage, context_);
+      returnFreedMemory();
+    }
+    for (const StoredTile& stored : stage.tiles) {
+      Tile tile = store_.read(stored.number);
+      tile.geometry = {};
+      store_.replace(stored.number, tile);
+    }
   }
 
   // Regions hang together over borders: what each tile knows of its own is put together, and then each is read again.
@@ -177,7 +211,7 @@ class TileRun {
       const std::optional<CellFaces> cell = collector_.collect(
           ranges_[number], [](const CellSize&) { return true; }, context_, nullptr);
       environment_.releasePages();
-      makeTile(*cell, environment_.head(), grid_, steps_.local, context_, inspect);
+      makeTile(*cell, environment_.head(), grid_, steps_.local, false, context_, inspect);
       returnFreedMemory();
     };
     const std::vector<std::vector<char>> keeps = sums.largerThan(minimum, findAgain, context_);
@@ -196,6 +230,7 @@ class TileRun {
   RunContext& context_;
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
+  std::uint64_t neededForTile_ = 0;  ///< of the last cell, for filters that see over the borders of tiles; or 0
   Grid grid_;
   std::vector<FaceRange> ranges_;  ///< of each tile
   TileRunResult result_;

@@ -7,6 +7,7 @@
 
 #include "core/io/packed/packed_environment.hpp"
 #include "core/tiles/tile_set.hpp"
+#include "core/tiles/tile_store.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run_context.hpp"
 
@@ -28,20 +29,6 @@ struct TileRunResult {
   std::uint64_t collected = 0;    ///< triangles of all cells together: neighbours have some in common
   std::uint64_t refused = 0;      ///< cells that were made smaller because they would not have fitted
   double wallMs = 0, cpuMs = 0;
-};
-
-/// Where the tiles of a run are kept, numbered from 0 on.
-class TileStore {
- public:
-  TileStore() = default;
-  virtual ~TileStore() = default;
-  TileStore(const TileStore&) = delete;
-  TileStore& operator=(const TileStore&) = delete;
-
-  virtual void add(const Tile& tile) = 0;
-  virtual Tile read(std::size_t number) = 0;
-  /// By one that has less of it, or nothing.
-  virtual void replace(std::size_t number, const Tile& tile) = 0;
 };
 
 /// Runs the pipeline cell by cell, and adds a tile for each that has triangles. As runIntoTiles() else; the set of the

@@ -21,7 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "footfall tiles";
-constexpr Pattern kRunAgain = FOOTFALL_TEXT("run `footfall run --memory` again");
 
 std::string pathIn(const std::string& folder, const std::string& file) {
   return (std::filesystem::path(folder) / file).string();
@@ -144,25 +143,25 @@ TileSet readTileIndex(const std::string& folder, RunContext* context) {
               FOOTFALL_TEXT("give the one that `footfall run --memory` wrote"));
   if (!std::filesystem::exists(path, ignored))
     failInput(folder, 0, FOOTFALL_TEXT("has no index.json: it is no folder of tiles, or the run did not end"),
-              kRunAgain);
+              kRunTilesAgain);
   const std::string text = readInputFile(path, context);
   try {
     return setOf(text);
   } catch (const BadBytes& error) {
-    failInput(path, 0, error.what(), kRunAgain);
+    failInput(path, 0, error.what(), kRunTilesAgain);
   } catch (const nlohmann::json::exception&) {
-    failInput(path, 0, FOOTFALL_TEXT("is damaged"), kRunAgain);
+    failInput(path, 0, FOOTFALL_TEXT("is damaged"), kRunTilesAgain);
   }
 }
 
 Tile readTile(const std::string& folder, const TileEntry& entry, RunContext* context) {
   const std::string path = pathIn(folder, entry.file), bytes = readInputFile(path, context);
   if (Digest().add(bytes).value() != entry.sum)
-    failInput(path, 0, FOOTFALL_TEXT("is damaged, or of another run than the index"), kRunAgain);
+    failInput(path, 0, FOOTFALL_TEXT("is damaged, or of another run than the index"), kRunTilesAgain);
   try {
     return decodeTile(bytes, Poll(context));
   } catch (const BadBytes& error) {
-    failInput(path, 0, error.what(), kRunAgain);
+    failInput(path, 0, error.what(), kRunTilesAgain);
   }
 }
 

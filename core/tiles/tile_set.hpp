@@ -10,10 +10,13 @@
 #include "core/tiles/tile.hpp"
 #include "footfall/geometry.hpp"
 #include "footfall/run_context.hpp"
+#include "footfall/text.hpp"
 
 namespace footfall::detail {
 
 inline constexpr const char* kTileIndex = "index.json";
+/// What to do where files of a folder are not what they should be.
+inline constexpr Pattern kRunTilesAgain = FOOTFALL_TEXT("run `footfall run --memory` again");
 
 struct TileEntry {
   std::string file;  ///< its name in the folder

@@ -234,8 +234,10 @@ std::shared_ptr<NavigationMesh> makeNavigationMesh(const PlacedMesh& mesh, RunCo
   const std::size_t count = mesh.places.size();
   const Adjacency edges = findEdges(mesh.triangles, count, Poll(context));
   const SettledMesh settled =
-      settle(splitOf(mesh.triangles, {}, count, edges, context), mesh.places, mesh.exact, context);
-  return numbered(settled, orderByLayer(settled.mesh), mesh.sources, context);
+      settle(splitOf(mesh.triangles, mesh.layers, count, edges, context), mesh.places, mesh.exact, context);
+  auto result = numbered(settled, orderByLayer(settled.mesh), mesh.sources, context);
+  for (const std::uint32_t layer : mesh.layers) result->layerCount = std::max(result->layerCount, layer + 1);
+  return result;
 }
 
 }  // namespace footfall::detail

@@ -221,8 +221,8 @@ void TestTileCommands::damagedTilesAreRefused() {
   QVERIFY(joinedWith("index.json", index.first(index.size() / 2)).contains("is damaged"));
   QByteArray outside = index;
   QVERIFY(joinedWith("index.json", outside.replace("tile-0000001", "../tile-0000001")).contains("not in it"));
-  QByteArray newer = index;
-  QVERIFY(joinedWith("index.json", newer.replace("\"version\": 1", "\"version\": 2")).contains("of another version"));
+  QByteArray older = index;
+  QVERIFY(joinedWith("index.json", older.replace("\"version\": 2", "\"version\": 1")).contains("of another version"));
   QCOMPARE(runProgram({"join", tiles, "-o", out, "--quiet"}).exitCode, 0);
 }
 

@@ -36,7 +36,12 @@ const std::vector<std::string> kPipelines{
     "SlopeFilter 40\n",
     "",
     "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 2.5\n",
-    "SlopeFilter 60\nAreaFilter 1\nAreaFilter 0.25\n"};
+    "SlopeFilter 60\nAreaFilter 1\nAreaFilter 0.25\n",
+    "SlopeFilter 60\nLayerSubdivisionFilter\n",
+    "SlopeFilter 45\nVerticalClearanceFilter 1\nAreaFilter 1\nLayerSubdivisionFilter\n",
+    "SlopeFilter 60\nSimplificationFilter\n",
+    "SlopeFilter 45\nVerticalClearanceFilter 1\nAreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n",
+    "VerticalClearanceFilter 1\nLayerSubdivisionFilter\nSimplificationFilter\nSimplificationFilter\n"};
 
 rc::Gen<Soup> anySoup() {
   return rc::gen::oneOf(rc::gen::map(gridTriangles(20, 3, 3), [](const auto& numbers) { return soupOf(numbers); }),
@@ -67,7 +72,7 @@ std::map<std::string, QByteArray> makeTiles(const PackedEnvironment& environment
 }
 
 std::string bytesOf(const NavigationMesh& mesh) {
-  return formatObj(mesh, {}) + std::to_string(mesh.sourceTriangles.size());
+  return formatObj(mesh, {}) + std::to_string(mesh.sourceTriangles.size()) + ' ' + std::to_string(mesh.layerCount);
 }
 
 /// The bytes of tiles.
@@ -94,7 +99,8 @@ QString differenceOf(const PackedEnvironment& environment, const std::string& pi
     for (auto tile = store.tiles.rbegin(); tile != store.tiles.rend(); ++tile) joiner.add(decodeTile(*tile));
     std::shared_ptr<NavigationMesh> joined = joiner.join(context);
     joined->frame = environment.head().frame();
-    if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != whole.mesh->sourceTriangles)
+    if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != whole.mesh->sourceTriangles ||
+        joined->layers != whole.mesh->layers || joined->connections != whole.mesh->connections)
       return QString("cells of %1: %2").arg(most).arg(QString::fromStdString(pipeline));
   }
   return {};
@@ -151,7 +157,9 @@ class TestTileJoin : public QObject {
   void areasNearTheMinimum();
   void obstaclesPartRegions();
   void bordersHaveOneNameAndPlace();
+  void theSameTilesOnAnyThreads_data();
   void theSameTilesOnAnyThreads();
+  void aBoundThatIsTooLittleSaysWhatItNeeds_data();
   void aBoundThatIsTooLittleSaysWhatItNeeds();
   void globalFiltersAreNamed();
   void whatFailsLeavesNothing();
@@ -193,7 +201,7 @@ void TestTileJoin::samples() {
   const std::string level = packed(sample(name.toStdString()), folder);
   if (level.empty()) QSKIP("not there");
   const PackedEnvironment environment(level);
-  for (const std::size_t pipeline : {0, 1, 5, 7})
+  for (const std::size_t pipeline : {0, 1, 5, 7, 9, 12})
     QCOMPARE(differenceOf(environment, kPipelines[pipeline], {700, 5000}), QString());
 }
 
@@ -208,7 +216,7 @@ void TestTileJoin::environments() {
   const std::string level = packed((sharedEnvironments() + '/' + name + ".obj").toStdString(), folder);
   if (level.empty()) QSKIP("real environments are not there");
   const PackedEnvironment environment(level);
-  for (const std::size_t pipeline : {0, 7})
+  for (const std::size_t pipeline : {0, 7, 9, 12})
     QCOMPARE(differenceOf(environment, kPipelines[pipeline], {3000}), QString());
 }
 
@@ -260,19 +268,35 @@ void TestTileJoin::bordersHaveOneNameAndPlace() {
   for (const auto& [name, count] : seen) QVERIFY2(count > 1, name.c_str());
 }
 
+void TestTileJoin::theSameTilesOnAnyThreads_data() {
+  QTest::addColumn<int>("steps");
+  QTest::newRow("local") << 0;
+  QTest::newRow("simplification and layers") << 12;
+}
+
 void TestTileJoin::theSameTilesOnAnyThreads() {
+  QFETCH(int, steps);
+  const std::string& pipeline = kPipelines[static_cast<std::size_t>(steps)];
   const TemporaryFolder folder;
   const PackedEnvironment environment(packed(sample("house"), folder));
-  const auto one = makeTiles(environment, kPipelines[0], folder.path("one"), 30, 1);
-  QVERIFY(one == makeTiles(environment, kPipelines[0], folder.path("four"), 30, 4));
+  const auto one = makeTiles(environment, pipeline, folder.path("one"), 30, 1);
+  QVERIFY(one == makeTiles(environment, pipeline, folder.path("four"), 30, 4));
   QVERIFY(one.contains(kTileIndex));
 }
 
+void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds_data() {
+  QTest::addColumn<int>("steps");
+  QTest::newRow("local") << 0;
+  QTest::newRow("layers") << 10;
+  QTest::newRow("simplification") << 12;
+}
+
 void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds() {
+  QFETCH(int, steps);
   const TemporaryFolder folder;
   const PackedEnvironment environment(packed(sample("villa"), folder));
   RunContext context;
-  const Pipeline pipeline = parsePipeline(kPipelines[0], "test");
+  const Pipeline pipeline = parsePipeline(kPipelines[static_cast<std::size_t>(steps)], "test");
   const auto cellsWithin = [&](std::uint64_t megabytes) {
     TilesInMemory store;
     return runCells(environment, pipeline, {megabytes << 20}, store, context).cells;
@@ -297,8 +321,7 @@ void TestTileJoin::globalFiltersAreNamed() {
   const auto messageFor = [](const char* step) {
     return wordsOf<InputError>([&] { stepsOfCells(parsePipeline(kPipelines[0] + step, "test")); });
   };
-  for (const char* step : {"StepFilter 0.4", "RadiusFilter 0.3", "SimplificationFilter", "DropFilter 2",
-                           "LayerSubdivisionFilter", "ReachableFilter 0 0 0"}) {
+  for (const char* step : {"StepFilter 0.4", "RadiusFilter 0.3", "DropFilter 2", "ReachableFilter 0 0 0"}) {
     const QString message = messageFor(step);
     QVERIFY2(message.startsWith("line 3: ") && message.contains(" sees across cells"), qPrintable(message));
     QVERIFY(message.contains("run without the bound"));
@@ -306,7 +329,13 @@ void TestTileJoin::globalFiltersAreNamed() {
   QVERIFY(messageFor("RoundingFilter").contains("RoundingFilter moves vertices"));
   QVERIFY(messageFor("DuplicationFilter 0.1").contains("DuplicationFilter joins vertices across cells"));
   QCOMPARE(messageFor("DuplicationFilter 0"), QString());
+  QVERIFY(
+      messageFor("SimplificationFilter true 0.01").contains("SimplificationFilter keeps to a bound of memory exactly"));
   QCOMPARE(messageFor("AreaFilter 1\nAreaFilter 2"), QString());
+  QCOMPARE(messageFor("AreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter"), QString());
+  for (const char* step : {"AreaFilter 1", "SlopeFilter 30"})
+    QVERIFY(messageFor((std::string("SimplificationFilter\n") + step).c_str())
+                .contains("stands behind a filter that needs all cells"));
   QVERIFY(messageFor("AreaFilter 1\nSlopeFilter 30").startsWith("line 4: SlopeFilter stands behind an AreaFilter"));
 }
 
