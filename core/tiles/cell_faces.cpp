@@ -63,6 +63,7 @@ CellCollector::CellCollector(const PackedEnvironment& environment, FloorRule rul
 }
 
 bool CellCollector::isFloor(const BlockFace& face) const {
+  if (roleOf(face.part) != PartRole::Floor) return false;
   auto [a, b, c] = face.corners;
   const int side = facing(a, b, c);
   if (side == 0 || (side < 0 && !environment_.head().bothSides)) return false;
@@ -132,7 +133,7 @@ std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fi
   PackedFaces faces = environment_.facesOf(
       blocks,
       [&](const BlockFace& face) {
-        if (isFull || !boxes.touches(boxOf(face))) return false;
+        if (isFull || roleOf(face.part) == PartRole::Ignored || !boxes.touches(boxOf(face))) return false;
         ++found.faces;
         isFull = !fits(found);
         return true;
@@ -143,6 +144,11 @@ std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fi
   cell.faces = std::move(faces);
   for (const std::uint32_t number : cell.faces.faceNumbers)
     cell.kinds.push_back(contains(floors.own, number) ? 2 : contains(floors.near, number) ? 1 : 0);
+  if (std::ranges::find(rule_.roles, PartRole::ObstacleOnly) != rule_.roles.end())
+    for (std::size_t f = 0; f < cell.kinds.size(); ++f) {
+      const std::uint32_t part = cell.faces.partOf.empty() ? 0 : cell.faces.partOf[f];
+      cell.obstacleOnly.push_back(static_cast<std::uint8_t>(roleOf(part) == PartRole::ObstacleOnly));
+    }
   return cell;
 }
 
@@ -154,7 +160,9 @@ CellSize CellCollector::measure(const FaceRange& range, RunContext& context) con
   const BoxSet boxes(std::move(floors.boxes), context);
   for (const std::size_t block : blocksTouching(environment_, boxes)) {
     context.checkCancelled();
-    environment_.forFaces(block, [&](const BlockFace& face) { size.faces += boxes.touches(boxOf(face)) ? 1U : 0U; });
+    environment_.forFaces(block, [&](const BlockFace& face) {
+      size.faces += roleOf(face.part) != PartRole::Ignored && boxes.touches(boxOf(face)) ? 1U : 0U;
+    });
   }
   return size;
 }

@@ -18,8 +18,9 @@ struct FaceRange {
 
 /// Which faces may be floors when they are first joined, and how high above them things matter.
 struct FloorRule {
-  std::vector<double> slopes;  ///< degrees, all of which hold
-  double height = 0;           ///< the largest clearance
+  std::vector<double> slopes;   ///< degrees, all of which hold
+  double height = 0;            ///< the largest clearance
+  std::vector<PartRole> roles;  ///< of Environment::parts; empty: all are floors
 };
 
 /// Everything that decides what is left of the cell's own floors: they, the floors that touch them, and all that
@@ -29,6 +30,8 @@ struct CellFaces {
   /// For each face: 1, a floor that touches one of the cell; 2, a floor of the cell; 0, all others.
   std::vector<std::uint8_t> kinds;
   std::uint64_t floors = 0;  ///< of the kinds 1 and 2
+  /// For each face 1 where its part is an obstacle only, or empty.
+  std::vector<std::uint8_t> obstacleOnly;
 };
 
 /// How much a cell holds.
@@ -53,6 +56,9 @@ class CellCollector {
 
  private:
   struct Floors;
+  [[nodiscard]] PartRole roleOf(std::uint32_t part) const {
+    return rule_.roles.empty() ? PartRole::Floor : rule_.roles[part];
+  }
   [[nodiscard]] bool isFloor(const BlockFace& face) const;
   [[nodiscard]] bool isOwn(const FaceRange& range, const BlockFace& face) const;
   [[nodiscard]] std::vector<std::size_t> ownBlocks(const FaceRange& range) const;

@@ -67,6 +67,7 @@ std::shared_ptr<const Environment> environmentOf(const CellFaces& cell, const En
   environment->up = head.up;
   environment->metresPerUnit = head.metresPerUnit;
   environment->bothSides = head.bothSides;
+  environment->obstacleOnly = cell.obstacleOnly;
   return environment;
 }
 

@@ -29,7 +29,7 @@ void checkSlices(std::span<const std::string> folders, const std::vector<TileSet
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const TileSet& set = sets[i];
     if (set.environment != first.environment || set.pipeline != first.pipeline || set.bothSides != first.bothSides ||
-        set.slice.count != first.slice.count || set.frame.up != first.frame.up ||
+        set.roles != first.roles || set.slice.count != first.slice.count || set.frame.up != first.frame.up ||
         set.frame.metresPerUnit != first.frame.metresPerUnit)
       throw InputError(
           FOOTFALL_TEXT("%1 and %2 are tiles of different environments, pipelines or slices; give folders of one "

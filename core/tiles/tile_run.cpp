@@ -26,27 +26,45 @@ constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
 std::string inMegabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
 
-/// The grid of all vertices. Looks at all blocks, and keeps none.
-Grid gridOf(const PackedEnvironment& environment, RunContext& context) {
+/// The grid of all vertices but those that ignored faces alone have. Looks at all blocks, and keeps none.
+Grid gridOf(const PackedEnvironment& environment, const std::vector<PartRole>& roles, RunContext& context) {
   constexpr std::size_t kReleased = 256;
   Grid grid;
+  const auto include = [&grid](const std::array<double, 3>& place) {
+    for (const double x : place) grid.include(x);
+  };
   for (std::size_t i = 0; i < environment.blocks().size(); ++i) {
     context.checkCancelled();
-    for (const std::array<double, 3>& place : environment.block(i).places)
-      for (const double x : place) grid.include(x);
+    const BlockArrays block = environment.block(i);
+    const auto isIgnored = [&](std::size_t face) {
+      return roles[block.parts.empty() ? 0 : block.parts[face]] == PartRole::Ignored;
+    };
+    if (roles.empty() || block.faces.empty()) {  // vertices of no face are in blocks of their own
+      std::for_each(block.places.begin(), block.places.end(), include);
+    } else {
+      for (std::size_t f = 0; f < block.faces.size(); ++f)
+        if (!isIgnored(f))
+          for (const std::uint16_t corner : block.corners[f]) include(block.places[corner]);
+    }
     if (i % kReleased == kReleased - 1) environment.releasePages();
   }
   environment.releasePages();
   return grid;
 }
 
-void checkRoles(const Environment& head) {
-  if (std::all_of(head.usualRoles.begin(), head.usualRoles.end(), [](PartRole r) { return r == PartRole::Floor; }))
-    return;
+/// What collecting has to know; no roles where all parts are floors.
+FloorRule ruleOf(const std::vector<PipelineStep>& steps, const std::vector<PartRole>& roles) {
+  FloorRule rule = floorRuleOf(steps);
+  const auto isFloor = [](PartRole role) { return role == PartRole::Floor; };
+  if (!std::all_of(roles.begin(), roles.end(), isFloor)) rule.roles = roles;
+  return rule;
+}
+
+[[noreturn]] void failTooLittle(const std::string& source, std::uint64_t memory, std::uint64_t least) {
   throw InputError(
-      FOOTFALL_TEXT("%1: its file says that some parts are no floors, which a run within a bound of memory cannot "
-                    "regard; run without the bound, with all of the environment in memory"),
-      head.source);
+      FOOTFALL_TEXT("%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
+                    "the environment in memory"),
+      source, inMegabytes(memory), inMegabytes(least));
 }
 
 /// Removes what was written unless the run ends well.
@@ -77,27 +95,23 @@ class TileRun {
         options_(options),
         store_(store),
         context_(context),
-        collector_(environment, floorRuleOf(steps_.local)) {
-    checkRoles(environment.head());
-    if (steps_.minimumArea && options.slice.count > 1)
-      throw InputError(
-          FOOTFALL_TEXT("AreaFilter sees over the borders of slices; leave it out, or run all slices at once"));
-    if (!steps_.global.empty() && options.slice.count > 1)
-      throw InputError(FOOTFALL_TEXT("%1 sees over the borders of slices; leave it out, or run all slices at once"),
-                       steps_.global.front().filter->name);
+        rule_(ruleOf(steps_.local, options.roles)),
+        collector_(environment, rule_) {
+    checkSlice(steps_, options.slice);
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
     if (options.memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(fixed_ + kMegabyte);
     result_.set.frame = environment.head().frame();
     result_.set.bothSides = environment.head().bothSides;
     result_.set.environment = environment.tableSum();
     result_.set.slice = options.slice;
+    result_.set.roles = rule_.roles;
     result_.set.pipeline = formatPipeline(pipeline);
     result_.set.triangles = environment.faceCount();
   }
 
   TileRunResult run() {
     const Stopwatch watch;
-    grid_ = gridOf(environment_, context_);
+    grid_ = gridOf(environment_, rule_.roles, context_);
     const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
     std::uint64_t size = std::min(
         options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor + (isExact() ? 2 * kOfUnionTriangle : 0)));
@@ -137,10 +151,7 @@ class TileRun {
   }
 
   [[noreturn]] void failTooLittle(std::uint64_t least) const {
-    throw InputError(
-        FOOTFALL_TEXT("%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
-                      "the environment in memory"),
-        environment_.head().source, inMegabytes(options_.memory), inMegabytes(least));
+    detail::failTooLittle(environment_.head().source, options_.memory, least);
   }
 
   // So many triangles as fill the memory if they have as much around them as those before; with some room, and never
@@ -228,6 +239,7 @@ class TileRun {
   TileRunOptions options_;
   TileStore& store_;
   RunContext& context_;
+  FloorRule rule_;
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
   std::uint64_t neededForTile_ = 0;  ///< of the last cell, for filters that see over the borders of tiles; or 0
@@ -271,6 +283,20 @@ class TileFolder : public TileStore {
 };
 
 }  // namespace
+
+void checkSlice(const CellSteps& steps, const TileSlice& slice) {
+  if (slice.count == 1) return;
+  const auto fail = [](std::string_view filter) {
+    throw InputError(FOOTFALL_TEXT("%1 sees over the borders of slices; leave it out, or run all slices at once"),
+                     filter);
+  };
+  if (steps.minimumArea) fail(filterDescriptor(FilterType::Area).name);
+  if (!steps.global.empty()) fail(steps.global.front().filter->name);
+}
+
+void checkMemory(const std::string& source, std::uint64_t memory) {
+  if (memory <= kOfProcess + kOfFace + kOfFloor) failTooLittle(source, memory, kOfProcess + kMegabyte);
+}
 
 TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
                        TileStore& store, RunContext& context) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/io/packed/packed_environment.hpp"
+#include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_set.hpp"
 #include "core/tiles/tile_store.hpp"
 #include "footfall/pipeline.hpp"
@@ -20,6 +21,7 @@ struct TileRunOptions {
   std::uint64_t memory = 0;         ///< bytes that the process may hold at once
   std::uint64_t mostFaces = ~0ULL;  ///< of the environment, that a cell has for itself; tests make it small
   TileSlice slice{};                ///< of the environment, to be run alone
+  std::vector<PartRole> roles{};    ///< of Environment::parts (rolesOf()); empty: all are floors
 };
 
 struct TileRunResult {
@@ -31,6 +33,12 @@ struct TileRunResult {
   double wallMs = 0, cpuMs = 0;
 };
 
+/// Throws InputError where a step needs all slices.
+void checkSlice(const CellSteps& steps, const TileSlice& slice);
+
+/// Throws InputError where so much memory is too little for any environment; `source` is its file.
+void checkMemory(const std::string& source, std::uint64_t memory);
+
 /// Runs the pipeline cell by cell, and adds a tile for each that has triangles. As runIntoTiles() else; the set of the
 /// result has no tiles.
 TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
@@ -41,8 +49,8 @@ TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pip
 /// what is known before they run; so the same environment, pipeline and options give the same bytes, whatever the
 /// threads.
 ///
-/// Throws InputError where a filter cannot keep to a bound of memory or see over slices, where parts have roles, and
-/// where the bound is too little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what
+/// Throws InputError where a filter cannot keep to a bound of memory or see over slices, and where the bound is too
+/// little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what
 /// was written is removed.
 TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
                            const TileRunOptions& options, RunContext& context);

@@ -84,6 +84,11 @@ TileSet setOf(const std::string& text) {
     set.frame.storeys.push_back({storey.at("name").get<std::string>(), storey.at("height").get<double>()});
   set.pipeline = json.at("pipeline").get<std::string>();
   set.bothSides = json.at("both_sides").get<bool>();
+  for (const Json& role : json.at("roles")) {
+    const auto number = role.get<std::uint64_t>();
+    if (number > static_cast<std::uint64_t>(PartRole::Ignored)) throw BadBytes("is damaged");
+    set.roles.push_back(static_cast<PartRole>(number));
+  }
   set.environment = sumOf(json.at("environment"));
   set.slice = {json.at("slice").at(0).get<std::uint32_t>(), json.at("slice").at(1).get<std::uint32_t>()};
   if (set.slice.number < 1 || set.slice.number > set.slice.count) throw BadBytes("is damaged");
@@ -120,6 +125,8 @@ std::string formatTileIndex(const TileSet& set) {
     json["storeys"].push_back({{"name", storey.name}, {"height", storey.height}});
   json["pipeline"] = set.pipeline;
   json["both_sides"] = set.bothSides;
+  json["roles"] = Json::array();
+  for (const PartRole role : set.roles) json["roles"].push_back(static_cast<std::uint64_t>(role));
   json["environment"] = textOf(set.environment);
   json["slice"] = {set.slice.number, set.slice.count};
   json["triangles"] = set.triangles;

@@ -8,6 +8,7 @@
 
 #include "core/base/digest.hpp"
 #include "core/tiles/tile.hpp"
+#include "footfall/environment.hpp"
 #include "footfall/geometry.hpp"
 #include "footfall/run_context.hpp"
 #include "footfall/text.hpp"
@@ -34,6 +35,7 @@ struct TileSet {
   SourceFrame frame;
   Digest::Value environment{};  ///< PackedEnvironment::tableSum()
   bool bothSides = false;       ///< of the run: an option may differ from what the file says
+  std::vector<PartRole> roles;  ///< of the run, one for each part, or empty where all are floors
   TileSlice slice;
   std::string pipeline;         ///< formatPipeline()
   std::uint64_t triangles = 0;  ///< of the environment

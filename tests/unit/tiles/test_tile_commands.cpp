@@ -40,6 +40,7 @@ class TestTileCommands : public QObject {
   void everyFormatHasTheSameBytes();
   void theBoundIsKept();
   void statisticsGoElsewhere();
+  void partsHaveRoles();
   void noMemoryAtAllIsRefused();
   void slicesOfOtherSidesAreNotJoined();
   void slicesAreJoined();
@@ -110,6 +111,33 @@ void TestTileCommands::statisticsGoElsewhere() {
   }
 }
 
+void TestTileCommands::partsHaveRoles() {
+  const QTemporaryDir folder;
+  const auto named = [&](const char* name) { return folder.filePath(name); };
+  const QStringList steps =
+      kPipeline + QStringList{"--filter", "SimplificationFilter", "--filter", "LayerSubdivisionFilter"};
+  // A table and a rug in a room; the tap is so small that the grid becomes another one without it.
+  write(named("room.obj"),
+        "v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nv 1 1 1\nv 3 1 1\nv 3 3 1\nv 1 3 1\nv 4 4 0.25\nv 7 4 0.25\n"
+        "v 7 7 0.25\nv 4 7 0.25\nv 2 6 1e-30\nv 2.5 6 1e-30\nv 2 6.123456789 1e-30\n"
+        "o floor\nf 1 2 3\nf 1 3 4\no table\nf 5 6 7\nf 5 7 8\no rug\nf 9 10 11\nf 9 11 12\no tap\nf 13 14 15\n");
+  for (const QStringList& roles :
+       {QStringList{}, QStringList{"--obstacle-only", "rug"}, QStringList{"--ignore", "table", "--ignore", "tap"},
+        QStringList{"--obstacle-only", "table", "--ignore", "rug"}, QStringList{"--ignore", "floor"}}) {
+    const QStringList run = QStringList{"run", named("room.obj"), "--up", "z", "--quiet"} + roles + steps;
+    QCOMPARE(runProgram(run + QStringList{"-o", named("whole.obj")}).exitCode, 0);
+    QCOMPARE(runProgram(run + QStringList{"--memory", "1G", "-o", named("tiles")}).exitCode, 0);
+    QCOMPARE(runProgram({"join", named("tiles"), "--quiet", "-o", named("joined.obj")}).exitCode, 0);
+    QVERIFY(!contentOf(named("whole.obj")).isEmpty());
+    QCOMPARE(contentOf(named("joined.obj")), contentOf(named("whole.obj")));
+    QVERIFY(QDir(named("tiles")).removeRecursively());
+  }
+  QStringList all{"run", named("room.obj"), "--memory", "1G", "-o", named("tiles")};
+  for (const char* part : {"floor", "table", "rug", "tap"}) all += {"--ignore", part};
+  const Outcome nothing = runProgram(all + steps);
+  QVERIFY2(nothing.exitCode == 2 && nothing.err.contains("--ignore: nothing of "), nothing.err);
+}
+
 void TestTileCommands::noMemoryAtAllIsRefused() {
   const QTemporaryDir folder;
   const Outcome run = runProgram(
@@ -178,15 +206,23 @@ void TestTileCommands::whatCannotBeIsRefused() {
                : outcome.err + outcome.out;
   };
   const QStringList run{"run", house, "--memory", "1G", "-o", tiles};
-  QCOMPARE(refused(run, "the default pipeline sees across cells"), QByteArray());
+  QCOMPARE(refused(run, "StepFilter sees across cells"), QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "StepFilter 0.4"}, "StepFilter sees across cells"),
            QByteArray());
-  QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--memory: parts cannot be left out"), QByteArray());
+  QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--ignore \"x\": "), QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--no-layers"}, "--no-layers"), QByteArray());
   QCOMPARE(refused(QStringList{"run", house, "--memory", "1G"} + kPipeline, "give the folder for the tiles"),
            QByteArray());
   QCOMPARE(refused(QStringList{"run", house, "--memory", "1M", "-o", tiles} + kPipeline,
                    "a memory of 1 MB is too little; give "),
+           QByteArray());
+  // Before anything is packed: these files are not there.
+  const QStringList missing{"run", folder.filePath("missing.obj"), "-o", tiles, "--memory"};
+  QCOMPARE(refused(missing + QStringList{"1M"} + kPipeline, "a memory of 1 MB is too little; give "), QByteArray());
+  QCOMPARE(refused(missing + QStringList{"1G", "--slice", "1/2"} + kPipeline, "AreaFilter sees over the borders"),
+           QByteArray());
+  QCOMPARE(refused(missing + QStringList{"1G", "--slice", "1/2", "--filter", "LayerSubdivisionFilter"},
+                   "LayerSubdivisionFilter sees over the borders"),
            QByteArray());
   QCOMPARE(refused({"join", tiles, "-o", folder.filePath("a.obj")}, "is no folder of tiles"), QByteArray());
   QVERIFY(QDir().mkdir(tiles));
