@@ -8,6 +8,8 @@
 
 #include "core/base/byte_stream.hpp"
 #include "core/base/digest.hpp"
+#include "core/tiles/tile_gathering.hpp"
+#include "core/tiles/tile_geometry.hpp"
 #include "core/tiles/tile_regions.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
@@ -33,6 +35,19 @@ void requireInRange(const Tile& tile) {
     for (const Index corner : triangle.corners)
       require(corner >= 0 && static_cast<std::size_t>(corner) < tile.places.size(), "a corner is out of range");
   }
+  require(tile.pieces.empty() || tile.pieces.size() == tile.triangles.size(), "a triangle has no place");
+  for (const TilePiece& piece : tile.pieces)
+    require(piece.plane >= 0 && static_cast<std::size_t>(piece.plane) < tile.faces.size(), "a plane is out of range");
+  require(tile.layers.empty() || tile.layers.size() == tile.triangles.size(), "a triangle is in no layer");
+  const TileGeometry& geometry = tile.geometry;
+  require(geometry.vertices.empty() || geometry.vertices.size() == tile.places.size(), "a vertex is made of nothing");
+  const auto isBelow = [](Index number, std::size_t count) {
+    require(number >= 0 && static_cast<std::size_t>(number) < count, "a point is of nothing that is there");
+    return number;
+  };
+  const auto corner = [&](Index c) { return isBelow(c, geometry.corners.size()); };
+  const auto triangle = [&](Index t) { return isBelow(t, geometry.triangles.size()); };
+  for (const MeshVertex& vertex : geometry.vertices) renumbered(vertex.point, corner, corner, triangle);
   for (const TileBorder& border : tile.borders)
     require(border.vertex >= 0 && static_cast<std::size_t>(border.vertex) < tile.places.size(),
             "a border is out of range");
@@ -50,6 +65,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     require(encodeTile(decodeTile(again)) == again, "a tile changes when it is written and read");
     const TileRegions regions = findTileRegions(tile, {}, {});
     require(regions.regionOf.size() == tile.triangles.size(), "a triangle is in no region");
+    const Tile all = chosenTriangles(tile, std::vector<char>(tile.triangles.size(), 1));
+    require(all.triangles.size() == tile.triangles.size(), "a copy is none");
+    TileGathering gathering;
+    gathering.add(tile, {});
+    RunContext context;
+    const TileGathering::Whole whole = gathering.take(context);
+    require(whole.addedAs.size() == tile.triangles.size(), "a triangle is lost");
     const Tile less = withoutRegions(tile, regions.regionOf, std::vector<char>(regions.areas.size(), 0));
     require(less.triangles.empty() && less.places.empty(), "something is left of nothing");
   } catch (const BadBytes& error) {

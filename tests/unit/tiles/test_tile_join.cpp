@@ -8,10 +8,12 @@
 #include <set>
 
 #include "core/base/worker_arena.hpp"
+#include "core/environment/part_rules.hpp"
 #include "core/io/export.hpp"
 #include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_join.hpp"
 #include "core/tiles/tile_run.hpp"
+#include "footfall/edit.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/run.hpp"
 #include "tests/support/soup_generators.hpp"
@@ -53,7 +55,8 @@ rc::Gen<Soup> anySoup() {
 void pack(const Environment& environment, const std::string& target) {
   EnvironmentPacker packer("a soup", target, nullptr, kLittle);
   for (const Vec3& vertex : environment.vertices) packer.addVertex(vertex);
-  for (const Triangle& triangle : environment.triangles) packer.addFace(triangle, 0);
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t)
+    packer.addFace(environment.triangles[t], environment.partOf.empty() ? 0 : environment.partOf[t]);
   packer.finish(environment);
 }
 
@@ -90,16 +93,23 @@ QString differenceOf(const PackedEnvironment& environment, const std::string& pi
                      const std::vector<std::uint64_t>& cells) {
   RunContext context;
   const Pipeline parsed = parsePipeline(pipeline, "test");
-  const RunResult whole =
-      runPipeline(std::make_shared<Environment>(environment.readAll()), parsed, context, nullptr, 1);
+  const auto level = applyPartRules(std::make_shared<Environment>(environment.readAll()), {});
+  if (level->triangles.empty()) return {};
+  const RunResult whole = runPipeline(level, parsed, context, nullptr, 1);
+  std::vector<std::uint32_t> sources = whole.mesh->sourceTriangles;
+  if (level->edit)
+    for (std::uint32_t& source : sources) source = level->edit->keptTriangles[source];
+  TileRunOptions options{kEnough};
+  options.roles = rolesOf(environment.head(), {});
   for (const std::uint64_t most : cells) {
     TilesInMemory store;
-    runCells(environment, parsed, {kEnough, most}, store, context);
+    options.mostFaces = most;
+    runCells(environment, parsed, options, store, context);
     TileJoiner joiner;
     for (auto tile = store.tiles.rbegin(); tile != store.tiles.rend(); ++tile) joiner.add(decodeTile(*tile));
     std::shared_ptr<NavigationMesh> joined = joiner.join(context);
     joined->frame = environment.head().frame();
-    if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != whole.mesh->sourceTriangles ||
+    if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != sources ||
         joined->layers != whole.mesh->layers || joined->connections != whole.mesh->connections)
       return QString("cells of %1: %2").arg(most).arg(QString::fromStdString(pipeline));
   }
@@ -150,6 +160,7 @@ class TestTileJoin : public QObject {
  private slots:
   void soups();
   void soupsOfBothSides();
+  void soupsWithRoles();
   void samples_data();
   void samples();
   void environments_data();
@@ -187,6 +198,24 @@ void TestTileJoin::soupsOfBothSides() {
     pack(*environment, folder.path("soup.ffenv"));
     const QString difference = differenceOf(PackedEnvironment(folder.path("soup.ffenv")), kPipelines[0], {1, 4});
     if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+  }));
+}
+
+void TestTileJoin::soupsWithRoles() {
+  QVERIFY(check("tiles of soups of which parts have roles", 60, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    environment->parts = {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}};
+    environment->usualRoles = {PartRole::Floor, PartRole::ObstacleOnly, PartRole::Ignored, PartRole::Floor};
+    for (std::size_t t = 0; t < environment->triangles.size(); ++t)
+      environment->partOf.push_back(static_cast<std::uint32_t>(*below(4)));
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::size_t pipeline : {0, 5, 12}) {
+      const QString difference = differenceOf(opened, kPipelines[pipeline], {1, 4});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
   }));
 }
 
