@@ -194,17 +194,21 @@ class TileRun {
     stage.failTooLittle = [this](std::uint64_t bytes) { failTooLittle(fixed_ + bytes); };
     for (std::size_t i = 0; i < ranges_.size(); ++i)
       if (const Tile tile = store_.read(i); !tile.triangles.empty()) stage.tiles.push_back(storedTileOf(i, tile));
+    bool isSimplified = false;  // else triangles lie in their own faces, one behind the other
     for (const PipelineStep& step : steps_.global) {
       context_.beginStep(kTileRunSteps - 1, std::string(step.filter->name));
-      if (step.filter->type == FilterType::Simplification)
+      if (step.filter->type == FilterType::Simplification) {
+        isSimplified = true;
         simplifyTiles(stage, context_);
-      else
+      } else {
         layTiles(stage, context_);
+      }
       returnFreedMemory();
     }
     for (const StoredTile& stored : stage.tiles) {
       Tile tile = store_.read(stored.number);
       tile.geometry = {};
+      if (!isSimplified) tile.pieces = {};
       store_.replace(stored.number, tile);
     }
   }
