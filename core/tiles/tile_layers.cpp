@@ -71,9 +71,9 @@ TileUnion::Part partWithin(std::size_t number, const Tile& tile, const Box& box)
   std::vector<char> found(tile.triangles.size());
   TileUnion::Part part;
   for (std::size_t t = 0; t < found.size(); ++t) {
-    Tile one;
-    for (const Index v : tile.triangles[t].corners) one.places.push_back(tile.places[v]);
-    found[t] = static_cast<char>(touchInPlan(storedTileOf(0, one).box, box));
+    const auto& [a, b, c] = tile.triangles[t].corners;
+    const std::array<Vec3, 3> places{tile.places[a], tile.places[b], tile.places[c]};
+    found[t] = static_cast<char>(touchInPlan(boxAround(places), box));
     if (found[t] != 0) part.numbers.push_back(static_cast<Index>(t));
   }
   part.tile = number;

@@ -202,7 +202,7 @@ class TileSimplification {
       const Tile tile = chosenTriangles(stage_.store.read(given_[i].number), chosen);
       for (const TileBorder& border : tile.borders)
         names.numberOf(tile.places[border.vertex], border, static_cast<Index>(names.size()));
-      boxes.push_back(storedTileOf(0, tile).box);
+      boxes.push_back(boxAround(tile.places));
     }
     std::vector<TileUnion::Part> parts;
     for (std::size_t i = 0; i < given_.size(); ++i) {

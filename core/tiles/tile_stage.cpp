@@ -2,6 +2,7 @@
 #include "core/tiles/tile_stage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,18 +16,21 @@ bool touchAlong(const Box& a, const Box& b, std::size_t axis) {
 }  // namespace
 
 // A rounded place is at most half a unit in the last place away.
-StoredTile storedTileOf(std::size_t number, const Tile& tile) {
+Box boxAround(std::span<const Vec3> places) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  StoredTile stored{number, tile.triangles.size(), {}};
-  stored.box = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  for (const Vec3& place : tile.places) {
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (const Vec3& place : places) {
     const std::array<double, 3> numbers{place.x, place.y, place.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      stored.box.lower[axis] = std::min(stored.box.lower[axis], std::nextafter(numbers[axis], -kInfinity));
-      stored.box.upper[axis] = std::max(stored.box.upper[axis], std::nextafter(numbers[axis], kInfinity));
+      box.lower[axis] = std::min(box.lower[axis], std::nextafter(numbers[axis], -kInfinity));
+      box.upper[axis] = std::max(box.upper[axis], std::nextafter(numbers[axis], kInfinity));
     }
   }
-  return stored;
+  return box;
+}
+
+StoredTile storedTileOf(std::size_t number, const Tile& tile) {
+  return {number, tile.triangles.size(), boxAround(tile.places)};
 }
 
 void TileStage::add(const Tile& tile, std::vector<StoredTile>& to) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/exact/grid.hpp"
@@ -16,6 +17,9 @@ namespace footfall::detail {
 
 /// What a triangle takes in a TileUnion while a filter works on it.
 inline constexpr std::uint64_t kOfUnionTriangle = 1500;
+
+/// A box around what rounds to these places.
+Box boxAround(std::span<const Vec3> places);
 
 /// A tile of a store.
 struct StoredTile {

@@ -158,56 +158,63 @@ const TileBorder* TileUnion::borderAt(const Origin& vertex) const {
   return found != borders.end() && found->vertex == vertex.number ? &*found : nullptr;
 }
 
+// The triangle of the environment in whose place a triangle is.
+Index TileUnion::faceOf(Index triangle) const {
+  const Origin& origin = triangles_[triangle];
+  return faces_[origin.part][parts_[origin.part].triangles.triangles[origin.number].face];
+}
+
+void TileUnion::addVertex(Index vertex, bool isNamed, Tile& tile) const {
+  const Origin& from = vertices_[vertex];
+  const Tile& given = parts_[from.part].triangles;
+  const auto number = static_cast<Index>(tile.places.size());
+  tile.places.push_back(given.places[from.number]);
+  tile.exact.push_back(given.exact[from.number]);
+  if (const TileBorder* border = borderAt(from)) {
+    tile.borders.push_back(*border);
+    tile.borders.back().vertex = number;
+  } else if (isNamed) {
+    const MeshVertex& exact = mesh_.vertices[vertex];
+    tile.borders.push_back(
+        borderOf(*kernel_, exact, tile.exact.back() != 0, number, kernel_->mesh().inputTriangles[exact.face]));
+  }
+}
+
 Tile TileUnion::tileOf(std::span<const Changed> triangles, const std::vector<char>& isNamed) const {
   const SourceMesh& source = kernel_->mesh();
   Tile tile;
   std::vector<Index> faces;
-  const auto slotOf = [this](Index t) {
-    const Origin& origin = triangles_[t];
-    return faces_[origin.part][parts_[origin.part].triangles.triangles[origin.number].face];
-  };
   for (const auto& [t, now] : triangles) {
-    faces.push_back(slotOf(t));
+    faces.push_back(faceOf(t));
     faces.push_back(now.face);
   }
   sortOnce(faces);
-  const auto faceNumber = [&faces](Index id) {
-    return static_cast<Index>(std::lower_bound(faces.begin(), faces.end(), id) - faces.begin());
-  };
   for (const Index id : faces) {
     TileFace face{source.inputTriangles[id], 0, {}};
     for (std::size_t k = 0; k < 3; ++k) face.corners[k] = source.vertices[source.triangles[id][k]];
     tile.faces.push_back(face);
   }
+  const auto numberOf = [&faces](Index id) {
+    return static_cast<Index>(std::lower_bound(faces.begin(), faces.end(), id) - faces.begin());
+  };
   std::vector<Index> numbers(mesh_.vertices.size(), -1);
   std::vector<MeshVertex> vertices;
   for (const auto& [t, now] : triangles) {
-    const Origin& origin = triangles_[t];
     MeshTriangle triangle = now;
-    triangle.face = faceNumber(slotOf(t));
+    triangle.face = numberOf(faceOf(t));
     ++tile.faces[triangle.face].triangles;
     for (Index& v : triangle.corners) {
-      Index& number = numbers[v];
-      if (number < 0) {
-        number = static_cast<Index>(vertices.size());
+      if (numbers[v] < 0) {
+        numbers[v] = static_cast<Index>(vertices.size());
         vertices.push_back(mesh_.vertices[v]);
-        const Origin& from = vertices_[v];
-        const Tile& given = parts_[from.part].triangles;
-        tile.places.push_back(given.places[from.number]);
-        tile.exact.push_back(given.exact[from.number]);
-        if (const TileBorder* border = borderAt(from)) {
-          tile.borders.push_back(*border);
-          tile.borders.back().vertex = number;
-        } else if (isNamed[v] != 0) {
-          tile.borders.push_back(borderOf(*kernel_, vertices.back(), tile.exact.back() != 0, number,
-                                          source.inputTriangles[vertices.back().face]));
-        }
+        addVertex(v, isNamed[v] != 0, tile);
       }
-      v = number;
+      v = numbers[v];
     }
     tile.triangles.push_back(triangle);
+    const Origin& origin = triangles_[t];
     const Tile& given = parts_[origin.part].triangles;
-    tile.pieces.push_back({given.pieces[origin.number].number, faceNumber(now.face)});
+    tile.pieces.push_back({given.pieces[origin.number].number, numberOf(now.face)});
     if (!given.layers.empty()) tile.layers.push_back(given.layers[origin.number]);
   }
   if (!vertices.empty()) tile.geometry = geometryOf(*kernel_, std::move(vertices), {});

@@ -50,9 +50,10 @@ class TileUnion {
  private:
   void makeKernel(const Grid& grid, RunContext& context);
   void addMesh(RunContext& context);
-  void addVertices();
   [[nodiscard]] MeshVertex vertexOf(const Origin& origin) const;
   [[nodiscard]] const TileBorder* borderAt(const Origin& vertex) const;
+  [[nodiscard]] Index faceOf(Index triangle) const;
+  void addVertex(Index vertex, bool isNamed, Tile& tile) const;
 
   std::vector<Part> parts_;
   std::shared_ptr<const PlanKernel> kernel_;
