@@ -28,7 +28,7 @@ using Pair = std::array<Index, 2>;
 using Tree = BoxTree<2>;
 
 /// What a triangle takes while layers are chosen, and a pair that overlaps.
-constexpr std::uint64_t kOfTriangle = 600, kOfPair = 48;
+constexpr std::uint64_t kOfTriangle = 400, kOfPair = 48;
 constexpr Index kPerTask = 256;
 
 Tree::Bounds boundsOf(const PlanTriangle& p) {
