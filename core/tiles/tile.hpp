@@ -17,7 +17,7 @@
 namespace footfall::detail {
 
 /// To be raised with each change of the bytes, or of what a local filter finds; others are refused.
-inline constexpr std::uint64_t kTileVersion = 1;
+inline constexpr std::uint64_t kTileVersion = 2;
 inline constexpr std::string_view kTileExtension = "fftile";
 
 /// What is left of one triangle of the environment.
@@ -28,12 +28,30 @@ struct TileFace {
   bool operator==(const TileFace&) const = default;
 };
 
-/// A vertex that triangles of other tiles have, too. Its name is its place, `face` and `exact`.
+/// A vertex that triangles or links of other tiles have, too. Its name is its place, `face` and `exact`.
 struct TileBorder {
   Index vertex = -1;
   std::uint32_t face = 0;  ///< the first triangle of the environment of which a walkable part has the vertex
   std::string exact;       ///< coordinates "p/q p/q p/q" where doubles do not hold them, else empty
   bool operator==(const TileBorder&) const = default;
+};
+
+/// A vertex that only other tiles have, to which a link leads.
+struct TileOutside {
+  Vec3 place;  ///< with `face` and `exact` its name, as in TileBorder
+  std::uint32_t face = 0;
+  std::string exact;
+  bool operator==(const TileOutside&) const = default;
+};
+
+/// A link over which one steps between two edges, as in MeshLink; of one of them at least the tile has a triangle.
+/// Vertices from the number of the tile's vertices on are those of Tile::outside. Where a link lies between tiles, all
+/// tiles that have a triangle of either edge have it, in the same direction.
+struct TileLink {
+  std::array<Index, 2> from{}, to{};
+  /// Of all triangles with that edge, in that direction, the first one is of this tile.
+  bool hasFrom = false, hasTo = false;
+  bool operator==(const TileLink&) const = default;
 };
 
 struct Tile {
@@ -42,6 +60,8 @@ struct Tile {
   std::vector<Vec3> places;             ///< of the vertices, in the order of their first use; the nearest doubles
   std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
   std::vector<TileBorder> borders;      ///< ascending by vertex
+  std::vector<TileOutside> outside;     ///< in the order of their first use
+  std::vector<TileLink> links;
 };
 
 /// The bytes of a tile's file, with a check sum. `poll` is called now and then and may throw to cancel.

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/sorted_list.hpp"
 #include "core/filters/rounding/placed_mesh.hpp"
 #include "core/tiles/border_names.hpp"
 
@@ -41,7 +42,7 @@ struct TileJoiner::State {
           FOOTFALL_TEXT("the tiles have more than %1 triangles together, which is more than one file can have; use "
                         "them one by one"),
           kMost);
-    const std::vector<Index> numbers = numberVertices(tile, poll);
+    std::vector<Index> numbers = numberVertices(tile, poll);
     std::size_t first = triangles_.size();
     for (const TileFace& face : tile.faces) {
       faces_.push_back({face, first});
@@ -51,6 +52,7 @@ struct TileJoiner::State {
       for (Index& v : triangle.corners) v = numbers[v];
       triangles_.push_back(triangle);
     }
+    addLinks(tile, numbers, poll);
   }
 
   // Triangles in the order of their faces; vertices in the order of their first use.
@@ -79,10 +81,35 @@ struct TileJoiner::State {
       }
       mesh.sources.push_back(added.face.source);
     }
+    for (MeshLink link : links_) {
+      for (std::array<Index, 2>* edge : {&link.from, &link.to})
+        for (Index& v : *edge) v = numbers[v];
+      const auto isThere = [](const std::array<Index, 2>& edge) { return edge[0] >= 0 && edge[1] >= 0; };
+      if (isThere(link.from) && isThere(link.to)) mesh.links.push_back(link);
+    }
+    sortOnce(mesh.links);
     return mesh;
   }
 
  private:
+  // Numbers are below those of the vertices of the tile and outside.
+  void addLinks(const Tile& tile, std::vector<Index>& numbers, const Poll& poll) {
+    for (const TileOutside& vertex : tile.outside) {
+      poll();
+      const auto next = static_cast<Index>(places_.size());
+      numbers.push_back(borders_.numberOf(vertex, next));
+      if (numbers.back() != next) continue;
+      places_.push_back(vertex.place);
+      exact_.push_back(static_cast<char>(vertex.exact.empty()));
+    }
+    for (const TileLink& link : tile.links) {
+      const auto numbered = [&](const std::array<Index, 2>& edge) {
+        return std::array{numbers[edge[0]], numbers[edge[1]]};
+      };
+      links_.push_back({numbered(link.from), numbered(link.to)});
+    }
+  }
+
   std::vector<Index> numberVertices(const Tile& tile, const Poll& poll) {
     std::vector<Index> numbers(tile.places.size());
     auto border = tile.borders.begin();
@@ -105,6 +132,7 @@ struct TileJoiner::State {
   std::vector<MeshTriangle> triangles_;
   std::vector<Vec3> places_;
   std::vector<char> exact_;
+  std::vector<MeshLink> links_;
   BorderNames borders_;
 };
 

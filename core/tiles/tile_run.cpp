@@ -21,6 +21,7 @@ namespace {
 // other levels cut their floors into more pieces.
 constexpr std::uint64_t kOfProcess = std::uint64_t{64} << 20;
 constexpr std::uint64_t kOfBlock = 256, kOfFace = 500, kOfFloor = 1000;
+constexpr std::uint64_t kDoesNotFit = ~std::uint64_t{0};
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
 std::string inMegabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
@@ -76,9 +77,9 @@ class TileRun {
         options_(options),
         store_(store),
         context_(context),
-        collector_(environment, floorRuleOf(steps_.local)) {
+        collector_(environment, floorRuleOf(steps_)) {
     checkRoles(environment.head());
-    if (steps_.minimumArea && options.slice.count > 1)
+    if ((steps_.minimumArea || steps_.minimumLinkedArea) && options.slice.count > 1)
       throw InputError(
           FOOTFALL_TEXT("AreaFilter sees over the borders of slices; leave it out, or run all slices at once"));
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
@@ -94,22 +95,11 @@ class TileRun {
   TileRunResult run() {
     const Stopwatch watch;
     grid_ = gridOf(environment_, context_);
-    const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
-    std::uint64_t size = std::min(options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor));
-    for (std::uint64_t first = begin; first < count;) {
-      const FaceRange range{first, std::min(first + size, count)};
-      context_.beginStep(kTileRunSteps * (first - begin) / (count - begin),
-                         "cell " + std::to_string(result_.cells + 1));
-      if (const std::optional<CellSize> found = runCell(range)) {
-        first = range.last;
-        size = nextSize(range.size(), *found);
-        continue;
-      }
-      ++result_.refused;
-      if (range.size() == 1) failTooLittle(needed(collector_.measure(range, context_)));
-      size = range.size() / 2;
-    }
-    if (steps_.minimumArea) dropSmallRegions(*steps_.minimumArea);
+    const bool isTwice = steps_.step && steps_.minimumArea;
+    runAllCells(isTwice ? kTileRunSteps / 2 : kTileRunSteps);
+    if (isTwice) linkAfterArea();
+    if (steps_.minimumArea && !isTwice) dropSmallRegions(*steps_.minimumArea);
+    if (steps_.minimumLinkedArea) dropSmallRegions(*steps_.minimumLinkedArea);
     result_.wallMs = watch.wallMs();
     result_.cpuMs = watch.cpuMs();
     return std::move(result_);
@@ -143,29 +133,81 @@ class TileRun {
                       std::max<std::uint64_t>(options_.mostFaces, 1));
   }
 
-  // What it held; empty when the cell does not fit.
-  std::optional<CellSize> runCell(const FaceRange& range) {
-    context_.checkCancelled();
-    const auto fits = [this](const CellSize& size) { return needed(size) <= options_.memory; };
-    std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr);
+  struct MadeCell {
+    CellSize size;
+    Tile tile;
+  };
+
+  // Empty when the cell does not fit.
+  std::optional<MadeCell> makeCell(const FaceRange& range, const CellCollector::Fits& fits,
+                                   const RegionSums::Inspect& inspect = {}) {
+    for (reach_ = kUsualReach;; reach_ *= 2) {
+      context_.checkCancelled();
+      CellSize size;
+      std::optional<Tile> tile = tryCell(range, fits, inspect, size);
+      if (size.faces == kDoesNotFit) return std::nullopt;
+      if (tile) return MadeCell{size, std::move(*tile)};
+    }
+  }
+
+  // Empty when the cell does not fit, with a size that says so, or does not reach far enough.
+  std::optional<Tile> tryCell(const FaceRange& range, const CellCollector::Fits& fits,
+                              const RegionSums::Inspect& inspect, CellSize& size) {
+    size.faces = kDoesNotFit;
+    const std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr, reach_);
     environment_.releasePages();
     if (!cell) return std::nullopt;
+    size = {cell->faces.faceNumbers.size(), cell->floors};
+    result_.largestCell = std::max(result_.largestCell, size.faces);
+    result_.collected += size.faces;
+    const CellWork work{steps_.local, isLinked_ && steps_.step ? &*steps_.step : nullptr, &dropped_};
+    return makeTile(*cell, environment_.head(), grid_, work, context_, inspect);
+  }
+
+  // All within the bound, one behind the other; up to `steps` of progress.
+  void runAllCells(std::size_t steps) {
+    isLinked_ = !steps_.minimumArea;
+    const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
+    std::uint64_t size = std::min(options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor));
+    for (std::uint64_t first = begin; first < count;) {
+      const FaceRange range{first, std::min(first + size, count)};
+      context_.beginStep(steps * (first - begin) / (count - begin), "cell " + std::to_string(result_.cells + 1));
+      if (const std::optional<CellSize> found = runCell(range)) {
+        first = range.last;
+        size = nextSize(range.size(), *found);
+        continue;
+      }
+      ++result_.refused;
+      if (range.size() == 1) failTooLittle(range);
+      size = range.size() / 2;
+    }
+  }
+
+  [[nodiscard]] CellCollector::Fits withinMemory() const {
+    return [this](const CellSize& size) { return needed(size) <= options_.memory; };
+  }
+  [[noreturn]] void failTooLittle(const FaceRange& range) {
+    failTooLittle(needed(collector_.measure(range, context_, reach_)));
+  }
+
+  // What it held; empty when the cell does not fit.
+  std::optional<CellSize> runCell(const FaceRange& range) {
+    std::optional<MadeCell> made = makeCell(range, withinMemory());
+    if (!made) return std::nullopt;
     ++result_.cells;
-    const CellSize found{cell->faces.faceNumbers.size(), cell->floors};
-    result_.largestCell = std::max(result_.largestCell, found.faces);
-    result_.collected += found.faces;
-    const Tile tile = makeTile(*cell, environment_.head(), grid_, steps_.local, context_);
-    cell.reset();
-    if (!tile.triangles.empty()) {
-      store_.add(tile);
+    if (!made->tile.triangles.empty()) {
+      store_.add(made->tile);
       ranges_.push_back(range);
     }
+    const CellSize found = made->size;
+    made.reset();
     returnFreedMemory();
     return found;
   }
 
-  // Regions hang together over borders: what each tile knows of its own is put together, and then each is read again.
-  void dropSmallRegions(double minimum) {
+  // Regions hang together over borders: what each tile knows of its own is put together. For each tile, which of its
+  // regions stay.
+  std::vector<std::vector<char>> largeRegions(double minimum) {
     context_.beginStep(kTileRunSteps - 1, "areas");
     RegionSums sums(grid_);
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
@@ -174,17 +216,47 @@ class TileRun {
       returnFreedMemory();
     }
     const auto findAgain = [this](std::size_t number, const RegionSums::Inspect& inspect) {
-      const std::optional<CellFaces> cell = collector_.collect(
-          ranges_[number], [](const CellSize&) { return true; }, context_, nullptr);
-      environment_.releasePages();
-      makeTile(*cell, environment_.head(), grid_, steps_.local, context_, inspect);
+      makeCell(
+          ranges_[number], [](const CellSize&) { return true; }, inspect);
       returnFreedMemory();
     };
-    const std::vector<std::vector<char>> keeps = sums.largerThan(minimum, findAgain, context_);
+    return sums.largerThan(minimum, findAgain, context_);
+  }
+
+  // Calls drop(tile, its number, its regions, which of them stay) where some go.
+  template <class Drop>
+  void forTilesWithSmallRegions(double minimum, const Drop& drop) {
+    const std::vector<std::vector<char>> keeps = largeRegions(minimum);
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
       if (std::all_of(keeps[i].begin(), keeps[i].end(), [](char keep) { return keep != 0; })) continue;
       const Tile tile = store_.read(i);
-      store_.replace(i, withoutRegions(tile, findTileRegions(tile, grid_, context_).regionOf, keeps[i]));
+      drop(tile, i, findTileRegions(tile, grid_, context_).regionOf, keeps[i]);
+      returnFreedMemory();
+    }
+  }
+
+  void dropSmallRegions(double minimum) {
+    forTilesWithSmallRegions(minimum, [this](const Tile& tile, std::size_t number, const std::vector<Index>& regionOf,
+                                             const std::vector<char>& keeps) {
+      store_.replace(number, withoutRegions(tile, regionOf, keeps));
+    });
+  }
+
+  // Steps join what an area has left, of neighbours as well: the same cells run once more.
+  void linkAfterArea() {
+    forTilesWithSmallRegions(*steps_.minimumArea,
+                             [this](const Tile& tile, std::size_t, const std::vector<Index>& regionOf,
+                                    const std::vector<char>& keeps) { dropped_.add(tile, regionOf, keeps); });
+    dropped_.sort();
+    fixed_ += dropped_.bytes();
+    isLinked_ = true;
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      context_.beginStep(kTileRunSteps / 2 * (i + ranges_.size()) / ranges_.size(),
+                         "steps of cell " + std::to_string(i + 1));
+      std::optional<MadeCell> made = makeCell(ranges_[i], withinMemory());
+      if (!made) failTooLittle(ranges_[i]);
+      store_.replace(i, made->tile);
+      made.reset();
       returnFreedMemory();
     }
   }
@@ -197,6 +269,9 @@ class TileRun {
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
   Grid grid_;
+  int reach_ = kUsualReach;        ///< of the last cell
+  bool isLinked_ = false;          ///< cells have their steps now
+  DroppedTriangles dropped_;       ///< before the steps
   std::vector<FaceRange> ranges_;  ///< of each tile
   TileRunResult result_;
 };

@@ -43,6 +43,7 @@ class TestTileCommands : public QObject {
   void noMemoryAtAllIsRefused();
   void slicesOfOtherSidesAreNotJoined();
   void slicesAreJoined();
+  void stepsAreLinked();
   void whatCannotBeIsRefused();
   void damagedTilesAreRefused();
 };
@@ -168,6 +169,42 @@ void TestTileCommands::slicesAreJoined() {
   QVERIFY2(area.exitCode == 2 && area.err.contains("AreaFilter sees over the borders of slices"), area.err);
 }
 
+void TestTileCommands::stepsAreLinked() {
+  const QTemporaryDir folder;
+  const auto named = [&](const QString& name) { return folder.filePath(name); };
+  const QStringList linked = kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4 0"};
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "-o", named("whole.obj")} + linked).exitCode, 0);
+  QVERIFY(contentOf(named("whole.obj")).contains("\nl "));
+  // Links go over slices as well.
+  QStringList parts;
+  for (const QString slice : {"1", "2", "3"}) {
+    parts.push_back(named(slice));
+    QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "80M", "--slice", slice + "/3", "--quiet", "-o",
+                                    parts.back()} +
+                        linked)
+                 .exitCode,
+             0);
+  }
+  QCOMPARE(runProgram(QStringList{"join"} + parts + QStringList{"--quiet", "-o", named("joined.obj")}).exitCode, 0);
+  QCOMPARE(contentOf(named("joined.obj")), contentOf(named("whole.obj")));
+  // As many as in memory, each once.
+  const QStringList area = linked + QStringList{"--filter", "AreaFilter 1"};
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "--stats", named("whole.json"), "-o",
+                                  named("again.obj")} +
+                      area)
+               .exitCode,
+           0);
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "74M", "--quiet", "--stats", named("tiles.json"),
+                                  "-o", named("tiles")} +
+                      area)
+               .exitCode,
+           0);
+  const QJsonObject whole = QJsonDocument::fromJson(contentOf(named("whole.json"))).object();
+  const QJsonObject tiles = QJsonDocument::fromJson(contentOf(named("tiles.json")))["tiles"].toObject();
+  QVERIFY(tiles["count"].toInteger() > 1);
+  QCOMPARE(tiles["links"].toInteger(), whole["links"].toInteger());
+}
+
 void TestTileCommands::whatCannotBeIsRefused() {
   const QTemporaryDir folder;
   const QString tiles = folder.filePath("tiles"), house = sample("house");
@@ -179,8 +216,9 @@ void TestTileCommands::whatCannotBeIsRefused() {
   };
   const QStringList run{"run", house, "--memory", "1G", "-o", tiles};
   QCOMPARE(refused(run, "the default pipeline sees across cells"), QByteArray());
-  QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "StepFilter 0.4"}, "StepFilter sees across cells"),
-           QByteArray());
+  QCOMPARE(
+      refused(run + kPipeline + QStringList{"--filter", "StepFilter 0.4"}, "StepFilter with a gap sees across cells"),
+      QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--memory: parts cannot be left out"), QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--no-layers"}, "--no-layers"), QByteArray());
   QCOMPARE(refused(QStringList{"run", house, "--memory", "1G"} + kPipeline, "give the folder for the tiles"),
@@ -222,7 +260,7 @@ void TestTileCommands::damagedTilesAreRefused() {
   QByteArray outside = index;
   QVERIFY(joinedWith("index.json", outside.replace("tile-0000001", "../tile-0000001")).contains("not in it"));
   QByteArray newer = index;
-  QVERIFY(joinedWith("index.json", newer.replace("\"version\": 1", "\"version\": 2")).contains("of another version"));
+  QVERIFY(joinedWith("index.json", newer.replace("\"version\": 2", "\"version\": 3")).contains("of another version"));
   QCOMPARE(runProgram({"join", tiles, "-o", out, "--quiet"}).exitCode, 0);
 }
 
