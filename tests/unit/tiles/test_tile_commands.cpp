@@ -1,10 +1,12 @@
 // `footfall run --memory` and `footfall join` as a user runs them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "core/io/formats/format_table.hpp"
 #include "tests/unit/program_run.hpp"
@@ -202,7 +204,18 @@ void TestTileCommands::stepsAreLinked() {
   const QJsonObject whole = QJsonDocument::fromJson(contentOf(named("whole.json"))).object();
   const QJsonObject tiles = QJsonDocument::fromJson(contentOf(named("tiles.json")))["tiles"].toObject();
   QVERIFY(tiles["count"].toInteger() > 1);
+  QVERIFY(whole["links"].toInteger() > 0);
   QCOMPARE(tiles["links"].toInteger(), whole["links"].toInteger());
+  // What is connected is told when tiles are joined.
+  const Outcome outcome =
+      runProgram({"join", named("tiles"), "-o", named("told.obj"), "--stats", named("joined.json")});
+  QVERIFY2(outcome.out.contains(" steps between borders, "), outcome.out);
+  const QJsonObject joined = QJsonDocument::fromJson(contentOf(named("joined.json"))).object();
+  for (const char* key : {"vertices", "triangles", "links", "link_length", "highest_link", "links_by_kind",
+                          "obstacle_edges", "components", "connected_share"})
+    QVERIFY2(joined[key] == whole[key] && !joined[key].isUndefined(), key);
+  QVERIFY(joined["components"].toArray().size() > 1);
+  QVERIFY(std::abs(joined["area"].toDouble() - whole["area"].toDouble()) < 1e-6);
 }
 
 void TestTileCommands::whatCannotBeIsRefused() {
