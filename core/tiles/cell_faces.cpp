@@ -49,10 +49,13 @@ bool contains(const std::vector<std::uint32_t>& ascending, std::uint32_t number)
   return std::binary_search(ascending.begin(), ascending.end(), number);
 }
 
-/// Higher and lower by `height`, and all around by far more than boxes of borders are off by.
-void widen(Box& box, double height) {
+constexpr double kAllHeights = 0x1p1000;
+
+/// Larger by `around` in the plan, by `height` up and down, and everywhere by far more than boxes of borders are off
+/// by.
+void widen(Box& box, double around, double height) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double added = axis == 2 ? std::min(height, 0x1p1000) : 0;
+    const double added = std::min(axis == 2 ? height : around, kAllHeights);
     const double margin = (std::max(std::fabs(box.lower[axis]), std::fabs(box.upper[axis])) + added) * 0x1p-22;
     box.lower[axis] -= added + margin;
     box.upper[axis] += added + margin;
@@ -88,15 +91,16 @@ bool CellCollector::isFloor(const BlockFace& face) const {
                      [p = a, q = b, r = c](double degrees) { return isWithinSlope(p, q, r, degrees); });
 }
 
-bool CellCollector::isOwn(const FaceRange& range, const BlockFace& face) const {
+bool CellCollector::isOwn(const OwnFloors& own, const BlockFace& face) const {
+  if (own.listed != nullptr) return contains(*own.listed, face.number);
   const std::uint64_t number = first_[face.block] + face.place;
-  return number >= range.first && number < range.last;
+  return number >= own.range.first && number < own.range.last;
 }
 
-std::vector<std::size_t> CellCollector::ownBlocks(const FaceRange& range) const {
+std::vector<std::size_t> CellCollector::ownBlocks(const OwnFloors& own) const {
   std::vector<std::size_t> blocks;
   for (std::size_t i = 0; i + 1 < first_.size(); ++i)
-    if (first_[i] < range.last && first_[i + 1] > range.first) blocks.push_back(i);
+    if (own.listed != nullptr || (first_[i] < own.range.last && first_[i + 1] > own.range.first)) blocks.push_back(i);
   return blocks;
 }
 
@@ -119,13 +123,13 @@ void CellCollector::addTouching(std::vector<Box> boxes, const Fits& fits, RunCon
   std::sort(found.begin(), found.end());
 }
 
-CellCollector::Floors CellCollector::findFloors(const FaceRange& range, const Fits& fits, RunContext& context,
+CellCollector::Floors CellCollector::findFloors(const OwnFloors& own, const Fits& fits, RunContext& context,
                                                 int reach) const {
   Floors floors;
-  for (const std::size_t block : ownBlocks(range)) {
+  for (const std::size_t block : ownBlocks(own)) {
     context.checkCancelled();
     environment_.forFaces(block, [&](const BlockFace& face) {
-      if (!isOwn(range, face) || !isFloor(face)) return;
+      if (!isOwn(own, face) || !isFloor(face)) return;
       floors.own.push_back(face.number);
       floors.boxes.push_back(boxOf(face));
     });
@@ -133,7 +137,8 @@ CellCollector::Floors CellCollector::findFloors(const FaceRange& range, const Fi
   std::sort(floors.own.begin(), floors.own.end());
   if (rule_.step > 0 && reach > 0) {
     std::vector<Box> raised = floors.boxes;
-    for (Box& box : raised) widen(box, reach * rule_.step);
+    for (Box& box : raised)
+      own.listed != nullptr ? widen(box, 2 * rule_.gap, kAllHeights) : widen(box, rule_.gap, reach * rule_.step);
     addTouching(std::move(raised), fits, context, floors, floors.seen);
     // The first ring has whole vertices where it touches, the second one makes it conforming there.
     addTouching(floors.boxes, fits, context, floors, floors.near);
@@ -141,15 +146,15 @@ CellCollector::Floors CellCollector::findFloors(const FaceRange& range, const Fi
   addTouching(floors.boxes, fits, context, floors, floors.near);
   // As clearanceBox() has it.
   for (Box& box : floors.boxes) {
-    if (rule_.step > 0) widen(box, 0);
+    if (rule_.step > 0) widen(box, rule_.gap, 0);
     box.upper[2] = std::nextafter(box.upper[2] + rule_.height, std::numeric_limits<double>::infinity());
   }
   return floors;
 }
 
-std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fits& fits, RunContext& context,
+std::optional<CellFaces> CellCollector::collect(const OwnFloors& own, const Fits& fits, RunContext& context,
                                                 CellSize* size, int reach) const {
-  Floors floors = findFloors(range, fits, context, reach);
+  Floors floors = findFloors(own, fits, context, reach);
   CellSize found{0, floors.count()};
   const auto tell = [&] {
     if (size != nullptr) *size = found;
@@ -159,6 +164,7 @@ std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fi
   CellFaces cell;
   cell.floors = found.floors;
   cell.reach = reach;
+  cell.isListed = own.listed != nullptr;
   if (floors.own.empty()) return cell;
   const BoxSet boxes(std::move(floors.boxes), context);
   const std::vector<std::size_t> blocks = blocksTouching(environment_, boxes);
@@ -179,9 +185,9 @@ std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fi
   return cell;
 }
 
-CellSize CellCollector::measure(const FaceRange& range, RunContext& context, int reach) const {
+CellSize CellCollector::measure(const OwnFloors& own, RunContext& context, int reach) const {
   Floors floors = findFloors(
-      range, [](const CellSize&) { return true; }, context, reach);
+      own, [](const CellSize&) { return true; }, context, reach);
   CellSize size{0, floors.count()};
   if (floors.own.empty()) return size;
   const BoxSet boxes(std::move(floors.boxes), context);

@@ -22,6 +22,15 @@ struct FloorRule {
   std::vector<double> slopes;  ///< degrees, all of which hold
   double height = 0;           ///< the largest clearance, or the step where that is larger
   double step = 0;             ///< what borders that are linked may differ by; 0: none are
+  double gap = 0;              ///< how far apart they may be in the plan
+};
+
+/// The floors of a cell.
+struct OwnFloors {
+  FaceRange range;
+  /// In place of the range: numbers in the environment, ascending. Such a cell sees all that is over and under it and
+  /// within two gaps.
+  const std::vector<std::uint32_t>* listed = nullptr;
 };
 
 /// What a face is to a cell. A cell sees the floors that steps lead to from its own ones; those that touch them are
@@ -35,6 +44,7 @@ struct CellFaces {
   std::vector<CellKind> kinds;  ///< for each face
   std::uint64_t floors = 0;     ///< of all kinds but Other
   int reach = 0;                ///< steps, over its own floors and under them, that it sees
+  bool isListed = false;        ///< OwnFloors::listed
 };
 
 /// So many steps a cell sees at first: from its floors to others, and from those on.
@@ -56,17 +66,17 @@ class CellCollector {
   using Fits = std::function<bool(const CellSize&)>;
   /// Empty where it does not fit; `size` (may be null) is then how much of it was found, and all of it when `fits` is
   /// always true.
-  std::optional<CellFaces> collect(const FaceRange& range, const Fits& fits, RunContext& context, CellSize* size,
+  std::optional<CellFaces> collect(const OwnFloors& own, const Fits& fits, RunContext& context, CellSize* size,
                                    int reach = kUsualReach) const;
   /// How much a cell holds, without holding it.
-  [[nodiscard]] CellSize measure(const FaceRange& range, RunContext& context, int reach = kUsualReach) const;
+  [[nodiscard]] CellSize measure(const OwnFloors& own, RunContext& context, int reach = kUsualReach) const;
 
  private:
   struct Floors;
   [[nodiscard]] bool isFloor(const BlockFace& face) const;
-  [[nodiscard]] bool isOwn(const FaceRange& range, const BlockFace& face) const;
-  [[nodiscard]] std::vector<std::size_t> ownBlocks(const FaceRange& range) const;
-  [[nodiscard]] Floors findFloors(const FaceRange& range, const Fits& fits, RunContext& context, int reach) const;
+  [[nodiscard]] bool isOwn(const OwnFloors& own, const BlockFace& face) const;
+  [[nodiscard]] std::vector<std::size_t> ownBlocks(const OwnFloors& own) const;
+  [[nodiscard]] Floors findFloors(const OwnFloors& own, const Fits& fits, RunContext& context, int reach) const;
   void addTouching(std::vector<Box> boxes, const Fits& fits, RunContext& context, Floors& floors,
                    std::vector<std::uint32_t>& found) const;
 

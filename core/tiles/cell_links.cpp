@@ -2,36 +2,38 @@
 #include "core/tiles/cell_links.hpp"
 
 #include <array>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "core/base/geometry.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/steps/chosen_steps.hpp"
 #include "core/filters/steps/step_memory.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
 namespace {
 
-/// How many links there are in a row, one over the other, from own borders on.
+/// Links in a row, one over the other, from some edges on.
 class LinkRows {
  public:
-  LinkRows(const PlanKernel& kernel, const StepMemory& memory, const std::vector<char>& isOwn)
-      : borders_(memory.borders), stretches_(memory.found.stretches), geometry_(kernel, memory.given->vertices) {
-    for (const MeshBorder& border : borders_)
-      if (isOwn[border.face] != 0) ownEdges_.insert(border.edge);
+  LinkRows(const PlanKernel& kernel, const StepMemory& memory, const std::unordered_set<Index>& first)
+      : borders_(memory.borders),
+        stretches_(memory.found.stretches),
+        geometry_(kernel, memory.given->vertices),
+        first_(first) {
     for (std::size_t i = 0; i < stretches_.size(); ++i)
       for (const Index border : {stretches_[i].first, stretches_[i].second})
         stretchesAt_[borders_[border].edge].push_back(i);
   }
 
-  /// Whether there are fewer.
+  /// Whether there are fewer than `most`.
   bool areShorterThan(int most, const RunContext& context) {
     for (const StepStretch& s : stretches_) {
       const std::array edges{edgeOf(s.first), edgeOf(s.second)};
       for (const std::size_t k : {0, 1})
-        if (isOwn(edges[k])) reach({edges[1 - k], ordered(s, axisOf(s)), 1});
+        if (first_.contains(edges[k])) reach({edges[1 - k], ordered(s, axisOf(s)), 1});
     }
     while (!open_.empty()) {
       context.checkCancelled();
@@ -42,6 +44,9 @@ class LinkRows {
     }
     return true;
   }
+
+  /// The edges that they lead to, when areShorterThan() was asked.
+  [[nodiscard]] bool leadTo(Index edge) const { return first_.contains(edge) || reached_.contains(edge); }
 
  private:
   /// A part of an edge's line between two places, in the order of a coordinate in which they differ.
@@ -56,16 +61,15 @@ class LinkRows {
   };
 
   [[nodiscard]] Index edgeOf(Index border) const { return borders_[border].edge; }
-  [[nodiscard]] bool isOwn(Index edge) const { return ownEdges_.contains(edge); }
   int axisOf(const StepStretch& s) { return BorderSplits::axisBetween(s.begin, s.end, geometry_); }
   Part ordered(const StepStretch& s, int axis) {
     if (geometry_.compare(s.begin, s.end, axis) < 0) return {s.begin, s.end, axis};
     return {s.end, s.begin, axis};
   }
 
-  // Of own borders all is known, and so it is where the same piece was reached before.
+  // All is known of the first edges, and where the same piece was reached before.
   void reach(Piece piece) {
-    if (isOwn(piece.edge)) return;
+    if (first_.contains(piece.edge)) return;
     std::vector<Part>& known = reached_[piece.edge];
     const auto& [low, high, axis] = piece.part;
     for (const Part& part : known)
@@ -79,7 +83,7 @@ class LinkRows {
     for (const std::size_t i : stretchesAt_[piece.edge]) {
       const StepStretch& s = stretches_[i];
       const Index other = edgeOf(s.first) == piece.edge ? edgeOf(s.second) : edgeOf(s.first);
-      if (isOwn(other)) continue;
+      if (first_.contains(other)) continue;
       const int axis = piece.part.axis;
       Part common = ordered(s, axis);
       if (geometry_.compare(common.low, piece.part.low, axis) < 0) common.low = piece.part.low;
@@ -91,7 +95,7 @@ class LinkRows {
   const std::vector<MeshBorder>& borders_;
   const std::vector<StepStretch>& stretches_;
   MeshGeometry geometry_;
-  std::unordered_set<Index> ownEdges_;
+  const std::unordered_set<Index>& first_;
   std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges
   std::unordered_map<Index, std::vector<Part>> reached_;             ///< of edges
   std::vector<Piece> open_;
@@ -109,8 +113,9 @@ std::uint64_t keyOf(Index from, Index to) {
 
 }  // namespace
 
-StatePtr withChosenTriangles(const StatePtr& state, const std::vector<char>& chosen,
-                             const std::vector<std::uint32_t>& numbers, const DroppedTriangles* dropped) {
+StatePtr withoutDropped(const StatePtr& state, const std::vector<std::uint32_t>& numbers,
+                        const DroppedTriangles& dropped) {
+  if (dropped.bytes() == 0) return state;
   const SourceMesh& source = state->kernel->mesh();
   auto mesh = std::make_shared<WalkableMesh>();
   mesh->vertices = state->mesh->vertices;
@@ -118,9 +123,7 @@ StatePtr withChosenTriangles(const StatePtr& state, const std::vector<char>& cho
   std::uint32_t place = 0;
   for (const MeshTriangle& triangle : state->mesh->triangles) {
     place = std::exchange(face, triangle.face) == triangle.face ? place + 1 : 0;
-    if (chosen[face] == 0) continue;
-    if (dropped != nullptr && dropped->contains(numbers[source.inputTriangles[face]], place)) continue;
-    mesh->triangles.push_back(triangle);
+    if (!dropped.contains(numbers[source.inputTriangles[face]], place)) mesh->triangles.push_back(triangle);
   }
   auto result = std::make_shared<WalkableState>(*state);
   result->mesh = std::move(mesh);
@@ -128,13 +131,32 @@ StatePtr withChosenTriangles(const StatePtr& state, const std::vector<char>& cho
   return result;
 }
 
-StatePtr withSteps(const StatePtr& state, const std::vector<char>& isOwn, const PipelineStep& step, int reach,
-                   RunContext& context) {
+std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<char>& isSeen,
+                                    const std::vector<char>& isOwn, const PipelineStep& step, int reach,
+                                    bool hasAllGaps, RunContext& context) {
   Recall recall;
   recall.keep = true;
-  StatePtr linked = applyFilter(*step.filter, step.values, state, context, recall).state;
-  if (!LinkRows(*linked->kernel, *linked->stepMemory, isOwn).areShorterThan(reach, context)) return nullptr;
-  return linked;
+  const auto linkedWith = [&](double gap) {
+    return applyStepToChosen(state, step.values[0], gap, &isSeen, recall, context).state;
+  };
+  LinkedCell cell{linkedWith(step.values[1]), isOwn};
+  const StepMemory& memory = *cell.state->stepMemory;
+  std::unordered_set<Index> ownEdges, gapEdges;
+  for (const MeshBorder& border : memory.borders)
+    if (isOwn[border.face] != 0) ownEdges.insert(border.edge);
+  if (!LinkRows(*cell.state->kernel, memory, ownEdges).areShorterThan(reach, context)) return std::nullopt;
+  if (hasAllGaps || memory.found.gaps.empty()) return cell;
+  for (const GapStretch& gap : memory.found.gaps)
+    for (const Index border : {gap.first, gap.second}) gapEdges.insert(memory.borders[border].edge);
+  LinkRows changed(*cell.state->kernel, memory, gapEdges);
+  changed.areShorterThan(std::numeric_limits<int>::max(), context);
+  for (const MeshBorder& border : memory.borders)
+    if (cell.isOwn[border.face] != 0 && changed.leadTo(border.edge)) {
+      cell.isOwn[border.face] = 0;
+      cell.atGaps.push_back(border.face);
+    }
+  cell.state = linkedWith(0);
+  return cell;
 }
 
 std::vector<CellLink> linksOf(const WalkableMesh& mesh, const std::vector<char>& isOwn) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
@@ -19,15 +20,24 @@ namespace footfall::detail {
 
 using StatePtr = std::shared_ptr<const WalkableState>;
 
-/// The state with those triangles of its mesh that lie in chosen faces and were not dropped. `numbers` has for each
-/// input triangle its number in the environment; `dropped` may be null.
-StatePtr withChosenTriangles(const StatePtr& state, const std::vector<char>& chosen,
-                             const std::vector<std::uint32_t>& numbers, const DroppedTriangles* dropped);
+/// The state without triangles of its mesh that were dropped. `numbers` has for each input triangle its number in the
+/// environment.
+StatePtr withoutDropped(const StatePtr& state, const std::vector<std::uint32_t>& numbers,
+                        const DroppedTriangles& dropped);
 
-/// What a StepFilter makes of what a cell sees. For own faces (one for each source triangle) the mesh and the links are
-/// those of the whole; null where there are as many links in a row as the cell sees steps.
-StatePtr withSteps(const StatePtr& state, const std::vector<char>& isOwn, const PipelineStep& step, int reach,
-                   RunContext& context);
+/// What a cell has of steps; faces are source triangles.
+struct LinkedCell {
+  StatePtr state;
+  std::vector<char> isOwn;      ///< for each face; those at gaps are not
+  std::vector<Index> atGaps{};  ///< own faces whose borders gaps change, which are for a cell of their own
+};
+
+/// What a StepFilter makes of what a cell sees. For own faces the mesh and the links are those of the whole; empty
+/// where there are as many links in a row as the cell sees steps. `hasAllGaps`: the cell's own faces are those at gaps,
+/// of all cells.
+std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<char>& isSeen,
+                                    const std::vector<char>& isOwn, const PipelineStep& step, int reach,
+                                    bool hasAllGaps, RunContext& context);
 
 /// A link with an edge of own faces.
 struct CellLink {

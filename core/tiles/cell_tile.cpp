@@ -28,9 +28,6 @@ bool isOfCells(const PipelineStep& step) {
   }
 }
 
-constexpr Pattern kGapsSeeFarther = FOOTFALL_TEXT(
-    "%1: %2 with a gap sees across cells and cannot keep to a bound of memory; give it a gap of 0, or run without the "
-    "bound, with all of the environment in memory");
 constexpr Pattern kSecondStep = FOOTFALL_TEXT(
     "%1: a second %2 cannot keep to a bound of memory; leave it out, or run without the bound, with all of the "
     "environment in memory");
@@ -165,7 +162,7 @@ class TileMaker {
       return result;
     };
     const std::array<Index, 2> from = numbered(link.link.from), to = numbered(link.link.to);
-    tile_.links.push_back({from, to, link.hasFrom, link.hasTo});
+    tile_.links.push_back({from, to, link.hasFrom, link.hasTo, link.link.isGap});
   }
 
   void addOutside(RunContext& context) {
@@ -214,7 +211,6 @@ CellSteps stepsOfCells(const Pipeline& pipeline) {
       continue;
     }
     if (step.filter->type == FilterType::Step) {
-      if (step.values[1] > 0) fail(kGapsSeeFarther);
       if (steps.step) fail(kSecondStep);
       steps.step = step;
       continue;
@@ -238,25 +234,28 @@ FloorRule floorRuleOf(const CellSteps& steps) {
   }
   if (!steps.step) return rule;
   rule.step = steps.step->values[0];
+  rule.gap = steps.step->values[1];
   rule.height = std::max(rule.height, rule.step);
   return rule;
 }
 
-std::optional<Tile> makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const CellWork& work,
-                             RunContext& context,
-                             const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
-  if (cell.faces.soup.triangles.empty()) return Tile{};
+std::optional<MadeTile> makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const CellWork& work,
+                                 RunContext& context,
+                                 const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
+  if (cell.faces.soup.triangles.empty()) return MadeTile{};
+  const std::vector<std::uint32_t>& numbers = cell.faces.faceNumbers;
   const StatePtr first = makeInitialState(environmentOf(cell, head), context, {}, grid);
   const SourceMesh& mesh = first->kernel->mesh();
   StatePtr last = runSteps(first, facesOfKind(mesh, cell.kinds, CellKind::Near), work.local, context);
   const std::vector<char> isOwn = facesOfKind(mesh, cell.kinds, CellKind::Own);
-  if (work.step != nullptr) {
-    last =
-        withChosenTriangles(last, facesOfKind(mesh, cell.kinds, CellKind::Seen), cell.faces.faceNumbers, work.dropped);
-    last = withSteps(last, isOwn, *work.step, cell.reach, context);
-    if (!last) return std::nullopt;
-  }
-  return TileMaker(*last, cell).make(isOwn, context, inspect);
+  if (work.step == nullptr) return MadeTile{TileMaker(*last, cell).make(isOwn, context, inspect)};
+  if (work.dropped != nullptr) last = withoutDropped(last, numbers, *work.dropped);
+  const std::optional<LinkedCell> linked = withSteps(last, facesOfKind(mesh, cell.kinds, CellKind::Seen), isOwn,
+                                                     *work.step, cell.reach, cell.isListed, context);
+  if (!linked) return std::nullopt;
+  MadeTile made{TileMaker(*linked->state, cell).make(linked->isOwn, context, inspect)};
+  for (const Index face : linked->atGaps) made.atGaps.push_back(numbers[mesh.inputTriangles[face]]);
+  return made;
 }
 
 }  // namespace footfall::detail

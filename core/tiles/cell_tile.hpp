@@ -22,7 +22,7 @@ namespace footfall::detail {
 struct CellSteps {
   std::vector<PipelineStep> local;            ///< filters that a cell runs by itself
   std::optional<double> minimumArea{};        ///< behind them: regions of at most that are left out, over all cells
-  std::optional<PipelineStep> step{};         ///< behind that a StepFilter, without gaps
+  std::optional<PipelineStep> step{};         ///< behind that a StepFilter
   std::optional<double> minimumLinkedArea{};  ///< behind that the same as minimumArea, over links
 };
 
@@ -44,12 +44,19 @@ struct CellWork {
   const DroppedTriangles* dropped = nullptr;  ///< between both; may be null
 };
 
+struct MadeTile {
+  Tile tile;
+  /// Own floors whose borders gaps change, by their numbers in the environment: the tile has nothing of them. When all
+  /// cells ran, they are a cell of their own (OwnFloors::listed), which has none.
+  std::vector<std::uint32_t> atGaps{};
+};
+
 /// What the work leaves of the cell's own floors, exactly as in the whole environment. `head` is that of the
 /// environment and `grid` that of all its vertices. `inspect` (may be empty) is called with the tile while the places
 /// of its vertices are known exactly. Empty where steps lead on from all that the cell sees: it must be collected with
 /// a larger reach.
-std::optional<Tile> makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const CellWork& work,
-                             RunContext& context,
-                             const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect = {});
+std::optional<MadeTile> makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const CellWork& work,
+                                 RunContext& context,
+                                 const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect = {});
 
 }  // namespace footfall::detail

@@ -67,7 +67,7 @@ std::string encodeContent(const Tile& tile, const Poll& poll) {
     if (++polled % kPolled == 0) poll();
     for (const Index v : {link.from[0], link.from[1], link.to[0], link.to[1]})
       out.number(static_cast<std::uint64_t>(v));
-    out.number((link.hasFrom ? 1U : 0U) | (link.hasTo ? 2U : 0U));
+    out.number((link.hasFrom ? 1U : 0U) | (link.hasTo ? 2U : 0U) | (link.isGap ? 4U : 0U));
   }
   return std::move(out.bytes);
 }
@@ -139,9 +139,10 @@ void decodeLinks(ByteReader& in, Tile& tile, const Poll& poll) {
   for (TileLink& link : tile.links) {
     if (++polled % kPolled == 0) poll();
     for (Index* v : {&link.from[0], &link.from[1], &link.to[0], &link.to[1]}) *v = in.below(vertices);
-    const std::int32_t first = in.below(4);
-    link.hasFrom = (first & 1) != 0;
-    link.hasTo = (first & 2) != 0;
+    const std::int32_t bits = in.below(8);
+    link.hasFrom = (bits & 1) != 0;
+    link.hasTo = (bits & 2) != 0;
+    link.isGap = (bits & 4) != 0;
   }
 }
 

@@ -51,6 +51,7 @@ struct TileLink {
   std::array<Index, 2> from{}, to{};
   /// Of all triangles with that edge, in that direction, the first one is of this tile.
   bool hasFrom = false, hasTo = false;
+  bool isGap = false;
   bool operator==(const TileLink&) const = default;
 };
 

@@ -106,7 +106,7 @@ struct TileJoiner::State {
       const auto numbered = [&](const std::array<Index, 2>& edge) {
         return std::array{numbers[edge[0]], numbers[edge[1]]};
       };
-      links_.push_back({numbered(link.from), numbered(link.to)});
+      links_.push_back({numbered(link.from), numbered(link.to), link.isGap});
     }
   }
 

@@ -81,6 +81,7 @@ void keepLinks(const Tile& tile, const std::vector<Index>& numbers, Tile& kept) 
     }
     made.hasFrom = link.hasFrom && hasFrom;
     made.hasTo = link.hasTo && hasTo;
+    made.isGap = link.isGap;
   }
 }
 

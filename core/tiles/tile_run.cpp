@@ -10,6 +10,7 @@
 
 #include "core/base/background_release.hpp"
 #include "core/base/process_usage.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/io/export.hpp"
 #include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_regions.hpp"
@@ -79,6 +80,9 @@ class TileRun {
         context_(context),
         collector_(environment, floorRuleOf(steps_)) {
     checkRoles(environment.head());
+    if (steps_.step && steps_.step->values[1] > 0 && options.slice.count > 1)
+      throw InputError(FOOTFALL_TEXT(
+          "StepFilter with a gap sees over the borders of slices; give it a gap of 0, or run all slices at once"));
     if ((steps_.minimumArea || steps_.minimumLinkedArea) && options.slice.count > 1)
       throw InputError(
           FOOTFALL_TEXT("AreaFilter sees over the borders of slices; leave it out, or run all slices at once"));
@@ -98,6 +102,7 @@ class TileRun {
     const bool isTwice = steps_.step && steps_.minimumArea;
     runAllCells(isTwice ? kTileRunSteps / 2 : kTileRunSteps);
     if (isTwice) linkAfterArea();
+    runGaps();
     if (steps_.minimumArea && !isTwice) dropSmallRegions(*steps_.minimumArea);
     if (steps_.minimumLinkedArea) dropSmallRegions(*steps_.minimumLinkedArea);
     result_.wallMs = watch.wallMs();
@@ -135,26 +140,26 @@ class TileRun {
 
   struct MadeCell {
     CellSize size;
-    Tile tile;
+    MadeTile made;
   };
 
   // Empty when the cell does not fit.
-  std::optional<MadeCell> makeCell(const FaceRange& range, const CellCollector::Fits& fits,
+  std::optional<MadeCell> makeCell(const OwnFloors& own, const CellCollector::Fits& fits,
                                    const RegionSums::Inspect& inspect = {}) {
     for (reach_ = kUsualReach;; reach_ *= 2) {
       context_.checkCancelled();
       CellSize size;
-      std::optional<Tile> tile = tryCell(range, fits, inspect, size);
+      std::optional<MadeTile> made = tryCell(own, fits, inspect, size);
       if (size.faces == kDoesNotFit) return std::nullopt;
-      if (tile) return MadeCell{size, std::move(*tile)};
+      if (made) return MadeCell{size, std::move(*made)};
     }
   }
 
   // Empty when the cell does not fit, with a size that says so, or does not reach far enough.
-  std::optional<Tile> tryCell(const FaceRange& range, const CellCollector::Fits& fits,
-                              const RegionSums::Inspect& inspect, CellSize& size) {
+  std::optional<MadeTile> tryCell(const OwnFloors& own, const CellCollector::Fits& fits,
+                                  const RegionSums::Inspect& inspect, CellSize& size) {
     size.faces = kDoesNotFit;
-    const std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr, reach_);
+    const std::optional<CellFaces> cell = collector_.collect(own, fits, context_, nullptr, reach_);
     environment_.releasePages();
     if (!cell) return std::nullopt;
     size = {cell->faces.faceNumbers.size(), cell->floors};
@@ -178,7 +183,7 @@ class TileRun {
         continue;
       }
       ++result_.refused;
-      if (range.size() == 1) failTooLittle(range);
+      if (range.size() == 1) failTooLittle({range});
       size = range.size() / 2;
     }
   }
@@ -186,23 +191,43 @@ class TileRun {
   [[nodiscard]] CellCollector::Fits withinMemory() const {
     return [this](const CellSize& size) { return needed(size) <= options_.memory; };
   }
-  [[noreturn]] void failTooLittle(const FaceRange& range) {
-    failTooLittle(needed(collector_.measure(range, context_, reach_)));
+  [[noreturn]] void failTooLittle(const OwnFloors& own) {
+    failTooLittle(needed(collector_.measure(own, context_, reach_)));
   }
 
   // What it held; empty when the cell does not fit.
   std::optional<CellSize> runCell(const FaceRange& range) {
-    std::optional<MadeCell> made = makeCell(range, withinMemory());
-    if (!made) return std::nullopt;
+    const OwnFloors own{range};
+    std::optional<MadeCell> cell = makeCell(own, withinMemory());
+    if (!cell) return std::nullopt;
     ++result_.cells;
-    if (!made->tile.triangles.empty()) {
-      store_.add(made->tile);
-      ranges_.push_back(range);
-    }
-    const CellSize found = made->size;
-    made.reset();
+    keepGaps(cell->made);
+    addTile(own, cell->made.tile);
+    const CellSize found = cell->size;
+    cell.reset();
     returnFreedMemory();
     return found;
+  }
+  void addTile(const OwnFloors& own, const Tile& tile) {
+    if (tile.triangles.empty()) return;
+    store_.add(tile);
+    cells_.push_back(own);
+  }
+  void keepGaps(const MadeTile& made) { atGaps_.insert(atGaps_.end(), made.atGaps.begin(), made.atGaps.end()); }
+
+  // What gaps change, of all cells.
+  void runGaps() {
+    if (atGaps_.empty()) return;
+    sortOnce(atGaps_);
+    fixed_ += atGaps_.size() * sizeof(std::uint32_t);
+    context_.beginStep(kTileRunSteps - 1, "gaps");
+    const OwnFloors own{{}, &atGaps_};
+    std::optional<MadeCell> cell = makeCell(own, withinMemory());
+    if (!cell) failTooLittle(own);
+    ++result_.cells;
+    addTile(own, cell->made.tile);
+    cell.reset();
+    returnFreedMemory();
   }
 
   // Regions hang together over borders: what each tile knows of its own is put together. For each tile, which of its
@@ -210,14 +235,14 @@ class TileRun {
   std::vector<std::vector<char>> largeRegions(double minimum) {
     context_.beginStep(kTileRunSteps - 1, "areas");
     RegionSums sums(grid_);
-    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
       const Tile tile = store_.read(i);
       sums.add(tile, findTileRegions(tile, grid_, context_));
       returnFreedMemory();
     }
     const auto findAgain = [this](std::size_t number, const RegionSums::Inspect& inspect) {
       makeCell(
-          ranges_[number], [](const CellSize&) { return true; }, inspect);
+          cells_[number], [](const CellSize&) { return true; }, inspect);
       returnFreedMemory();
     };
     return sums.largerThan(minimum, findAgain, context_);
@@ -227,7 +252,7 @@ class TileRun {
   template <class Drop>
   void forTilesWithSmallRegions(double minimum, const Drop& drop) {
     const std::vector<std::vector<char>> keeps = largeRegions(minimum);
-    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (std::all_of(keeps[i].begin(), keeps[i].end(), [](char keep) { return keep != 0; })) continue;
       const Tile tile = store_.read(i);
       drop(tile, i, findTileRegions(tile, grid_, context_).regionOf, keeps[i]);
@@ -250,13 +275,14 @@ class TileRun {
     dropped_.sort();
     fixed_ += dropped_.bytes();
     isLinked_ = true;
-    for (std::size_t i = 0; i < ranges_.size(); ++i) {
-      context_.beginStep(kTileRunSteps / 2 * (i + ranges_.size()) / ranges_.size(),
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      context_.beginStep(kTileRunSteps / 2 * (i + cells_.size()) / cells_.size(),
                          "steps of cell " + std::to_string(i + 1));
-      std::optional<MadeCell> made = makeCell(ranges_[i], withinMemory());
-      if (!made) failTooLittle(ranges_[i]);
-      store_.replace(i, made->tile);
-      made.reset();
+      std::optional<MadeCell> cell = makeCell(cells_[i], withinMemory());
+      if (!cell) failTooLittle(cells_[i]);
+      keepGaps(cell->made);
+      store_.replace(i, cell->made.tile);
+      cell.reset();
       returnFreedMemory();
     }
   }
@@ -269,10 +295,11 @@ class TileRun {
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
   Grid grid_;
-  int reach_ = kUsualReach;        ///< of the last cell
-  bool isLinked_ = false;          ///< cells have their steps now
-  DroppedTriangles dropped_;       ///< before the steps
-  std::vector<FaceRange> ranges_;  ///< of each tile
+  std::vector<std::uint32_t> atGaps_;  ///< faces that gaps change
+  int reach_ = kUsualReach;            ///< of the last cell
+  bool isLinked_ = false;              ///< cells have their steps now
+  DroppedTriangles dropped_;           ///< before the steps
+  std::vector<OwnFloors> cells_;       ///< of each tile
   TileRunResult result_;
 };
 

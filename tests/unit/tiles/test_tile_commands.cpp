@@ -189,14 +189,14 @@ void TestTileCommands::stepsAreLinked() {
   }
   QCOMPARE(runProgram(QStringList{"join"} + parts + QStringList{"--quiet", "-o", named("joined.obj")}).exitCode, 0);
   QCOMPARE(contentOf(named("joined.obj")), contentOf(named("whole.obj")));
-  // As many as in memory, each once.
-  const QStringList area = linked + QStringList{"--filter", "AreaFilter 1"};
+  // As many as in memory, each once; with gaps.
+  const QStringList area = kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4", "--filter", "AreaFilter 1"};
   QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "--stats", named("whole.json"), "-o",
                                   named("again.obj")} +
                       area)
                .exitCode,
            0);
-  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "74M", "--quiet", "--stats", named("tiles.json"),
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "90M", "--quiet", "--stats", named("tiles.json"),
                                   "-o", named("tiles")} +
                       area)
                .exitCode,
@@ -209,7 +209,8 @@ void TestTileCommands::stepsAreLinked() {
   // What is connected is told when tiles are joined.
   const Outcome outcome =
       runProgram({"join", named("tiles"), "-o", named("told.obj"), "--stats", named("joined.json")});
-  QVERIFY2(outcome.out.contains(" steps between borders, "), outcome.out);
+  QVERIFY2(outcome.out.contains(" steps between borders, ") && outcome.out.contains(" gaps between borders, "),
+           outcome.out);
   const QJsonObject joined = QJsonDocument::fromJson(contentOf(named("joined.json"))).object();
   for (const char* key : {"vertices", "triangles", "links", "link_length", "highest_link", "links_by_kind",
                           "obstacle_edges", "components", "connected_share"})
@@ -229,9 +230,11 @@ void TestTileCommands::whatCannotBeIsRefused() {
   };
   const QStringList run{"run", house, "--memory", "1G", "-o", tiles};
   QCOMPARE(refused(run, "the default pipeline sees across cells"), QByteArray());
-  QCOMPARE(
-      refused(run + kPipeline + QStringList{"--filter", "StepFilter 0.4"}, "StepFilter with a gap sees across cells"),
-      QByteArray());
+  QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "RadiusFilter 0.4"}, "RadiusFilter sees across cells"),
+           QByteArray());
+  QCOMPARE(refused(run + kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4", "--slice", "1/2"},
+                   "StepFilter with a gap sees over the borders of slices"),
+           QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--memory: parts cannot be left out"), QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--no-layers"}, "--no-layers"), QByteArray());
   QCOMPARE(refused(QStringList{"run", house, "--memory", "1G"} + kPipeline, "give the folder for the tiles"),
