@@ -122,11 +122,11 @@ void runAs(RunProgram& program, RunOptions& options) {
 void addMemory(CLI::App& command, RunOptions& options) {
   CLI::Option* memory =
       command
-          .add_option(
-              "--memory", options.memory,
-              "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), and "
-              "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters, behind which "
-              "AreaFilter, SimplificationFilter and LayerSubdivisionFilter may follow")
+          .add_option("--memory", options.memory,
+                      "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), and "
+                      "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters, which a "
+                      "StepFilter and AreaFilters may follow, or AreaFilters, SimplificationFilter and "
+                      "LayerSubdivisionFilter")
           ->transform(CLI::AsSizeValue(false))
           ->type_name("BYTES");
   command

@@ -140,9 +140,12 @@ std::string formatTileStatistics(const TileCommandOptions& options, const TileRu
                    {"made_smaller", result.refused},
                    {"triangles_read", result.collected},
                    {"most_triangles_at_once", result.largestCell}};
-  std::uint64_t triangles = 0;
-  for (const TileEntry& tile : result.set.tiles) triangles += tile.triangles;
-  json["tiles"] = {{"count", result.set.tiles.size()}, {"triangles", triangles}};
+  std::uint64_t triangles = 0, links = 0;
+  for (const TileEntry& tile : result.set.tiles) {
+    triangles += tile.triangles;
+    links += tile.links;
+  }
+  json["tiles"] = {{"count", result.set.tiles.size()}, {"triangles", triangles}, {"links", links}};
   json["times_ms"] = {{"wall", result.wallMs}, {"cpu", result.cpuMs}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

@@ -1708,12 +1708,24 @@
         <translation>--stats %1: das liegt im Ordner der Kacheln; eine Datei anderswo angeben</translation>
     </message>
     <message>
-        <source>%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run without the bound, with all of the environment in memory</source>
-        <translation>%1: %2 kann nur in der genauen Form eine Speichergrenze einhalten, nicht in der ungefähren; lassen Sie diese weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+        <source>%1: a second %2 cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: ein zweiter %2 kann keine Speichergrenze einhalten; lassen Sie ihn weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>%1: %2 stands behind a StepFilter, which needs what it leaves; put it before that, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 steht hinter einem StepFilter, der braucht, was er übrig lässt; setzen Sie ihn davor, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>StepFilter with a gap sees over the borders of slices; give it a gap of 0, or run all slices at once</source>
+        <translation>StepFilter mit einer Lücke sieht über die Grenzen von Teilen hinaus; geben Sie ihm eine Lücke von 0, oder rechnen Sie alle Teile auf einmal</translation>
     </message>
     <message>
         <source>%1: %2 stands behind a filter that needs all cells; put it before that, or run without the bound, with all of the environment in memory</source>
         <translation>%1: %2 steht hinter einem Filter, der alle Zellen braucht; setzen Sie ihn davor, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 kann nur in der genauen Form eine Speichergrenze einhalten, nicht in der ungefähren; lassen Sie diese weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
     </message>
     <message>
         <source>the walkable area has more triangles than LayerSubdivisionFilter can number; leave it out</source>

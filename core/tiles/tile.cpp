@@ -13,7 +13,8 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::string_view kMagic{"FFTILE\r\n", 8};
-constexpr std::size_t kLeastFace = 74, kLeastTriangle = 4, kLeastVertex = 25, kLeastBorder = 3;
+constexpr std::size_t kLeastFace = 74, kLeastTriangle = 4, kLeastVertex = 25, kLeastBorder = 3, kLeastOutside = 26,
+                      kLeastLink = 5;
 constexpr std::size_t kPolled = 1 << 15;
 
 void encode(const Vec3& place, ByteWriter& out) {
@@ -94,6 +95,19 @@ std::string encodeContent(const Tile& tile, const Poll& poll) {
     out.number(border.face);
     out.text(border.exact);
   }
+  out.number(tile.outside.size());
+  for (const TileOutside& vertex : tile.outside) {
+    encode(vertex.place, out);
+    out.number(vertex.face);
+    out.text(vertex.exact);
+  }
+  out.number(tile.links.size());
+  for (const TileLink& link : tile.links) {
+    if (++polled % kPolled == 0) poll();
+    for (const Index v : {link.from[0], link.from[1], link.to[0], link.to[1]})
+      out.number(static_cast<std::uint64_t>(v));
+    out.number((link.hasFrom ? 1U : 0U) | (link.hasTo ? 2U : 0U) | (link.isGap ? 4U : 0U));
+  }
   out.number(tile.pieces.size());
   for (const TilePiece& piece : tile.pieces) {
     if (++polled % kPolled == 0) poll();
@@ -156,6 +170,27 @@ void decodeTriangles(ByteReader& in, Tile& tile, const Poll& poll) {
     border.vertex = static_cast<Index>(vertex);
     border.face = decodeNumber(in);
     border.exact = in.text();
+  }
+}
+
+void decodeLinks(ByteReader& in, Tile& tile, const Poll& poll) {
+  std::size_t polled = 0;
+  tile.outside.resize(in.count(kLeastOutside));
+  for (TileOutside& vertex : tile.outside) {
+    if (++polled % kPolled == 0) poll();
+    vertex.place = decodePlace(in);
+    vertex.face = decodeNumber(in);
+    vertex.exact = in.text();
+  }
+  const auto vertices = static_cast<std::int64_t>(tile.places.size() + tile.outside.size());
+  tile.links.resize(in.count(kLeastLink));
+  for (TileLink& link : tile.links) {
+    if (++polled % kPolled == 0) poll();
+    for (Index* v : {&link.from[0], &link.from[1], &link.to[0], &link.to[1]}) *v = in.below(vertices);
+    const std::int32_t bits = in.below(8);
+    link.hasFrom = (bits & 1) != 0;
+    link.hasTo = (bits & 2) != 0;
+    link.isGap = (bits & 4) != 0;
   }
 }
 
@@ -276,6 +311,7 @@ Tile decodeTile(std::string_view bytes, const Poll& poll) {
     ByteReader in(content);
     decodeFaces(in, tile, poll);
     decodeTriangles(in, tile, poll);
+    decodeLinks(in, tile, poll);
     decodePieces(in, tile, poll);
     GeometryReader(in, tile.geometry).read(tile.places.size(), poll);
     in.expectEnd();

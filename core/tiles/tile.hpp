@@ -28,12 +28,31 @@ struct TileFace {
   bool operator==(const TileFace&) const = default;
 };
 
-/// A vertex that triangles of other tiles have, too. Its name is its place, `face` and `exact`.
+/// A vertex that triangles or links of other tiles have, too. Its name is its place, `face` and `exact`.
 struct TileBorder {
   Index vertex = -1;
   std::uint32_t face = 0;  ///< the first triangle of the environment of which a walkable part has the vertex
   std::string exact;       ///< coordinates "p/q p/q p/q" where doubles do not hold them, else empty
   bool operator==(const TileBorder&) const = default;
+};
+
+/// A vertex that only other tiles have, to which a link leads.
+struct TileOutside {
+  Vec3 place;  ///< with `face` and `exact` its name, as in TileBorder
+  std::uint32_t face = 0;
+  std::string exact;
+  bool operator==(const TileOutside&) const = default;
+};
+
+/// A link over which one steps between two edges, as in MeshLink; of one of them at least the tile has a triangle.
+/// Vertices from the number of the tile's vertices on are those of Tile::outside. Where a link lies between tiles, all
+/// tiles that have a triangle of either edge have it, in the same direction.
+struct TileLink {
+  std::array<Index, 2> from{}, to{};
+  /// Of all triangles with that edge, in that direction, the first one is of this tile.
+  bool hasFrom = false, hasTo = false;
+  bool isGap = false;
+  bool operator==(const TileLink&) const = default;
 };
 
 /// Where a triangle stands among all of its face, of which others may be in other tiles, and in whose plane it lies
@@ -66,6 +85,8 @@ struct Tile {
   std::vector<Vec3> places;             ///< of the vertices, in the order of their first use; the nearest doubles
   std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
   std::vector<TileBorder> borders;      ///< ascending by vertex
+  std::vector<TileOutside> outside;     ///< in the order of their first use
+  std::vector<TileLink> links;
   std::vector<TilePiece> pieces;      ///< one for each triangle; empty: numbered from 0 on, in the plane of their face
   std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty
   TileGeometry geometry;              ///< or empty

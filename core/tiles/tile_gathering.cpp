@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/byte_stream.hpp"
+#include "core/base/sorted_list.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
@@ -44,7 +45,7 @@ void TileGathering::add(const Tile& tile, const Poll& poll) {
                       "them one by one"),
         kMost);
   if (before > 0 && count > 0 && layers_.empty() != tile.layers.empty()) throw BadBytes("is damaged");
-  const std::vector<Index> numbers = numberVertices(tile, poll);
+  std::vector<Index> numbers = numberVertices(tile, poll);
   std::size_t first = before;
   for (const TileFace& face : tile.faces) {
     if (face.triangles > 0) faces_.push_back({face, first});
@@ -60,6 +61,25 @@ void TileGathering::add(const Tile& tile, const Poll& poll) {
   for (const TilePiece& piece : tile.pieces) pieces.push_back(piece.number);
   append(numbers_, pieces, before, count);
   append(layers_, tile.layers, before, count);
+  addLinks(tile, numbers, poll);
+}
+
+// Numbers are below those of the vertices of the tile and outside.
+void TileGathering::addLinks(const Tile& tile, std::vector<Index>& numbers, const Poll& poll) {
+  for (const TileOutside& vertex : tile.outside) {
+    poll();
+    const auto next = static_cast<Index>(places_.size());
+    numbers.push_back(borders_.numberOf(vertex, next));
+    if (numbers.back() != next) continue;
+    places_.push_back(vertex.place);
+    exact_.push_back(static_cast<char>(vertex.exact.empty()));
+  }
+  for (const TileLink& link : tile.links) {
+    const auto numbered = [&](const std::array<Index, 2>& edge) {
+      return std::array{numbers[edge[0]], numbers[edge[1]]};
+    };
+    links_.push_back({numbered(link.from), numbered(link.to), link.isGap});
+  }
 }
 
 std::vector<Index> TileGathering::numberVertices(const Tile& tile, const Poll& poll) {
@@ -128,6 +148,13 @@ TileGathering::Whole TileGathering::take(RunContext& context) {
     for (const std::size_t added : ofFace) addTriangle(added, whole);
     first = last;
   }
+  for (MeshLink link : links_) {
+    for (std::array<Index, 2>* edge : {&link.from, &link.to})
+      for (Index& v : *edge) v = renumbered_[v];
+    const auto isThere = [](const std::array<Index, 2>& edge) { return edge[0] >= 0 && edge[1] >= 0; };
+    if (isThere(link.from) && isThere(link.to)) whole.mesh.links.push_back(link);
+  }
+  sortOnce(whole.mesh.links);
   *this = {};
   return whole;
 }

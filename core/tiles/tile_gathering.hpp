@@ -38,6 +38,7 @@ class TileGathering {
   static bool comesBefore(const AddedFace& a, const AddedFace& b);
   static bool isSame(const AddedFace& a, const AddedFace& b) { return !comesBefore(a, b) && !comesBefore(b, a); }
   std::vector<Index> numberVertices(const Tile& tile, const Poll& poll);
+  void addLinks(const Tile& tile, std::vector<Index>& numbers, const Poll& poll);
   void addTriangle(std::size_t added, Whole& whole);
   [[nodiscard]] std::uint32_t numberOf(std::size_t triangle) const;
 
@@ -48,6 +49,7 @@ class TileGathering {
   std::vector<Vec3> places_;
   std::vector<char> exact_;
   std::vector<double> heights_;
+  std::vector<MeshLink> links_;
   BorderNames borders_;
   std::vector<Index> renumbered_;
 };

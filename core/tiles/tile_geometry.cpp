@@ -84,6 +84,7 @@ class TileCopy {
     if (!vertices_.empty()) kept_.geometry = chosenGeometry(tile_.geometry, std::move(vertices_));
     return std::move(kept_);
   }
+  [[nodiscard]] const std::vector<Index>& numbers() const { return numbers_; }
 
  private:
   void chooseFaces(const std::vector<char>& chosen) {
@@ -151,6 +152,11 @@ TileBorder borderOf(const PlanKernel& kernel, const MeshVertex& vertex, bool isE
   return border;
 }
 
-Tile chosenTriangles(const Tile& tile, const std::vector<char>& chosen) { return TileCopy(tile).make(chosen); }
+Tile chosenTriangles(const Tile& tile, const std::vector<char>& chosen, std::vector<Index>* numbers) {
+  TileCopy copy(tile);
+  Tile made = copy.make(chosen);
+  if (numbers != nullptr) *numbers = copy.numbers();
+  return made;
+}
 
 }  // namespace footfall::detail

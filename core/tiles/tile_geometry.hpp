@@ -38,7 +38,8 @@ TileGeometry geometryOf(const PlanKernel& kernel, std::vector<MeshVertex> vertic
 /// The name of a vertex, of which `face` is the number in the environment of the first walkable triangle that has it.
 TileBorder borderOf(const PlanKernel& kernel, const MeshVertex& vertex, bool isExact, Index number, std::uint32_t face);
 
-/// Some triangles of a tile, with what their vertices are made of: those of which `chosen` is not 0.
-Tile chosenTriangles(const Tile& tile, const std::vector<char>& chosen);
+/// Some triangles of a tile, with what their vertices are made of, and no links: those of which `chosen` is not 0.
+/// `numbers` (may be null) receives for each vertex its number among them, or -1.
+Tile chosenTriangles(const Tile& tile, const std::vector<char>& chosen, std::vector<Index>* numbers = nullptr);
 
 }  // namespace footfall::detail

@@ -10,6 +10,7 @@
 
 #include "core/base/background_release.hpp"
 #include "core/base/process_usage.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/io/export.hpp"
 #include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_regions.hpp"
@@ -22,6 +23,7 @@ namespace {
 // other levels cut their floors into more pieces.
 constexpr std::uint64_t kOfProcess = std::uint64_t{64} << 20;
 constexpr std::uint64_t kOfBlock = 256, kOfFace = 500, kOfFloor = 1000;
+constexpr std::uint64_t kDoesNotFit = ~std::uint64_t{0};
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
 std::string inMegabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
@@ -53,7 +55,7 @@ Grid gridOf(const PackedEnvironment& environment, const std::vector<PartRole>& r
 }
 
 /// What collecting has to know; no roles where all parts are floors.
-FloorRule ruleOf(const std::vector<PipelineStep>& steps, const std::vector<PartRole>& roles) {
+FloorRule ruleOf(const CellSteps& steps, const std::vector<PartRole>& roles) {
   FloorRule rule = floorRuleOf(steps);
   const auto isFloor = [](PartRole role) { return role == PartRole::Floor; };
   if (!std::all_of(roles.begin(), roles.end(), isFloor)) rule.roles = roles;
@@ -95,7 +97,7 @@ class TileRun {
         options_(options),
         store_(store),
         context_(context),
-        rule_(ruleOf(steps_.local, options.roles)),
+        rule_(ruleOf(steps_, options.roles)),
         collector_(environment, rule_) {
     checkSlice(steps_, options.slice);
     fixed_ = kOfProcess + kOfBlock * environment.blocks().size();
@@ -112,24 +114,12 @@ class TileRun {
   TileRunResult run() {
     const Stopwatch watch;
     grid_ = gridOf(environment_, rule_.roles, context_);
-    const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
-    std::uint64_t size = std::min(
-        options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor + (isExact() ? 2 * kOfUnionTriangle : 0)));
-    for (std::uint64_t first = begin; first < count;) {
-      const FaceRange range{first, std::min(first + size, count)};
-      context_.beginStep(kTileRunSteps * (first - begin) / (count - begin),
-                         "cell " + std::to_string(result_.cells + 1));
-      if (const std::optional<CellSize> found = runCell(range)) {
-        first = range.last;
-        size = nextSize(range.size(), *found);
-        continue;
-      }
-      ++result_.refused;
-      if (range.size() == 1)
-        failTooLittle(neededForTile_ != 0 ? fixed_ + neededForTile_ : needed(collector_.measure(range, context_)));
-      size = range.size() / 2;
-    }
-    if (steps_.minimumArea) dropSmallRegions(*steps_.minimumArea);
+    const bool isTwice = steps_.step && steps_.minimumArea;
+    runAllCells(isTwice ? kTileRunSteps / 2 : kTileRunSteps);
+    if (isTwice) linkAfterArea();
+    runGaps();
+    if (steps_.minimumArea && !isTwice) dropSmallRegions(*steps_.minimumArea);
+    if (steps_.minimumLinkedArea) dropSmallRegions(*steps_.minimumLinkedArea);
     if (!steps_.global.empty()) runGlobalSteps();
     result_.wallMs = watch.wallMs();
     result_.cpuMs = watch.cpuMs();
@@ -164,35 +154,93 @@ class TileRun {
                       std::max<std::uint64_t>(options_.mostFaces, 1));
   }
 
-  // What it held; empty when the cell does not fit.
-  std::optional<CellSize> runCell(const FaceRange& range) {
-    context_.checkCancelled();
-    const auto fits = [this](const CellSize& size) { return needed(size) <= options_.memory; };
-    neededForTile_ = 0;
-    std::optional<CellFaces> cell = collector_.collect(range, fits, context_, nullptr);
+  struct MadeCell {
+    CellSize size;
+    MadeTile made;
+  };
+
+  // Empty when the cell does not fit.
+  std::optional<MadeCell> makeCell(const OwnFloors& own, const CellCollector::Fits& fits,
+                                   const RegionSums::Inspect& inspect = {}) {
+    for (reach_ = kUsualReach;; reach_ *= 2) {
+      context_.checkCancelled();
+      CellSize size;
+      std::optional<MadeTile> made = tryCell(own, fits, inspect, size);
+      if (size.faces == kDoesNotFit) return std::nullopt;
+      if (made) return MadeCell{size, std::move(*made)};
+    }
+  }
+
+  // Empty when the cell does not fit, with a size that says so, or does not reach far enough.
+  std::optional<MadeTile> tryCell(const OwnFloors& own, const CellCollector::Fits& fits,
+                                  const RegionSums::Inspect& inspect, CellSize& size) {
+    size.faces = kDoesNotFit;
+    const std::optional<CellFaces> cell = collector_.collect(own, fits, context_, nullptr, reach_);
     environment_.releasePages();
     if (!cell) return std::nullopt;
-    const CellSize found{cell->faces.faceNumbers.size(), cell->floors};
-    const Tile tile = makeTile(*cell, environment_.head(), grid_, steps_.local, isExact(), context_);
-    cell.reset();
-    if (isExact()) neededForTile_ = 2 * kOfUnionTriangle * tile.triangles.size();  // with as much beside it
+    size = {cell->faces.faceNumbers.size(), cell->floors};
+    result_.largestCell = std::max(result_.largestCell, size.faces);
+    result_.collected += size.faces;
+    const CellWork work{steps_.local, isLinked_ && steps_.step ? &*steps_.step : nullptr, &dropped_, isExact()};
+    return makeTile(*cell, environment_.head(), grid_, work, context_, inspect);
+  }
+
+  // All within the bound, one behind the other; up to `steps` of progress.
+  void runAllCells(std::size_t steps) {
+    isLinked_ = !steps_.minimumArea;
+    const std::uint64_t begin = endOfSlice(options_.slice.number - 1), count = endOfSlice(options_.slice.number);
+    std::uint64_t size = std::min(
+        options_.mostFaces, (options_.memory - fixed_) / (kOfFace + kOfFloor + (isExact() ? 2 * kOfUnionTriangle : 0)));
+    for (std::uint64_t first = begin; first < count;) {
+      const FaceRange range{first, std::min(first + size, count)};
+      context_.beginStep(steps * (first - begin) / (count - begin), "cell " + std::to_string(result_.cells + 1));
+      if (const std::optional<CellSize> found = runCell(range)) {
+        first = range.last;
+        size = nextSize(range.size(), *found);
+        continue;
+      }
+      ++result_.refused;
+      if (range.size() == 1 && neededForTile_ != 0) failTooLittle(fixed_ + neededForTile_);
+      if (range.size() == 1) failTooLittle({range});
+      size = range.size() / 2;
+    }
+  }
+
+  [[nodiscard]] CellCollector::Fits withinMemory() const {
+    return [this](const CellSize& size) { return needed(size) <= options_.memory; };
+  }
+  [[noreturn]] void failTooLittle(const OwnFloors& own) {
+    failTooLittle(needed(collector_.measure(own, context_, reach_)));
+  }
+
+  // What it held; empty when the cell does not fit.
+  std::optional<CellSize> runCell(const FaceRange& range) {
+    const OwnFloors own{range};
+    neededForTile_ = 0;
+    std::optional<MadeCell> cell = makeCell(own, withinMemory());
+    if (!cell) return std::nullopt;
+    if (isExact()) neededForTile_ = 2 * kOfUnionTriangle * cell->made.tile.triangles.size();  // with as much beside it
     if (fixed_ + neededForTile_ > options_.memory) return std::nullopt;
     ++result_.cells;
-    result_.largestCell = std::max(result_.largestCell, found.faces);
-    result_.collected += found.faces;
-    if (!tile.triangles.empty()) {
-      store_.add(tile);
-      ranges_.push_back(range);
-    }
+    keepGaps(cell->made);
+    addTile(own, cell->made.tile);
+    const CellSize found = cell->size;
+    cell.reset();
     returnFreedMemory();
     return found;
   }
+  void addTile(const OwnFloors& own, const Tile& tile) {
+    if (tile.triangles.empty()) return;
+    store_.add(tile);
+    cells_.push_back(own);
+  }
+  void keepGaps(const MadeTile& made) { atGaps_.insert(atGaps_.end(), made.atGaps.begin(), made.atGaps.end()); }
 
   // Filters that see over the borders of tiles, one after another; then nobody needs to know what vertices are made of.
   void runGlobalSteps() {
-    TileStage stage{store_, ranges_.size(), {}, grid_, options_.memory - fixed_, {}};
+    TileStage stage{store_, cells_.size(), {}, grid_, options_.memory - fixed_, {}};
     stage.failTooLittle = [this](std::uint64_t bytes) { failTooLittle(fixed_ + bytes); };
-    for (std::size_t i = 0; i < ranges_.size(); ++i)
+    for (std::size_t i = 0; i < cells_.size(); ++i)
       if (const Tile tile = store_.read(i); !tile.triangles.empty()) stage.tiles.push_back(storedTileOf(i, tile));
     bool isSimplified = false;  // else triangles lie in their own faces, one behind the other
     for (const PipelineStep& step : steps_.global) {
@@ -213,27 +261,74 @@ class TileRun {
     }
   }
 
-  // Regions hang together over borders: what each tile knows of its own is put together, and then each is read again.
-  void dropSmallRegions(double minimum) {
+  // What gaps change, of all cells.
+  void runGaps() {
+    if (atGaps_.empty()) return;
+    sortOnce(atGaps_);
+    fixed_ += atGaps_.size() * sizeof(std::uint32_t);
+    context_.beginStep(kTileRunSteps - 1, "gaps");
+    const OwnFloors own{{}, &atGaps_};
+    std::optional<MadeCell> cell = makeCell(own, withinMemory());
+    if (!cell) failTooLittle(own);
+    ++result_.cells;
+    addTile(own, cell->made.tile);
+    cell.reset();
+    returnFreedMemory();
+  }
+
+  // Regions hang together over borders: what each tile knows of its own is put together. For each tile, which of its
+  // regions stay.
+  std::vector<std::vector<char>> largeRegions(double minimum) {
     context_.beginStep(kTileRunSteps - 1, "areas");
     RegionSums sums(grid_);
-    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
       const Tile tile = store_.read(i);
       sums.add(tile, findTileRegions(tile, grid_, context_));
       returnFreedMemory();
     }
     const auto findAgain = [this](std::size_t number, const RegionSums::Inspect& inspect) {
-      const std::optional<CellFaces> cell = collector_.collect(
-          ranges_[number], [](const CellSize&) { return true; }, context_, nullptr);
-      environment_.releasePages();
-      makeTile(*cell, environment_.head(), grid_, steps_.local, false, context_, inspect);
+      makeCell(
+          cells_[number], [](const CellSize&) { return true; }, inspect);
       returnFreedMemory();
     };
-    const std::vector<std::vector<char>> keeps = sums.largerThan(minimum, findAgain, context_);
-    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    return sums.largerThan(minimum, findAgain, context_);
+  }
+
+  // Calls drop(tile, its number, its regions, which of them stay) where some go.
+  template <class Drop>
+  void forTilesWithSmallRegions(double minimum, const Drop& drop) {
+    const std::vector<std::vector<char>> keeps = largeRegions(minimum);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (std::all_of(keeps[i].begin(), keeps[i].end(), [](char keep) { return keep != 0; })) continue;
       const Tile tile = store_.read(i);
-      store_.replace(i, withoutRegions(tile, findTileRegions(tile, grid_, context_).regionOf, keeps[i]));
+      drop(tile, i, findTileRegions(tile, grid_, context_).regionOf, keeps[i]);
+      returnFreedMemory();
+    }
+  }
+
+  void dropSmallRegions(double minimum) {
+    forTilesWithSmallRegions(minimum, [this](const Tile& tile, std::size_t number, const std::vector<Index>& regionOf,
+                                             const std::vector<char>& keeps) {
+      store_.replace(number, withoutRegions(tile, regionOf, keeps));
+    });
+  }
+
+  // Steps join what an area has left, of neighbours as well: the same cells run once more.
+  void linkAfterArea() {
+    forTilesWithSmallRegions(*steps_.minimumArea,
+                             [this](const Tile& tile, std::size_t, const std::vector<Index>& regionOf,
+                                    const std::vector<char>& keeps) { dropped_.add(tile, regionOf, keeps); });
+    dropped_.sort();
+    fixed_ += dropped_.bytes();
+    isLinked_ = true;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      context_.beginStep(kTileRunSteps / 2 * (i + cells_.size()) / cells_.size(),
+                         "steps of cell " + std::to_string(i + 1));
+      std::optional<MadeCell> cell = makeCell(cells_[i], withinMemory());
+      if (!cell) failTooLittle(cells_[i]);
+      keepGaps(cell->made);
+      store_.replace(i, cell->made.tile);
+      cell.reset();
       returnFreedMemory();
     }
   }
@@ -248,7 +343,11 @@ class TileRun {
   std::uint64_t fixed_ = 0;
   std::uint64_t neededForTile_ = 0;  ///< of the last cell, for filters that see over the borders of tiles; or 0
   Grid grid_;
-  std::vector<FaceRange> ranges_;  ///< of each tile
+  std::vector<std::uint32_t> atGaps_;  ///< faces that gaps change
+  int reach_ = kUsualReach;            ///< of the last cell
+  bool isLinked_ = false;              ///< cells have their steps now
+  DroppedTriangles dropped_;           ///< before the steps
+  std::vector<OwnFloors> cells_;       ///< of each tile
   TileRunResult result_;
 };
 
@@ -294,7 +393,10 @@ void checkSlice(const CellSteps& steps, const TileSlice& slice) {
     throw InputError(FOOTFALL_TEXT("%1 sees over the borders of slices; leave it out, or run all slices at once"),
                      filter);
   };
-  if (steps.minimumArea) fail(filterDescriptor(FilterType::Area).name);
+  if (steps.step && steps.step->values[1] > 0)
+    throw InputError(FOOTFALL_TEXT(
+        "StepFilter with a gap sees over the borders of slices; give it a gap of 0, or run all slices at once"));
+  if (steps.minimumArea || steps.minimumLinkedArea) fail(filterDescriptor(FilterType::Area).name);
   if (!steps.global.empty()) fail(steps.global.front().filter->name);
 }
 

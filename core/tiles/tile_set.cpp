@@ -64,6 +64,7 @@ TileEntry entryOf(const Json& json) {
   entry.triangles = json.at("triangles").get<std::uint64_t>();
   entry.vertices = json.at("vertices").get<std::uint64_t>();
   entry.borders = json.at("borders").get<std::uint64_t>();
+  entry.links = json.at("links").get<std::uint64_t>();
   entry.box.lower = json.at("box").at(0).get<std::array<double, 3>>();
   entry.box.upper = json.at("box").at(1).get<std::array<double, 3>>();
   entry.sum = sumOf(json.at("sum"));
@@ -106,6 +107,8 @@ TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& t
   entry.triangles = tile.triangles.size();
   entry.vertices = tile.places.size();
   entry.borders = tile.borders.size();
+  entry.links = static_cast<std::uint64_t>(
+      std::count_if(tile.links.begin(), tile.links.end(), [](const TileLink& link) { return link.hasFrom; }));
   entry.box = boxAround(tile.places);
   const std::array<OutputFile, 1> files{{{pathIn(folder, entry.file), encodeTile(tile, context)}}};
   entry.sum = Digest().add(files[0].bytes).value();
@@ -137,6 +140,7 @@ std::string formatTileIndex(const TileSet& set) {
                              {"triangles", tile.triangles},
                              {"vertices", tile.vertices},
                              {"borders", tile.borders},
+                             {"links", tile.links},
                              {"box", Json::array({tile.box.lower, tile.box.upper})},
                              {"sum", textOf(tile.sum)}});
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -22,7 +22,8 @@ inline constexpr Pattern kRunTilesAgain = FOOTFALL_TEXT("run `footfall run --mem
 struct TileEntry {
   std::string file;  ///< its name in the folder
   std::uint64_t faces = 0, triangles = 0, vertices = 0, borders = 0;
-  Box box;  ///< of its vertices, Z up
+  std::uint64_t links = 0;  ///< those whose first triangle it has: each link is one of one tile
+  Box box;                  ///< of its vertices, Z up
   Digest::Value sum{};
 };
 

@@ -1,10 +1,12 @@
 // `footfall run --memory` and `footfall join` as a user runs them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "core/io/formats/format_table.hpp"
 #include "tests/unit/program_run.hpp"
@@ -44,6 +46,7 @@ class TestTileCommands : public QObject {
   void noMemoryAtAllIsRefused();
   void slicesOfOtherSidesAreNotJoined();
   void slicesAreJoined();
+  void stepsAreLinked();
   void whatCannotBeIsRefused();
   void damagedTilesAreRefused();
 };
@@ -196,6 +199,54 @@ void TestTileCommands::slicesAreJoined() {
   QVERIFY2(area.exitCode == 2 && area.err.contains("AreaFilter sees over the borders of slices"), area.err);
 }
 
+void TestTileCommands::stepsAreLinked() {
+  const QTemporaryDir folder;
+  const auto named = [&](const QString& name) { return folder.filePath(name); };
+  const QStringList linked = kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4 0"};
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "-o", named("whole.obj")} + linked).exitCode, 0);
+  QVERIFY(contentOf(named("whole.obj")).contains("\nl "));
+  // Links go over slices as well.
+  QStringList parts;
+  for (const QString slice : {"1", "2", "3"}) {
+    parts.push_back(named(slice));
+    QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "80M", "--slice", slice + "/3", "--quiet", "-o",
+                                    parts.back()} +
+                        linked)
+                 .exitCode,
+             0);
+  }
+  QCOMPARE(runProgram(QStringList{"join"} + parts + QStringList{"--quiet", "-o", named("joined.obj")}).exitCode, 0);
+  QCOMPARE(contentOf(named("joined.obj")), contentOf(named("whole.obj")));
+  // As many as in memory, each once; with gaps.
+  const QStringList area = kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4", "--filter", "AreaFilter 1"};
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "--stats", named("whole.json"), "-o",
+                                  named("again.obj")} +
+                      area)
+               .exitCode,
+           0);
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "90M", "--quiet", "--stats", named("tiles.json"),
+                                  "-o", named("tiles")} +
+                      area)
+               .exitCode,
+           0);
+  const QJsonObject whole = QJsonDocument::fromJson(contentOf(named("whole.json"))).object();
+  const QJsonObject tiles = QJsonDocument::fromJson(contentOf(named("tiles.json")))["tiles"].toObject();
+  QVERIFY(tiles["count"].toInteger() > 1);
+  QVERIFY(whole["links"].toInteger() > 0);
+  QCOMPARE(tiles["links"].toInteger(), whole["links"].toInteger());
+  // What is connected is told when tiles are joined.
+  const Outcome outcome =
+      runProgram({"join", named("tiles"), "-o", named("told.obj"), "--stats", named("joined.json")});
+  QVERIFY2(outcome.out.contains(" steps between borders, ") && outcome.out.contains(" gaps between borders, "),
+           outcome.out);
+  const QJsonObject joined = QJsonDocument::fromJson(contentOf(named("joined.json"))).object();
+  for (const char* key : {"vertices", "triangles", "links", "link_length", "highest_link", "links_by_kind",
+                          "obstacle_edges", "components", "connected_share"})
+    QVERIFY2(joined[key] == whole[key] && !joined[key].isUndefined(), key);
+  QVERIFY(joined["components"].toArray().size() > 1);
+  QVERIFY(std::abs(joined["area"].toDouble() - whole["area"].toDouble()) < 1e-6);
+}
+
 void TestTileCommands::whatCannotBeIsRefused() {
   const QTemporaryDir folder;
   const QString tiles = folder.filePath("tiles"), house = sample("house");
@@ -206,8 +257,11 @@ void TestTileCommands::whatCannotBeIsRefused() {
                : outcome.err + outcome.out;
   };
   const QStringList run{"run", house, "--memory", "1G", "-o", tiles};
-  QCOMPARE(refused(run, "StepFilter sees across cells"), QByteArray());
-  QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "StepFilter 0.4"}, "StepFilter sees across cells"),
+  QCOMPARE(refused(run, "SimplificationFilter stands behind a StepFilter"), QByteArray());
+  QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "RadiusFilter 0.4"}, "RadiusFilter sees across cells"),
+           QByteArray());
+  QCOMPARE(refused(run + kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4", "--slice", "1/2"},
+                   "StepFilter with a gap sees over the borders of slices"),
            QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--ignore \"x\": "), QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--no-layers"}, "--no-layers"), QByteArray());

@@ -45,6 +45,23 @@ const std::vector<std::string> kPipelines{
     "SlopeFilter 45\nVerticalClearanceFilter 1\nAreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n",
     "VerticalClearanceFilter 1\nLayerSubdivisionFilter\nSimplificationFilter\nSimplificationFilter\n"};
 
+/// Steps small and large, one that is more than the clearance, before and behind areas, in a block.
+const std::vector<std::string> kStepPipelines{
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.5 0\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nStepFilter 1 0\nAreaFilter 2.5\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nAreaFilter 0.75\nStepFilter 1 0\nAreaFilter 3\nAreaFilter 4\n",
+    "VerticalClearanceFilter 0.5\nStepFilter 2.5 0\n",
+    "GridStrategy 2 2\nVerticalClearanceFilter 0.25\nStepFilter 1 0\nCollapse\nAreaFilter 1\n"};
+
+const std::string kUsualSteps = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nAreaFilter 1\n";
+
+/// The same with gaps.
+const std::vector<std::string> kGapPipelines{
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.5 0.3\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nStepFilter 1 1.5\nAreaFilter 2.5\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nAreaFilter 0.75\nStepFilter 1 1\nAreaFilter 3\n",
+    "VerticalClearanceFilter 0.5\nStepFilter 2.5 2\n"};
+
 rc::Gen<Soup> anySoup() {
   return rc::gen::oneOf(rc::gen::map(gridTriangles(20, 3, 3), [](const auto& numbers) { return soupOf(numbers); }),
                         rc::gen::map(gridTriangles(24, 1000, 20), [](const auto& numbers) { return soupOf(numbers); }),
@@ -110,7 +127,8 @@ QString differenceOf(const PackedEnvironment& environment, const std::string& pi
     std::shared_ptr<NavigationMesh> joined = joiner.join(context);
     joined->frame = environment.head().frame();
     if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != sources ||
-        joined->layers != whole.mesh->layers || joined->connections != whole.mesh->connections)
+        joined->layers != whole.mesh->layers || joined->connections != whole.mesh->connections ||
+        joined->links.size() != whole.mesh->links.size())
       return QString("cells of %1: %2").arg(most).arg(QString::fromStdString(pipeline));
   }
   return {};
@@ -161,12 +179,17 @@ class TestTileJoin : public QObject {
   void soups();
   void soupsOfBothSides();
   void soupsWithRoles();
+  void steps();
+  void gaps();
   void samples_data();
   void samples();
   void environments_data();
   void environments();
   void areasNearTheMinimum();
   void obstaclesPartRegions();
+  void stepsUniteRegions();
+  void stepsComeAfterAreas();
+  void linksInARowGoOn();
   void bordersHaveOneNameAndPlace();
   void theSameTilesOnAnyThreads_data();
   void theSameTilesOnAnyThreads();
@@ -219,6 +242,34 @@ void TestTileJoin::soupsWithRoles() {
   }));
 }
 
+void TestTileJoin::steps() {
+  QVERIFY(check("steps between tiles of soups", 100, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : kStepPipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
+void TestTileJoin::gaps() {
+  QVERIFY(check("gaps between tiles of soups", 60, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : kGapPipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
 void TestTileJoin::samples_data() {
   QTest::addColumn<QString>("name");
   for (const char* name : {"house", "rooms", "villa", "arena", "tower", "docks"}) QTest::newRow(name) << name;
@@ -232,6 +283,9 @@ void TestTileJoin::samples() {
   const PackedEnvironment environment(level);
   for (const std::size_t pipeline : {0, 1, 5, 7, 9, 12})
     QCOMPARE(differenceOf(environment, kPipelines[pipeline], {700, 5000}), QString());
+  for (const std::size_t pipeline : {0, 2})
+    QCOMPARE(differenceOf(environment, kStepPipelines[pipeline], {700, 5000}), QString());
+  QCOMPARE(differenceOf(environment, kUsualSteps, {700, 5000}), QString());
 }
 
 void TestTileJoin::environments_data() {
@@ -247,6 +301,8 @@ void TestTileJoin::environments() {
   const PackedEnvironment environment(level);
   for (const std::size_t pipeline : {0, 7, 9, 12})
     QCOMPARE(differenceOf(environment, kPipelines[pipeline], {3000}), QString());
+  QCOMPARE(differenceOf(environment, kStepPipelines[1], {3000}), QString());
+  QCOMPARE(differenceOf(environment, kUsualSteps, {3000}), QString());
 }
 
 void TestTileJoin::areasNearTheMinimum() {
@@ -268,6 +324,36 @@ void TestTileJoin::obstaclesPartRegions() {
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 3\n", 4);
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 4\n", 2);
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 12\n", 0);
+}
+
+void TestTileJoin::stepsUniteRegions() {
+  // Three stairs of 1 m2, of which each triangle is a tile, and one that is too high.
+  const Soup stairs = Soup().floor(0, 0, 1, 1, 0).floor(1, 0, 2, 1, 0.25).floor(2, 0, 3, 1, 0.5).floor(3, 0, 4, 1, 1.5);
+  const std::string walkable = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+  expectKept(stairs, walkable + "StepFilter 0.25 0\nAreaFilter 2.5\n", 6);
+  expectKept(stairs, walkable + "StepFilter 0.25 0\nAreaFilter 3\n", 0);
+  expectKept(stairs, walkable + "StepFilter 1 0\nAreaFilter 3\n", 8);
+  expectKept(stairs, walkable + "StepFilter 0.2 0\nAreaFilter 1\n", 0);
+}
+
+void TestTileJoin::stepsComeAfterAreas() {
+  // What lies between the others goes before, and nothing is linked, or nothing goes.
+  const Soup stairs = Soup().floor(0, 0, 2, 2, 0).floor(2, 0, 3, 1, 0.25).floor(3, 0, 5, 2, 0.5).floor(2, 1, 3, 2, 9);
+  const std::string walkable = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+  expectKept(stairs, walkable + "AreaFilter 2\nStepFilter 0.25 0\n", 4);
+  expectKept(stairs, walkable + "AreaFilter 2\nStepFilter 0.25 0\nAreaFilter 5\n", 0);
+  expectKept(stairs, walkable + "AreaFilter 0.5\nStepFilter 0.25 0\nAreaFilter 5\n", 8);
+}
+
+void TestTileJoin::linksInARowGoOn() {
+  // Storeys of the height of a step, with borders over each other: the last one ends in the middle, and so all have a
+  // vertex there.
+  for (const int storeys : {2, 3, 4, 6, 9, 18}) {
+    Soup stack;
+    for (int i = 0; i < storeys; ++i) stack.floor(i % 2, 0, i % 2 + 1, i + 1 == storeys ? 1 : 2, 0.75 * i);
+    const std::string pipeline = "VerticalClearanceFilter 0.125\nStepFilter 0.75 0\n";
+    expectKept(stack, pipeline, static_cast<std::size_t>(3 * storeys - 1));
+  }
 }
 
 void TestTileJoin::bordersHaveOneNameAndPlace() {
@@ -350,11 +436,16 @@ void TestTileJoin::globalFiltersAreNamed() {
   const auto messageFor = [](const char* step) {
     return wordsOf<InputError>([&] { stepsOfCells(parsePipeline(kPipelines[0] + step, "test")); });
   };
-  for (const char* step : {"StepFilter 0.4", "RadiusFilter 0.3", "DropFilter 2", "ReachableFilter 0 0 0"}) {
+  for (const char* step : {"RadiusFilter 0.3", "DropFilter 2", "ReachableFilter 0 0 0"}) {
     const QString message = messageFor(step);
     QVERIFY2(message.startsWith("line 3: ") && message.contains(" sees across cells"), qPrintable(message));
     QVERIFY(message.contains("run without the bound"));
   }
+  QCOMPARE(messageFor("StepFilter 0.4"), QString());
+  QCOMPARE(messageFor("StepFilter 0.4 0"), QString());
+  QCOMPARE(messageFor("AreaFilter 1\nStepFilter 0.4 0\nAreaFilter 2"), QString());
+  QVERIFY(messageFor("StepFilter 0.4 0\nStepFilter 0.5 0").startsWith("line 4: a second StepFilter"));
+  QVERIFY(messageFor("StepFilter 0.4 0\nSlopeFilter 30").startsWith("line 4: SlopeFilter stands behind a StepFilter"));
   QVERIFY(messageFor("RoundingFilter").contains("RoundingFilter moves vertices"));
   QVERIFY(messageFor("DuplicationFilter 0.1").contains("DuplicationFilter joins vertices across cells"));
   QCOMPARE(messageFor("DuplicationFilter 0"), QString());
