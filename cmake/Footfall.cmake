@@ -26,3 +26,10 @@ function(footfall_target target)
     endif()
   endif()
 endfunction()
+
+# With FOOTFALL_UNITY, eight files of the target are compiled as one, so that templates and headers are compiled once for all of them.
+function(footfall_compile_together target)
+  if(FOOTFALL_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()

@@ -48,6 +48,8 @@ class ProgressDisplay : public QWidget {
   [[nodiscard]] QProgressBar* bar() const { return bar_; }
   [[nodiscard]] QString timeText() const { return time_->text(); }
 
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void showTime();
 
@@ -55,6 +57,7 @@ class ProgressDisplay : public QWidget {
   QLabel* time_;
   QElapsedTimer elapsed_;
   QTimer tick_;
+  QElapsedTimer sinceMoved_;  ///< the bar, where the share is unknown
   TimeLeft left_;
   EndEstimate end_;
   double lastFraction_ = -1;

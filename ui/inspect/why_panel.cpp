@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr QSize kSwatch(22, 22);
+constexpr QSize kReasonSwatch(22, 22);
 
 /// A text that wraps, and that mouse and keyboard can select.
 QLabel* makeText(QWidget* parent, const QString& name) {
@@ -62,7 +62,7 @@ QLabel* WhyPanel::addFigure(QGridLayout* grid, const QString& name, const QStrin
 QWidget* WhyPanel::makeAnswerPage() {
   auto* page = new QWidget(this);
   swatch_ = new QLabel(page);
-  swatch_->setFixedSize(kSwatch);
+  swatch_->setFixedSize(kReasonSwatch);
   swatch_->setAccessibleName(tr("Its colour in the view"));
   headline_ = makeText(page, QStringLiteral("whyHeadline"));
   headline_->setAccessibleName(tr("Verdict"));
@@ -121,7 +121,7 @@ QWidget* WhyPanel::makeAnswerPage() {
 
 void WhyPanel::show(const std::shared_ptr<const Inspector>& inspector, const PlaceExplanation& told,
                     const LevelUnits& units) {
-  swatch_->setPixmap(paintSwatch(WhyText::paint(*inspector, told), kSwatch, devicePixelRatioF()));
+  swatch_->setPixmap(paintSwatch(WhyText::paint(*inspector, told), kReasonSwatch, devicePixelRatioF()));
   headline_->setText(WhyText::headline(told));
   reason_->setText(WhyText::reason(*inspector, told, units));
   place_->setText(units.place(told.place.point));

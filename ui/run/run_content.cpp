@@ -87,8 +87,12 @@ ViewContent makeContent(const RunJob& job, const RunResult& result, const std::v
                         const ViewContent& known) {
   ViewContent content;
   content.environmentLayers = known.environmentLayers;
+  const bool large = job.environment->triangles.size() > kCoarseAbove;
+  std::vector<FloorShare> floors;
+  if (result.mesh && (large || !(known.environmentLayers || result.mesh->layers.empty())))
+    floors = floorsUnder(*result.mesh, *job.environment);
   if (result.mesh && !known.environmentLayers)
-    content.environmentLayers = makeEnvironmentLayers(*result.mesh, *job.environment);
+    content.environmentLayers = makeEnvironmentLayers(*result.mesh, *job.environment, floors);
   const EnvironmentLayers* layers = content.environmentLayers.get();
   std::vector<const NavigationMesh*> before;
   for (const RemovedShare& share : shares) {
@@ -102,7 +106,7 @@ ViewContent makeContent(const RunJob& job, const RunResult& result, const std::v
   content.walkable = known.walkable;
   if (result.mesh) {
     content.walkable.resize(1);
-    content.floorStates = makeFloorStates(*job.environment, *result.mesh, before);
+    content.floorStates = makeFloorStates(*job.environment, *result.mesh, floors, before);
   }
   // The result, which takes longest, first.
   forRanges(before.size() + content.walkable.size(), 1, [&](std::size_t i, std::size_t) {

@@ -10,7 +10,7 @@ namespace {
 // What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
 constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
 // So many times what drawing takes lie between two pictures at least.
-constexpr double kPictureShare = 5;
+constexpr double kPictureShare = 12;
 // The same where the change itself is on the screen already: pieces tell little more, and their frames are long ones.
 constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
 

@@ -11,6 +11,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr auto kFetchPeriod = std::chrono::milliseconds(100);  // between two updates of the window
+constexpr auto kLongPeriod = std::chrono::milliseconds(250);   // the same, of runs that have taken a second
 constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
 // What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
 constexpr auto kProgressAfter = std::chrono::milliseconds(150);
@@ -30,7 +31,8 @@ void RunFollower::follow(const std::shared_ptr<RunJob>& job) {
 
 void RunFollower::scheduleFetch() {
   if (!job_ || timer_.isActive()) return;
-  const auto period = display_.waitsForPicture() ? kWatchPeriod : kFetchPeriod;
+  const auto usual = fetched_ - job_->begun > std::chrono::seconds(1) ? kLongPeriod : kFetchPeriod;
+  const auto period = display_.waitsForPicture() ? kWatchPeriod : usual;
   const auto due = std::chrono::ceil<std::chrono::milliseconds>(fetched_ + period - RunEventBuffer::Clock::now());
   timer_.start(std::max(due, std::chrono::milliseconds(0)));
 }

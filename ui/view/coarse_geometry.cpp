@@ -80,6 +80,7 @@ std::vector<double> areasOf(const std::vector<FloorShare>& shares, std::size_t t
 }  // namespace
 
 std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environment, const NavigationMesh& result,
+                                                   const std::vector<FloorShare>& shares,
                                                    const std::vector<const NavigationMesh*>& before) {
   const std::size_t triangles = environment.triangles.size();
   if (triangles <= kCoarseAbove) return nullptr;
@@ -99,7 +100,6 @@ std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environmen
       if (areas[t] > 0 && areas[t] >= half[t]) (*states)[t] = kFirstRemoval - static_cast<std::int32_t>(k);
     }
   }
-  const std::vector<FloorShare> shares = floorsUnder(result, environment);
   const std::vector<double> areas = areasOf(shares, triangles);
   for (const auto& [piece, floor, area] : shares) {
     if (areas[floor] >= half[floor])

@@ -21,9 +21,10 @@ inline constexpr std::size_t kCoarseAim = 60000;
 /// are small enough.
 std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, std::vector<std::uint32_t>& kept);
 
-/// What most of each triangle of a large environment is; null for small ones. `before`: the meshes of
-/// ViewContent::removed.
+/// What most of each triangle of a large environment is; null for small ones. `shares`: what floorsUnder() says of the
+/// result. `before`: the meshes of ViewContent::removed.
 std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environment, const NavigationMesh& result,
+                                                   const std::vector<FloorShare>& shares,
                                                    const std::vector<const NavigationMesh*>& before);
 
 enum class CoarsePaints {

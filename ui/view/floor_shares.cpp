@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
+#include "core/base/parallel_ranges.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/base/vector.hpp"
 #include "ui/base/namespaces.hpp"
@@ -13,6 +13,7 @@
 namespace footfall::ui {
 namespace {
 
+constexpr std::size_t kFloorsPerTask = 4096;
 constexpr double kInside = 1e-6;    // of a triangle's area: corners that are outside by less are inside
 constexpr double kThinnest = 1e-7;  // of the smaller area: what two triangles share at an edge is nothing
 constexpr double kDoubled = 0.5;    // of a floor's area: a decal on it is no copy of it
@@ -126,56 +127,73 @@ Surroundings around(const Corners& piece) {
   return found;
 }
 
+// What find(number, stack, items) adds for 0 to count, in that order, found on all threads.
+template <typename Item, typename Find>
+std::vector<Item> inOrder(std::size_t count, Find find) {
+  std::vector<std::vector<Item>> found((count + kFloorsPerTask - 1) / kFloorsPerTask);
+  forRanges(found.size(), 1, [&](std::size_t first, std::size_t last) {
+    std::vector<std::int32_t> stack;
+    for (std::size_t part = first; part < last; ++part) {
+      for (std::size_t i = part * kFloorsPerTask; i < std::min(count, (part + 1) * kFloorsPerTask); ++i)
+        find(i, stack, found[part]);
+    }
+  });
+  std::vector<Item> all;
+  for (const std::vector<Item>& items : found) all.insert(all.end(), items.begin(), items.end());
+  return all;
+}
+
 }  // namespace
 
 std::vector<FloorShare> floorsUnder(const NavigationMesh& mesh, const Environment& environment) {
-  std::vector<FloorShare> shares;
-  shares.reserve(mesh.triangles.size());
-  std::optional<TriangleTree> tree;
-  std::vector<std::int32_t> stack;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Corners piece = cornersOf(mesh.vertices, mesh.triangles[t]);
-    const std::uint32_t source = t < mesh.sourceTriangles.size() ? mesh.sourceTriangles[t] : 0xffffffff;
-    if (source < environment.triangles.size() &&
-        isInside(piece, cornersOf(environment.vertices, environment.triangles[source]))) {
-      shares.push_back({t, source, areaOf(piece)});
-      continue;
+  const auto pieceOf = [&](std::size_t t) { return cornersOf(mesh.vertices, mesh.triangles[t]); };
+  const auto sourceOf = [&](std::size_t t) {
+    return t < mesh.sourceTriangles.size() ? std::size_t{mesh.sourceTriangles[t]} : environment.triangles.size();
+  };
+  std::vector<char> inSource(mesh.triangles.size());
+  forRanges(inSource.size(), kFloorsPerTask, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const std::size_t source = sourceOf(t);
+      inSource[t] = source < environment.triangles.size() &&
+                    isInside(pieceOf(t), cornersOf(environment.vertices, environment.triangles[source]));
     }
-    if (!tree) tree = treeOf(environment, [](std::size_t) { return true; });
+  });
+  TriangleTree tree;
+  if (std::ranges::find(inSource, char{0}) != inSource.end())
+    tree = treeOf(environment, [](std::size_t) { return true; });
+  return inOrder<FloorShare>(inSource.size(), [&](std::size_t t, std::vector<std::int32_t>& stack, auto& shares) {
+    const Corners piece = pieceOf(t);
+    const auto number = static_cast<std::uint32_t>(t);
+    if (inSource[t]) return shares.push_back({number, static_cast<std::uint32_t>(sourceOf(t)), areaOf(piece)});
     const Surroundings near = around(piece);
-    tree->visitOverlapping(near.box, stack, [&](std::int32_t id) {
+    tree.visitOverlapping(near.box, stack, [&](std::int32_t id) {
       const auto floor = static_cast<std::uint32_t>(id);
       const double area = shareOf(piece, cornersOf(environment.vertices, environment.triangles[floor]), near.slack);
-      if (area > 0) shares.push_back({t, floor, area});
+      if (area > 0) shares.push_back({number, floor, area});
       return true;
     });
-  }
-  return shares;
+  });
 }
 
 std::vector<DoubledFloor> doubledFloors(const std::vector<FloorShare>& shares, const Environment& environment) {
   std::vector<bool> named(environment.triangles.size(), false);
   for (const FloorShare& share : shares) named[share.floor] = true;
   const TriangleTree tree = treeOf(environment, [&](std::size_t t) { return bool(named[t]); });
-  std::vector<DoubledFloor> doubled;
-  std::vector<std::int32_t> stack;
-  std::vector<DoubledFloor> found;
-  for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
+  return inOrder<DoubledFloor>(named.size(), [&](std::size_t t, std::vector<std::int32_t>& stack, auto& doubled) {
     const Corners floor = cornersOf(environment.vertices, environment.triangles[t]);
-    if (named[t] || !mayBeFloor(environment, floor)) continue;
+    if (named[t] || !mayBeFloor(environment, floor)) return;
     const Surroundings near = around(floor);
-    found.clear();
+    const std::size_t before = doubled.size();
     double area = 0;
     tree.visitOverlapping(near.box, stack, [&](std::int32_t id) {
       const auto other = static_cast<std::uint32_t>(id);
       const double common = shareOf(floor, cornersOf(environment.vertices, environment.triangles[other]), near.slack);
-      if (common > 0) found.push_back({t, other});
+      if (common > 0) doubled.push_back({static_cast<std::uint32_t>(t), other});
       area += common;
       return true;
     });
-    if (area >= kDoubled * areaOf(floor)) doubled.insert(doubled.end(), found.begin(), found.end());
-  }
-  return doubled;
+    if (area < kDoubled * areaOf(floor)) doubled.resize(before);
+  });
 }
 
 }  // namespace footfall::ui

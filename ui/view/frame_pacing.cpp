@@ -9,6 +9,10 @@ namespace {
 constexpr double kSlowMs = 30;  // of a frame
 constexpr double kFirstMs = 8;  // of a picture with the frame that first lacks it: enough with a graphics card
 constexpr int kRestMs = 200;    // without movement
+// Of a picture, before it counts as one that takes long, and what lies between two of them then while a run is under
+// way: without graphics hardware they are drawn by the processors that compute.
+constexpr int kEagerSlices = 10;
+constexpr int kAsideMs = 200;
 
 }  // namespace
 
@@ -40,16 +44,25 @@ void FramePacing::end(const SceneRenderer::Haste& haste, bool whole, double whol
   if (haste.moving && !haste.hurried) wholeMs_ = lastMs_;
   if (whole) {
     slices_.stop();
-  } else {
-    slices_.start();
+    slicesDrawn_ = 0;
+  } else if (!slices_.isActive()) {
+    startSlices();
   }
 }
 
+void FramePacing::startSlices() { slices_.start(computing_ && slicesDrawn_ > kEagerSlices ? kAsideMs : 0); }
+
+void FramePacing::setComputing(bool on) {
+  computing_ = on;
+  if (!on && slices_.isActive()) startSlices();
+}
+
 void FramePacing::endSlice(bool complete) {
+  ++slicesDrawn_;
   if (complete) {
     emit frameDue();
   } else {
-    slices_.start();
+    startSlices();
   }
 }
 

@@ -26,6 +26,8 @@ class FramePacing : public QObject {
   [[nodiscard]] bool isMoving() const { return rest_.isActive(); }
   /// Frames are to show everything, however long that takes.
   void setUnhurried(bool on) { unhurried_ = on; }
+  /// A run is under way: slices of a picture that takes long leave it the processors for most of the time.
+  void setComputing(bool on);
   /// Another scene: how long it takes is not known.
   void forget() { wholeMs_ = 0; }
 
@@ -52,10 +54,14 @@ class FramePacing : public QObject {
   void sliceDue();
 
  private:
+  void startSlices();
+
   QTimer rest_;    ///< runs while something moves
   QTimer slices_;  ///< to the next slice of a picture
   bool whole_ = false;
   bool unhurried_ = false;
+  bool computing_ = false;
+  int slicesDrawn_ = 0;  ///< since a picture was complete
   double lastMs_ = 0;
   double wholeMs_ = 0;
   std::chrono::steady_clock::time_point begun_;

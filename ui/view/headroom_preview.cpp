@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kReach = 2;        // times the clearance of the run: edits beyond are left to the run
 constexpr double kTouching = 1e-6;  // times the reach: less above a floor is the floor itself, or what it stands on
-constexpr double kThinnest = 1e-9;  // of the floor's own area: what covers less cannot be seen
+constexpr double kThinnestCover = 1e-9;        // of the floor's own area: what covers less cannot be seen
 constexpr std::size_t kMostPairs = 4'000'000;  // 64 MB; larger levels are left to the run
 
 double cross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
@@ -105,7 +105,7 @@ HeadroomPreview::Polygon HeadroomPreview::overlap(const Pair& pair, double low, 
   const double area = cross(u.x, u.y, v.x, v.y);
   const double obstacleArea = cross(obstacle[1].x - obstacle[0].x, obstacle[1].y - obstacle[0].y,
                                     obstacle[2].x - obstacle[0].x, obstacle[2].y - obstacle[0].y);
-  if (!(area > 0) || std::abs(obstacleArea) <= kThinnest * area) return {};  // a wall covers nothing
+  if (!(area > 0) || std::abs(obstacleArea) <= kThinnestCover * area) return {};  // a wall covers nothing
   const double slopeX = (u.z * v.y - v.z * u.y) / area;
   const double slopeY = (u.x * v.z - v.x * u.z) / area;
   Polygon polygon;
@@ -124,7 +124,7 @@ HeadroomPreview::Polygon HeadroomPreview::overlap(const Pair& pair, double low, 
     const Corner &o = polygon.corners[0], &a = polygon.corners[i], &b = polygon.corners[i + 1];
     covered += cross(a.x - o.x, a.y - o.y, b.x - o.x, b.y - o.y);
   }
-  if (std::abs(covered) <= kThinnest * area) return {};
+  if (std::abs(covered) <= kThinnestCover * area) return {};
   // Counter-clockwise, as the floor is: seen from above also where the obstacle faces down.
   if (covered < 0) std::reverse(polygon.corners.begin(), polygon.corners.begin() + polygon.size);
   return polygon;

@@ -20,7 +20,7 @@ namespace footfall::ui {
 namespace {
 
 enum Column { kEye, kNumber, kArea, kTriangles, kColumns };
-constexpr QSize kSwatch(22, 14);
+constexpr QSize kRowSwatch(22, 14);
 constexpr int kLayerRole = Qt::UserRole;
 constexpr int kSortRole = Qt::UserRole + 1;
 
@@ -232,7 +232,7 @@ void LayerPanel::fill() {
     row->setData(kTriangles, kSortRole, figures.triangles);
     for (const int column : {kArea, kTriangles}) row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     const Paint paint = layers() == 0 ? walkablePaint() : layerPaint(static_cast<std::uint32_t>(i));
-    row->setIcon(kNumber, QIcon(paintSwatch(paint, kSwatch, devicePixelRatioF())));
+    row->setIcon(kNumber, QIcon(paintSwatch(paint, kRowSwatch, devicePixelRatioF())));
     if (current == static_cast<int>(i)) list_->setCurrentItem(row);
   }
   list_->setSortingEnabled(true);

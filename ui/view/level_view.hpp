@@ -117,6 +117,8 @@ class LevelView : public QGLViewer {
 
   /// How long the last frame took until OpenGL had finished it; 0 before the first.
   [[nodiscard]] double lastFrameMs() const { return pacing_.lastMs(); }
+  /// Whether a run is under way, for which large pictures wait (FramePacing::setComputing()).
+  void setComputing(bool on) { pacing_.setComputing(on); }
   /// How long it takes to draw everything anew; 0 while that is not known.
   [[nodiscard]] double wholeFrameMs() const { return pacing_.wholeMs(); }
   /// When OpenGL got the first command of the last frame.

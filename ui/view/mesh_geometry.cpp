@@ -99,11 +99,11 @@ class EdgeLayers {
 }  // namespace
 
 std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh,
-                                                               const Environment& environment) {
+                                                               const Environment& environment,
+                                                               const std::vector<FloorShare>& shares) {
   if (mesh.layers.empty()) return nullptr;
   constexpr std::uint32_t kNotSeen = kNoLayer - 1;
   auto layers = std::make_shared<EnvironmentLayers>(environment.triangles.size(), kNotSeen);
-  const std::vector<FloorShare> shares = floorsUnder(mesh, environment);
   const auto add = [&](std::uint32_t floor, std::uint32_t of) {
     std::uint32_t& layer = (*layers)[floor];
     layer = layer == kNotSeen || layer == of ? of : kNoLayer;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/parallel_ranges.hpp"
 #include "core/base/vector.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/coarse_geometry.hpp"
@@ -45,10 +46,10 @@ std::vector<Triangle> welded(const std::vector<Triangle>& triangles, const std::
   return result;
 }
 
-// The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface.
+// The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface, of which each has an opposite one.
 std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
   std::vector<std::array<float, 3>> directions;
-  for (int direction = 0; direction < 125; ++direction) {
+  for (int direction = 0; direction < 125 / 2; ++direction) {
     const std::array<int, 3> d{direction % 5 - 2, direction / 5 % 5 - 2, direction / 25 - 2};
     if (std::ranges::any_of(d, [](int c) { return std::abs(c) == 2; }))
       directions.push_back({static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2])});
@@ -56,53 +57,73 @@ std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
   struct Farthest {
     float reach = -std::numeric_limits<float>::infinity();
     std::size_t vertex = 0;
+    void include(const Farthest& other) {
+      if (other.reach > reach) *this = other;
+    }
   };
-  std::vector<Farthest> farthest(directions.size());
+  using Ends = std::array<Farthest, 2>;
   // In blocks that stay in the nearest cache, or a million triangles would be read from memory for each direction.
   constexpr std::size_t kBlock = 512;
-  for (std::size_t begin = 0; begin < surface.size(); begin += kBlock) {
-    const std::size_t end = std::min(surface.size(), begin + kBlock);
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      const auto& d = directions[i];
-      Farthest best = farthest[i];
-      for (std::size_t v = begin; v < end; ++v) {
-        const auto& p = surface[v].position;
-        const float reach = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
-        if (reach > best.reach) best = {reach, v};
+  constexpr std::size_t kBlocksPerTask = 64;
+  const std::size_t blocks = (surface.size() + kBlock - 1) / kBlock;
+  std::vector<std::vector<Ends>> parts((blocks + kBlocksPerTask - 1) / kBlocksPerTask);
+  forRanges(parts.size(), 1, [&](std::size_t part, std::size_t) {
+    std::vector<Ends>& ends = parts[part];
+    ends.resize(directions.size());
+    for (std::size_t block = part * kBlocksPerTask; block < std::min(blocks, (part + 1) * kBlocksPerTask); ++block) {
+      const std::size_t end = std::min(surface.size(), (block + 1) * kBlock);
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        const auto& d = directions[i];
+        auto [least, most] = ends[i];
+        for (std::size_t v = block * kBlock; v < end; ++v) {
+          const auto& p = surface[v].position;
+          const float reach = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+          if (reach > most.reach) most = {reach, v};
+          if (-reach > least.reach) least = {-reach, v};
+        }
+        ends[i] = {least, most};
       }
-      farthest[i] = best;
     }
-  }
+  });
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < directions.size() && !surface.empty(); ++i) {
-    const auto& far = surface[farthest[i].vertex].position;
-    points.push_back({far[0], far[1], far[2]});
+    Ends all;
+    for (const std::vector<Ends>& part : parts) {
+      for (std::size_t k = 0; k < 2; ++k) all[k].include(part[i][k]);
+    }
+    for (const Farthest& farthest : all) {
+      const auto& far = surface[farthest.vertex].position;
+      points.push_back({far[0], far[1], far[2]});
+    }
   }
   return points;
 }
 
-// The corners of all triangles within a margin around the middle ones along x and y; all of them unless that leaves a
-// small part of the extent.
-std::vector<SurfaceVertex> detailOf(const std::vector<SurfaceVertex>& surface) {
+// The corners of all triangles within a margin around the middle ones along x and y, where they take a small part of
+// the extent.
+std::optional<std::vector<SurfaceVertex>> detailOf(const std::vector<SurfaceVertex>& surface) {
   constexpr std::size_t kOutside = 50;  // one corner in so many on either side
   constexpr float kSmallPart = 0.3F;
-  if (surface.size() < 4 * kOutside) return surface;
+  if (surface.size() < 4 * kOutside) return std::nullopt;
   std::array<float, 2> lower{};
   std::array<float, 2> upper{};
-  bool small = true;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     std::vector<float> values;
     values.reserve(surface.size());
     for (const SurfaceVertex& vertex : surface) values.push_back(vertex.position[axis]);
-    std::sort(values.begin(), values.end());
-    lower[axis] = values[values.size() / kOutside];
-    upper[axis] = values[values.size() - 1 - values.size() / kOutside];
+    const auto outside = static_cast<std::ptrdiff_t>(values.size() / kOutside);
+    const auto low = values.begin() + outside;
+    const auto high = values.end() - 1 - outside;
+    std::nth_element(values.begin(), low, values.end());
+    std::nth_element(low, high, values.end());
+    lower[axis] = *low;
+    upper[axis] = *high;
     const float extent = upper[axis] - lower[axis];
-    small = small && extent < kSmallPart * (values.back() - values.front());
+    const float all = *std::max_element(high, values.end()) - *std::min_element(values.begin(), low + 1);
+    if (!(extent < kSmallPart * all)) return std::nullopt;
     lower[axis] -= 0.1F * extent;
     upper[axis] += 0.1F * extent;
   }
-  if (!small) return surface;
   std::vector<SurfaceVertex> detail;
   std::copy_if(surface.begin(), surface.end(), std::back_inserter(detail), [&](const SurfaceVertex& v) {
     return v.position[0] >= lower[0] && v.position[0] <= upper[0] && v.position[1] >= lower[1] &&
@@ -194,7 +215,8 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   }
 
   geometry->extremes = extremePoints(geometry->surface);
-  geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
+  const auto detail = detailOf(geometry->surface);
+  geometry->detailExtremes = detail ? extremePoints(*detail) : geometry->extremes;
 
   const auto isFloor = [&](std::uint32_t t) { return geometry->surface[std::size_t{3} * t].colour[3] == 0; };
   DisjointSets regions(environment.triangles.size());

@@ -14,6 +14,7 @@
 #include "footfall/environment.hpp"
 #include "footfall/navigation_mesh.hpp"
 #include "ui/view/appearance.hpp"
+#include "ui/view/floor_shares.hpp"
 
 namespace footfall::ui {
 
@@ -117,9 +118,11 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
                                                                    const std::optional<Vec3>& centre = std::nullopt,
                                                                    bool withCovers = true);
 
-/// Finds the layers of the triangles of the environment under a mesh; null for a mesh without layers.
+/// Finds the layers of the triangles of the environment under a mesh; null for a mesh without layers. `shares`: what
+/// floorsUnder() says of it.
 std::shared_ptr<const EnvironmentLayers> makeEnvironmentLayers(const NavigationMesh& mesh,
-                                                               const Environment& environment);
+                                                               const Environment& environment,
+                                                               const std::vector<FloorShare>& shares);
 
 /// `paint` for everything, or layer colours where it is empty. With `environmentLayers`, its parts can be hidden with
 /// the layers; those of a mesh without layers follow their triangles of the environment.

@@ -238,6 +238,10 @@ void EditorWindow::connectLevel() {
 
 void EditorWindow::connectRuns() {
   connect(&controller_, &RunController::finished, &composer_.parts(), &PartLevel::setComputed);
+  connect(&controller_, &RunController::started, view_, [this] { view_->setComputing(true); });
+  for (const auto ended : {&RunController::finished, &RunController::cancelled})
+    connect(&controller_, ended, view_, [this] { view_->setComputing(false); });
+  connect(&controller_, &RunController::failed, view_, [this] { view_->setComputing(false); });
   connect(&controller_, &RunController::contentReady, this, [this](const ViewContent& content) {
     view_->setContent(content);
     overlays_->legend().describe(content);

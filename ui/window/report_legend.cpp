@@ -10,18 +10,18 @@
 namespace footfall::ui {
 namespace {
 
-constexpr QSize kSwatch{30, 15};
+constexpr QSize kReportSwatch{30, 15};
 constexpr double kRatio = 2;  // reports are looked at on large screens, too
 constexpr std::uint32_t kMostLayers = 12;
 
 using Images = std::vector<CaptionedImage>;
 
 void addPaint(Images& images, const std::string& caption, const Paint& paint) {
-  images.emplace_back(caption, paintSwatch(paint, kSwatch, kRatio).toImage());
+  images.emplace_back(caption, paintSwatch(paint, kReportSwatch, kRatio).toImage());
 }
 
 void addLine(Images& images, const std::string& caption, const QColor& colour) {
-  images.emplace_back(caption, lineSwatch(colour, 3, kSwatch, kRatio).toImage());
+  images.emplace_back(caption, lineSwatch(colour, 3, kReportSwatch, kRatio).toImage());
 }
 
 void addWalkable(Images& images, const ViewContent& content, const SceneParts& parts) {

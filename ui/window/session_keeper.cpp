@@ -13,13 +13,13 @@
 #include "core/io/export.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/window/file_dialogs.hpp"
 
 namespace footfall::ui {
 namespace {
 
 constexpr const char* kSection = "autosave";
 
-std::string toPath(const QString& path) { return QFile::encodeName(path).toStdString(); }
 QString ending() { return QLatin1Char('.') + QLatin1String(kSessionExtension); }
 QString lockOf(const QString& path) { return path + QStringLiteral(".lock"); }
 

@@ -116,7 +116,7 @@ class TestCoarseGeometry : public QObject {
     const NavigationMesh before = part(0, 2 * kThird, 0.9);
     for (const double height : {0.4, 0.2}) {  // 64 % and 36 %
       const NavigationMesh result = part(0, kThird, height);
-      const auto states = makeFloorStates(environment, result, {&before});
+      const auto states = makeFloorStates(environment, result, floorsUnder(result, environment), {&before});
       QVERIFY(states);
       QCOMPARE(states->size(), environment.triangles.size());
       for (std::uint32_t t = 0; t < kTriangles; ++t) {
@@ -151,7 +151,7 @@ class TestCoarseGeometry : public QObject {
       QCOMPARE(colourOf(4), QColor(1, 2, 3));
     }
     environment.triangles.resize(kCoarseAbove);
-    QVERIFY(!makeFloorStates(environment, before, {}));
+    QVERIFY(!makeFloorStates(environment, before, {}, {}));
   }
 
   // All in one place, or on one line: there is nothing to divide.
