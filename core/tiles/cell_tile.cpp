@@ -232,7 +232,10 @@ CellSteps stepsOfCells(const Pipeline& pipeline) {
     if (!step.enabled || step.filter->kind != FilterKind::Filter) continue;
     const auto fail = [&](Pattern problem) { throw InputError(problem, placeOfStep(pipeline, i), step.filter->name); };
     if (isOverTiles(step)) {
-      if (steps.step) fail(kBehindSteps);
+      const auto isSame = [&step](const PipelineStep& other) { return other.filter == step.filter; };
+      if (steps.step && step.filter->type == FilterType::Simplification &&
+          std::any_of(steps.global.begin(), steps.global.end(), isSame))
+        fail(kSecondStep);
       steps.global.push_back(step);
       continue;
     }

@@ -24,7 +24,7 @@ struct CellSteps {
   std::optional<double> minimumArea{};        ///< behind them: regions of at most that are left out, over all cells
   std::optional<PipelineStep> step{};         ///< behind that a StepFilter
   std::optional<double> minimumLinkedArea{};  ///< behind that the same as minimumArea, over links
-  std::vector<PipelineStep> global{};         ///< without a StepFilter: filters that see over the borders of tiles
+  std::vector<PipelineStep> global{};         ///< behind that filters that see over the borders of tiles
 };
 
 /// What a pipeline is for cells: local filters that move nothing, then an AreaFilter or several, then a StepFilter, and

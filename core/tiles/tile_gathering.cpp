@@ -93,10 +93,13 @@ std::vector<Index> TileGathering::numberVertices(const Tile& tile, const Poll& p
       numbers[v] = borders_.numberOf(tile.places[v], *border, next);
       ++border;
     }
-    if (numbers[v] != next) continue;
-    places_.push_back(tile.places[v]);
-    exact_.push_back(tile.exact[v]);
-    if (!tile.geometry.vertices.empty()) heights_.push_back(tile.geometry.vertices[v].z);
+    if (numbers[v] == next) {
+      places_.push_back(tile.places[v]);
+      exact_.push_back(tile.exact[v]);
+    }
+    if (tile.geometry.vertices.empty()) continue;
+    heights_.resize(places_.size());
+    heights_[numbers[v]] = tile.geometry.vertices[v].z;
   }
   return numbers;
 }
@@ -125,7 +128,7 @@ void TileGathering::addTriangle(std::size_t added, Whole& whole) {
 
 TileGathering::Whole TileGathering::take(RunContext& context) {
   borders_ = {};
-  if (heights_.size() != places_.size()) heights_ = {};
+  if (!heights_.empty()) heights_.resize(places_.size());
   for (const std::uint32_t layer : layers_)
     if (layer >= layers_.size()) throw BadBytes("is damaged");
   tbb::parallel_sort(faces_.begin(), faces_.end(), comesBefore);

@@ -10,12 +10,13 @@
 namespace footfall::detail {
 
 /// The same point over other numbers: `planOf`, `vertexOf` and `triangleOf` give those of plan ids, vertices and
-/// triangles. They keep the order, and there are no borders between cells.
+/// triangles. There are no borders between cells.
 template <class PlanOf, class VertexOf, class TriangleOf>
 PlanPoint renumbered(const PlanPoint& point, PlanOf planOf, VertexOf vertexOf, TriangleOf triangleOf) {
   const auto lineOf = [&](const PlanLine& line) {
-    return line.kind == PlanLine::Edge ? PlanLine{PlanLine::Edge, planOf(line.a), planOf(line.b)}
-                                       : PlanLine{line.kind, triangleOf(line.a), line.b};
+    if (line.kind != PlanLine::Edge) return PlanLine{line.kind, triangleOf(line.a), line.b};
+    const Index a = planOf(line.a), b = planOf(line.b);  // places of the plan alone are not in order
+    return PlanLine{PlanLine::Edge, a < b ? a : b, a < b ? b : a};
   };
   switch (point.kind()) {
     case PlanPoint::Source:

@@ -171,11 +171,13 @@ class TileLayers {
     mesh.triangles = std::move(whole.mesh.triangles);
     mesh.vertices.resize(whole.heights.size());
     for (std::size_t v = 0; v < whole.heights.size(); ++v) mesh.vertices[v].z = whole.heights[v];
+    mesh.links = std::move(whole.mesh.links);
     whole.mesh = {};
     std::vector<Index> placeOf(whole.addedAs.size());
     for (std::size_t t = 0; t < placeOf.size(); ++t) placeOf[whole.addedAs[t]] = static_cast<Index>(t);
     for (Pair& pair : pairs_) pair = {placeOf[pair[0]], placeOf[pair[1]]};
     const Adjacency topology = findEdges(mesh.triangles, mesh.vertices.size(), Poll(context_));
+    mesh.links = linksBetween(mesh.links, mesh.triangles, topology);
     const std::vector<std::uint32_t> found = detail::layersOf(mesh, topology, std::move(pairs_), context_);
     std::vector<std::uint32_t> layers(found.size());
     for (std::size_t t = 0; t < found.size(); ++t) layers[whole.addedAs[t]] = found[t];

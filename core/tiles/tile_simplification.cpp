@@ -5,7 +5,9 @@
 // are done with. The others are known by their triangles beyond the border: these tell which groups of other tiles they
 // are parts of. Such groups are then put together from all their tiles, as many at once as the memory holds.
 #include <algorithm>
+#include <array>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/base/background_release.hpp"
@@ -43,10 +45,21 @@ std::vector<char> trianglesAround(const Tile& tile, const std::vector<char>& cho
   return found;
 }
 
+/// For each chosen vertex of a tile whether it is an end of a link.
+std::vector<char> linkedOf(const Tile& tile, const std::vector<Index>& numbers, std::size_t count) {
+  std::vector<char> isLinked(tile.links.empty() ? 0 : count, 0);
+  for (const TileLink& link : tile.links)
+    for (const Index v : {link.from[0], link.from[1], link.to[0], link.to[1]})
+      if (static_cast<std::size_t>(v) < numbers.size() && numbers[v] >= 0) isLinked[numbers[v]] = 1;
+  return isLinked;
+}
+
 /// A part with those triangles of a tile of which `found` is not 0; of them the chosen ones are its own.
 TileUnion::Part partOf(std::size_t number, const Tile& tile, const std::vector<char>& found,
                        const std::vector<char>& chosen) {
-  TileUnion::Part part{number, chosenTriangles(tile, found)};
+  std::vector<Index> numbers;
+  TileUnion::Part part{number, chosenTriangles(tile, found, &numbers)};
+  part.isLinked = linkedOf(tile, numbers, part.triangles.places.size());
   for (std::size_t t = 0; t < found.size(); ++t) {
     if (found[t] == 0) continue;
     part.numbers.push_back(static_cast<Index>(t));
@@ -99,7 +112,10 @@ class TileSimplification {
       Tile tile = stage_.store.read(given_[i].number);
       for (const TileBorder& border : tile.borders)
         names.numberOf(tile.places[border.vertex], border, static_cast<Index>(names.size()));
-      parts.push_back({i, std::move(tile)});
+      std::vector<Index> numbers(tile.places.size());
+      std::iota(numbers.begin(), numbers.end(), 0);
+      std::vector<char> isLinked = linkedOf(tile, numbers, numbers.size());
+      parts.push_back({i, std::move(tile), {}, {}, std::move(isLinked)});
     }
     for (std::size_t j = 0; j < given_.size(); ++j) {
       if (j == i || !touch(given_[i].box, given_[j].box)) continue;
@@ -137,7 +153,35 @@ class TileSimplification {
     for (Index t = 0; t < count; ++t)
       if (const auto part = partOfGroup.find(memory.groupOf[t]); !made.isOwn(t) && part != partOfGroup.end())
         beside_.push_back({part->second, made.partOf(t).tile, made.numberInTile(t)});
-    stage_.add(made.tileOf(kept, isNamed), stage_.tiles);
+    for (const MeshLink& link : made.mesh().links) isNamed[link.from[0]] = 1;
+    collectLinks(made);
+    addWithLinks(made.tileOf(kept, isNamed));
+  }
+
+  // Links of the first part, by the names of their ends: whichever tile has them then.
+  void collectLinks(const TileUnion& made) {
+    const Tile& tile = made.firstPart();
+    const auto own = static_cast<Index>(tile.places.size());
+    for (const TileLink& link : tile.links) {
+      NamedLink& named = links_.emplace_back();
+      named.link = link;
+      const std::array ends{link.from[0], link.from[1], link.to[0], link.to[1]};
+      for (std::size_t k = 0; k < 4; ++k)
+        named.ends[k] = ends[k] < own ? made.outsideOf(made.vertexOfPart(0, ends[k])) : tile.outside[ends[k] - own];
+    }
+  }
+
+  void addWithLinks(Tile tile) {
+    if (tile.triangles.empty()) return;  // there is a tile behind it that has these triangles
+    for (NamedLink& named : links_) {
+      const auto first = static_cast<Index>(tile.places.size() + tile.outside.size());
+      for (TileOutside& end : named.ends) tile.outside.push_back(std::move(end));
+      named.link.from = {first, first + 1};
+      named.link.to = {first + 2, first + 3};
+      tile.links.push_back(named.link);
+    }
+    links_.clear();
+    stage_.add(tile, stage_.tiles);
   }
 
   // For each part of a group the first part of the whole group.
@@ -216,8 +260,14 @@ class TileSimplification {
     std::vector<Changed> kept;
     for (Index t = 0; t < static_cast<Index>(made.mesh().triangles.size()); ++t)
       if (made.isOwn(t) && memory.alive[t] != 0) kept.push_back({t, memory.triangles[t]});
-    stage_.add(made.tileOf(kept, std::vector<char>(made.mesh().vertices.size(), 1)), stage_.tiles);
+    addWithLinks(made.tileOf(kept, std::vector<char>(made.mesh().vertices.size(), 1)));
   }
+
+  /// A link with the names of its ends.
+  struct NamedLink {
+    TileLink link;
+    std::array<TileOutside, 4> ends;
+  };
 
   TileStage& stage_;
   RunContext& context_;
@@ -225,6 +275,7 @@ class TileSimplification {
   std::vector<GroupPart> groupParts_;
   std::vector<std::vector<std::pair<Index, Index>>> partsOf_;  ///< for each tile triangles with their parts; ascending
   std::vector<Beside> beside_;
+  std::vector<NamedLink> links_;  ///< that no tile has yet
 };
 
 }  // namespace

@@ -137,6 +137,21 @@ void TileUnion::addMesh(RunContext& context) {
     if (isLayered) mesh_.layers.push_back(tile.layers[t]);
   }
   for (const Origin& origin : vertices_) mesh_.vertices.push_back(vertexOf(origin));
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    for (Index& v : numbers[p]) v = renumbered[v];
+    const std::vector<char>& isLinked = parts_[p].isLinked;
+    for (std::size_t v = 0; v < isLinked.size(); ++v) {
+      const Index number = numbers[p][v];
+      if (isLinked[v] != 0) mesh_.links.push_back({{number, number}, {number, number}});
+    }
+  }
+  numbers_ = std::move(numbers);
+}
+
+TileOutside TileUnion::outsideOf(Index vertex) const {
+  Tile tile;
+  addVertex(vertex, true, tile);
+  return {tile.places[0], tile.borders[0].face, tile.borders[0].exact};
 }
 
 bool TileUnion::isOwn(Index triangle) const {

@@ -23,6 +23,7 @@ class TileUnion {
     Tile triangles;
     std::vector<Index> numbers{};  ///< of each triangle in the tile; empty: it is the whole tile
     std::vector<char> isOwn{};     ///< for each triangle; empty: all are
+    std::vector<char> isLinked{};  ///< for each vertex whether it is an end of a link; or empty
   };
   struct Origin {
     std::uint32_t part = 0;
@@ -33,9 +34,15 @@ class TileUnion {
   TileUnion(std::vector<Part> parts, const Grid& grid, RunContext& context);
 
   [[nodiscard]] const PlanKernel& kernel() const { return *kernel_; }
+  /// With a link, from a vertex to itself, for each vertex that is an end of one.
   [[nodiscard]] const WalkableMesh& mesh() const { return mesh_; }
   [[nodiscard]] const Part& partOf(Index triangle) const { return parts_[triangles_[triangle].part]; }
+  [[nodiscard]] const Tile& firstPart() const { return parts_.front().triangles; }
   [[nodiscard]] bool isOwn(Index triangle) const;
+  /// The vertex of the mesh that a vertex of a part is.
+  [[nodiscard]] Index vertexOfPart(std::size_t part, Index vertex) const { return numbers_[part][vertex]; }
+  /// What other tiles know the vertex by.
+  [[nodiscard]] TileOutside outsideOf(Index vertex) const;
   /// The triangle's number in its tile.
   [[nodiscard]] Index numberInTile(Index triangle) const;
 
@@ -61,6 +68,7 @@ class TileUnion {
   /// For each part the numbers of its faces, and of its geometry's triangles and corners, in the kernel's mesh.
   std::vector<std::vector<Index>> faces_, sources_, corners_;
   std::vector<Origin> triangles_, vertices_;  ///< of the mesh
+  std::vector<std::vector<Index>> numbers_;   ///< for each part those of its vertices in the mesh
 };
 
 }  // namespace footfall::detail

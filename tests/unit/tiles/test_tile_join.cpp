@@ -53,6 +53,16 @@ const std::vector<std::string> kStepPipelines{
     "VerticalClearanceFilter 0.5\nStepFilter 2.5 0\n",
     "GridStrategy 2 2\nVerticalClearanceFilter 0.25\nStepFilter 1 0\nCollapse\nAreaFilter 1\n"};
 
+/// With filters over borders behind them.
+const std::vector<std::string> kLinkedPipelines{
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.5 0\nSimplificationFilter\nLayerSubdivisionFilter\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nStepFilter 1 0\nAreaFilter 1\nLayerSubdivisionFilter\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nAreaFilter 0.75\nStepFilter 1 1\nAreaFilter 2\nSimplificationFilter\n",
+    "VerticalClearanceFilter 0.5\nStepFilter 2.5 2\nLayerSubdivisionFilter\nSimplificationFilter\n"};
+
+const std::string kDefault =
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nAreaFilter 1\nSimplificationFilter\n"
+    "LayerSubdivisionFilter\n";
 const std::string kUsualSteps = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nAreaFilter 1\n";
 
 /// The same with gaps.
@@ -181,6 +191,7 @@ class TestTileJoin : public QObject {
   void soupsWithRoles();
   void steps();
   void gaps();
+  void stepsThenOverBorders();
   void samples_data();
   void samples();
   void environments_data();
@@ -256,6 +267,20 @@ void TestTileJoin::steps() {
   }));
 }
 
+void TestTileJoin::stepsThenOverBorders() {
+  QVERIFY(check("steps, simplified and in layers, between tiles of soups", 100, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : kLinkedPipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
 void TestTileJoin::gaps() {
   QVERIFY(check("gaps between tiles of soups", 60, [] {
     const auto environment = (*anySoup()).environment();
@@ -286,6 +311,7 @@ void TestTileJoin::samples() {
   for (const std::size_t pipeline : {0, 2})
     QCOMPARE(differenceOf(environment, kStepPipelines[pipeline], {700, 5000}), QString());
   QCOMPARE(differenceOf(environment, kUsualSteps, {700, 5000}), QString());
+  QCOMPARE(differenceOf(environment, kDefault, {700, 5000}), QString());
 }
 
 void TestTileJoin::environments_data() {
