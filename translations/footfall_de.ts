@@ -1608,8 +1608,8 @@
         <translation>geben Sie der Datei die Endung ihres wirklichen Formats</translation>
     </message>
     <message>
-        <source>is a packed environment of version %1, and this program reads version %2</source>
-        <translation>ist eine gepackte Umgebung der Version %1, und dieses Programm liest Version %2</translation>
+        <source>is a packed environment of version %1, and this program reads versions up to %2</source>
+        <translation>ist eine gepackte Umgebung der Version %1, und dieses Programm liest Versionen bis %2</translation>
     </message>
     <message>
         <source>pack the original again with this program, or use the one that packed it</source>

@@ -73,6 +73,19 @@ BlockFace faceOf(const BlockArrays& arrays, std::size_t block, std::size_t place
   return face;
 }
 
+CoarseFace coarseFaceOf(const PackedCoarseFace& packed, const Box& box, UpAxis up) {
+  CoarseFace face;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 3> place;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double share = packed[k][axis] / 65535.0;
+      place[axis] = (1 - share) * box.lower[axis] + share * box.upper[axis];
+    }
+    face[k] = fromFileFrame(pointOf(place), up);
+  }
+  return face;
+}
+
 /// Chosen faces of several blocks.
 class FaceCollector {
  public:
@@ -216,9 +229,9 @@ void PackedEnvironment::readHeader() {
   if (!bytes.starts_with(kPackedMagic))
     failInput(path_, 0, FOOTFALL_TEXT("is no packed environment"),
               FOOTFALL_TEXT("give the file the extension of its real format"));
-  if (header_.version != kPackedVersion)
+  if (header_.version == 0 || header_.version > kPackedVersion)
     failInput(path_, 0,
-              Text(FOOTFALL_TEXT("is a packed environment of version %1, and this program reads version %2"),
+              Text(FOOTFALL_TEXT("is a packed environment of version %1, and this program reads versions up to %2"),
                    header_.version, kPackedVersion),
               FOOTFALL_TEXT("pack the original again with this program, or use the one that packed it"));
   if (header_.ownSum != Digest().add(bytes.substr(0, kSummedHeader)).value()) failDamaged();
@@ -229,7 +242,7 @@ void PackedEnvironment::readHeader() {
   constexpr std::uint64_t kMost = 0xffffffffU;
   if (header_.fileSize != file_->size() || header_.vertices > kMost || header_.faces > kMost || header_.faces == 0 ||
       header_.blocks > file_->size() / sizeof(PackedBlock) ||
-      !fits(header_.tableOffset, header_.blocks * sizeof(PackedBlock)) ||
+      !fits(header_.tableOffset, tableSize(header_.blocks, header_.version)) ||
       !fits(header_.descriptionOffset, header_.descriptionSize))
     failDamaged();
 }
@@ -253,12 +266,15 @@ void PackedEnvironment::readDescription(const ImportOptions& options) {
 }
 
 void PackedEnvironment::readTable() {
-  const std::string_view bytes = file_->at(header_.tableOffset, header_.blocks * sizeof(PackedBlock));
+  const std::string_view bytes = file_->at(header_.tableOffset, tableSize(header_.blocks, header_.version));
   if (Digest().add(bytes).value() != header_.tableSum) failDamaged();
   blocks_.resize(static_cast<std::size_t>(header_.blocks));
-  if (!blocks_.empty()) std::memcpy(blocks_.data(), bytes.data(), bytes.size());
-  std::uint64_t vertices = 0, faces = 0, end = sizeof(PackedHeader);
-  for (const PackedBlock& block : blocks_) {
+  const std::size_t size = blocks_.size() * sizeof(PackedBlock);
+  if (!blocks_.empty()) std::memcpy(blocks_.data(), bytes.data(), size);
+  if (header_.version > 1) std::memcpy(&coarse_, bytes.data() + size, sizeof coarse_);
+  std::uint64_t vertices = 0, faces = 0, coarse = 0, end = sizeof(PackedHeader);
+  for (PackedBlock& block : blocks_) {
+    if (header_.version == 1) block.coarse = 0;
     const bool isWithin = block.offset % kBlockAlignment == 0 && block.offset >= end && block.offset <= file_->size() &&
                           block.size <= file_->size() - block.offset;
     if (!isWithin || block.vertices > kBlockVertices || block.faces > kBlockFaces ||
@@ -267,9 +283,12 @@ void PackedEnvironment::readTable() {
       failDamaged();
     vertices += block.ownVertices;
     faces += block.faces;
+    coarse += block.coarse;
     end = block.offset + block.size;
   }
-  if (vertices != header_.vertices || faces != header_.faces) failDamaged();
+  if (vertices != header_.vertices || faces != header_.faces || coarse_.size != coarse * sizeof(PackedCoarseFace) ||
+      coarse_.offset > file_->size() || coarse_.size > file_->size() - coarse_.offset)
+    failDamaged();
 }
 
 Box PackedEnvironment::boxOf(std::size_t block) const {
@@ -287,6 +306,27 @@ std::vector<std::size_t> PackedEnvironment::blocksTouching(const Box& box) const
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     if (blocks_[i].faces > 0 && touch(boxOf(i), box)) found.push_back(i);
   return found;
+}
+
+void PackedEnvironment::forCoarseFaces(const std::function<void(std::size_t, const CoarseFace&)>& visit) const {
+  const std::string_view bytes = file_->at(coarse_.offset, coarse_.size);
+  const char* at = bytes.data();
+  Digest sum;
+  for (const PackedBlock& block : blocks_) {
+    const std::size_t size = block.coarse * sizeof(PackedCoarseFace);
+    sum.add(std::string_view(at, size));
+    at += size;
+  }
+  if (header_.version > 1 && sum.value() != coarse_.sum) failDamaged();
+  at = bytes.data();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    for (std::uint32_t i = 0; i < blocks_[b].coarse; ++i) {
+      PackedCoarseFace packed;
+      std::memcpy(&packed, at, sizeof packed);
+      at += sizeof packed;
+      visit(b, coarseFaceOf(packed, blocks_[b].box, head_.up));
+    }
+  }
 }
 
 BlockArrays PackedEnvironment::arraysOf(const PackedBlock& block) const {

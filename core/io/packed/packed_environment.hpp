@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/packed/coarse_faces.hpp"
 #include "core/io/packed/packed_format.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/run_context.hpp"
@@ -68,6 +69,9 @@ class PackedEnvironment {
   [[nodiscard]] Box boxOf(std::size_t block) const;
   /// How many blocks have been touched.
   [[nodiscard]] std::size_t touchedBlocks() const;
+  /// Calls visit(block, corners), Z up, for all coarse faces (coarseFaces()), one block after the other; as many as
+  /// blocks() says of each. A file of version 1 has none.
+  void forCoarseFaces(const std::function<void(std::size_t, const CoarseFace&)>& visit) const;
 
   /// The blocks with faces whose boxes touch this one (Z up, closed).
   [[nodiscard]] std::vector<std::size_t> blocksTouching(const Box& box) const;
@@ -103,6 +107,7 @@ class PackedEnvironment {
   PackedHeader header_;
   Environment head_;
   std::vector<PackedBlock> blocks_;
+  PackedCoarse coarse_;
   std::unique_ptr<std::atomic<bool>[]> isChecked_;  ///< for each block
 };
 
