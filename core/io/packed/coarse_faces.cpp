@@ -17,7 +17,7 @@ using Corners = std::array<std::uint16_t, 3>;
 
 constexpr std::uint64_t kAllCoarse = 1U << 17U;  // a picture that is drawn at once
 constexpr std::uint64_t kLeast = 16, kMost = 512;
-constexpr double kMostOfArea = 0.6;
+constexpr double kMostOfArea = 0.3;
 
 double areaIn(std::span<const Vec3> places, const Corners& corners) {
   const double area = areaOf(places[corners[0]], places[corners[1]], places[corners[2]]);

@@ -29,7 +29,7 @@
 
 namespace footfall::detail {
 
-static_assert(std::endian::native == std::endian::little, "packed environments are mapped as they are");
+static_assert(std::endian::native == std::endian::little, "packed environments are read as they are");
 
 /// The line ends show what has changed them on its way.
 inline constexpr std::string_view kPackedMagic{"FFENV\r\n\x1a", 8};

@@ -282,6 +282,24 @@ class TestPackedEnvironment : public QObject {
     QVERIFY2(message.contains("cut off while it was open"), qPrintable(message));
   }
 
+  void whatIsWrittenOverWhileItIsOpenIsNoticed() {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
+    packEnvironment(path, target, {}, nullptr);
+    const QByteArray good = readAll(target);
+    const PackedEnvironment packed(target);
+    const BlockArrays before = packed.block(0);
+    const std::vector<std::uint32_t> faces(before.faces.begin(), before.faces.end());
+    folder.write("waves.ffenv", QByteArray(good.size(), '\xff'));  // in place
+    // What was read stays what it was, also what is read again of it, until it is given back.
+    QVERIFY(std::equal(faces.begin(), faces.end(), before.faces.begin(), before.faces.end()));
+    QCOMPARE(packed.block(0).faces.size(), faces.size());
+    packed.releasePages();
+    for (std::size_t b = 0; b < packed.blocks().size(); ++b)
+      QVERIFY(messageOf<InputError>([&] { static_cast<void>(packed.block(b)); }).contains("is damaged"));
+    QVERIFY(messageOf<InputError>([&] { static_cast<void>(packed.readAll()); }).contains("is damaged"));
+  }
+
   void cancellingAndAFullDiskLeaveNothing() {
     const TemporaryFolder folder;
     const std::string path = folder.write("waves.obj", waves());
