@@ -115,6 +115,14 @@ void addBox(BackdropPiece& piece, const Box& box, const Vec3& centre) {
   }
 }
 
+/// Some of these reach the farthest.
+BackdropPiece boxesOf(const PackedEnvironment& environment, const Vec3& centre) {
+  BackdropPiece boxes;
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b)
+    if (environment.blocks()[b].faces > 0) addBox(boxes, environment.boxOf(b), centre);
+  return boxes;
+}
+
 void addCoarse(PackedPart& part, const Vec3& centre) {
   const PackedEnvironment& environment = *part.environment;
   const Box region = boxOf(part.place);
@@ -179,16 +187,17 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
   OpenedPart opened;
   PackedPart& part = opened.part;
   part.limits = limits;
-  part.place = fitted(*environment, asked ? *asked : middlePlace(*environment, bounds), limits.part);
-  std::optional<PackedFaces> faces = facesAt(*environment, part.place, limits.part, context);
+  const std::size_t most = asked ? limits.part : std::min(limits.first, limits.part);
+  part.place = fitted(*environment, asked ? *asked : middlePlace(*environment, bounds), most);
+  std::optional<PackedFaces> faces = facesAt(*environment, part.place, most, context);
   for (int i = 0; !faces && i < kTries; ++i) {
     part.place.half *= kSmaller;
-    faces = facesAt(*environment, part.place, limits.part, context);
+    faces = facesAt(*environment, part.place, most, context);
   }
   part.isSmaller = asked && part.place.half < asked->half;
   if (!faces)
     throw InputError(FOOTFALL_TEXT("%1: more than %2 triangles stand over one place; footfall run --memory takes them"),
-                     environment->head().source, limits.part);
+                     environment->head().source, most);
   if (faces->soup.triangles.empty())
     throw InputError(FOOTFALL_TEXT("%1: nothing stands at that place; look at another one"),
                      environment->head().source);
@@ -200,7 +209,8 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
   const Vec3 centre = givenCentre.value_or(Vec3{middle(bounds, 0), middle(bounds, 1), middle(bounds, 2)});
   addCoarse(part, centre);
   part.whole = makeWholeBounds({bounds.lower[0], bounds.lower[1], bounds.lower[2]},
-                               {bounds.upper[0], bounds.upper[1], bounds.upper[2]}, centre, part.coarse->surface);
+                               {bounds.upper[0], bounds.upper[1], bounds.upper[2]}, centre,
+                               boxesOf(*part.environment, centre).surface);
   return opened;
 }
 

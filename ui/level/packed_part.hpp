@@ -21,6 +21,8 @@ struct PackedLimits {
   std::uint64_t whole = 2'000'000;
   /// Triangles that runs go over in a larger one: an edit shows its result within seconds.
   std::size_t part = 250'000;
+  /// Of the part that is there at first: it is to be opened at once.
+  std::size_t first = 50'000;
   /// Triangles that the view has in full around them: 120 bytes each, half of them in the graphics memory.
   std::uint64_t shown = 2'000'000;
 };

@@ -194,8 +194,10 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
     addTriangle(geometry->surface, corners, centre, normal, wallPaint(), mayBeFloor && up > kWallNormalZ);
   }
 
-  geometry->extremes = extremePoints(geometry->surface);
-  geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
+  if (!whole) {
+    geometry->extremes = extremePoints(geometry->surface);
+    geometry->detailExtremes = extremePoints(detailOf(geometry->surface));
+  }
 
   const auto isFloor = [&](std::uint32_t t) { return geometry->surface[std::size_t{3} * t].colour[3] == 0; };
   DisjointSets regions(environment.triangles.size());
