@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "core/io/file_frame.hpp"
@@ -205,6 +206,9 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
   opened.environment.vertices = std::move(faces->soup.vertices);
   opened.environment.triangles = std::move(faces->soup.triangles);
   opened.environment.partOf = std::move(faces->partOf);
+  // Exports say what they are of.
+  opened.environment.origin += " (a part: " + std::to_string(opened.environment.triangles.size()) + " of " +
+                               std::to_string(environment->faceCount()) + " triangles)";
   part.environment = std::move(environment);
   const Vec3 centre = givenCentre.value_or(Vec3{middle(bounds, 0), middle(bounds, 1), middle(bounds, 2)});
   addCoarse(part, centre);

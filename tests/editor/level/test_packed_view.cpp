@@ -1,8 +1,10 @@
 // Environments that are too large to be loaded: blocks by camera and heights, within a budget, and runs over a part.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QProcess>
+#include <cstring>
 #include <fstream>
 
+#include "core/base/digest.hpp"
 #include "core/io/import.hpp"
 #include "core/io/packed/pack.hpp"
 #include "tests/editor/editor_driver.hpp"
@@ -64,6 +66,10 @@ class TestPackedView : public QObject {
     openLarge();
     const auto level = window_->environment();
     QVERIFY(!level->triangles.empty() && level->triangles.size() <= kTiny.part);
+    // Exports say that they are of a part.
+    const QString source = QString::fromStdString(level->frame().source);
+    QCOMPARE(source,
+             QString("city.obj (a part: %1 of %2 triangles)").arg(level->triangles.size()).arg(packed_->faceCount()));
     QVERIFY(window_->controller().finishedRun());
     QVERIFY(window_->messageBar().text().contains("city.ffenv has 0.201 million triangles"));
     // The picture is complete, and nothing is in it twice.
@@ -222,6 +228,54 @@ class TestPackedView : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().text().contains("is damaged"); }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY2(window_->controller().finishedRun(), qPrintable(window_->messageBar().text()));
+  }
+
+  void filesOfTheFirstVersionAreBoxes() {
+    QByteArray bytes = readFile(city_);
+    PackedHeader header;
+    std::memcpy(&header, bytes.constData(), sizeof header);
+    bytes.chop(sizeof(PackedCoarse));  // which is last
+    header.version = 1;
+    header.fileSize = static_cast<std::uint64_t>(bytes.size());
+    const std::string_view all(bytes.constData(), header.fileSize);
+    header.tableSum = Digest().add(all.substr(header.tableOffset)).value();
+    std::memcpy(bytes.data(), &header, sizeof header);
+    header.ownSum = Digest().add(all.substr(0, kSummedHeader)).value();
+    std::memcpy(bytes.data(), &header, sizeof header);
+    window_->file().setPackedLimits(kTiny);
+    window_->open(writeFile(folder_, "first.ffenv", bytes));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->view().backdrop());
+    QCOMPARE(window_->view().backdrop()->coarse->triangles(), 12 * packed_->blocks().size());
+    QVERIFY(window_->controller().finishedRun());
+    shoot(*window_, "packed-first");
+  }
+
+  void aFileThatIsPackedAgainIsReadAgain() {
+    const QString file = folder_.filePath("again.ffenv");
+    QFile::remove(file);
+    QVERIFY(QFile::copy(city_, file));
+    window_->file().setPackedLimits(kTiny);
+    window_->open(file);
+    QVERIFY(waitUntilIdle(*window_));
+    const auto before = window_->environment();
+    const PartPlace place = window_->file().loaded().part->place;
+    // A wall over the part.
+    QByteArray obj = readFile(folder_.filePath("city.obj"));
+    const Box box = boxOf(place);
+    for (const double x : {box.lower[0], box.upper[0]})
+      for (const double y : {0.0, 5.0})
+        obj += "v " + QByteArray::number(x) + ' ' + QByteArray::number(y) + ' ' + QByteArray::number(-place.y) + '\n';
+    obj += "f -4 -3 -1 -2\n";
+    const QString changed = writeFile(folder_, "changed.obj", obj);
+    packEnvironment(changed.toStdString(), file.toStdString(), {}, nullptr);
+    QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().text().contains("read again"); }, kWaitMs));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->file().loaded().part->place == place);
+    QCOMPARE(window_->environment()->triangles.size(), before->triangles.size() + 2);
+    QCOMPARE(window_->level()->triangles.size(), before->triangles.size() + 2);
+    QVERIFY(window_->view().environmentGeometry()->whole);
+    QCOMPARE(window_->file().loaded().part->environment->faceCount(), packed_->faceCount() + 2);
   }
 
   void aWholeOneAfterALargeOne() {
