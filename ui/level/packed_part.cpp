@@ -189,7 +189,10 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
   PackedPart& part = opened.part;
   part.limits = limits;
   const std::size_t most = asked ? limits.part : std::min(limits.first, limits.part);
-  part.place = fitted(*environment, asked ? *asked : middlePlace(*environment, bounds), most);
+  // A place that had no more when a session was saved is taken as it is, whatever the estimate says.
+  constexpr std::size_t kDoubt = 2;
+  part.place = asked ? fitted(*environment, *asked, kDoubt * most)
+                     : fitted(*environment, middlePlace(*environment, bounds), most);
   std::optional<PackedFaces> faces = facesAt(*environment, part.place, most, context);
   for (int i = 0; !faces && i < kTries; ++i) {
     part.place.half *= kSmaller;
