@@ -114,7 +114,7 @@ std::optional<std::uint32_t> BorderDistance::find(double x, double y, double z, 
     for (int k = 0; k < 3; ++k) isInside = isInside && orientation(corner(t, k), corner(t, k + 1), {x, y}) >= 0;
     if (!isInside) continue;
     const double apart = std::fabs(height({t, x, y}) - z);
-    if (apart > most) continue;
+    if (!(apart <= most)) continue;  // of needles that have no area for doubles it is not a number
     most = apart;
     found = t;
   }
