@@ -111,7 +111,12 @@ std::optional<std::uint32_t> BorderDistance::find(double x, double y, double z, 
   if (mesh_.triangles.empty()) return found;
   for (const std::uint32_t t : trianglesIn_[cell(x, 0) * kCells + cell(y, 1)]) {
     bool isInside = true;
-    for (int k = 0; k < 3; ++k) isInside = isInside && orientation(corner(t, k), corner(t, k + 1), {x, y}) >= 0;
+    for (int k = 0; k < 3; ++k) {
+      const Place a = corner(t, k), b = corner(t, k + 1);
+      // On an edge between two triangles roundings may take a place out of both.
+      const double hair = 1e-15 * std::hypot(b[0] - a[0], b[1] - a[1]) * (std::fabs(x) + std::fabs(y));
+      isInside = isInside && orientation(a, b, {x, y}) >= -hair;
+    }
     if (!isInside) continue;
     const double apart = std::fabs(height({t, x, y}) - z);
     if (!(apart <= most)) continue;  // of needles that have no area for doubles it is not a number
