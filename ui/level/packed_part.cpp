@@ -21,7 +21,11 @@ bool touchInPlan(const Box& a, const Box& b) {
   return true;
 }
 
-Box boxOf(const std::array<Vec3, 3>& corners) { return boxOf(BlockFace{0, 0, 0, corners}); }
+Box boxOf(const std::array<Vec3, 3>& corners) {
+  BlockFace face;
+  face.corners = corners;
+  return boxOf(face);
+}
 
 /// Of all blocks.
 Box boundsOf(const PackedEnvironment& environment) {

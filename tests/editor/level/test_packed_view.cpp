@@ -17,7 +17,11 @@ namespace {
 
 constexpr PackedLimits kTiny{.whole = 1000, .part = 20'000, .shown = 60'000};
 
-Box boxAround(const std::array<Vec3, 3>& corners) { return boxOf(BlockFace{0, 0, 0, corners}); }
+Box boxAround(const std::array<Vec3, 3>& corners) {
+  BlockFace face;
+  face.corners = corners;
+  return boxOf(face);
+}
 
 std::size_t shownTriangles(const Backdrop& backdrop) {
   std::size_t triangles = 0;
