@@ -43,6 +43,20 @@ ImportOptions EnvironmentOptions::import() const {
   return {upAxisFrom(up), metresPerUnit, bothSides};
 }
 
+std::vector<PartRule> EnvironmentOptions::rules(const Environment& environment) const {
+  std::vector<PartRule> all;
+  const auto add = [&](const std::vector<std::string>& names, PartRole role, const char* option) {
+    for (const std::string& name : names) {
+      const std::vector<PartRule> named = rulesForName(environment, name, role, option);
+      all.insert(all.end(), named.begin(), named.end());
+    }
+  };
+  add(asUsual, PartRole::Floor, "--as-usual");
+  add(obstacleOnly, PartRole::ObstacleOnly, "--obstacle-only");
+  add(ignored, PartRole::Ignored, "--ignore");
+  return all;
+}
+
 void PipelineOptions::addTo(CLI::App& command, const std::string& fileHelp, const std::string& stepHelp) {
   CLI::Option* fileOption = command.add_option("-p,--pipeline", file, fileHelp)->type_name("FILE");
   command.add_option("--filter", steps, stepHelp)->allow_extra_args(false)->excludes(fileOption)->type_name("STEP");

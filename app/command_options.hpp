@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/environment/part_rules.hpp"
 #include "core/io/write_targets.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
@@ -27,6 +28,8 @@ struct EnvironmentOptions {
   void addFileTo(CLI::App& command);
   /// Throws InputError for a scale that is none.
   [[nodiscard]] ImportOptions import() const;
+  /// What was said about parts of that environment. Throws InputError for names of none.
+  [[nodiscard]] std::vector<detail::PartRule> rules(const Environment& environment) const;
 };
 
 /// The pipeline: a file, or steps; neither means the default pipeline.

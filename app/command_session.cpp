@@ -32,17 +32,7 @@ std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions
   file_ = environment;
   if (!quiet_)
     for (const Text& note : environment->notes) std::cerr << "footfall: note: " << note.str() << '\n';
-  std::vector<PartRule> rules;
-  const auto add = [&](const std::vector<std::string>& names, PartRole role, const char* option) {
-    for (const std::string& name : names) {
-      const std::vector<PartRule> named = rulesForName(*environment, name, role, option);
-      rules.insert(rules.end(), named.begin(), named.end());
-    }
-  };
-  add(options.asUsual, PartRole::Floor, "--as-usual");
-  add(options.obstacleOnly, PartRole::ObstacleOnly, "--obstacle-only");
-  add(options.ignored, PartRole::Ignored, "--ignore");
-  auto chosen = applyPartRules(environment, rules);
+  auto chosen = applyPartRules(environment, options.rules(*environment));
   if (chosen->triangles.empty())
     throw InputError("--ignore: nothing of " + options.path + " is left; ignore fewer meshes or materials");
   return chosen;

@@ -10,8 +10,10 @@
 #include "app/export_options.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/worker_arena.hpp"
+#include "core/io/export.hpp"
 #include "core/tiles/tile_join.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/report.hpp"
 
 namespace footfall::app {
 using namespace detail;
@@ -20,6 +22,7 @@ namespace {
 struct JoinOptions {
   std::vector<std::string> folders;
   ExportCommandOptions exported;
+  std::string statistics;
   int threads = 0;
   bool quiet = false;
 };
@@ -36,7 +39,9 @@ void join(JoinOptions& options) {
   options.exported.finish();
   options.exported.check();
   WriteTargets targets;
+  checkEnding(options.statistics, "--stats", ".json");
   targets.add(options.exported.output, Pattern{"the export"});
+  targets.add(options.statistics, Pattern{"the statistics"});
   CommandSession session(options.threads, options.quiet);
   RunContext& context = session.context();
   session.begin("joining");
@@ -49,12 +54,13 @@ void join(JoinOptions& options) {
   const Pipeline pipeline = parsePipeline(joined.sets.front().pipeline, options.folders.front());
   session.begin("exporting");
   const double error = writeExport(options.exported, *joined.mesh, pipeline, targets, context);
+  if (!options.statistics.empty()) writeFileSafely(options.statistics, formatMeshStatistics(*joined.mesh));
   session.end();
   if (options.quiet) return;
   printLosses(*joined.mesh, options.exported, error);
   print(options.exported.output + ": " +
         countedText(joined.mesh->triangles.size(), Pattern{"1 triangle"}, Pattern{"%1 triangles"}).str() + " of " +
-        countedText(tiles, Pattern{"1 tile"}, Pattern{"%1 tiles"}).str() + '\n');
+        countedText(tiles, Pattern{"1 tile"}, Pattern{"%1 tiles"}).str() + '\n' + formatMeshSummary(*joined.mesh));
 }
 
 }  // namespace
@@ -67,6 +73,8 @@ void addJoinCommand(CLI::App& app) {
                   "The folder with the tiles and their index; of a run in slices, all folders")
       ->required();
   options->exported.addTo(command)->required();
+  command.add_option("--stats", options->statistics, "Write counts, links and components to this file")
+      ->type_name("FILE.json");
   addThreads(command, options->threads);
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
   command.callback([options] { join(*options); });

@@ -124,8 +124,9 @@ void addMemory(CLI::App& command, RunOptions& options) {
       command
           .add_option("--memory", options.memory,
                       "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), and "
-                      "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters, which an "
-                      "AreaFilter may follow")
+                      "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters, which a "
+                      "StepFilter, AreaFilters, SimplificationFilter and LayerSubdivisionFilter may follow, as in the "
+                      "default pipeline")
           ->transform(CLI::AsSizeValue(false))
           ->type_name("BYTES");
   command

@@ -13,6 +13,7 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
+#include "core/environment/part_rules.hpp"
 #include "core/io/export.hpp"
 #include "core/io/file_frame.hpp"
 #include "core/io/packed/pack.hpp"
@@ -94,13 +95,22 @@ void packInto(const PackedCopy& copy, const TileCommandOptions& options, Command
     std::cerr << "footfall: note: " << options.environment.path << " was read as a whole, into memory\n";
 }
 
-Pipeline givenPipeline(const PipelineOptions& options) {
+/// The given pipeline; empty where the default one is meant. Throws InputError where its filters cannot keep to a
+/// bound.
+std::optional<Pipeline> checkedPipeline(const PipelineOptions& options, const TileSlice& slice) {
   std::optional<Pipeline> pipeline = options.given();
-  if (!pipeline)
-    throw InputError(
-        "--memory: the default pipeline sees across cells; give one of local filters, such as --filter "
-        "\"SlopeFilter 45\" --filter \"VerticalClearanceFilter 2\"");
-  return std::move(*pipeline);
+  if (pipeline) {
+    checkSlice(stepsOfCells(*pipeline), slice);
+    return pipeline;
+  }
+  try {
+    checkSlice(stepsOfCells(defaultPipeline({})), slice);
+  } catch (const InputError& error) {
+    throw InputError(std::string("--memory: the default pipeline does not do: ") + error.what() +
+                     "; give one of your own, such as --filter \"SlopeFilter 45\" --filter "
+                     "\"VerticalClearanceFilter 2\"");
+  }
+  return pipeline;
 }
 
 /// "2/8".
@@ -117,11 +127,6 @@ TileSlice sliceFrom(const std::string& text) {
 }
 
 void checkOptions(const TileCommandOptions& options) {
-  const EnvironmentOptions& environment = options.environment;
-  if (!environment.ignored.empty() || !environment.obstacleOnly.empty() || !environment.asUsual.empty())
-    throw InputError(
-        "--memory: parts cannot be left out or given roles within a bound of memory; leave out --ignore, "
-        "--obstacle-only and --as-usual");
   if (options.folder.empty()) throw InputError("--memory: give the folder for the tiles with -o");
 }
 
@@ -135,9 +140,12 @@ std::string formatTileStatistics(const TileCommandOptions& options, const TileRu
                    {"made_smaller", result.refused},
                    {"triangles_read", result.collected},
                    {"most_triangles_at_once", result.largestCell}};
-  std::uint64_t triangles = 0;
-  for (const TileEntry& tile : result.set.tiles) triangles += tile.triangles;
-  json["tiles"] = {{"count", result.set.tiles.size()}, {"triangles", triangles}};
+  std::uint64_t triangles = 0, links = 0;
+  for (const TileEntry& tile : result.set.tiles) {
+    triangles += tile.triangles;
+    links += tile.links;
+  }
+  json["tiles"] = {{"count", result.set.tiles.size()}, {"triangles", triangles}, {"links", links}};
   json["times_ms"] = {{"wall", result.wallMs}, {"cpu", result.cpuMs}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
@@ -173,8 +181,8 @@ void runIntoFolder(const TileCommandOptions& options) {
   TileRunOptions bounds;
   bounds.memory = options.memory;
   bounds.slice = sliceFrom(options.slice);
-  const Pipeline pipeline = givenPipeline(options.pipeline);
-  stepsOfCells(pipeline);
+  checkMemory(options.environment.path, options.memory);
+  std::optional<Pipeline> pipeline = checkedPipeline(options.pipeline, bounds.slice);
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
   checkEnding(options.statistics, "--stats", ".json");
   checkOutside(options.statistics, options.folder);
@@ -189,8 +197,13 @@ void runIntoFolder(const TileCommandOptions& options) {
                                         isPacked ? options.environment.import() : ImportOptions{});
     if (!options.quiet)
       for (const Text& note : environment.head().notes) std::cerr << "footfall: note: " << note.str() << '\n';
+    bounds.roles = rolesOf(environment.head(), options.environment.rules(environment.head()));
+    if (std::ranges::all_of(bounds.roles, [](PartRole role) { return role == PartRole::Ignored; }))
+      throw InputError("--ignore: nothing of " + options.environment.path +
+                       " is left; ignore fewer meshes or materials");
+    if (!pipeline) pipeline = defaultPipeline(environment.head());
     session.begin("running in cells", kTileRunSteps);
-    TileRunResult made = runIntoTiles(environment, pipeline, options.folder, bounds, session.context());
+    TileRunResult made = runIntoTiles(environment, *pipeline, options.folder, bounds, session.context());
     session.end();
     return made;
   });

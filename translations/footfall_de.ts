@@ -1676,14 +1676,6 @@
         <translation>%1 ist Teil %2 von %3, und die angegebenen Ordner sind nicht alle Teile, jeder einmal; geben Sie alle an</translation>
     </message>
     <message>
-        <source>%1: its file says that some parts are no floors, which a run within a bound of memory cannot regard; run without the bound, with all of the environment in memory</source>
-        <translation>%1: Laut der Datei sind manche Teile keine Böden, was ein Lauf mit Speichergrenze nicht berücksichtigen kann; rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
-    </message>
-    <message>
-        <source>AreaFilter sees over the borders of slices; leave it out, or run all slices at once</source>
-        <translation>AreaFilter sieht über die Grenzen von Teilen hinaus; lassen Sie ihn weg, oder rechnen Sie alle Teile auf einmal</translation>
-    </message>
-    <message>
         <source>%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of the environment in memory</source>
         <translation>%1: %2 Speicher sind zu wenig; geben Sie mindestens %3 an, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
     </message>
@@ -1722,6 +1714,34 @@
     <message>
         <source>%1: nothing stands at that place; look at another one</source>
         <translation>%1: An dieser Stelle steht nichts; sehen Sie auf eine andere</translation>
+    </message>
+    <message>
+        <source>%1: a second %2 cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: ein zweiter %2 kann keine Speichergrenze einhalten; lassen Sie ihn weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>%1: %2 stands behind a StepFilter, which needs what it leaves; put it before that, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 steht hinter einem StepFilter, der braucht, was er übrig lässt; setzen Sie ihn davor, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>StepFilter with a gap sees over the borders of slices; give it a gap of 0, or run all slices at once</source>
+        <translation>StepFilter mit einer Lücke sieht über die Grenzen von Teilen hinaus; geben Sie ihm eine Lücke von 0, oder rechnen Sie alle Teile auf einmal</translation>
+    </message>
+    <message>
+        <source>%1: %2 stands behind a filter that needs all cells; put it before that, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 steht hinter einem Filter, der alle Zellen braucht; setzen Sie ihn davor, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run without the bound, with all of the environment in memory</source>
+        <translation>%1: %2 kann nur in der genauen Form eine Speichergrenze einhalten, nicht in der ungefähren; lassen Sie diese weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
+    </message>
+    <message>
+        <source>the walkable area has more triangles than LayerSubdivisionFilter can number; leave it out</source>
+        <translation>die begehbare Fläche hat mehr Dreiecke, als LayerSubdivisionFilter nummerieren kann; lassen Sie ihn weg</translation>
+    </message>
+    <message>
+        <source>%1 sees over the borders of slices; leave it out, or run all slices at once</source>
+        <translation>%1 sieht über die Grenzen von Teilen hinaus; lassen Sie ihn weg, oder rechnen Sie alle Teile auf einmal</translation>
     </message>
 </context>
 <context>

@@ -118,7 +118,7 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
   auto topology =
       std::make_shared<const Adjacency>(edgesOfSome(choice.topology, renumbered, [&] { context.checkCancelled(); }));
   kept->layerCount = mesh.layerCount;
-  kept->links = linksBetween(mesh, kept->triangles, *topology);
+  kept->links = linksBetween(mesh.links, kept->triangles, *topology);
   kept->drops = dropsBetween(mesh, kept->triangles, renumbered, *topology);
   auto result = std::make_shared<WalkableState>(state);
   if (!state.cuts) {

@@ -33,7 +33,8 @@ FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& cont
       if (!state->mesh->layers.empty()) mesh->layers.push_back(state->mesh->layers[i]);
     }
     if (!state->mesh->links.empty())
-      mesh->links = linksBetween(*state->mesh, mesh->triangles, findEdges(mesh->triangles, mesh->vertices.size()));
+      mesh->links =
+          linksBetween(state->mesh->links, mesh->triangles, findEdges(mesh->triangles, mesh->vertices.size()));
     result->mesh = mesh;
   }
   FilterOutcome outcome{result, {}, {}};

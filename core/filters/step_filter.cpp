@@ -8,11 +8,17 @@
 #include "core/base/counted_text.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/height_levels.hpp"
+#include "core/filters/steps/chosen_steps.hpp"
 #include "core/filters/steps/step_linker.hpp"
 
 namespace footfall::detail {
 
 FilterOutcome applyStep(const StatePtr& given, double step, double gap, const Recall& recall, RunContext& context) {
+  return applyStepToChosen(given, step, gap, nullptr, recall, context);
+}
+
+FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, const std::vector<char>* chosen,
+                                const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   auto state = std::make_shared<WalkableState>(*withMesh(given, context, outcome.fallbacks));
   if (state->clearance == 0) throw std::logic_error("StepFilter without a clearance before it");
@@ -22,7 +28,7 @@ FilterOutcome applyStep(const StatePtr& given, double step, double gap, const Re
               FOOTFALL_TEXT("a step of %1 is too small beside coordinates of up to %2; give at least %3, or check the "
                             "scale and the largest coordinates"));
   state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, state->clearance), height);
-  StepLinker linker(*state, context);
+  StepLinker linker(*state, context, chosen);
   const StepMemory* before = recall.before ? recall.before->stepMemory.get() : nullptr;
   if (before != nullptr && before->step == height && before->height == state->clearance && before->gap == gap) {
     if (const auto earlier = EarlierResult::relate(recall.before, *state->kernel)) linker.reuse(*before, *earlier);

@@ -44,13 +44,13 @@ Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topo
   return -1;
 }
 
-std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
+std::vector<MeshLink> linksBetween(const std::vector<MeshLink>& all, const std::vector<MeshTriangle>& triangles,
                                    const Adjacency& topology) {
   const auto isThere = [&](const std::array<Index, 2>& edge) {
     return findSide(triangles, topology, edge[0], edge[1]) >= 0;
   };
   std::vector<MeshLink> links;
-  std::copy_if(mesh.links.begin(), mesh.links.end(), std::back_inserter(links),
+  std::copy_if(all.begin(), all.end(), std::back_inserter(links),
                [&](const MeshLink& link) { return isThere(link.from) && isThere(link.to); });
   return links;
 }

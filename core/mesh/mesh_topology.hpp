@@ -21,9 +21,8 @@ bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Inde
 /// The side of a triangle that goes from vertex `from` to vertex `to`, or -1.
 Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topology, Index from, Index to);
 
-/// The links of `mesh` whose two edges are sides of some of `triangles`, which are over the same vertices; `topology`
-/// is theirs.
-std::vector<MeshLink> linksBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
+/// The links whose two edges are sides of some of `triangles`, which are over the same vertices; `topology` is theirs.
+std::vector<MeshLink> linksBetween(const std::vector<MeshLink>& all, const std::vector<MeshTriangle>& triangles,
                                    const Adjacency& topology);
 
 /// The drops of `mesh` whose edge is a side of some of `triangles`, which are over the same vertices, and whose landing

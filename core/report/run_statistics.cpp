@@ -315,6 +315,37 @@ std::string dropLine(const NavigationMesh& mesh, const Components& components) {
          "component to " + std::to_string(figures.below) + ", and to it from " + std::to_string(figures.above) + '\n';
 }
 
+void addMesh(Json& json, const NavigationMesh& mesh, const Components& components, double area) {
+  json["vertices"] = mesh.vertices.size();
+  json["triangles"] = mesh.triangles.size();
+  json["area"] = area;
+  json["layers"] = mesh.layerCount;
+  json["layer_list"] = layersJson(mesh);
+  json["connections"] = mesh.connections.size();
+  const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
+  json["links"] = mesh.links.size();
+  json["link_length"] = steps.planLength + gaps.planLength;
+  json["highest_link"] = mesh.links.empty() ? Json() : Json(std::max(steps.highest, gaps.highest));
+  json["links_by_kind"] = {{"step", steps.json()}, {"gap", gaps.json()}};
+  json["obstacle_edges"] = mesh.obstacleEdges.size();
+  const DropFigures drops = measureDrops(mesh, components);
+  json["drops"] = mesh.drops.size();
+  json["drop_length"] = drops.planLength;
+  json["deepest_drop"] = mesh.drops.empty() ? Json() : Json(drops.deepest);
+  json["components_below_largest"] = drops.below;
+  json["components_above_largest"] = drops.above;
+  json["components"] = componentsJson(components);
+  json["connected_share"] = components.connectedShare();
+}
+
+std::string meshLines(const NavigationMesh& mesh) {
+  const Components components = findComponents(mesh);
+  return counted(mesh.layerCount, "layer", "layers") + ", " +
+         counted(mesh.connections.size(), "connection", "connections") + ", " +
+         counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + '\n' + linkLine(mesh) +
+         dropLine(mesh, components) + componentLines(components);
+}
+
 }  // namespace
 
 std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
@@ -352,27 +383,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   json["threads"] = result.threads;
   json["peak_rss_bytes"] = peakRssBytes();
   const NavigationMesh& mesh = *result.mesh;
-  json["vertices"] = mesh.vertices.size();
-  json["triangles"] = mesh.triangles.size();
-  json["area"] = result.summary.area;
-  json["layers"] = mesh.layerCount;
-  json["layer_list"] = layersJson(mesh);
-  json["connections"] = mesh.connections.size();
-  const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
-  json["links"] = mesh.links.size();
-  json["link_length"] = steps.planLength + gaps.planLength;
-  json["highest_link"] = mesh.links.empty() ? Json() : Json(std::max(steps.highest, gaps.highest));
-  json["links_by_kind"] = {{"step", steps.json()}, {"gap", gaps.json()}};
-  json["obstacle_edges"] = mesh.obstacleEdges.size();
-  const Components components = findComponents(mesh);
-  const DropFigures drops = measureDrops(mesh, components);
-  json["drops"] = mesh.drops.size();
-  json["drop_length"] = drops.planLength;
-  json["deepest_drop"] = mesh.drops.empty() ? Json() : Json(drops.deepest);
-  json["components_below_largest"] = drops.below;
-  json["components_above_largest"] = drops.above;
-  json["components"] = componentsJson(components);
-  json["connected_share"] = components.connectedShare();
+  addMesh(json, mesh, findComponents(mesh), result.summary.area);
   const ExactFallbacks fallbacks = sumFallbacks(result);
   json["exact_fallbacks"] = fallbacks.total();
   json["exact_fallbacks_by_kind"] = {
@@ -386,6 +397,17 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
   // File names are bytes; what is no UTF-8 must not lose the statistics.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
+
+std::string formatMeshStatistics(const NavigationMesh& mesh) {
+  Json json;
+  json["program"] = "Footfall " + std::string(version());
+  json["source"] = mesh.frame.source;
+  const Components components = findComponents(mesh);
+  addMesh(json, mesh, components, components.totalArea());
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string formatMeshSummary(const NavigationMesh& mesh) { return meshLines(mesh); }
 
 std::string formatSummary(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
   std::vector<std::vector<std::string>> rows = {{"step", "wall ms", "cpu ms", "triangles", "area", "note"}};
@@ -405,11 +427,7 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
                      number(environment.metresPerUnit, "%.6g") + " m per unit" +
                      (environment.scaleGuessed ? " (guessed)" : "") + '\n' + skippedLines(environment) + '\n' +
                      formatTable(rows) + '\n';
-  const Components components = findComponents(mesh);
-  text += counted(mesh.layerCount, "layer", "layers") + ", " +
-          counted(mesh.connections.size(), "connection", "connections") + ", " +
-          counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + '\n' + linkLine(mesh) +
-          dropLine(mesh, components) + componentLines(components);
+  text += meshLines(mesh);
   for (const BlockReport& block : result.blocks) {
     text += "block of " + counted(block.cells.size(), "cell", "cells") + ": partitioning " +
             number(block.partitioningMs) + " ms, parallel " + number(block.parallelMs) + " ms, merging " +

@@ -18,6 +18,12 @@ class BorderNames {
   Index numberOf(const Vec3& place, const TileBorder& border, Index next) {
     return numbers_.try_emplace({place, border.face, border.exact}, next).first->second;
   }
+  [[nodiscard]] bool contains(const Vec3& place, const TileBorder& border) const {
+    return numbers_.contains({place, border.face, border.exact});
+  }
+  Index numberOf(const TileOutside& vertex, Index next) {
+    return numbers_.try_emplace({vertex.place, vertex.face, vertex.exact}, next).first->second;
+  }
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
 
  private:

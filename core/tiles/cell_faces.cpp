@@ -49,12 +49,32 @@ bool contains(const std::vector<std::uint32_t>& ascending, std::uint32_t number)
   return std::binary_search(ascending.begin(), ascending.end(), number);
 }
 
+constexpr double kAllHeights = 0x1p1000;
+
+/// Larger by `around` in the plan, by `height` up and down, and everywhere by far more than boxes of borders are off
+/// by.
+void widen(Box& box, double around, double height) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double added = std::min(axis == 2 ? height : around, kAllHeights);
+    const double margin = (std::max(std::fabs(box.lower[axis]), std::fabs(box.upper[axis])) + added) * 0x1p-22;
+    box.lower[axis] -= added + margin;
+    box.upper[axis] += added + margin;
+  }
+}
+
 }  // namespace
 
 /// Ascending by number; the boxes of all of them, with the clearance above.
 struct CellCollector::Floors {
-  std::vector<std::uint32_t> own, near;
+  std::vector<std::uint32_t> own, seen, near;
   std::vector<Box> boxes;
+
+  [[nodiscard]] std::uint64_t count() const { return own.size() + seen.size() + near.size(); }
+  [[nodiscard]] CellKind kindOf(std::uint32_t number) const {
+    if (contains(own, number)) return CellKind::Own;
+    if (contains(seen, number)) return CellKind::Seen;
+    return contains(near, number) ? CellKind::Near : CellKind::Other;
+  }
 };
 
 CellCollector::CellCollector(const PackedEnvironment& environment, FloorRule rule)
@@ -63,6 +83,7 @@ CellCollector::CellCollector(const PackedEnvironment& environment, FloorRule rul
 }
 
 bool CellCollector::isFloor(const BlockFace& face) const {
+  if (roleOf(face.part) != PartRole::Floor) return false;
   auto [a, b, c] = face.corners;
   const int side = facing(a, b, c);
   if (side == 0 || (side < 0 && !environment_.head().bothSides)) return false;
@@ -71,53 +92,71 @@ bool CellCollector::isFloor(const BlockFace& face) const {
                      [p = a, q = b, r = c](double degrees) { return isWithinSlope(p, q, r, degrees); });
 }
 
-bool CellCollector::isOwn(const FaceRange& range, const BlockFace& face) const {
+bool CellCollector::isOwn(const OwnFloors& own, const BlockFace& face) const {
+  if (own.listed != nullptr) return contains(*own.listed, face.number);
   const std::uint64_t number = first_[face.block] + face.place;
-  return number >= range.first && number < range.last;
+  return number >= own.range.first && number < own.range.last;
 }
 
-std::vector<std::size_t> CellCollector::ownBlocks(const FaceRange& range) const {
+std::vector<std::size_t> CellCollector::ownBlocks(const OwnFloors& own) const {
   std::vector<std::size_t> blocks;
   for (std::size_t i = 0; i + 1 < first_.size(); ++i)
-    if (first_[i] < range.last && first_[i + 1] > range.first) blocks.push_back(i);
+    if (own.listed != nullptr || (first_[i] < own.range.last && first_[i + 1] > own.range.first)) blocks.push_back(i);
   return blocks;
 }
 
-CellCollector::Floors CellCollector::findFloors(const FaceRange& range, const Fits& fits, RunContext& context) const {
-  Floors floors;
-  std::vector<Box> boxes;
-  for (const std::size_t block : ownBlocks(range)) {
-    context.checkCancelled();
-    environment_.forFaces(block, [&](const BlockFace& face) {
-      if (!isOwn(range, face) || !isFloor(face)) return;
-      floors.own.push_back(face.number);
-      boxes.push_back(boxOf(face));
-    });
-  }
-  floors.boxes = boxes;
-  const BoxSet own(std::move(boxes), context);
-  for (const std::size_t block : blocksTouching(environment_, own)) {
+// Floors that touch boxes, but for those that are known.
+void CellCollector::addTouching(std::vector<Box> boxes, const Fits& fits, RunContext& context, Floors& floors,
+                                std::vector<std::uint32_t>& found) const {
+  const BoxSet set(std::move(boxes), context);
+  std::vector<std::uint32_t> added;
+  for (const std::size_t block : blocksTouching(environment_, set)) {
     context.checkCancelled();
     if (!fits({floors.boxes.size(), floors.boxes.size()})) break;
     environment_.forFaces(block, [&](const BlockFace& face) {
       const Box box = boxOf(face);
-      if (isOwn(range, face) || !own.touches(box) || !isFloor(face)) return;
-      floors.near.push_back(face.number);
+      if (!set.touches(box) || floors.kindOf(face.number) != CellKind::Other || !isFloor(face)) return;
+      added.push_back(face.number);
       floors.boxes.push_back(box);
     });
   }
+  found.insert(found.end(), added.begin(), added.end());
+  std::sort(found.begin(), found.end());
+}
+
+CellCollector::Floors CellCollector::findFloors(const OwnFloors& own, const Fits& fits, RunContext& context,
+                                                int reach) const {
+  Floors floors;
+  for (const std::size_t block : ownBlocks(own)) {
+    context.checkCancelled();
+    environment_.forFaces(block, [&](const BlockFace& face) {
+      if (!isOwn(own, face) || !isFloor(face)) return;
+      floors.own.push_back(face.number);
+      floors.boxes.push_back(boxOf(face));
+    });
+  }
   std::sort(floors.own.begin(), floors.own.end());
-  std::sort(floors.near.begin(), floors.near.end());
+  if (rule_.step > 0 && reach > 0) {
+    std::vector<Box> raised = floors.boxes;
+    for (Box& box : raised)
+      own.listed != nullptr ? widen(box, 2 * rule_.gap, kAllHeights) : widen(box, rule_.gap, reach * rule_.step);
+    addTouching(std::move(raised), fits, context, floors, floors.seen);
+    // The first ring has whole vertices where it touches, the second one makes it conforming there.
+    addTouching(floors.boxes, fits, context, floors, floors.near);
+  }
+  addTouching(floors.boxes, fits, context, floors, floors.near);
   // As clearanceBox() has it.
-  for (Box& box : floors.boxes)
+  for (Box& box : floors.boxes) {
+    if (rule_.step > 0) widen(box, rule_.gap, 0);
     box.upper[2] = std::nextafter(box.upper[2] + rule_.height, std::numeric_limits<double>::infinity());
+  }
   return floors;
 }
 
-std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fits& fits, RunContext& context,
-                                                CellSize* size) const {
-  Floors floors = findFloors(range, fits, context);
-  CellSize found{0, floors.own.size() + floors.near.size()};
+std::optional<CellFaces> CellCollector::collect(const OwnFloors& own, const Fits& fits, RunContext& context,
+                                                CellSize* size, int reach) const {
+  Floors floors = findFloors(own, fits, context, reach);
+  CellSize found{0, floors.count()};
   const auto tell = [&] {
     if (size != nullptr) *size = found;
   };
@@ -125,6 +164,8 @@ std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fi
   if (!fits({found.floors, found.floors})) return std::nullopt;
   CellFaces cell;
   cell.floors = found.floors;
+  cell.reach = reach;
+  cell.isListed = own.listed != nullptr;
   if (floors.own.empty()) return cell;
   const BoxSet boxes(std::move(floors.boxes), context);
   const std::vector<std::size_t> blocks = blocksTouching(environment_, boxes);
@@ -132,7 +173,7 @@ std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fi
   PackedFaces faces = environment_.facesOf(
       blocks,
       [&](const BlockFace& face) {
-        if (isFull || !boxes.touches(boxOf(face))) return false;
+        if (isFull || roleOf(face.part) == PartRole::Ignored || !boxes.touches(boxOf(face))) return false;
         ++found.faces;
         isFull = !fits(found);
         return true;
@@ -141,20 +182,26 @@ std::optional<CellFaces> CellCollector::collect(const FaceRange& range, const Fi
   tell();
   if (isFull) return std::nullopt;
   cell.faces = std::move(faces);
-  for (const std::uint32_t number : cell.faces.faceNumbers)
-    cell.kinds.push_back(contains(floors.own, number) ? 2 : contains(floors.near, number) ? 1 : 0);
+  for (const std::uint32_t number : cell.faces.faceNumbers) cell.kinds.push_back(floors.kindOf(number));
+  if (std::ranges::find(rule_.roles, PartRole::ObstacleOnly) != rule_.roles.end())
+    for (std::size_t f = 0; f < cell.kinds.size(); ++f) {
+      const std::uint32_t part = cell.faces.partOf.empty() ? 0 : cell.faces.partOf[f];
+      cell.obstacleOnly.push_back(static_cast<std::uint8_t>(roleOf(part) == PartRole::ObstacleOnly));
+    }
   return cell;
 }
 
-CellSize CellCollector::measure(const FaceRange& range, RunContext& context) const {
+CellSize CellCollector::measure(const OwnFloors& own, RunContext& context, int reach) const {
   Floors floors = findFloors(
-      range, [](const CellSize&) { return true; }, context);
-  CellSize size{0, floors.own.size() + floors.near.size()};
+      own, [](const CellSize&) { return true; }, context, reach);
+  CellSize size{0, floors.count()};
   if (floors.own.empty()) return size;
   const BoxSet boxes(std::move(floors.boxes), context);
   for (const std::size_t block : blocksTouching(environment_, boxes)) {
     context.checkCancelled();
-    environment_.forFaces(block, [&](const BlockFace& face) { size.faces += boxes.touches(boxOf(face)) ? 1U : 0U; });
+    environment_.forFaces(block, [&](const BlockFace& face) {
+      size.faces += roleOf(face.part) != PartRole::Ignored && boxes.touches(boxOf(face)) ? 1U : 0U;
+    });
   }
   return size;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,18 +19,39 @@ struct FaceRange {
 
 /// Which faces may be floors when they are first joined, and how high above them things matter.
 struct FloorRule {
-  std::vector<double> slopes;  ///< degrees, all of which hold
-  double height = 0;           ///< the largest clearance
+  std::vector<double> slopes;   ///< degrees, all of which hold
+  double height = 0;            ///< the largest clearance, or the step where that is larger
+  double step = 0;              ///< what borders that are linked may differ by; 0: none are
+  double gap = 0;               ///< how far apart they may be in the plan
+  std::vector<PartRole> roles;  ///< of Environment::parts; empty: all are floors
 };
 
-/// Everything that decides what is left of the cell's own floors: they, the floors that touch them, and all that
-/// stands in the clearance above either.
+/// The floors of a cell.
+struct OwnFloors {
+  FaceRange range;
+  /// In place of the range: numbers in the environment, ascending. Such a cell sees all that is over and under it and
+  /// within two gaps.
+  const std::vector<std::uint32_t>* listed = nullptr;
+};
+
+/// What a face is to a cell. A cell sees the floors that steps lead to from its own ones; those that touch them are
+/// whole where they do.
+enum class CellKind : std::uint8_t { Other, Near, Seen, Own };
+
+/// Everything that decides what is left of the cell's own floors: they, those that it sees, the floors that touch
+/// them, and all that stands in the clearance above any of these.
 struct CellFaces {
   PackedFaces faces;
-  /// For each face: 1, a floor that touches one of the cell; 2, a floor of the cell; 0, all others.
-  std::vector<std::uint8_t> kinds;
-  std::uint64_t floors = 0;  ///< of the kinds 1 and 2
+  std::vector<CellKind> kinds;  ///< for each face
+  std::uint64_t floors = 0;     ///< of all kinds but Other
+  int reach = 0;                ///< steps, over its own floors and under them, that it sees
+  bool isListed = false;        ///< OwnFloors::listed
+  /// For each face 1 where its part is an obstacle only, or empty.
+  std::vector<std::uint8_t> obstacleOnly;
 };
+
+/// So many steps a cell sees at first: from its floors to others, and from those on.
+inline constexpr int kUsualReach = 2;
 
 /// How much a cell holds.
 struct CellSize {
@@ -47,16 +69,22 @@ class CellCollector {
   using Fits = std::function<bool(const CellSize&)>;
   /// Empty where it does not fit; `size` (may be null) is then how much of it was found, and all of it when `fits` is
   /// always true.
-  std::optional<CellFaces> collect(const FaceRange& range, const Fits& fits, RunContext& context, CellSize* size) const;
+  std::optional<CellFaces> collect(const OwnFloors& own, const Fits& fits, RunContext& context, CellSize* size,
+                                   int reach = kUsualReach) const;
   /// How much a cell holds, without holding it.
-  [[nodiscard]] CellSize measure(const FaceRange& range, RunContext& context) const;
+  [[nodiscard]] CellSize measure(const OwnFloors& own, RunContext& context, int reach = kUsualReach) const;
 
  private:
   struct Floors;
+  [[nodiscard]] PartRole roleOf(std::uint32_t part) const {
+    return rule_.roles.empty() ? PartRole::Floor : rule_.roles[part];
+  }
   [[nodiscard]] bool isFloor(const BlockFace& face) const;
-  [[nodiscard]] bool isOwn(const FaceRange& range, const BlockFace& face) const;
-  [[nodiscard]] std::vector<std::size_t> ownBlocks(const FaceRange& range) const;
-  [[nodiscard]] Floors findFloors(const FaceRange& range, const Fits& fits, RunContext& context) const;
+  [[nodiscard]] bool isOwn(const OwnFloors& own, const BlockFace& face) const;
+  [[nodiscard]] std::vector<std::size_t> ownBlocks(const OwnFloors& own) const;
+  [[nodiscard]] Floors findFloors(const OwnFloors& own, const Fits& fits, RunContext& context, int reach) const;
+  void addTouching(std::vector<Box> boxes, const Fits& fits, RunContext& context, Floors& floors,
+                   std::vector<std::uint32_t>& found) const;
 
   const PackedEnvironment& environment_;
   FloorRule rule_;

@@ -10,6 +10,8 @@
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/pipeline/block_structure.hpp"
+#include "core/tiles/cell_links.hpp"
+#include "core/tiles/tile_geometry.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -27,6 +29,24 @@ bool isOfCells(const PipelineStep& step) {
   }
 }
 
+/// Behind all of those, tile by tile with what lies beside it.
+bool isOverTiles(const PipelineStep& step) {
+  return step.filter->type == FilterType::LayerSubdivision ||
+         (step.filter->type == FilterType::Simplification && step.values[0] == 0);
+}
+constexpr Pattern kSecondStep = FOOTFALL_TEXT(
+    "%1: a second %2 cannot keep to a bound of memory; leave it out, or run without the bound, with all of the "
+    "environment in memory");
+constexpr Pattern kBehindSteps = FOOTFALL_TEXT(
+    "%1: %2 stands behind a StepFilter, which needs what it leaves; put it before that, or run without the bound, with "
+    "all of the environment in memory");
+constexpr Pattern kBehindGlobal = FOOTFALL_TEXT(
+    "%1: %2 stands behind a filter that needs all cells; put it before that, or run without the bound, with all of the "
+    "environment in memory");
+constexpr Pattern kBehindArea = FOOTFALL_TEXT(
+    "%1: %2 stands behind an AreaFilter, which needs all cells; put it before that, or run without the bound, with all "
+    "of the environment in memory");
+
 Pattern problemOf(const FilterDescriptor& filter) {
   if (filter.type == FilterType::Duplication)
     return FOOTFALL_TEXT(
@@ -36,13 +56,17 @@ Pattern problemOf(const FilterDescriptor& filter) {
     return FOOTFALL_TEXT(
         "%1: %2 moves vertices that cells share and cannot keep to a bound of memory; leave it out, or "
         "run without the bound, with all of the environment in memory");
+  if (filter.type == FilterType::Simplification)
+    return FOOTFALL_TEXT(
+        "%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run without the bound, "
+        "with all of the environment in memory");
   return FOOTFALL_TEXT(
       "%1: %2 sees across cells and cannot keep to a bound of memory; leave it out, or run without the "
       "bound, with all of the environment in memory");
 }
 
 /// For each face of the source mesh whether its kind is at least `least`.
-std::vector<char> facesOfKind(const SourceMesh& mesh, const std::vector<std::uint8_t>& kinds, std::uint8_t least) {
+std::vector<char> facesOfKind(const SourceMesh& mesh, const std::vector<CellKind>& kinds, CellKind least) {
   std::vector<char> chosen(mesh.triangles.size());
   for (std::size_t t = 0; t < chosen.size(); ++t) chosen[t] = static_cast<char>(kinds[mesh.inputTriangles[t]] >= least);
   return chosen;
@@ -56,6 +80,7 @@ std::shared_ptr<const Environment> environmentOf(const CellFaces& cell, const En
   environment->up = head.up;
   environment->metresPerUnit = head.metresPerUnit;
   environment->bothSides = head.bothSides;
+  environment->obstacleOnly = cell.obstacleOnly;
   return environment;
 }
 
@@ -79,39 +104,25 @@ StatePtr runSteps(StatePtr state, const std::vector<char>& chosen, const std::ve
 class TileMaker {
  public:
   TileMaker(const WalkableState& state, const CellFaces& cell)
-      : kernel_(*state.kernel), source_(state.kernel->mesh()), mesh_(*state.mesh), numbers_(cell.faces.faceNumbers) {}
+      : kernel_(*state.kernel), source_(state.kernel->mesh()), mesh_(*state.mesh), sources_(cell.faces.faceNumbers) {}
 
-  Tile make(const std::vector<char>& isOwn, RunContext& context,
+  Tile make(const std::vector<char>& isOwn, bool keepsGeometry, RunContext& context,
             const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
-    std::vector<char> isShared(mesh_.vertices.size(), 0);
-    for (const MeshTriangle& triangle : mesh_.triangles)
-      if (isOwn[triangle.face] == 0)
-        for (const Index v : triangle.corners) isShared[v] = 1;
-    std::vector<Index> numbers(mesh_.vertices.size(), -1), used;
-    Index face = -1;
-    for (MeshTriangle triangle : mesh_.triangles) {
-      if (++polled_ % 65536 == 0) context.checkCancelled();
-      if (isOwn[triangle.face] == 0) continue;
-      if (triangle.face != std::exchange(face, triangle.face)) addFace(face);
-      ++tile_.faces.back().triangles;
-      triangle.face = static_cast<Index>(tile_.faces.size()) - 1;
-      for (Index& v : triangle.corners) {
-        if (numbers[v] < 0) {
-          numbers[v] = static_cast<Index>(used.size());
-          used.push_back(v);
-        }
-        v = numbers[v];
-      }
-      tile_.triangles.push_back(triangle);
-    }
+    numbers_.assign(mesh_.vertices.size(), -1);
+    isShared_.assign(mesh_.vertices.size(), 0);
+    const std::vector<CellLink> links = mesh_.links.empty() ? std::vector<CellLink>{} : linksOf(mesh_, isOwn);
+    addTriangles(isOwn, context);
+    for (const CellLink& link : links) addLink(link);
     std::vector<MeshVertex> vertices;
-    vertices.reserve(used.size());
-    for (const Index v : used) vertices.push_back(mesh_.vertices[v]);
+    vertices.reserve(used_.size());
+    for (const Index v : used_) vertices.push_back(mesh_.vertices[v]);
     tile_.places = roundVertices(kernel_, vertices, tile_.exact, context);
-    for (std::size_t v = 0; v < used.size(); ++v) {
+    for (std::size_t v = 0; v < used_.size(); ++v) {
       if (v % 1024 == 0) context.checkCancelled();
-      if (isShared[used[v]] != 0) addBorder(static_cast<Index>(v), vertices[v]);
+      if (isShared_[used_[v]] != 0) addBorder(static_cast<Index>(v), vertices[v]);
     }
+    if (keepsGeometry) addGeometry(vertices);
+    addOutside(context);
     if (inspect)
       inspect(tile_, [&](Index v) {
         const MeshVertex& vertex = vertices[static_cast<std::size_t>(v)];
@@ -121,28 +132,95 @@ class TileMaker {
   }
 
  private:
+  void addGeometry(const std::vector<MeshVertex>& vertices) {
+    tile_.geometry = geometryOf(kernel_, vertices, sources_);
+    tile_.pieces.reserve(tile_.triangles.size());
+    Index face = -1;
+    std::uint32_t number = 0;
+    for (const MeshTriangle& triangle : tile_.triangles) {
+      if (triangle.face != std::exchange(face, triangle.face)) number = 0;
+      tile_.pieces.push_back({number++, face});
+    }
+  }
+
+  void addTriangles(const std::vector<char>& isOwn, RunContext& context) {
+    for (const MeshTriangle& triangle : mesh_.triangles)
+      if (isOwn[triangle.face] == 0)
+        for (const Index v : triangle.corners) isShared_[v] = 1;
+    Index face = -1;
+    std::size_t polled = 0;
+    for (MeshTriangle triangle : mesh_.triangles) {
+      if (++polled % 65536 == 0) context.checkCancelled();
+      if (isOwn[triangle.face] == 0) continue;
+      if (triangle.face != std::exchange(face, triangle.face)) addFace(face);
+      ++tile_.faces.back().triangles;
+      triangle.face = static_cast<Index>(tile_.faces.size()) - 1;
+      for (Index& v : triangle.corners) {
+        if (numbers_[v] < 0) {
+          numbers_[v] = static_cast<Index>(used_.size());
+          used_.push_back(v);
+        }
+        v = numbers_[v];
+      }
+      tile_.triangles.push_back(triangle);
+    }
+  }
+
   void addFace(Index face) {
-    TileFace made{numbers_[source_.inputTriangles[face]], 0, {}};
+    TileFace made{sourceOf(face), 0, {}};
     for (std::size_t k = 0; k < 3; ++k) made.corners[k] = source_.vertices[source_.triangles[face][k]];
     tile_.faces.push_back(made);
   }
 
+  // Behind all vertices of the tile's own come those outside.
+  void addLink(const CellLink& link) {
+    const auto numbered = [&](const std::array<Index, 2>& edge) {
+      std::array<Index, 2> result{};
+      for (const std::size_t i : {0, 1}) {
+        const Index v = edge[i];
+        if (link.isShared) isShared_[v] = 1;
+        if (numbers_[v] < 0) {
+          numbers_[v] = static_cast<Index>(used_.size() + outside_.size());
+          outside_.push_back(v);
+        }
+        result[i] = numbers_[v];
+      }
+      return result;
+    };
+    const std::array<Index, 2> from = numbered(link.link.from), to = numbered(link.link.to);
+    tile_.links.push_back({from, to, link.hasFrom, link.hasTo, link.link.isGap});
+  }
+
+  void addOutside(RunContext& context) {
+    std::vector<MeshVertex> vertices;
+    vertices.reserve(outside_.size());
+    for (const Index v : outside_) vertices.push_back(mesh_.vertices[v]);
+    std::vector<char> exact;
+    const std::vector<Vec3> places = roundVertices(kernel_, vertices, exact, context);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      tile_.outside.push_back(
+          {places[i], sourceOf(vertices[i].face), exact[i] != 0 ? std::string() : textOf(vertices[i])});
+  }
+
+  [[nodiscard]] std::uint32_t sourceOf(Index face) const { return sources_[source_.inputTriangles[face]]; }
+  [[nodiscard]] std::string textOf(const MeshVertex& vertex) const {
+    const std::array<mpq_class, 3> place = kernel_.exactPosition(vertex.point, vertex.face);
+    return place[0].get_str() + ' ' + place[1].get_str() + ' ' + place[2].get_str();
+  }
+
   // All floors at a vertex of two tiles touch floors of both: either cell has them all, and so the same first one.
   void addBorder(Index number, const MeshVertex& vertex) {
-    TileBorder border{number, numbers_[source_.inputTriangles[vertex.face]], {}};
-    if (tile_.exact[number] == 0) {
-      const std::array<mpq_class, 3> place = kernel_.exactPosition(vertex.point, vertex.face);
-      border.exact = place[0].get_str() + ' ' + place[1].get_str() + ' ' + place[2].get_str();
-    }
-    tile_.borders.push_back(std::move(border));
+    tile_.borders.push_back({number, sourceOf(vertex.face), tile_.exact[number] != 0 ? std::string() : textOf(vertex)});
   }
 
   const PlanKernel& kernel_;
   const SourceMesh& source_;
   const WalkableMesh& mesh_;
-  const std::vector<std::uint32_t>& numbers_;
+  const std::vector<std::uint32_t>& sources_;  ///< of the cell's input triangles
+  std::vector<Index> numbers_;                 ///< in the tile, of the mesh's vertices, or -1
+  std::vector<char> isShared_;                 ///< of the mesh's vertices: other tiles know them, too
+  std::vector<Index> used_, outside_;
   Tile tile_;
-  std::size_t polled_ = 0;
 };
 
 }  // namespace
@@ -153,39 +231,67 @@ CellSteps stepsOfCells(const Pipeline& pipeline) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled || step.filter->kind != FilterKind::Filter) continue;
     const auto fail = [&](Pattern problem) { throw InputError(problem, placeOfStep(pipeline, i), step.filter->name); };
-    if (step.filter->type == FilterType::Area) {
-      steps.minimumArea = std::max(steps.minimumArea.value_or(0), step.values[0]);
+    if (isOverTiles(step)) {
+      const auto isSame = [&step](const PipelineStep& other) { return other.filter == step.filter; };
+      if (steps.step && step.filter->type == FilterType::Simplification &&
+          std::any_of(steps.global.begin(), steps.global.end(), isSame))
+        fail(kSecondStep);
+      steps.global.push_back(step);
       continue;
     }
-    if (!isOfCells(step)) fail(problemOf(*step.filter));
-    if (steps.minimumArea)
-      fail(
-          FOOTFALL_TEXT("%1: %2 stands behind an AreaFilter, which needs all cells; put it before that, or run without "
-                        "the bound, with all of the environment in memory"));
+    const bool isArea = step.filter->type == FilterType::Area;
+    if (!isArea && step.filter->type != FilterType::Step && !isOfCells(step)) fail(problemOf(*step.filter));
+    if (!steps.global.empty()) fail(kBehindGlobal);
+    if (isArea) {
+      std::optional<double>& minimum = steps.step ? steps.minimumLinkedArea : steps.minimumArea;
+      minimum = std::max(minimum.value_or(0), step.values[0]);
+      continue;
+    }
+    if (step.filter->type == FilterType::Step) {
+      if (steps.step) fail(kSecondStep);
+      steps.step = step;
+      continue;
+    }
+    if (steps.step) fail(kBehindSteps);
+    if (steps.minimumArea) fail(kBehindArea);
     steps.local.push_back(step);
   }
   return steps;
 }
 
-FloorRule floorRuleOf(const std::vector<PipelineStep>& steps) {
+FloorRule floorRuleOf(const CellSteps& steps) {
   FloorRule rule;
   bool isJoined = false;  // later filters take triangles out of a mesh that is joined
-  for (const PipelineStep& step : steps) {
+  for (const PipelineStep& step : steps.local) {
     if (step.filter->type == FilterType::Slope && !isJoined) rule.slopes.push_back(step.values[0]);
     if (step.filter->type != FilterType::VerticalClearance) continue;
     isJoined = true;
     rule.height = std::max(rule.height, step.values[0]);
   }
+  if (!steps.step) return rule;
+  rule.step = steps.step->values[0];
+  rule.gap = steps.step->values[1];
+  rule.height = std::max(rule.height, rule.step);
   return rule;
 }
 
-Tile makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const std::vector<PipelineStep>& steps,
-              RunContext& context, const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
-  if (cell.faces.soup.triangles.empty()) return {};
+std::optional<MadeTile> makeTile(const CellFaces& cell, const Environment& head, const Grid& grid, const CellWork& work,
+                                 RunContext& context,
+                                 const std::function<void(const Tile&, const ExactPlaceOf&)>& inspect) {
+  if (cell.faces.soup.triangles.empty()) return MadeTile{};
+  const std::vector<std::uint32_t>& numbers = cell.faces.faceNumbers;
   const StatePtr first = makeInitialState(environmentOf(cell, head), context, {}, grid);
   const SourceMesh& mesh = first->kernel->mesh();
-  const StatePtr last = runSteps(first, facesOfKind(mesh, cell.kinds, 1), steps, context);
-  return TileMaker(*last, cell).make(facesOfKind(mesh, cell.kinds, 2), context, inspect);
+  StatePtr last = runSteps(first, facesOfKind(mesh, cell.kinds, CellKind::Near), work.local, context);
+  const std::vector<char> isOwn = facesOfKind(mesh, cell.kinds, CellKind::Own);
+  if (work.step == nullptr) return MadeTile{TileMaker(*last, cell).make(isOwn, work.keepsGeometry, context, inspect)};
+  if (work.dropped != nullptr) last = withoutDropped(last, numbers, *work.dropped);
+  const std::optional<LinkedCell> linked = withSteps(last, facesOfKind(mesh, cell.kinds, CellKind::Seen), isOwn,
+                                                     *work.step, cell.reach, cell.isListed, context);
+  if (!linked) return std::nullopt;
+  MadeTile made{TileMaker(*linked->state, cell).make(linked->isOwn, work.keepsGeometry, context, inspect)};
+  for (const Index face : linked->atGaps) made.atGaps.push_back(numbers[mesh.inputTriangles[face]]);
+  return made;
 }
 
 }  // namespace footfall::detail

@@ -1,121 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/tile_join.hpp"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
-#include <limits>
-#include <tuple>
 #include <utility>
 
+#include "core/base/byte_stream.hpp"
 #include "core/filters/rounding/placed_mesh.hpp"
-#include "core/tiles/border_names.hpp"
+#include "core/io/input_file.hpp"
+#include "core/tiles/tile_gathering.hpp"
 
 namespace footfall::detail {
-namespace {
-
-/// A face of some tile, with the place of its triangles among all that were added.
-struct AddedFace {
-  TileFace face;
-  std::size_t firstTriangle = 0;
-};
-
-using Place = std::tuple<double, double, double>;
-Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-// The order of SourceMesh::triangles: its vertices are in the order of their coordinates.
-bool comesBefore(const AddedFace& a, const AddedFace& b) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const Place p = placeOf(a.face.corners[k]), q = placeOf(b.face.corners[k]); p != q) return p < q;
-  return a.face.source < b.face.source;
-}
-
-}  // namespace
-
-struct TileJoiner::State {
- public:
-  void add(const Tile& tile, const Poll& poll) {
-    constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 3;
-    if (tile.triangles.size() > kMost - triangles_.size())
-      throw RunError(
-          FOOTFALL_TEXT("the tiles have more than %1 triangles together, which is more than one file can have; use "
-                        "them one by one"),
-          kMost);
-    const std::vector<Index> numbers = numberVertices(tile, poll);
-    std::size_t first = triangles_.size();
-    for (const TileFace& face : tile.faces) {
-      faces_.push_back({face, first});
-      first += face.triangles;
-    }
-    for (MeshTriangle triangle : tile.triangles) {
-      for (Index& v : triangle.corners) v = numbers[v];
-      triangles_.push_back(triangle);
-    }
-  }
-
-  // Triangles in the order of their faces; vertices in the order of their first use.
-  PlacedMesh joined(RunContext& context) {
-    borders_ = {};
-    tbb::parallel_sort(faces_.begin(), faces_.end(), comesBefore);
-    context.checkCancelled();
-    PlacedMesh mesh;
-    mesh.triangles.reserve(triangles_.size());
-    mesh.sources.reserve(faces_.size());
-    std::vector<Index> numbers(places_.size(), -1);
-    for (const AddedFace& added : faces_) {
-      if (mesh.sources.size() % 4096 == 0) context.checkCancelled();
-      for (std::size_t i = 0; i < added.face.triangles; ++i) {
-        MeshTriangle triangle = triangles_[added.firstTriangle + i];
-        triangle.face = static_cast<Index>(mesh.sources.size());
-        for (Index& v : triangle.corners) {
-          if (numbers[v] < 0) {
-            numbers[v] = static_cast<Index>(mesh.places.size());
-            mesh.places.push_back(places_[v]);
-            mesh.exact.push_back(exact_[v]);
-          }
-          v = numbers[v];
-        }
-        mesh.triangles.push_back(triangle);
-      }
-      mesh.sources.push_back(added.face.source);
-    }
-    return mesh;
-  }
-
- private:
-  std::vector<Index> numberVertices(const Tile& tile, const Poll& poll) {
-    std::vector<Index> numbers(tile.places.size());
-    auto border = tile.borders.begin();
-    for (std::size_t v = 0; v < numbers.size(); ++v) {
-      if (v % 32768 == 0) poll();
-      const auto next = static_cast<Index>(places_.size());
-      numbers[v] = next;
-      if (border != tile.borders.end() && static_cast<std::size_t>(border->vertex) == v) {
-        numbers[v] = borders_.numberOf(tile.places[v], *border, next);
-        ++border;
-      }
-      if (numbers[v] != next) continue;
-      places_.push_back(tile.places[v]);
-      exact_.push_back(tile.exact[v]);
-    }
-    return numbers;
-  }
-
-  std::vector<AddedFace> faces_;
-  std::vector<MeshTriangle> triangles_;
-  std::vector<Vec3> places_;
-  std::vector<char> exact_;
-  BorderNames borders_;
-};
-
-TileJoiner::TileJoiner() : state_(std::make_unique<State>()) {}
+TileJoiner::TileJoiner() : gathering_(std::make_unique<TileGathering>()) {}
 TileJoiner::~TileJoiner() = default;
 
-void TileJoiner::add(const Tile& tile, const Poll& poll) { state_->add(tile, poll); }
+void TileJoiner::add(const Tile& tile, const Poll& poll) { gathering_->add(tile, poll); }
 
 std::shared_ptr<NavigationMesh> TileJoiner::join(RunContext& context) {
-  const PlacedMesh mesh = state_->joined(context);
-  state_ = nullptr;
+  const PlacedMesh mesh = std::exchange(gathering_, nullptr)->take(context).mesh;
   return makeNavigationMesh(mesh, context);
 }
 
@@ -128,7 +29,7 @@ void checkSlices(std::span<const std::string> folders, const std::vector<TileSet
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const TileSet& set = sets[i];
     if (set.environment != first.environment || set.pipeline != first.pipeline || set.bothSides != first.bothSides ||
-        set.slice.count != first.slice.count || set.frame.up != first.frame.up ||
+        set.roles != first.roles || set.slice.count != first.slice.count || set.frame.up != first.frame.up ||
         set.frame.metresPerUnit != first.frame.metresPerUnit)
       throw InputError(
           FOOTFALL_TEXT("%1 and %2 are tiles of different environments, pipelines or slices; give folders of one "
@@ -153,13 +54,19 @@ JoinedTiles joinTiles(std::span<const std::string> folders, RunContext& context)
   }
   checkSlices(folders, joined.sets);
   TileJoiner joiner;
-  for (std::size_t i = 0; i < folders.size(); ++i)
-    for (const TileEntry& entry : joined.sets[i].tiles) {
-      context.checkCancelled();
-      joiner.add(readTile(folders[i], entry, &context), context);
-      context.progress(0.5 * static_cast<double>(++added) / static_cast<double>(tiles));
-    }
-  const std::shared_ptr<NavigationMesh> mesh = joiner.join(context);
+  std::shared_ptr<NavigationMesh> mesh;
+  std::size_t folder = 0;
+  try {
+    for (; folder < folders.size(); ++folder)
+      for (const TileEntry& entry : joined.sets[folder].tiles) {
+        context.checkCancelled();
+        joiner.add(readTile(folders[folder], entry, &context), context);
+        context.progress(0.5 * static_cast<double>(++added) / static_cast<double>(tiles));
+      }
+    mesh = joiner.join(context);
+  } catch (const BadBytes& error) {
+    failInput(folders[std::min(folder, folders.size() - 1)], 0, error.what(), kRunTilesAgain);
+  }
   mesh->frame = joined.sets.front().frame;
   joined.mesh = mesh;
   return joined;

@@ -13,6 +13,8 @@
 
 namespace footfall::detail {
 
+class TileGathering;  // core/tiles/tile_gathering.hpp
+
 /// Puts tiles together, in any order.
 class TileJoiner {
  public:
@@ -25,12 +27,11 @@ class TileJoiner {
   /// cancel.
   void add(const Tile& tile, const Poll& poll = {});
   /// The mesh that a run with all of the environment in memory has, to the last bit; the frame is left empty. To be
-  /// called once.
+  /// called once. Throws BadBytes where tiles do not belong together.
   std::shared_ptr<NavigationMesh> join(RunContext& context);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<TileGathering> gathering_;
 };
 
 struct JoinedTiles {

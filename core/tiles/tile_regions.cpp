@@ -10,6 +10,7 @@
 #include "core/base/vector.hpp"
 #include "core/filters/root_sum.hpp"
 #include "core/mesh/mesh_topology.hpp"
+#include "core/tiles/tile_geometry.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -50,6 +51,41 @@ class TileAreas {
   int scale_;
 };
 
+// Other tiles may have a vertex that went: then it is outside. Who has both edges of a link alone has lost them.
+void keepLinks(const Tile& tile, const std::vector<Index>& numbers, Tile& kept) {
+  std::vector<const TileBorder*> nameOf(tile.places.size(), nullptr);
+  for (const TileBorder& border : tile.borders) nameOf[static_cast<std::size_t>(border.vertex)] = &border;
+  const auto own = static_cast<Index>(tile.places.size()), keptCount = static_cast<Index>(kept.places.size());
+  std::vector<Index> outside(tile.places.size() + tile.outside.size(), -1);
+  const auto numberOf = [&](Index v) {
+    if (v < own && numbers[v] >= 0) return numbers[v];
+    Index& number = outside[static_cast<std::size_t>(v)];
+    if (number >= 0) return number;
+    number = keptCount + static_cast<Index>(kept.outside.size());
+    if (v >= own)
+      kept.outside.push_back(tile.outside[static_cast<std::size_t>(v - own)]);
+    else
+      kept.outside.push_back({tile.places[static_cast<std::size_t>(v)], nameOf[static_cast<std::size_t>(v)]->face,
+                              nameOf[static_cast<std::size_t>(v)]->exact});
+    return number;
+  };
+  const auto isHere = [&](Index v) { return v < own && numbers[v] >= 0; };
+  const auto isKnown = [&](Index v) { return v >= own || numbers[v] >= 0 || nameOf[static_cast<std::size_t>(v)]; };
+  for (const TileLink& link : tile.links) {
+    const std::array ends{link.from[0], link.from[1], link.to[0], link.to[1]};
+    const bool hasFrom = isHere(ends[0]) && isHere(ends[1]), hasTo = isHere(ends[2]) && isHere(ends[3]);
+    if ((!hasFrom && !hasTo) || !std::all_of(ends.begin(), ends.end(), isKnown)) continue;
+    TileLink& made = kept.links.emplace_back();
+    for (const std::size_t i : {0, 1}) {
+      made.from[i] = numberOf(link.from[i]);
+      made.to[i] = numberOf(link.to[i]);
+    }
+    made.hasFrom = link.hasFrom && hasFrom;
+    made.hasTo = link.hasTo && hasTo;
+    made.isGap = link.isGap;
+  }
+}
+
 }  // namespace
 
 TileRegions findTileRegions(const Tile& tile, const Grid& grid, Poll poll) {
@@ -70,9 +106,22 @@ TileRegions findTileRegions(const Tile& tile, const Grid& grid, Poll poll) {
     for (const Index side : sides.subspan(1)) sets.unite(sides[0] / 3, side / 3);
   }
   poll();
+  for (std::size_t i = 0; i < tile.links.size(); ++i) {
+    const TileLink& link = tile.links[i];
+    const auto triangleAt = [&](const std::array<Index, 2>& edge, bool isHere) {
+      const Index side = isHere ? findSide(tile.triangles, edges, edge[0], edge[1]) : -1;
+      return side < 0 ? -1 : side / 3;
+    };
+    const Index from = triangleAt(link.from, link.hasFrom), to = triangleAt(link.to, link.hasTo);
+    if (from >= 0 && to >= 0)
+      sets.unite(from, to);
+    else if (from >= 0 || to >= 0)
+      regions.passages.push_back({i, std::max(from, to)});
+  }
   Index count = 0;
   regions.regionOf = sets.numbers(count);
   for (TileRegions::Seam& seam : regions.seams) seam.region = regions.regionOf[seam.region];
+  for (TileRegions::Passage& passage : regions.passages) passage.region = regions.regionOf[passage.region];
   regions.areas.resize(static_cast<std::size_t>(count));
   const TileAreas areas(tile, grid);
   for (std::size_t t = 0; t < tile.triangles.size(); ++t) {
@@ -95,6 +144,14 @@ void RegionSums::add(const Tile& tile, const TileRegions& regions) {
     const Index from = nameOf[seam.from], to = nameOf[seam.to];
     edges_.push_back({std::min(from, to), std::max(from, to), first + seam.region, seam.isObstacle});
   }
+  if (regions.passages.empty()) return;
+  for (const TileOutside& vertex : tile.outside)
+    nameOf.push_back(names_.numberOf(vertex, static_cast<Index>(names_.size())));
+  for (const TileRegions::Passage& passage : regions.passages) {
+    const TileLink& link = tile.links[passage.link];
+    passages_.push_back(
+        {{nameOf[link.from[0]], nameOf[link.from[1]], nameOf[link.to[0]], nameOf[link.to[1]]}, first + passage.region});
+  }
 }
 
 // For each region the first one that hangs together with it.
@@ -108,7 +165,11 @@ std::vector<Index> RegionSums::unite() {
     for (auto edge = first; isOpen && edge != last; ++edge) sets.unite(first->region, edge->region);
     first = last;
   }
+  std::sort(passages_.begin(), passages_.end(), [](const Passage& a, const Passage& b) { return a.ends < b.ends; });
+  for (std::size_t i = 1; i < passages_.size(); ++i)
+    if (passages_[i].ends == passages_[i - 1].ends) sets.unite(passages_[i - 1].region, passages_[i].region);
   edges_ = {};
+  passages_ = {};
   names_ = {};
   std::vector<Index> rootOf(areas_.size());
   for (std::size_t r = 0; r < rootOf.size(); ++r) rootOf[r] = sets.find(static_cast<Index>(r));
@@ -179,34 +240,11 @@ std::map<Index, std::vector<mpq_class>> RegionSums::rootsOf(const std::vector<In
 }
 
 Tile withoutRegions(const Tile& tile, const std::vector<Index>& regionOf, const std::vector<char>& keeps) {
-  Tile kept;
-  std::vector<Index> numbers(tile.places.size(), -1);
-  Index face = -1;
-  for (std::size_t t = 0; t < tile.triangles.size(); ++t) {
-    if (keeps[static_cast<std::size_t>(regionOf[t])] == 0) continue;
-    MeshTriangle triangle = tile.triangles[t];
-    if (triangle.face != std::exchange(face, triangle.face)) {
-      kept.faces.push_back(tile.faces[static_cast<std::size_t>(face)]);
-      kept.faces.back().triangles = 0;
-    }
-    ++kept.faces.back().triangles;
-    triangle.face = static_cast<Index>(kept.faces.size()) - 1;
-    for (Index& v : triangle.corners) {
-      if (numbers[v] < 0) {
-        numbers[v] = static_cast<Index>(kept.places.size());
-        kept.places.push_back(tile.places[v]);
-        kept.exact.push_back(tile.exact[v]);
-      }
-      v = numbers[v];
-    }
-    kept.triangles.push_back(triangle);
-  }
-  for (TileBorder border : tile.borders) {
-    border.vertex = numbers[border.vertex];
-    if (border.vertex >= 0) kept.borders.push_back(std::move(border));
-  }
-  std::sort(kept.borders.begin(), kept.borders.end(),
-            [](const TileBorder& a, const TileBorder& b) { return a.vertex < b.vertex; });
+  std::vector<char> chosen(tile.triangles.size());
+  for (std::size_t t = 0; t < chosen.size(); ++t) chosen[t] = keeps[static_cast<std::size_t>(regionOf[t])];
+  std::vector<Index> numbers;
+  Tile kept = chosenTriangles(tile, chosen, &numbers);
+  keepLinks(tile, numbers, kept);
   return kept;
 }
 

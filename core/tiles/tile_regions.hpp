@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -25,9 +26,15 @@ struct TileRegions {
     Index region = -1;
     bool isObstacle = false;
   };
+  /// A link to or from a triangle of this tile where the other edge's first triangle is of another one; or both.
+  struct Passage {
+    std::size_t link = 0;
+    Index region = -1;
+  };
   std::vector<Index> regionOf;     ///< for each triangle
   std::vector<ErrorDouble> areas;  ///< for each region twice its area, in scaled coordinates of the grid
   std::vector<Seam> seams;
+  std::vector<Passage> passages;
 };
 
 /// `grid` is that of the whole environment.
@@ -54,6 +61,11 @@ class RegionSums {
     Index region = -1;
     bool isObstacle = false;
   };
+  /// A link by the names of its vertices.
+  struct Passage {
+    std::array<Index, 4> ends{};
+    Index region = -1;
+  };
   [[nodiscard]] std::vector<Index> unite();
   [[nodiscard]] std::map<Index, std::vector<mpq_class>> rootsOf(const std::vector<Index>& rootOf,
                                                                 const std::vector<char>& isDoubtful,
@@ -62,11 +74,12 @@ class RegionSums {
   Grid grid_;
   BorderNames names_;
   std::vector<Edge> edges_;
+  std::vector<Passage> passages_;
   std::vector<ErrorDouble> areas_;
   std::vector<std::size_t> first_{0};  ///< of each tile the first of its regions among all; then how many
 };
 
-/// A tile without the triangles of some regions: `keeps` has one for each.
+/// A tile without the triangles of some regions, and the links that lead to no other one: `keeps` has one for each.
 Tile withoutRegions(const Tile& tile, const std::vector<Index>& regionOf, const std::vector<char>& keeps);
 
 }  // namespace footfall::detail

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "core/io/packed/packed_environment.hpp"
+#include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_set.hpp"
+#include "core/tiles/tile_store.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run_context.hpp"
 
@@ -19,6 +21,7 @@ struct TileRunOptions {
   std::uint64_t memory = 0;         ///< bytes that the process may hold at once
   std::uint64_t mostFaces = ~0ULL;  ///< of the environment, that a cell has for itself; tests make it small
   TileSlice slice{};                ///< of the environment, to be run alone
+  std::vector<PartRole> roles{};    ///< of Environment::parts (rolesOf()); empty: all are floors
 };
 
 struct TileRunResult {
@@ -30,19 +33,11 @@ struct TileRunResult {
   double wallMs = 0, cpuMs = 0;
 };
 
-/// Where the tiles of a run are kept, numbered from 0 on.
-class TileStore {
- public:
-  TileStore() = default;
-  virtual ~TileStore() = default;
-  TileStore(const TileStore&) = delete;
-  TileStore& operator=(const TileStore&) = delete;
+/// Throws InputError where a step needs all slices.
+void checkSlice(const CellSteps& steps, const TileSlice& slice);
 
-  virtual void add(const Tile& tile) = 0;
-  virtual Tile read(std::size_t number) = 0;
-  /// By one that has less of it, or nothing.
-  virtual void replace(std::size_t number, const Tile& tile) = 0;
-};
+/// Throws InputError where so much memory is too little for any environment; `source` is its file.
+void checkMemory(const std::string& source, std::uint64_t memory);
 
 /// Runs the pipeline cell by cell, and adds a tile for each that has triangles. As runIntoTiles() else; the set of the
 /// result has no tiles.
@@ -54,8 +49,8 @@ TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pip
 /// what is known before they run; so the same environment, pipeline and options give the same bytes, whatever the
 /// threads.
 ///
-/// Throws InputError where a filter cannot keep to a bound of memory or see over slices, where parts have roles, and
-/// where the bound is too little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what
+/// Throws InputError where a filter cannot keep to a bound of memory or see over slices, and where the bound is too
+/// little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what
 /// was written is removed.
 TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
                            const TileRunOptions& options, RunContext& context);

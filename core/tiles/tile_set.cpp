@@ -21,7 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "footfall tiles";
-constexpr Pattern kRunAgain = FOOTFALL_TEXT("run `footfall run --memory` again");
 
 std::string pathIn(const std::string& folder, const std::string& file) {
   return (std::filesystem::path(folder) / file).string();
@@ -65,6 +64,7 @@ TileEntry entryOf(const Json& json) {
   entry.triangles = json.at("triangles").get<std::uint64_t>();
   entry.vertices = json.at("vertices").get<std::uint64_t>();
   entry.borders = json.at("borders").get<std::uint64_t>();
+  entry.links = json.at("links").get<std::uint64_t>();
   entry.box.lower = json.at("box").at(0).get<std::array<double, 3>>();
   entry.box.upper = json.at("box").at(1).get<std::array<double, 3>>();
   entry.sum = sumOf(json.at("sum"));
@@ -85,6 +85,11 @@ TileSet setOf(const std::string& text) {
     set.frame.storeys.push_back({storey.at("name").get<std::string>(), storey.at("height").get<double>()});
   set.pipeline = json.at("pipeline").get<std::string>();
   set.bothSides = json.at("both_sides").get<bool>();
+  for (const Json& role : json.at("roles")) {
+    const auto number = role.get<std::uint64_t>();
+    if (number > static_cast<std::uint64_t>(PartRole::Ignored)) throw BadBytes("is damaged");
+    set.roles.push_back(static_cast<PartRole>(number));
+  }
   set.environment = sumOf(json.at("environment"));
   set.slice = {json.at("slice").at(0).get<std::uint32_t>(), json.at("slice").at(1).get<std::uint32_t>()};
   if (set.slice.number < 1 || set.slice.number > set.slice.count) throw BadBytes("is damaged");
@@ -102,6 +107,8 @@ TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& t
   entry.triangles = tile.triangles.size();
   entry.vertices = tile.places.size();
   entry.borders = tile.borders.size();
+  entry.links = static_cast<std::uint64_t>(
+      std::count_if(tile.links.begin(), tile.links.end(), [](const TileLink& link) { return link.hasFrom; }));
   entry.box = boxAround(tile.places);
   const std::array<OutputFile, 1> files{{{pathIn(folder, entry.file), encodeTile(tile, context)}}};
   entry.sum = Digest().add(files[0].bytes).value();
@@ -121,6 +128,8 @@ std::string formatTileIndex(const TileSet& set) {
     json["storeys"].push_back({{"name", storey.name}, {"height", storey.height}});
   json["pipeline"] = set.pipeline;
   json["both_sides"] = set.bothSides;
+  json["roles"] = Json::array();
+  for (const PartRole role : set.roles) json["roles"].push_back(static_cast<std::uint64_t>(role));
   json["environment"] = textOf(set.environment);
   json["slice"] = {set.slice.number, set.slice.count};
   json["triangles"] = set.triangles;
@@ -131,6 +140,7 @@ std::string formatTileIndex(const TileSet& set) {
                              {"triangles", tile.triangles},
                              {"vertices", tile.vertices},
                              {"borders", tile.borders},
+                             {"links", tile.links},
                              {"box", Json::array({tile.box.lower, tile.box.upper})},
                              {"sum", textOf(tile.sum)}});
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -144,25 +154,25 @@ TileSet readTileIndex(const std::string& folder, RunContext* context) {
               FOOTFALL_TEXT("give the one that `footfall run --memory` wrote"));
   if (!std::filesystem::exists(path, ignored))
     failInput(folder, 0, FOOTFALL_TEXT("has no index.json: it is no folder of tiles, or the run did not end"),
-              kRunAgain);
+              kRunTilesAgain);
   const std::string text = readInputFile(path, context);
   try {
     return setOf(text);
   } catch (const BadBytes& error) {
-    failInput(path, 0, error.what(), kRunAgain);
+    failInput(path, 0, error.what(), kRunTilesAgain);
   } catch (const nlohmann::json::exception&) {
-    failInput(path, 0, FOOTFALL_TEXT("is damaged"), kRunAgain);
+    failInput(path, 0, FOOTFALL_TEXT("is damaged"), kRunTilesAgain);
   }
 }
 
 Tile readTile(const std::string& folder, const TileEntry& entry, RunContext* context) {
   const std::string path = pathIn(folder, entry.file), bytes = readInputFile(path, context);
   if (Digest().add(bytes).value() != entry.sum)
-    failInput(path, 0, FOOTFALL_TEXT("is damaged, or of another run than the index"), kRunAgain);
+    failInput(path, 0, FOOTFALL_TEXT("is damaged, or of another run than the index"), kRunTilesAgain);
   try {
     return decodeTile(bytes, Poll(context));
   } catch (const BadBytes& error) {
-    failInput(path, 0, error.what(), kRunAgain);
+    failInput(path, 0, error.what(), kRunTilesAgain);
   }
 }
 

@@ -8,17 +8,22 @@
 
 #include "core/base/digest.hpp"
 #include "core/tiles/tile.hpp"
+#include "footfall/environment.hpp"
 #include "footfall/geometry.hpp"
 #include "footfall/run_context.hpp"
+#include "footfall/text.hpp"
 
 namespace footfall::detail {
 
 inline constexpr const char* kTileIndex = "index.json";
+/// What to do where files of a folder are not what they should be.
+inline constexpr Pattern kRunTilesAgain = FOOTFALL_TEXT("run `footfall run --memory` again");
 
 struct TileEntry {
   std::string file;  ///< its name in the folder
   std::uint64_t faces = 0, triangles = 0, vertices = 0, borders = 0;
-  Box box;  ///< of its vertices, Z up
+  std::uint64_t links = 0;  ///< those whose first triangle it has: each link is one of one tile
+  Box box;                  ///< of its vertices, Z up
   Digest::Value sum{};
 };
 
@@ -31,6 +36,7 @@ struct TileSet {
   SourceFrame frame;
   Digest::Value environment{};  ///< PackedEnvironment::tableSum()
   bool bothSides = false;       ///< of the run: an option may differ from what the file says
+  std::vector<PartRole> roles;  ///< of the run, one for each part, or empty where all are floors
   TileSlice slice;
   std::string pipeline;         ///< formatPipeline()
   std::uint64_t triangles = 0;  ///< of the environment

@@ -3,14 +3,16 @@
 # by cell within so much memory (as for --memory, such as 4G), and its tiles joined. Prints a line of
 # docs/scaling.md's table for each step: wall and processor seconds, peak memory, bytes on disk. FOLDER must not exist
 # and is removed at the end; it needs some 300 bytes for each triangle. JOIN=0 leaves out joining, which holds the whole
-# result. KEEP=1 leaves the folder. BUILD_DIR is the build's folder (build/release by default).
+# result. KEEP=1 leaves the folder. MORE="--filter SimplificationFilter --filter LayerSubdivisionFilter" are filters behind
+# slope and clearance. BUILD_DIR is the build's folder (build/release by default).
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 
 if (($# != 3)); then
-  sed -n 's/^# //p' "$0" | head -7
+  sed -n 's/^# //p' "$0" | head -9
   exit 2
 fi
+read -ra more <<<"${MORE:-}"
 triangles="$1" memory="$2" work="$3"
 build="${BUILD_DIR:-$(dirname -- "${BASH_SOURCE[0]}")/../../build/release}"
 footfall="${build}/footfall"
@@ -40,7 +42,7 @@ step "city as OBJ" "${work}/city.obj" "${build}/footfall-samples" city "${triang
 step "pack" "${work}/city.ffenv" "${footfall}" pack "${work}/city.obj" -o "${work}/city.ffenv" --quiet
 rm -- "${work}/city.obj"
 step "run --memory ${memory}" "${work}/tiles" "${footfall}" run "${work}/city.ffenv" --filter DegeneracyFilter \
-  --filter "SlopeFilter 45" --filter "VerticalClearanceFilter 2" --memory "${memory}" -o "${work}/tiles" \
+  --filter "SlopeFilter 45" --filter "VerticalClearanceFilter 2" "${more[@]}" --memory "${memory}" -o "${work}/tiles" \
   --stats "${work}/stats.json"
 python3 - "${work}/stats.json" >&2 <<'PYTHON'
 import json, sys

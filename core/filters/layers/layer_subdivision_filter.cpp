@@ -13,10 +13,12 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/layers/known_overlaps.hpp"
 #include "core/filters/layers/layer_cover.hpp"
 #include "core/filters/layers/layer_pieces.hpp"
 #include "core/filters/layers/plan_overlaps.hpp"
@@ -49,7 +51,8 @@ IndexLists listsOf(const std::vector<Pair>& pairs, Index count) {
 
 class LayerSubdivision {
  public:
-  LayerSubdivision(const PlanKernel& kernel, const WalkableMesh& mesh, const Adjacency& topology, RunContext& context)
+  /// `kernel` may be null where all pairs are given.
+  LayerSubdivision(const PlanKernel* kernel, const WalkableMesh& mesh, const Adjacency& topology, RunContext& context)
       : kernel_(kernel),
         mesh_(mesh),
         topology_(topology),
@@ -64,10 +67,18 @@ class LayerSubdivision {
                          });
     context_.checkCancelled();
     if (!knowsAllOverlaps_)
-      overlaps_ = findPlanOverlapsWithin(region_, regionCount_, kernel_, mesh_, topology_, context_, fallbacks_);
+      overlaps_ = findPlanOverlapsWithin(region_, regionCount_, *kernel_, mesh_, topology_, context_, fallbacks_);
     subdivideRegions();
     context_.progress(kShareOfPieces);
     return knowsAllOverlaps_ ? colourPieces() : placePieces();
+  }
+
+  std::vector<std::uint32_t> runWith(std::vector<Pair> overlaps) {
+    overlaps_ = std::move(overlaps);
+    region_ = findRegions(mesh_, topology_, regionCount_);
+    findLowest();
+    subdivideRegions();
+    return colourPieces();
   }
 
   /// All pairs for the next run, or null where there are too many.
@@ -79,17 +90,17 @@ class LayerSubdivision {
 
  private:
   void findOverlaps(const StatePtr& before) {
-    const auto earlier = EarlierResult::relate(before, kernel_);
+    const auto earlier = EarlierResult::relate(before, *kernel_);
     if (earlier && before->overlaps) {
       const MeshRelation relation = relateMeshes(*earlier, *before->mesh, mesh_);
       context_.checkCancelled();
       if (relation.related > count_ / 2) {
-        overlaps_ = updatePlanOverlaps(*before->overlaps, relation, kernel_, mesh_, context_, fallbacks_);
+        overlaps_ = updatePlanOverlaps(*before->overlaps, relation, *kernel_, mesh_, context_, fallbacks_);
         return;
       }
     }
     const std::size_t most = kMostPairs + kMostPairsOfTriangle * static_cast<std::size_t>(count_);
-    auto found = findPlanOverlaps(kernel_, mesh_, topology_, most, context_, fallbacks_);
+    auto found = findPlanOverlaps(*kernel_, mesh_, topology_, most, context_, fallbacks_);
     knowsAllOverlaps_ = found.has_value();
     if (found) overlaps_ = std::move(*found);
   }
@@ -105,15 +116,39 @@ class LayerSubdivision {
     });
   }
 
+  // Neighbours come in the order of the edges, which is that of the first use of their vertices: after some filters,
+  // vertices are numbered in another one.
   void findNeighbors(const std::vector<char>& divided) {
+    std::vector<MeshTriangle> renumbered;
+    Adjacency own;
+    if (numberByFirstUse(renumbered)) own = findEdges(renumbered, mesh_.vertices.size(), context_);
+    const Adjacency& edges = renumbered.empty() ? topology_ : own;
     std::vector<Pair> pairs;
-    for (Index e = 0; e < topology_.edgeCount(); ++e) {
-      const auto sides = topology_.sidesOf(e);
+    for (Index e = 0; e < edges.edgeCount(); ++e) {
+      const auto sides = edges.sidesOf(e);
       if (sides.size() < 2 || divided[region_[sides[0] / 3]] == 0 || isObstacle(mesh_.triangles, sides)) continue;
       for (std::size_t i = 0; i < sides.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) pairs.push_back({sides[i] / 3, sides[j] / 3});
     }
     input_.neighbors = listsOf(pairs, count_);
+  }
+
+  // False where vertices are in that order already.
+  bool numberByFirstUse(std::vector<MeshTriangle>& triangles) const {
+    std::vector<Index> numbers(mesh_.vertices.size(), -1);
+    Index next = 0, last = -1;
+    bool isInOrder = true;
+    for (const MeshTriangle& triangle : mesh_.triangles)
+      for (const Index v : triangle.corners) {
+        if (numbers[v] >= 0) continue;
+        numbers[v] = next++;
+        isInOrder = isInOrder && v > std::exchange(last, v);
+      }
+    if (isInOrder) return false;
+    triangles = mesh_.triangles;
+    for (MeshTriangle& triangle : triangles)
+      for (Index& v : triangle.corners) v = numbers[v];
+    return true;
   }
 
   // Numbers all pieces by the height of the triangles from which they grew.
@@ -237,7 +272,7 @@ class LayerSubdivision {
         if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
     const IndexLists shared = listsOf(beside, pieceCount_);
 
-    LayerCover cover(kernel_, mesh_, context_);
+    LayerCover cover(*kernel_, mesh_, context_);
     constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
     std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced), layers(count_);
     for (Index p = 0; p < pieceCount_; ++p) {
@@ -273,7 +308,7 @@ class LayerSubdivision {
   static constexpr std::size_t kMostPairs = std::size_t{1} << 20;
   static constexpr std::size_t kMostPairsOfTriangle = 64;
 
-  const PlanKernel& kernel_;
+  const PlanKernel* kernel_;
   const WalkableMesh& mesh_;
   const Adjacency& topology_;
   RunContext& context_;
@@ -290,11 +325,16 @@ class LayerSubdivision {
 
 }  // namespace
 
+std::vector<std::uint32_t> layersOf(const WalkableMesh& mesh, const Adjacency& topology,
+                                    std::vector<std::array<Index, 2>> overlaps, RunContext& context) {
+  return LayerSubdivision(nullptr, mesh, topology, context).runWith(std::move(overlaps));
+}
+
 FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
   const auto topology = topologyOf(*state, context);
-  LayerSubdivision subdivision(*state->kernel, *state->mesh, *topology, context);
+  LayerSubdivision subdivision(state->kernel.get(), *state->mesh, *topology, context);
   std::shared_ptr<WalkableMesh> mesh;
   std::vector<std::uint32_t> layers;
   const bool isOwn = (recall.isLast || state != given) && !recall.keep;

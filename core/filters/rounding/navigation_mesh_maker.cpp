@@ -232,9 +232,15 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
 std::shared_ptr<NavigationMesh> makeNavigationMesh(const PlacedMesh& mesh, RunContext& context) {
   const std::size_t count = mesh.places.size();
   const Adjacency edges = findEdges(mesh.triangles, count, Poll(context));
+  const std::vector<MeshLink> links = linksBetween(mesh.links, mesh.triangles, edges);
   const SettledMesh settled =
-      settle(splitOf(mesh.triangles, {}, count, edges, context), mesh.places, mesh.exact, context);
-  return numbered(settled, orderByLayer(settled.mesh), mesh.sources, context);
+      settle(splitOf(mesh.triangles, mesh.layers, count, edges, context), mesh.places, mesh.exact, context);
+  const std::vector<Index> order = orderByLayer(settled.mesh);
+  std::shared_ptr<NavigationMesh> result = numbered(settled, order, mesh.sources, context);
+  for (const std::uint32_t layer : mesh.layers) result->layerCount = std::max(result->layerCount, layer + 1);
+  if (!links.empty())
+    result->links = roundLinks(links, mesh.places, settled.moved, bordersOf(settled.topology, order), *result);
+  return result;
 }
 
 }  // namespace footfall::detail

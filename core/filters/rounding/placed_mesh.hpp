@@ -18,9 +18,11 @@ struct PlacedMesh {
   std::vector<Vec3> places;             ///< each coordinate the nearest double to the exact one
   std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
   std::vector<std::uint32_t> sources;   ///< for each face its input triangle
+  std::vector<std::uint32_t> layers;    ///< for each triangle, or empty
+  std::vector<MeshLink> links;          ///< those without a triangle at either edge are left out
 };
 
-/// What makeNavigationMesh() makes of a state with that mesh, without layers, links and drops; the frame is left empty.
+/// What makeNavigationMesh() makes of a state with that mesh, without drops; the frame is left empty.
 std::shared_ptr<NavigationMesh> makeNavigationMesh(const PlacedMesh& mesh, RunContext& context);
 
 }  // namespace footfall::detail

@@ -39,9 +39,9 @@ class RegionSimplifier {
                    Poll poll)
       : mesh_(mesh), approximate_(approximate), poll_(poll), geometry_(kernel, mesh.vertices) {}
 
-  /// Takes away what can go of `vertices` (ascending; all their triangles must be in the group, and exactly, each must
-  /// be inside a region or in the middle of a straight piece of outline), then flips edges inside the regions of
-  /// `triangles` (ascending) towards Delaunay.
+  /// Takes away what can go of `vertices` (in the order of their first use by `triangles`, so that no number matters;
+  /// all their triangles must be in the group, and exactly, each must be inside a region or in the middle of a straight
+  /// piece of outline), then flips edges inside the regions of `triangles` (ascending) towards Delaunay.
   void simplify(std::span<const Index> vertices, std::span<const Index> triangles);
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }

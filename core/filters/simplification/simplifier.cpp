@@ -64,7 +64,7 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
     const Index first = groups.firstOfTask[task], last = groups.firstOfTask[task + 1];
     for (Index g = first; g < last; ++g) {
       const auto triangles = groups.trianglesOf(g), vertices = groups.verticesOf(g);
-      if (before_ != nullptr && isKnown(triangles, vertices, candidates))
+      if (before_ != nullptr && isKnown(triangles, candidates))
         copyEarlier(triangles);
       else
         simplifier.simplify(vertices, triangles);
@@ -92,8 +92,7 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
 
 // The same triangles, joined alike, with the same vertices that may go: all in the same order, by which every choice is
 // made.
-bool Simplifier::isKnown(std::span<const Index> triangles, std::span<const Index> vertices,
-                         const std::vector<char>& candidates) const {
+bool Simplifier::isKnown(std::span<const Index> triangles, const std::vector<char>& candidates) const {
   const std::vector<Index>& then = relation_.triangleBefore;
   const Index first = then[triangles[0]];
   const Index group = first < 0 ? -1 : before_->groupOf[first];
@@ -109,8 +108,6 @@ bool Simplifier::isKnown(std::span<const Index> triangles, std::span<const Index
       if (side < 0 ? sideThen >= 0 : sideThen != 3 * then[side / 3] + side % 3) return false;
     }
   }
-  for (std::size_t i = 1; i < vertices.size(); ++i)
-    if (relation_.vertexBefore[vertices[i]] < relation_.vertexBefore[vertices[i - 1]]) return false;
   return true;
 }
 
@@ -271,8 +268,13 @@ Simplifier::Groups Simplifier::findGroups(const std::vector<char>& candidates) c
   for (std::size_t g = 0; g < roots.size(); ++g) groups.firstVertex[g + 1] += groups.firstVertex[g];
   groups.vertices.resize(groups.firstVertex.back());
   next = groups.firstVertex;
-  for (std::size_t v = 0; v < candidates.size(); ++v)
-    if (const Index g = groupAt(v); g >= 0) groups.vertices[next[g]++] = static_cast<Index>(v);
+  for (Index t = 0; t < count; ++t)
+    for (const Index v : mesh_.triangles[t].corners) {
+      if (triangleAt[v] < 0) continue;
+      const Index g = groups.of[t];
+      if (g >= 0) groups.vertices[next[g]++] = v;
+      triangleAt[v] = -1;
+    }
   return groups;
 }
 

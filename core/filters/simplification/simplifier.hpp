@@ -57,7 +57,7 @@ class Simplifier {
   /// Groups one after another in flat lists, those with most triangles first.
   struct Groups {
     std::vector<Index> firstTriangle{0}, triangles;  ///< ascending within a group
-    std::vector<Index> firstVertex{0}, vertices;     ///< that may go; ascending within a group
+    std::vector<Index> firstVertex{0}, vertices;     ///< that may go; within a group in the order of their first use
     std::vector<Index> firstOfTask{0};               ///< groups that one task works on
     std::vector<Index> of;                           ///< for each triangle its group, or -1
 
@@ -79,8 +79,7 @@ class Simplifier {
   std::vector<char> findStraight(Index count);
   Groups findGroups(const std::vector<char>& candidates) const;
   /// Whether the group is what an earlier one was.
-  [[nodiscard]] bool isKnown(std::span<const Index> triangles, std::span<const Index> vertices,
-                             const std::vector<char>& candidates) const;
+  [[nodiscard]] bool isKnown(std::span<const Index> triangles, const std::vector<char>& candidates) const;
   void copyEarlier(std::span<const Index> triangles);
   WalkableMesh compact() const;
 

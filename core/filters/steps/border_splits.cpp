@@ -36,17 +36,17 @@ int BorderSplits::axisBetween(const MeshVertex& a, const MeshVertex& b, MeshGeom
   return geometry.compare(a, b, 1 - likely) != 0 ? 1 - likely : -1;
 }
 
-BorderSplits::BorderSplits(const WalkableState& state, RunContext& context)
+BorderSplits::BorderSplits(const WalkableState& state, RunContext& context, const std::vector<char>* faces)
     : state_(state),
       kernel_(state.kernel),
       mesh_(*state.mesh),
       topology_(topologyOf(state, context)),
       geometry_(std::in_place, *kernel_, mesh_.vertices) {
-  findBorders(context);
+  findBorders(faces, context);
   buildTree(context);
 }
 
-void BorderSplits::findBorders(Poll poll) {
+void BorderSplits::findBorders(const std::vector<char>* faces, Poll poll) {
   const TriangleCorners corners(mesh_.triangles);
   const auto isBorder = [&](std::span<const Index> sides) {
     return sides.size() <= 1 || isObstacle(mesh_.triangles, sides);
@@ -62,8 +62,11 @@ void BorderSplits::findBorders(Poll poll) {
   }
   borders_.reserve(count);
   for (const Index e : edges) {
-    for (const Index side : topology_->sidesOf(e))
-      borders_.push_back({side, e, corners.beginOf(side), corners.endOf(side), mesh_.triangles[side / 3].face});
+    for (const Index side : topology_->sidesOf(e)) {
+      const Index face = mesh_.triangles[side / 3].face;
+      if (faces != nullptr && (*faces)[face] == 0) continue;
+      borders_.push_back({side, e, corners.beginOf(side), corners.endOf(side), face});
+    }
   }
 }
 

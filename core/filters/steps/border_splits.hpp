@@ -27,8 +27,9 @@ struct MeshBorder {
 /// until makeMesh() makes another one.
 class BorderSplits {
  public:
-  /// The state must have a mesh; it must outlive this.
-  BorderSplits(const WalkableState& state, RunContext& context);
+  /// The state must have a mesh; it must outlive this. `faces` (may be null) chooses whose borders there are: for each
+  /// source triangle.
+  BorderSplits(const WalkableState& state, RunContext& context, const std::vector<char>* faces = nullptr);
 
   [[nodiscard]] const WalkableMesh& mesh() const { return mesh_; }
   [[nodiscard]] const Adjacency& topology() const { return *topology_; }
@@ -84,7 +85,7 @@ class BorderSplits {
     Index first = -1;                ///< number of the first one, once the mesh is made
   };
 
-  void findBorders(Poll poll);
+  void findBorders(const std::vector<char>* faces, Poll poll);
   void buildTree(RunContext& context);
   [[nodiscard]] int order(const Line& line, const MeshVertex& a, const MeshVertex& b) {
     return line.direction * geometry_->compare(a, b, line.axis);

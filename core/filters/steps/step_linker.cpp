@@ -25,8 +25,8 @@ constexpr Index kDirectionsPerTask = 8192;
 
 }  // namespace
 
-StepLinker::StepLinker(const WalkableState& state, RunContext& context)
-    : state_(state), context_(context), splits_(state, context) {}
+StepLinker::StepLinker(const WalkableState& state, RunContext& context, const std::vector<char>* faces)
+    : state_(state), context_(context), splits_(state, context, faces) {}
 
 StepLinker::Worker StepLinker::makeWorker(const Limits& limits, double gap) const {
   const PlanKernel& kernel = *splits_.kernel();

@@ -21,8 +21,9 @@ class EarlierResult;  // core/assembly/earlier_result.hpp
 /// has one, so that links are pairs of whole edges.
 class StepLinker {
  public:
-  /// The state must have a mesh, and its kernel the levels of what is asked about.
-  StepLinker(const WalkableState& state, RunContext& context);
+  /// The state must have a mesh, and its kernel the levels of what is asked about. `faces` (may be null) chooses whose
+  /// borders are linked: for each source triangle.
+  StepLinker(const WalkableState& state, RunContext& context, const std::vector<char>* faces = nullptr);
 
   /// Takes over what an earlier run of the same filter found between borders that are what they were. `before` is of
   /// the state that `earlier` relates to; its step, height and gap are those of link(). Before link().

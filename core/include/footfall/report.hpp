@@ -73,6 +73,13 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
 /// A table of the steps and a few lines on the result, for a terminal or a log.
 std::string formatSummary(const Environment& environment, const RunResult& result, const ProgramTimes& times = {});
 
+/// What formatStatistics() says of a result alone, where nobody has the run: `program`, `source`, and from `vertices`
+/// to `connected_share`. `area` is the sum of the components.
+std::string formatMeshStatistics(const NavigationMesh& mesh);
+
+/// The lines of formatSummary() on what is connected and how.
+std::string formatMeshSummary(const NavigationMesh& mesh);
+
 // --- Paths
 // ------------------------------------------------------------------------------------------------------------
 

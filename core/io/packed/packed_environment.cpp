@@ -62,7 +62,7 @@ bool claim(std::atomic<std::uint64_t>* bits, std::uint32_t number) {
 }
 
 BlockFace faceOf(const BlockArrays& arrays, std::size_t block, std::size_t place, UpAxis up) {
-  BlockFace face{block, place, arrays.faces[place], {}};
+  BlockFace face{block, place, arrays.faces[place], arrays.parts.empty() ? 0 : arrays.parts[place], {}};
   for (std::size_t k = 0; k < 3; ++k)
     face.corners[k] = fromFileFrame(pointOf(arrays.places[arrays.corners[place][k]]), up);
   return face;

@@ -40,6 +40,7 @@ struct PackedFaces {
 struct BlockFace {
   std::size_t block = 0, place = 0;  ///< the block, and the face's place in it
   std::uint32_t number = 0;          ///< of the environment
+  std::uint32_t part = 0;            ///< of Environment::parts; 0 without parts
   std::array<Vec3, 3> corners;       ///< Z up
 };
 /// The box around the corners.

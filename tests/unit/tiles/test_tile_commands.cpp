@@ -1,10 +1,12 @@
 // `footfall run --memory` and `footfall join` as a user runs them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "core/io/formats/format_table.hpp"
 #include "tests/unit/program_run.hpp"
@@ -40,9 +42,11 @@ class TestTileCommands : public QObject {
   void everyFormatHasTheSameBytes();
   void theBoundIsKept();
   void statisticsGoElsewhere();
+  void partsHaveRoles();
   void noMemoryAtAllIsRefused();
   void slicesOfOtherSidesAreNotJoined();
   void slicesAreJoined();
+  void stepsAreLinked();
   void whatCannotBeIsRefused();
   void damagedTilesAreRefused();
 };
@@ -61,6 +65,12 @@ void TestTileCommands::everyFormatHasTheSameBytes() {
     QCOMPARE(join.exitCode, run.exitCode);  // a format can be missing
     QCOMPARE(contentOf(joined), contentOf(whole));
   }
+  // The default pipeline.
+  const QString usual = folder.filePath("usual");
+  QCOMPARE(runProgram({"run", packed, "--memory", "70M", "--quiet", "-o", usual}).exitCode, 0);
+  QCOMPARE(runProgram({"join", usual, "--quiet", "-o", usual + ".obj"}).exitCode, 0);
+  QCOMPARE(runProgram({"run", packed, "--quiet", "-o", usual + "-whole.obj"}).exitCode, 0);
+  QCOMPARE(contentOf(usual + ".obj"), contentOf(usual + "-whole.obj"));
   // From the original, which is packed for the run alone, and with options of the export.
   const QString again = folder.filePath("again"), first = folder.filePath("1.obj"), second = folder.filePath("2.obj");
   QCOMPARE(
@@ -108,6 +118,33 @@ void TestTileCommands::statisticsGoElsewhere() {
     QVERIFY2(run.err.contains("--stats"), run.err);
     QVERIFY(QDir(folder.path()).isEmpty());
   }
+}
+
+void TestTileCommands::partsHaveRoles() {
+  const QTemporaryDir folder;
+  const auto named = [&](const char* name) { return folder.filePath(name); };
+  const QStringList steps =
+      kPipeline + QStringList{"--filter", "SimplificationFilter", "--filter", "LayerSubdivisionFilter"};
+  // A table and a rug in a room; the tap is so small that the grid becomes another one without it.
+  write(named("room.obj"),
+        "v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nv 1 1 1\nv 3 1 1\nv 3 3 1\nv 1 3 1\nv 4 4 0.25\nv 7 4 0.25\n"
+        "v 7 7 0.25\nv 4 7 0.25\nv 2 6 1e-30\nv 2.5 6 1e-30\nv 2 6.123456789 1e-30\n"
+        "o floor\nf 1 2 3\nf 1 3 4\no table\nf 5 6 7\nf 5 7 8\no rug\nf 9 10 11\nf 9 11 12\no tap\nf 13 14 15\n");
+  for (const QStringList& roles :
+       {QStringList{}, QStringList{"--obstacle-only", "rug"}, QStringList{"--ignore", "table", "--ignore", "tap"},
+        QStringList{"--obstacle-only", "table", "--ignore", "rug"}, QStringList{"--ignore", "floor"}}) {
+    const QStringList run = QStringList{"run", named("room.obj"), "--up", "z", "--quiet"} + roles + steps;
+    QCOMPARE(runProgram(run + QStringList{"-o", named("whole.obj")}).exitCode, 0);
+    QCOMPARE(runProgram(run + QStringList{"--memory", "1G", "-o", named("tiles")}).exitCode, 0);
+    QCOMPARE(runProgram({"join", named("tiles"), "--quiet", "-o", named("joined.obj")}).exitCode, 0);
+    QVERIFY(!contentOf(named("whole.obj")).isEmpty());
+    QCOMPARE(contentOf(named("joined.obj")), contentOf(named("whole.obj")));
+    QVERIFY(QDir(named("tiles")).removeRecursively());
+  }
+  QStringList all{"run", named("room.obj"), "--memory", "1G", "-o", named("tiles")};
+  for (const char* part : {"floor", "table", "rug", "tap"}) all += {"--ignore", part};
+  const Outcome nothing = runProgram(all + steps);
+  QVERIFY2(nothing.exitCode == 2 && nothing.err.contains("--ignore: nothing of "), nothing.err);
 }
 
 void TestTileCommands::noMemoryAtAllIsRefused() {
@@ -168,6 +205,54 @@ void TestTileCommands::slicesAreJoined() {
   QVERIFY2(area.exitCode == 2 && area.err.contains("AreaFilter sees over the borders of slices"), area.err);
 }
 
+void TestTileCommands::stepsAreLinked() {
+  const QTemporaryDir folder;
+  const auto named = [&](const QString& name) { return folder.filePath(name); };
+  const QStringList linked = kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4 0"};
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "-o", named("whole.obj")} + linked).exitCode, 0);
+  QVERIFY(contentOf(named("whole.obj")).contains("\nl "));
+  // Links go over slices as well.
+  QStringList parts;
+  for (const QString slice : {"1", "2", "3"}) {
+    parts.push_back(named(slice));
+    QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "80M", "--slice", slice + "/3", "--quiet", "-o",
+                                    parts.back()} +
+                        linked)
+                 .exitCode,
+             0);
+  }
+  QCOMPARE(runProgram(QStringList{"join"} + parts + QStringList{"--quiet", "-o", named("joined.obj")}).exitCode, 0);
+  QCOMPARE(contentOf(named("joined.obj")), contentOf(named("whole.obj")));
+  // As many as in memory, each once; with gaps.
+  const QStringList area = kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4", "--filter", "AreaFilter 1"};
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "--stats", named("whole.json"), "-o",
+                                  named("again.obj")} +
+                      area)
+               .exitCode,
+           0);
+  QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "90M", "--quiet", "--stats", named("tiles.json"),
+                                  "-o", named("tiles")} +
+                      area)
+               .exitCode,
+           0);
+  const QJsonObject whole = QJsonDocument::fromJson(contentOf(named("whole.json"))).object();
+  const QJsonObject tiles = QJsonDocument::fromJson(contentOf(named("tiles.json")))["tiles"].toObject();
+  QVERIFY(tiles["count"].toInteger() > 1);
+  QVERIFY(whole["links"].toInteger() > 0);
+  QCOMPARE(tiles["links"].toInteger(), whole["links"].toInteger());
+  // What is connected is told when tiles are joined.
+  const Outcome outcome =
+      runProgram({"join", named("tiles"), "-o", named("told.obj"), "--stats", named("joined.json")});
+  QVERIFY2(outcome.out.contains(" steps between borders, ") && outcome.out.contains(" gaps between borders, "),
+           outcome.out);
+  const QJsonObject joined = QJsonDocument::fromJson(contentOf(named("joined.json"))).object();
+  for (const char* key : {"vertices", "triangles", "links", "link_length", "highest_link", "links_by_kind",
+                          "obstacle_edges", "components", "connected_share"})
+    QVERIFY2(joined[key] == whole[key] && !joined[key].isUndefined(), key);
+  QVERIFY(joined["components"].toArray().size() > 1);
+  QVERIFY(std::abs(joined["area"].toDouble() - whole["area"].toDouble()) < 1e-6);
+}
+
 void TestTileCommands::whatCannotBeIsRefused() {
   const QTemporaryDir folder;
   const QString tiles = folder.filePath("tiles"), house = sample("house");
@@ -178,15 +263,25 @@ void TestTileCommands::whatCannotBeIsRefused() {
                : outcome.err + outcome.out;
   };
   const QStringList run{"run", house, "--memory", "1G", "-o", tiles};
-  QCOMPARE(refused(run, "the default pipeline sees across cells"), QByteArray());
-  QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "StepFilter 0.4"}, "StepFilter sees across cells"),
+  QCOMPARE(refused(run + kPipeline + QStringList{"--filter", "RadiusFilter 0.4"}, "RadiusFilter sees across cells"),
            QByteArray());
-  QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--memory: parts cannot be left out"), QByteArray());
+  QCOMPARE(refused(run + kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4", "--slice", "1/2"},
+                   "StepFilter with a gap sees over the borders of slices"),
+           QByteArray());
+  QCOMPARE(refused(run + kPipeline + QStringList{"--ignore", "x"}, "--ignore \"x\": "), QByteArray());
   QCOMPARE(refused(run + kPipeline + QStringList{"--no-layers"}, "--no-layers"), QByteArray());
   QCOMPARE(refused(QStringList{"run", house, "--memory", "1G"} + kPipeline, "give the folder for the tiles"),
            QByteArray());
   QCOMPARE(refused(QStringList{"run", house, "--memory", "1M", "-o", tiles} + kPipeline,
                    "a memory of 1 MB is too little; give "),
+           QByteArray());
+  // Before anything is packed: these files are not there.
+  const QStringList missing{"run", folder.filePath("missing.obj"), "-o", tiles, "--memory"};
+  QCOMPARE(refused(missing + QStringList{"1M"} + kPipeline, "a memory of 1 MB is too little; give "), QByteArray());
+  QCOMPARE(refused(missing + QStringList{"1G", "--slice", "1/2"} + kPipeline, "AreaFilter sees over the borders"),
+           QByteArray());
+  QCOMPARE(refused(missing + QStringList{"1G", "--slice", "1/2", "--filter", "LayerSubdivisionFilter"},
+                   "LayerSubdivisionFilter sees over the borders"),
            QByteArray());
   QCOMPARE(refused({"join", tiles, "-o", folder.filePath("a.obj")}, "is no folder of tiles"), QByteArray());
   QVERIFY(QDir().mkdir(tiles));
@@ -221,8 +316,8 @@ void TestTileCommands::damagedTilesAreRefused() {
   QVERIFY(joinedWith("index.json", index.first(index.size() / 2)).contains("is damaged"));
   QByteArray outside = index;
   QVERIFY(joinedWith("index.json", outside.replace("tile-0000001", "../tile-0000001")).contains("not in it"));
-  QByteArray newer = index;
-  QVERIFY(joinedWith("index.json", newer.replace("\"version\": 1", "\"version\": 2")).contains("of another version"));
+  QByteArray older = index;
+  QVERIFY(joinedWith("index.json", older.replace("\"version\": 2", "\"version\": 1")).contains("of another version"));
   QCOMPARE(runProgram({"join", tiles, "-o", out, "--quiet"}).exitCode, 0);
 }
 

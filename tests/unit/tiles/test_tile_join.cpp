@@ -8,10 +8,12 @@
 #include <set>
 
 #include "core/base/worker_arena.hpp"
+#include "core/environment/part_rules.hpp"
 #include "core/io/export.hpp"
 #include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_join.hpp"
 #include "core/tiles/tile_run.hpp"
+#include "footfall/edit.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/run.hpp"
 #include "tests/support/soup_generators.hpp"
@@ -36,7 +38,39 @@ const std::vector<std::string> kPipelines{
     "SlopeFilter 40\n",
     "",
     "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 2.5\n",
-    "SlopeFilter 60\nAreaFilter 1\nAreaFilter 0.25\n"};
+    "SlopeFilter 60\nAreaFilter 1\nAreaFilter 0.25\n",
+    "SlopeFilter 60\nLayerSubdivisionFilter\n",
+    "SlopeFilter 45\nVerticalClearanceFilter 1\nAreaFilter 1\nLayerSubdivisionFilter\n",
+    "SlopeFilter 60\nSimplificationFilter\n",
+    "SlopeFilter 45\nVerticalClearanceFilter 1\nAreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n",
+    "VerticalClearanceFilter 1\nLayerSubdivisionFilter\nSimplificationFilter\nSimplificationFilter\n"};
+
+/// Steps small and large, one that is more than the clearance, before and behind areas, in a block.
+const std::vector<std::string> kStepPipelines{
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.5 0\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nStepFilter 1 0\nAreaFilter 2.5\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nAreaFilter 0.75\nStepFilter 1 0\nAreaFilter 3\nAreaFilter 4\n",
+    "VerticalClearanceFilter 0.5\nStepFilter 2.5 0\n",
+    "GridStrategy 2 2\nVerticalClearanceFilter 0.25\nStepFilter 1 0\nCollapse\nAreaFilter 1\n"};
+
+/// With filters over borders behind them.
+const std::vector<std::string> kLinkedPipelines{
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.5 0\nSimplificationFilter\nLayerSubdivisionFilter\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nStepFilter 1 0\nAreaFilter 1\nLayerSubdivisionFilter\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nAreaFilter 0.75\nStepFilter 1 1\nAreaFilter 2\nSimplificationFilter\n",
+    "VerticalClearanceFilter 0.5\nStepFilter 2.5 2\nLayerSubdivisionFilter\nSimplificationFilter\n"};
+
+const std::string kDefault =
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nAreaFilter 1\nSimplificationFilter\n"
+    "LayerSubdivisionFilter\n";
+const std::string kUsualSteps = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\nAreaFilter 1\n";
+
+/// The same with gaps.
+const std::vector<std::string> kGapPipelines{
+    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.5 0.3\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nStepFilter 1 1.5\nAreaFilter 2.5\n",
+    "SlopeFilter 60\nVerticalClearanceFilter 1\nAreaFilter 0.75\nStepFilter 1 1\nAreaFilter 3\n",
+    "VerticalClearanceFilter 0.5\nStepFilter 2.5 2\n"};
 
 rc::Gen<Soup> anySoup() {
   return rc::gen::oneOf(rc::gen::map(gridTriangles(20, 3, 3), [](const auto& numbers) { return soupOf(numbers); }),
@@ -48,7 +82,8 @@ rc::Gen<Soup> anySoup() {
 void pack(const Environment& environment, const std::string& target) {
   EnvironmentPacker packer("a soup", target, nullptr, kLittle);
   for (const Vec3& vertex : environment.vertices) packer.addVertex(vertex);
-  for (const Triangle& triangle : environment.triangles) packer.addFace(triangle, 0);
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t)
+    packer.addFace(environment.triangles[t], environment.partOf.empty() ? 0 : environment.partOf[t]);
   packer.finish(environment);
 }
 
@@ -67,7 +102,7 @@ std::map<std::string, QByteArray> makeTiles(const PackedEnvironment& environment
 }
 
 std::string bytesOf(const NavigationMesh& mesh) {
-  return formatObj(mesh, {}) + std::to_string(mesh.sourceTriangles.size());
+  return formatObj(mesh, {}) + std::to_string(mesh.sourceTriangles.size()) + ' ' + std::to_string(mesh.layerCount);
 }
 
 /// The bytes of tiles.
@@ -85,16 +120,25 @@ QString differenceOf(const PackedEnvironment& environment, const std::string& pi
                      const std::vector<std::uint64_t>& cells) {
   RunContext context;
   const Pipeline parsed = parsePipeline(pipeline, "test");
-  const RunResult whole =
-      runPipeline(std::make_shared<Environment>(environment.readAll()), parsed, context, nullptr, 1);
+  const auto level = applyPartRules(std::make_shared<Environment>(environment.readAll()), {});
+  if (level->triangles.empty()) return {};
+  const RunResult whole = runPipeline(level, parsed, context, nullptr, 1);
+  std::vector<std::uint32_t> sources = whole.mesh->sourceTriangles;
+  if (level->edit)
+    for (std::uint32_t& source : sources) source = level->edit->keptTriangles[source];
+  TileRunOptions options{kEnough};
+  options.roles = rolesOf(environment.head(), {});
   for (const std::uint64_t most : cells) {
     TilesInMemory store;
-    runCells(environment, parsed, {kEnough, most}, store, context);
+    options.mostFaces = most;
+    runCells(environment, parsed, options, store, context);
     TileJoiner joiner;
     for (auto tile = store.tiles.rbegin(); tile != store.tiles.rend(); ++tile) joiner.add(decodeTile(*tile));
     std::shared_ptr<NavigationMesh> joined = joiner.join(context);
     joined->frame = environment.head().frame();
-    if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != whole.mesh->sourceTriangles)
+    if (bytesOf(*joined) != bytesOf(*whole.mesh) || joined->sourceTriangles != sources ||
+        joined->layers != whole.mesh->layers || joined->connections != whole.mesh->connections ||
+        joined->links.size() != whole.mesh->links.size())
       return QString("cells of %1: %2").arg(most).arg(QString::fromStdString(pipeline));
   }
   return {};
@@ -144,14 +188,23 @@ class TestTileJoin : public QObject {
  private slots:
   void soups();
   void soupsOfBothSides();
+  void soupsWithRoles();
+  void steps();
+  void gaps();
+  void stepsThenOverBorders();
   void samples_data();
   void samples();
   void environments_data();
   void environments();
   void areasNearTheMinimum();
   void obstaclesPartRegions();
+  void stepsUniteRegions();
+  void stepsComeAfterAreas();
+  void linksInARowGoOn();
   void bordersHaveOneNameAndPlace();
+  void theSameTilesOnAnyThreads_data();
   void theSameTilesOnAnyThreads();
+  void aBoundThatIsTooLittleSaysWhatItNeeds_data();
   void aBoundThatIsTooLittleSaysWhatItNeeds();
   void globalFiltersAreNamed();
   void whatFailsLeavesNothing();
@@ -182,6 +235,66 @@ void TestTileJoin::soupsOfBothSides() {
   }));
 }
 
+void TestTileJoin::soupsWithRoles() {
+  QVERIFY(check("tiles of soups of which parts have roles", 60, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    environment->parts = {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}};
+    environment->usualRoles = {PartRole::Floor, PartRole::ObstacleOnly, PartRole::Ignored, PartRole::Floor};
+    for (std::size_t t = 0; t < environment->triangles.size(); ++t)
+      environment->partOf.push_back(static_cast<std::uint32_t>(*below(4)));
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::size_t pipeline : {0, 5, 12}) {
+      const QString difference = differenceOf(opened, kPipelines[pipeline], {1, 4});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
+void TestTileJoin::steps() {
+  QVERIFY(check("steps between tiles of soups", 100, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : kStepPipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
+void TestTileJoin::stepsThenOverBorders() {
+  QVERIFY(check("steps, simplified and in layers, between tiles of soups", 100, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : kLinkedPipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
+void TestTileJoin::gaps() {
+  QVERIFY(check("gaps between tiles of soups", 60, [] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : kGapPipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  }));
+}
+
 void TestTileJoin::samples_data() {
   QTest::addColumn<QString>("name");
   for (const char* name : {"house", "rooms", "villa", "arena", "tower", "docks"}) QTest::newRow(name) << name;
@@ -193,8 +306,12 @@ void TestTileJoin::samples() {
   const std::string level = packed(sample(name.toStdString()), folder);
   if (level.empty()) QSKIP("not there");
   const PackedEnvironment environment(level);
-  for (const std::size_t pipeline : {0, 1, 5, 7})
+  for (const std::size_t pipeline : {0, 1, 5, 7, 9, 12})
     QCOMPARE(differenceOf(environment, kPipelines[pipeline], {700, 5000}), QString());
+  for (const std::size_t pipeline : {0, 2})
+    QCOMPARE(differenceOf(environment, kStepPipelines[pipeline], {700, 5000}), QString());
+  QCOMPARE(differenceOf(environment, kUsualSteps, {700, 5000}), QString());
+  QCOMPARE(differenceOf(environment, kDefault, {700, 5000}), QString());
 }
 
 void TestTileJoin::environments_data() {
@@ -208,8 +325,10 @@ void TestTileJoin::environments() {
   const std::string level = packed((sharedEnvironments() + '/' + name + ".obj").toStdString(), folder);
   if (level.empty()) QSKIP("real environments are not there");
   const PackedEnvironment environment(level);
-  for (const std::size_t pipeline : {0, 7})
+  for (const std::size_t pipeline : {0, 7, 9, 12})
     QCOMPARE(differenceOf(environment, kPipelines[pipeline], {3000}), QString());
+  QCOMPARE(differenceOf(environment, kStepPipelines[1], {3000}), QString());
+  QCOMPARE(differenceOf(environment, kUsualSteps, {3000}), QString());
 }
 
 void TestTileJoin::areasNearTheMinimum() {
@@ -231,6 +350,36 @@ void TestTileJoin::obstaclesPartRegions() {
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 3\n", 4);
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 4\n", 2);
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 12\n", 0);
+}
+
+void TestTileJoin::stepsUniteRegions() {
+  // Three stairs of 1 m2, of which each triangle is a tile, and one that is too high.
+  const Soup stairs = Soup().floor(0, 0, 1, 1, 0).floor(1, 0, 2, 1, 0.25).floor(2, 0, 3, 1, 0.5).floor(3, 0, 4, 1, 1.5);
+  const std::string walkable = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+  expectKept(stairs, walkable + "StepFilter 0.25 0\nAreaFilter 2.5\n", 6);
+  expectKept(stairs, walkable + "StepFilter 0.25 0\nAreaFilter 3\n", 0);
+  expectKept(stairs, walkable + "StepFilter 1 0\nAreaFilter 3\n", 8);
+  expectKept(stairs, walkable + "StepFilter 0.2 0\nAreaFilter 1\n", 0);
+}
+
+void TestTileJoin::stepsComeAfterAreas() {
+  // What lies between the others goes before, and nothing is linked, or nothing goes.
+  const Soup stairs = Soup().floor(0, 0, 2, 2, 0).floor(2, 0, 3, 1, 0.25).floor(3, 0, 5, 2, 0.5).floor(2, 1, 3, 2, 9);
+  const std::string walkable = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
+  expectKept(stairs, walkable + "AreaFilter 2\nStepFilter 0.25 0\n", 4);
+  expectKept(stairs, walkable + "AreaFilter 2\nStepFilter 0.25 0\nAreaFilter 5\n", 0);
+  expectKept(stairs, walkable + "AreaFilter 0.5\nStepFilter 0.25 0\nAreaFilter 5\n", 8);
+}
+
+void TestTileJoin::linksInARowGoOn() {
+  // Storeys of the height of a step, with borders over each other: the last one ends in the middle, and so all have a
+  // vertex there.
+  for (const int storeys : {2, 3, 4, 6, 9, 18}) {
+    Soup stack;
+    for (int i = 0; i < storeys; ++i) stack.floor(i % 2, 0, i % 2 + 1, i + 1 == storeys ? 1 : 2, 0.75 * i);
+    const std::string pipeline = "VerticalClearanceFilter 0.125\nStepFilter 0.75 0\n";
+    expectKept(stack, pipeline, static_cast<std::size_t>(3 * storeys - 1));
+  }
 }
 
 void TestTileJoin::bordersHaveOneNameAndPlace() {
@@ -260,19 +409,35 @@ void TestTileJoin::bordersHaveOneNameAndPlace() {
   for (const auto& [name, count] : seen) QVERIFY2(count > 1, name.c_str());
 }
 
+void TestTileJoin::theSameTilesOnAnyThreads_data() {
+  QTest::addColumn<int>("steps");
+  QTest::newRow("local") << 0;
+  QTest::newRow("simplification and layers") << 12;
+}
+
 void TestTileJoin::theSameTilesOnAnyThreads() {
+  QFETCH(int, steps);
+  const std::string& pipeline = kPipelines[static_cast<std::size_t>(steps)];
   const TemporaryFolder folder;
   const PackedEnvironment environment(packed(sample("house"), folder));
-  const auto one = makeTiles(environment, kPipelines[0], folder.path("one"), 30, 1);
-  QVERIFY(one == makeTiles(environment, kPipelines[0], folder.path("four"), 30, 4));
+  const auto one = makeTiles(environment, pipeline, folder.path("one"), 30, 1);
+  QVERIFY(one == makeTiles(environment, pipeline, folder.path("four"), 30, 4));
   QVERIFY(one.contains(kTileIndex));
 }
 
+void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds_data() {
+  QTest::addColumn<int>("steps");
+  QTest::newRow("local") << 0;
+  QTest::newRow("layers") << 10;
+  QTest::newRow("simplification") << 12;
+}
+
 void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds() {
+  QFETCH(int, steps);
   const TemporaryFolder folder;
   const PackedEnvironment environment(packed(sample("villa"), folder));
   RunContext context;
-  const Pipeline pipeline = parsePipeline(kPipelines[0], "test");
+  const Pipeline pipeline = parsePipeline(kPipelines[static_cast<std::size_t>(steps)], "test");
   const auto cellsWithin = [&](std::uint64_t megabytes) {
     TilesInMemory store;
     return runCells(environment, pipeline, {megabytes << 20}, store, context).cells;
@@ -297,16 +462,26 @@ void TestTileJoin::globalFiltersAreNamed() {
   const auto messageFor = [](const char* step) {
     return wordsOf<InputError>([&] { stepsOfCells(parsePipeline(kPipelines[0] + step, "test")); });
   };
-  for (const char* step : {"StepFilter 0.4", "RadiusFilter 0.3", "SimplificationFilter", "DropFilter 2",
-                           "LayerSubdivisionFilter", "ReachableFilter 0 0 0"}) {
+  for (const char* step : {"RadiusFilter 0.3", "DropFilter 2", "ReachableFilter 0 0 0"}) {
     const QString message = messageFor(step);
     QVERIFY2(message.startsWith("line 3: ") && message.contains(" sees across cells"), qPrintable(message));
     QVERIFY(message.contains("run without the bound"));
   }
+  QCOMPARE(messageFor("StepFilter 0.4"), QString());
+  QCOMPARE(messageFor("StepFilter 0.4 0"), QString());
+  QCOMPARE(messageFor("AreaFilter 1\nStepFilter 0.4 0\nAreaFilter 2"), QString());
+  QVERIFY(messageFor("StepFilter 0.4 0\nStepFilter 0.5 0").startsWith("line 4: a second StepFilter"));
+  QVERIFY(messageFor("StepFilter 0.4 0\nSlopeFilter 30").startsWith("line 4: SlopeFilter stands behind a StepFilter"));
   QVERIFY(messageFor("RoundingFilter").contains("RoundingFilter moves vertices"));
   QVERIFY(messageFor("DuplicationFilter 0.1").contains("DuplicationFilter joins vertices across cells"));
   QCOMPARE(messageFor("DuplicationFilter 0"), QString());
+  QVERIFY(
+      messageFor("SimplificationFilter true 0.01").contains("SimplificationFilter keeps to a bound of memory exactly"));
   QCOMPARE(messageFor("AreaFilter 1\nAreaFilter 2"), QString());
+  QCOMPARE(messageFor("AreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter"), QString());
+  for (const char* step : {"AreaFilter 1", "SlopeFilter 30"})
+    QVERIFY(messageFor((std::string("SimplificationFilter\n") + step).c_str())
+                .contains("stands behind a filter that needs all cells"));
   QVERIFY(messageFor("AreaFilter 1\nSlopeFilter 30").startsWith("line 4: SlopeFilter stands behind an AreaFilter"));
 }
 

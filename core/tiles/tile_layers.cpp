@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which triangles lie above one another is found out tile by tile, and for each two tiles that overlap in the plan.
+// What goes from triangle to triangle over the whole, growing pieces and choosing their layers, needs nothing exact
+// any more: corners by number, one height for each triangle, and the pairs. These are in memory at once.
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "core/base/background_release.hpp"
+#include "core/base/box_tree.hpp"
+#include "core/filters/layers/known_overlaps.hpp"
+#include "core/filters/layers/plan_overlaps.hpp"
+#include "core/mesh/mesh_geometry.hpp"
+#include "core/tiles/tile_gathering.hpp"
+#include "core/tiles/tile_geometry.hpp"
+#include "core/tiles/tile_stage.hpp"
+
+namespace footfall::detail {
+namespace {
+
+using Pair = std::array<Index, 2>;
+using Tree = BoxTree<2>;
+
+/// What a triangle takes while layers are chosen, and a pair that overlaps.
+constexpr std::uint64_t kOfTriangle = 400, kOfPair = 48;
+constexpr Index kPerTask = 256;
+
+Tree::Bounds boundsOf(const PlanTriangle& p) {
+  return {{std::min({p.x[0], p.x[1], p.x[2]}) - p.error, std::min({p.y[0], p.y[1], p.y[2]}) - p.error},
+          {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
+}
+
+/// All pairs that overlap in the plan, of a triangle of the one tile and one of the other.
+std::vector<Pair> overlapsBetween(const TileUnion& made, std::size_t tile, RunContext& context) {
+  const WalkableMesh& mesh = made.mesh();
+  std::vector<Index> own, others;
+  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
+    (made.partOf(t).tile == tile ? own : others).push_back(t);
+  const auto planOf = [&mesh](Index t) { return planTriangleOf(mesh.vertices, mesh.triangles[t]); };
+  Tree tree;
+  tree.build(
+      others, [&](Index t) { return boundsOf(planOf(t)); }, context);
+  struct Local {
+    MeshGeometry geometry;
+    std::vector<Pair> found;
+  };
+  tbb::enumerable_thread_specific<Local> locals([&] { return Local{MeshGeometry(made.kernel(), mesh.vertices), {}}; });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), kPerTask), [&](const auto& range) {
+    Local& local = locals.local();
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      context.checkCancelled();
+      const PlanTriangle plan = planOf(own[i]);
+      tree.visitOverlapping(boundsOf(plan), [&](Index o) {
+        if (local.geometry.overlap(plan, planOf(o))) local.found.push_back({own[i], o});
+      });
+    }
+  });
+  std::vector<Pair> pairs;
+  for (const Local& local : locals) pairs.insert(pairs.end(), local.found.begin(), local.found.end());
+  return pairs;
+}
+
+/// The triangles of a tile that may lie in a box in the plan.
+TileUnion::Part partWithin(std::size_t number, const Tile& tile, const Box& box) {
+  std::vector<char> found(tile.triangles.size());
+  TileUnion::Part part;
+  for (std::size_t t = 0; t < found.size(); ++t) {
+    const auto& [a, b, c] = tile.triangles[t].corners;
+    const std::array<Vec3, 3> places{tile.places[a], tile.places[b], tile.places[c]};
+    found[t] = static_cast<char>(touchInPlan(boxAround(places), box));
+    if (found[t] != 0) part.numbers.push_back(static_cast<Index>(t));
+  }
+  part.tile = number;
+  part.triangles = chosenTriangles(tile, found);
+  return part;
+}
+
+class TileLayers {
+ public:
+  TileLayers(TileStage& stage, RunContext& context) : stage_(stage), context_(context), first_{0} {
+    for (const StoredTile& tile : stage.tiles) first_.push_back(first_.back() + tile.triangles);
+  }
+
+  void run() {
+    requireMemory();
+    findOverlaps();
+    TileGathering::Whole whole = gather();
+    const std::vector<std::uint32_t> layers = layersOf(std::move(whole));
+    for (std::size_t i = 0; i < stage_.tiles.size(); ++i) {
+      context_.checkCancelled();
+      Tile tile = stage_.store.read(stage_.tiles[i].number);
+      const auto at = [&](std::size_t tileNumber) {
+        return layers.begin() + static_cast<std::ptrdiff_t>(first_[tileNumber]);
+      };
+      tile.layers.assign(at(i), at(i + 1));
+      stage_.store.replace(stage_.tiles[i].number, tile);
+    }
+  }
+
+ private:
+  void requireMemory() const {
+    if (first_.back() > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()) / 3)
+      throw RunError(
+          FOOTFALL_TEXT("the walkable area has more triangles than LayerSubdivisionFilter can number; leave "
+                        "it out"));
+    stage_.require(first_.back() * kOfTriangle + pairs_.size() * kOfPair);
+  }
+
+  void addPairs(const TileUnion& made, const std::vector<Pair>& found) {
+    const auto numberOf = [&](Index t) {
+      return static_cast<Index>(first_[made.partOf(t).tile]) + made.numberInTile(t);
+    };
+    for (const auto& [s, t] : found) pairs_.push_back({numberOf(s), numberOf(t)});
+    requireMemory();
+  }
+
+  void findOverlaps() {
+    const std::vector<StoredTile>& tiles = stage_.tiles;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      const Tile tile = stage_.store.read(tiles[i].number);
+      for (std::size_t j = i + 1; j < tiles.size(); ++j) {
+        context_.checkCancelled();
+        if (!touchInPlan(tiles[i].box, tiles[j].box)) continue;
+        std::vector<TileUnion::Part> parts;
+        parts.push_back(partWithin(i, tile, tiles[j].box));
+        parts.push_back(partWithin(j, stage_.store.read(tiles[j].number), tiles[i].box));
+        const TileUnion made = unionOf(std::move(parts));
+        addPairs(made, overlapsBetween(made, i, context_));
+      }
+      findOverlapsWithin(i, tile);
+      returnFreedMemory();
+      context_.progress(0.9 * static_cast<double>(i + 1) / static_cast<double>(tiles.size()));
+    }
+  }
+
+  void findOverlapsWithin(std::size_t i, const Tile& tile) {
+    std::vector<TileUnion::Part> parts;
+    parts.push_back({i, tile});
+    const TileUnion made = unionOf(std::move(parts));
+    const Adjacency topology = findEdges(made.mesh().triangles, made.mesh().vertices.size(), Poll(context_));
+    ExactFallbacks fallbacks;
+    const std::uint64_t most = stage_.memory / kOfPair;
+    const auto found = findPlanOverlaps(made.kernel(), made.mesh(), topology, most, context_, fallbacks);
+    if (!found) stage_.failTooLittle(2 * stage_.memory);
+    addPairs(made, *found);
+  }
+
+  [[nodiscard]] TileUnion unionOf(std::vector<TileUnion::Part> parts) const {
+    std::uint64_t count = 0;
+    for (const TileUnion::Part& part : parts) count += part.triangles.triangles.size();
+    stage_.require(count * kOfUnionTriangle + pairs_.size() * sizeof(Pair));
+    return {std::move(parts), stage_.grid, context_};
+  }
+
+  // The order of all triangles, and which of them were added as which.
+  TileGathering::Whole gather() {
+    TileGathering gathering;
+    for (const StoredTile& tile : stage_.tiles) gathering.add(stage_.store.read(tile.number), context_);
+    return gathering.take(context_);
+  }
+
+  // For each triangle as it was added.
+  std::vector<std::uint32_t> layersOf(TileGathering::Whole whole) {
+    WalkableMesh mesh;
+    mesh.triangles = std::move(whole.mesh.triangles);
+    mesh.vertices.resize(whole.heights.size());
+    for (std::size_t v = 0; v < whole.heights.size(); ++v) mesh.vertices[v].z = whole.heights[v];
+    mesh.links = std::move(whole.mesh.links);
+    whole.mesh = {};
+    std::vector<Index> placeOf(whole.addedAs.size());
+    for (std::size_t t = 0; t < placeOf.size(); ++t) placeOf[whole.addedAs[t]] = static_cast<Index>(t);
+    for (Pair& pair : pairs_) pair = {placeOf[pair[0]], placeOf[pair[1]]};
+    const Adjacency topology = findEdges(mesh.triangles, mesh.vertices.size(), Poll(context_));
+    mesh.links = linksBetween(mesh.links, mesh.triangles, topology);
+    const std::vector<std::uint32_t> found = detail::layersOf(mesh, topology, std::move(pairs_), context_);
+    std::vector<std::uint32_t> layers(found.size());
+    for (std::size_t t = 0; t < found.size(); ++t) layers[whole.addedAs[t]] = found[t];
+    return layers;
+  }
+
+  TileStage& stage_;
+  RunContext& context_;
+  std::vector<std::uint64_t> first_;  ///< of each tile how many triangles are in those before it; then in all
+  std::vector<Pair> pairs_;           ///< numbers of triangles as tiles have them one behind the other
+};
+
+}  // namespace
+
+void layTiles(TileStage& stage, RunContext& context) { TileLayers(stage, context).run(); }
+
+}  // namespace footfall::detail
