@@ -93,7 +93,7 @@ bool CellCollector::isFloor(const BlockFace& face) const {
 }
 
 bool CellCollector::isOwn(const OwnFloors& own, const BlockFace& face) const {
-  if (own.listed != nullptr) return contains(*own.listed, face.number);
+  if (own.listed != nullptr) return contains(own.listed->floors, face.number);
   const std::uint64_t number = first_[face.block] + face.place;
   return number >= own.range.first && number < own.range.last;
 }
@@ -138,8 +138,12 @@ CellCollector::Floors CellCollector::findFloors(const OwnFloors& own, const Fits
   std::sort(floors.own.begin(), floors.own.end());
   if (rule_.step > 0 && reach > 0) {
     std::vector<Box> raised = floors.boxes;
-    for (Box& box : raised)
-      own.listed != nullptr ? widen(box, 2 * rule_.gap, kAllHeights) : widen(box, rule_.gap, reach * rule_.step);
+    for (Box& box : raised) widen(box, rule_.gap, reach * rule_.step);
+    if (own.listed != nullptr)
+      for (const auto& [x, y] : own.listed->corners) {
+        raised.push_back({{x, y, 0}, {x, y, 0}});
+        widen(raised.back(), 2 * rule_.gap, kAllHeights);
+      }
     addTouching(std::move(raised), fits, context, floors, floors.seen);
     // The first ring has whole vertices where it touches, the second one makes it conforming there.
     addTouching(floors.boxes, fits, context, floors, floors.near);

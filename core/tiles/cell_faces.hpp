@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/base/sorted_list.hpp"
 #include "core/io/packed/packed_environment.hpp"
 
 namespace footfall::detail {
@@ -26,12 +28,29 @@ struct FloorRule {
   std::vector<PartRole> roles;  ///< of Environment::parts; empty: all are floors
 };
 
+/// Floors whose borders gaps change.
+struct FloorsAtGaps {
+  std::vector<std::uint32_t> floors;  ///< their numbers in the environment
+  /// Links at corners of borders, where what lies within two gaps decides, whatever its height.
+  std::vector<std::array<double, 2>> corners;
+
+  void add(const FloorsAtGaps& others) {
+    floors.insert(floors.end(), others.floors.begin(), others.floors.end());
+    corners.insert(corners.end(), others.corners.begin(), others.corners.end());
+  }
+  void sort() {
+    sortOnce(floors);
+    sortOnce(corners);
+  }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return floors.size() * sizeof(std::uint32_t) + corners.size() * sizeof(std::array<double, 2>);
+  }
+};
+
 /// The floors of a cell.
 struct OwnFloors {
   FaceRange range;
-  /// In place of the range: numbers in the environment, ascending. Such a cell sees all that is over and under it and
-  /// within two gaps.
-  const std::vector<std::uint32_t>* listed = nullptr;
+  const FloorsAtGaps* listed = nullptr;  ///< sorted, in place of the range
 };
 
 /// What a face is to a cell. A cell sees the floors that steps lead to from its own ones; those that touch them are

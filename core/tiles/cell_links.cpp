@@ -2,6 +2,7 @@
 #include "core/tiles/cell_links.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <unordered_set>
@@ -131,9 +132,9 @@ StatePtr withoutDropped(const StatePtr& state, const std::vector<std::uint32_t>&
   return result;
 }
 
-std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<char>& isSeen,
-                                    const std::vector<char>& isOwn, const PipelineStep& step, int reach,
-                                    bool hasAllGaps, RunContext& context) {
+std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<std::uint32_t>& numbers,
+                                    const std::vector<char>& isSeen, const std::vector<char>& isOwn,
+                                    const PipelineStep& step, int reach, bool hasAllGaps, RunContext& context) {
   Recall recall;
   recall.keep = true;
   const auto linkedWith = [&](double gap) {
@@ -146,14 +147,21 @@ std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<cha
     if (isOwn[border.face] != 0) ownEdges.insert(border.edge);
   if (!LinkRows(*cell.state->kernel, memory, ownEdges).areShorterThan(reach, context)) return std::nullopt;
   if (hasAllGaps || memory.found.gaps.empty()) return cell;
-  for (const GapStretch& gap : memory.found.gaps)
-    for (const Index border : {gap.first, gap.second}) gapEdges.insert(memory.borders[border].edge);
+  const SourceMesh& source = state->kernel->mesh();
+  const int unscale = -source.grid.scaleExponent();
+  for (const GapStretch& gap : memory.found.gaps) {
+    const MeshBorder &first = memory.borders[gap.first], &second = memory.borders[gap.second];
+    gapEdges.insert({first.edge, second.edge});
+    if (gap.piece.corner && (isOwn[first.face] != 0 || isOwn[second.face] != 0))
+      cell.atGaps.corners.push_back(
+          {std::ldexp(gap.piece.corner->x, unscale), std::ldexp(gap.piece.corner->y, unscale)});
+  }
   LinkRows changed(*cell.state->kernel, memory, gapEdges);
   changed.areShorterThan(std::numeric_limits<int>::max(), context);
   for (const MeshBorder& border : memory.borders)
     if (cell.isOwn[border.face] != 0 && changed.leadTo(border.edge)) {
       cell.isOwn[border.face] = 0;
-      cell.atGaps.push_back(border.face);
+      cell.atGaps.floors.push_back(numbers[source.inputTriangles[border.face]]);
     }
   cell.state = linkedWith(0);
   return cell;

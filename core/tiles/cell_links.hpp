@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
+#include "core/tiles/cell_faces.hpp"
 #include "core/tiles/dropped_triangles.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run_context.hpp"
@@ -21,23 +22,23 @@ namespace footfall::detail {
 using StatePtr = std::shared_ptr<const WalkableState>;
 
 /// The state without triangles of its mesh that were dropped. `numbers` has for each input triangle its number in the
-/// environment.
+/// environment, here and below.
 StatePtr withoutDropped(const StatePtr& state, const std::vector<std::uint32_t>& numbers,
                         const DroppedTriangles& dropped);
 
 /// What a cell has of steps; faces are source triangles.
 struct LinkedCell {
   StatePtr state;
-  std::vector<char> isOwn;      ///< for each face; those at gaps are not
-  std::vector<Index> atGaps{};  ///< own faces whose borders gaps change, which are for a cell of their own
+  std::vector<char> isOwn;  ///< for each face; those at gaps are not
+  FloorsAtGaps atGaps{};    ///< own ones, which are for a cell of their own
 };
 
 /// What a StepFilter makes of what a cell sees. For own faces the mesh and the links are those of the whole; empty
 /// where there are as many links in a row as the cell sees steps. `hasAllGaps`: the cell's own faces are those at gaps,
 /// of all cells.
-std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<char>& isSeen,
-                                    const std::vector<char>& isOwn, const PipelineStep& step, int reach,
-                                    bool hasAllGaps, RunContext& context);
+std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<std::uint32_t>& numbers,
+                                    const std::vector<char>& isSeen, const std::vector<char>& isOwn,
+                                    const PipelineStep& step, int reach, bool hasAllGaps, RunContext& context);
 
 /// A link with an edge of own faces.
 struct CellLink {

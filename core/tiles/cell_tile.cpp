@@ -286,12 +286,11 @@ std::optional<MadeTile> makeTile(const CellFaces& cell, const Environment& head,
   const std::vector<char> isOwn = facesOfKind(mesh, cell.kinds, CellKind::Own);
   if (work.step == nullptr) return MadeTile{TileMaker(*last, cell).make(isOwn, work.keepsGeometry, context, inspect)};
   if (work.dropped != nullptr) last = withoutDropped(last, numbers, *work.dropped);
-  const std::optional<LinkedCell> linked = withSteps(last, facesOfKind(mesh, cell.kinds, CellKind::Seen), isOwn,
-                                                     *work.step, cell.reach, cell.isListed, context);
+  std::optional<LinkedCell> linked = withSteps(last, numbers, facesOfKind(mesh, cell.kinds, CellKind::Seen), isOwn,
+                                               *work.step, cell.reach, cell.isListed, context);
   if (!linked) return std::nullopt;
-  MadeTile made{TileMaker(*linked->state, cell).make(linked->isOwn, work.keepsGeometry, context, inspect)};
-  for (const Index face : linked->atGaps) made.atGaps.push_back(numbers[mesh.inputTriangles[face]]);
-  return made;
+  return MadeTile{TileMaker(*linked->state, cell).make(linked->isOwn, work.keepsGeometry, context, inspect),
+                  std::move(linked->atGaps)};
 }
 
 }  // namespace footfall::detail

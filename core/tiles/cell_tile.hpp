@@ -48,9 +48,9 @@ struct CellWork {
 
 struct MadeTile {
   Tile tile;
-  /// Own floors whose borders gaps change, by their numbers in the environment: the tile has nothing of them. When all
-  /// cells ran, they are a cell of their own (OwnFloors::listed), which has none.
-  std::vector<std::uint32_t> atGaps{};
+  /// The tile has nothing of these own floors. When all cells ran, they are a cell of their own (OwnFloors::listed),
+  /// which leaves none out.
+  FloorsAtGaps atGaps{};
 };
 
 /// What the work leaves of the cell's own floors, exactly as in the whole environment. `head` is that of the

@@ -10,7 +10,6 @@
 
 #include "core/base/background_release.hpp"
 #include "core/base/process_usage.hpp"
-#include "core/base/sorted_list.hpp"
 #include "core/io/export.hpp"
 #include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_regions.hpp"
@@ -234,7 +233,7 @@ class TileRun {
     store_.add(tile);
     cells_.push_back(own);
   }
-  void keepGaps(const MadeTile& made) { atGaps_.insert(atGaps_.end(), made.atGaps.begin(), made.atGaps.end()); }
+  void keepGaps(const MadeTile& made) { atGaps_.add(made.atGaps); }
 
   // Filters that see over the borders of tiles, one after another; then nobody needs to know what vertices are made of.
   void runGlobalSteps() {
@@ -263,9 +262,9 @@ class TileRun {
 
   // What gaps change, of all cells.
   void runGaps() {
-    if (atGaps_.empty()) return;
-    sortOnce(atGaps_);
-    fixed_ += atGaps_.size() * sizeof(std::uint32_t);
+    if (atGaps_.floors.empty()) return;
+    atGaps_.sort();
+    fixed_ += atGaps_.bytes();
     context_.beginStep(kTileRunSteps - 1, "gaps");
     const OwnFloors own{{}, &atGaps_};
     std::optional<MadeCell> cell = makeCell(own, withinMemory());
@@ -343,11 +342,11 @@ class TileRun {
   std::uint64_t fixed_ = 0;
   std::uint64_t neededForTile_ = 0;  ///< of the last cell, for filters that see over the borders of tiles; or 0
   Grid grid_;
-  std::vector<std::uint32_t> atGaps_;  ///< faces that gaps change
-  int reach_ = kUsualReach;            ///< of the last cell
-  bool isLinked_ = false;              ///< cells have their steps now
-  DroppedTriangles dropped_;           ///< before the steps
-  std::vector<OwnFloors> cells_;       ///< of each tile
+  FloorsAtGaps atGaps_;
+  int reach_ = kUsualReach;       ///< of the last cell
+  bool isLinked_ = false;         ///< cells have their steps now
+  DroppedTriangles dropped_;      ///< before the steps
+  std::vector<OwnFloors> cells_;  ///< of each tile
   TileRunResult result_;
 };
 

@@ -334,14 +334,20 @@ void TestTileJoin::environments() {
 void TestTileJoin::areasNearTheMinimum() {
   // The sum of six roots lies between two doubles, nearer to both than sums of doubles can tell; each triangle is a
   // tile.
-  Soup ramps;
+  // The same with a gap between both halves.
+  Soup ramps, halves;
   double height = 0;
   for (int i = 0; i < 6; ++i) {
     const double before = std::exchange(height, height + std::array{0.5, 1.0, 0.75, 0.25, 0.375, 0.625}[i]);
     ramps.ramp(i, 0, i + 1, 1, before, height);
+    const double x = i < 3 ? i : i + 0.03125;
+    halves.ramp(x, 0, x + 1, 1, before, height);
   }
   expectKept(ramps, "SlopeFilter 45\nAreaFilter 7.060272067199172\n", 12);
   expectKept(ramps, "SlopeFilter 45\nAreaFilter 7.060272067199173\n", 0);
+  const std::string linked = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.25 0.05\n";
+  expectKept(halves, linked + "AreaFilter 7.060272067199172\n", 12);
+  expectKept(halves, linked + "AreaFilter 7.060272067199173\n", 0);
 }
 
 void TestTileJoin::obstaclesPartRegions() {
