@@ -132,6 +132,11 @@ std::optional<std::vector<SurfaceVertex>> detailOf(const std::vector<SurfaceVert
   return detail;
 }
 
+std::vector<Vec3> detailExtremesOf(const std::vector<SurfaceVertex>& surface, const std::vector<Vec3>& extremes) {
+  const auto detail = detailOf(surface);
+  return detail ? extremePoints(*detail) : extremes;
+}
+
 void markCovers(EnvironmentGeometry& geometry, DisjointSets& sets) {
   std::vector<std::uint32_t> regions(geometry.surface.size() / 3);
   for (std::uint32_t t = 0; t < regions.size(); ++t)
@@ -217,8 +222,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
 
   if (!whole) {
     geometry->extremes = extremePoints(geometry->surface);
-    const auto detail = detailOf(geometry->surface);
-    geometry->detailExtremes = detail ? extremePoints(*detail) : geometry->extremes;
+    geometry->detailExtremes = detailExtremesOf(geometry->surface, geometry->extremes);
   }
 
   const auto isFloor = [&](std::uint32_t t) { return geometry->surface[std::size_t{3} * t].colour[3] == 0; };
@@ -251,8 +255,9 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
 
 std::shared_ptr<const WholeBounds> makeWholeBounds(const Vec3& lower, const Vec3& upper, const Vec3& centre,
                                                    const std::vector<SurfaceVertex>& surface) {
-  return std::make_shared<const WholeBounds>(
-      WholeBounds{centre, lower - centre, upper - centre, extremePoints(surface), extremePoints(detailOf(surface))});
+  WholeBounds bounds{centre, lower - centre, upper - centre, extremePoints(surface), {}};
+  bounds.detailExtremes = detailExtremesOf(surface, bounds.extremes);
+  return std::make_shared<const WholeBounds>(std::move(bounds));
 }
 
 void setPaint(SurfaceVertex& vertex, const Paint& paint) {
