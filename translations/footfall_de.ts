@@ -1608,8 +1608,8 @@
         <translation>geben Sie der Datei die Endung ihres wirklichen Formats</translation>
     </message>
     <message>
-        <source>is a packed environment of version %1, and this program reads version %2</source>
-        <translation>ist eine gepackte Umgebung der Version %1, und dieses Programm liest Version %2</translation>
+        <source>is a packed environment of version %1, and this program reads versions up to %2</source>
+        <translation>ist eine gepackte Umgebung der Version %1, und dieses Programm liest Versionen bis %2</translation>
     </message>
     <message>
         <source>pack the original again with this program, or use the one that packed it</source>
@@ -1706,6 +1706,14 @@
     <message>
         <source>--stats %1: this is in the folder of the tiles; name a file elsewhere</source>
         <translation>--stats %1: das liegt im Ordner der Kacheln; eine Datei anderswo angeben</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 triangles stand over one place; footfall run --memory takes them</source>
+        <translation>%1: Über einer Stelle stehen mehr als %2 Dreiecke; footfall run --memory nimmt sie</translation>
+    </message>
+    <message>
+        <source>%1: nothing stands at that place; look at another one</source>
+        <translation>%1: An dieser Stelle steht nichts; sehen Sie auf eine andere</translation>
     </message>
     <message>
         <source>%1: a second %2 cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
@@ -5080,6 +5088,10 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <source>%1 (says the file)</source>
         <translation>%1 (laut Datei)</translation>
     </message>
+    <message>
+        <source>Part: %1 of %2 triangles</source>
+        <translation>Teil: %1 von %2 Dreiecken</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::InspectionFeature</name>
@@ -6057,6 +6069,37 @@ Grundriss %2, Höhe %3
     <message>
         <source>Fold; drag to move, double click to put it back</source>
         <translation>Einklappen; Ziehen verschiebt, ein Doppelklick setzt sie zurück</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::PackedFeature</name>
+    <message>
+        <source>Run on &amp;what is looked at</source>
+        <translation>&amp;Dort ausführen, wohin man sieht</translation>
+    </message>
+    <message>
+        <source>Of an environment that is too large to run on: make the part in the middle of the view the one that filters run on</source>
+        <translation>Bei einer Umgebung, die für Läufe zu groß ist: die Filter laufen auf dem Teil, der in der Mitte der Ansicht liegt</translation>
+    </message>
+    <message>
+        <source>What the view shows in full of an environment that is too large to be loaded</source>
+        <translation>Was die Ansicht von einer Umgebung, die zu groß zum Laden ist, vollständig zeigt</translation>
+    </message>
+    <message>
+        <source>What is looked at has more than %1 triangles: the part is smaller.</source>
+        <translation>Was zu sehen ist, hat mehr als %1 Dreiecke: Der Teil ist kleiner.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 million triangles. The view shows them coarse, and in full where you look; filters run on the part in the frame. All of it: footfall run --memory.</source>
+        <translation>%1 hat %2 Millionen Dreiecke. Die Ansicht zeigt sie grob, und wohin Sie sehen vollständig; die Filter laufen auf dem Teil im Rahmen. Alles: footfall run --memory.</translation>
+    </message>
+    <message>
+        <source>Run on what is looked at</source>
+        <translation>Dort ausführen, wohin man sieht</translation>
+    </message>
+    <message>
+        <source>Coarse; in full: %1 of %2 blocks, %3 of %4 million triangles</source>
+        <translation>Grob; vollständig: %1 von %2 Blöcken, %3 von %4 Millionen Dreiecken</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,27 @@ std::string_view within(const std::string& bytes, std::uint64_t offset, std::uin
   return std::string_view(bytes).substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
+/// Of the coarse faces, where all of them lie in the bytes.
+void putCoarseSum(std::string& bytes, const PackedHeader& header) {
+  const std::string_view table = within(bytes, header.tableOffset, tableSize(header.blocks, header.version));
+  if (table.empty()) return;
+  PackedCoarse coarse;
+  const std::size_t at = header.tableOffset + header.blocks * sizeof(PackedBlock);
+  std::memcpy(&coarse, bytes.data() + at, sizeof coarse);
+  Digest sum;
+  std::uint64_t offset = coarse.offset;
+  for (std::uint64_t b = 0; b < header.blocks; ++b) {
+    PackedBlock block;
+    std::memcpy(&block, table.data() + b * sizeof block, sizeof block);
+    const std::uint64_t size = block.coarse * sizeof(PackedCoarseFace);
+    if (offset > bytes.size() || size > bytes.size() - offset) return;
+    sum.add(within(bytes, offset, size));
+    offset += size;
+  }
+  coarse.sum = sum.value();
+  std::memcpy(bytes.data() + at, &coarse, sizeof coarse);
+}
+
 void putCheckSums(std::string& bytes) {
   PackedHeader header;
   std::memcpy(&header, bytes.data(), sizeof header);
@@ -37,7 +58,8 @@ void putCheckSums(std::string& bytes) {
       block.sum = Digest().add(within(bytes, block.offset, block.size)).value();
       std::memcpy(entry, &block, sizeof block);
     }
-    header.tableSum = Digest().add(within(bytes, header.tableOffset, size)).value();
+    if (header.version > 1) putCoarseSum(bytes, header);
+    header.tableSum = Digest().add(within(bytes, header.tableOffset, tableSize(header.blocks, header.version))).value();
   }
   header.descriptionSum = Digest().add(within(bytes, header.descriptionOffset, header.descriptionSize)).value();
   std::memcpy(bytes.data(), &header, sizeof header);
@@ -64,6 +86,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
             "an environment changes when it is packed and read");
     const PackedEnvironment packed(path);
     const Box everything{{-1e308, -1e308, -1e308}, {1e308, 1e308, 1e308}};
+    std::size_t coarse = 0;
+    packed.forCoarseFaces([&](std::size_t block, const CoarseFace&) {
+      ++coarse;
+      require(block < packed.blocks().size(), "a coarse face of no block");
+    });
+    require(coarse <= bytes.size() / sizeof(PackedCoarseFace), "too many coarse faces");
     require(packed.facesTouching(everything).faceNumbers.size() <= environment->triangles.size(), "too many faces");
   } catch (const InputError& error) {
     requireGoodMessage(error.what(), path);

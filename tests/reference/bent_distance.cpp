@@ -104,12 +104,16 @@ void BentDistance::findDistances(bool orDoubtful) {
     const Triangle& t = mesh_.triangles[border.triangle];
     const Vec3 &a = mesh_.vertices[t[border.side]], &b = mesh_.vertices[t[(border.side + 1) % 3]];
     const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const bool isDoubtful = straight_.isNeedle(border.triangle);
     for (const auto& [place, share] : {std::pair{a, begin}, std::pair{b, 1 - end}})
-      for (const std::size_t i : cells_[cellOf(place.x, place.y)])
-        if (std::hypot(corners_[i].x - place.x, corners_[i].y - place.y) < 1e-9 &&
-            std::any_of(corners_[i].beside.begin(), corners_[i].beside.end(),
-                        [&](const SurfacePlace& p) { return p.triangle == border.triangle; }))
-          offer(i, share * length);
+      for (const std::size_t i : cells_[cellOf(place.x, place.y)]) {
+        if (std::hypot(corners_[i].x - place.x, corners_[i].y - place.y) >= 1e-9 ||
+            std::none_of(corners_[i].beside.begin(), corners_[i].beside.end(),
+                         [&](const SurfacePlace& p) { return p.triangle == border.triangle; }))
+          continue;
+        corners_[i].isDoubtful = corners_[i].isDoubtful || isDoubtful;
+        if (!isDoubtful || orDoubtful) offer(i, share * length);
+      }
   }
   while (!queue.empty()) {
     const auto [passed, corner] = *queue.begin();

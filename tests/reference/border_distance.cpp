@@ -106,12 +106,24 @@ bool BorderDistance::isNeedle(std::uint32_t triangle) const {
   return longest < 1e-9 || orientation(a, b, c) < 1e-6 * longest * longest;
 }
 
+// Along the line of one that is not, everything is inside of it for doubles.
+bool BorderDistance::isWide(std::uint32_t triangle) const {
+  const Place a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
+  const double around = std::hypot(b[0] - a[0], b[1] - a[1]) + std::hypot(c[0] - b[0], c[1] - b[1]);
+  return orientation(a, b, c) > 1e-11 * around;
+}
+
 std::optional<std::uint32_t> BorderDistance::find(double x, double y, double z, double most) const {
   std::optional<std::uint32_t> found;
   if (mesh_.triangles.empty()) return found;
   for (const std::uint32_t t : trianglesIn_[cell(x, 0) * kCells + cell(y, 1)]) {
-    bool isInside = true;
-    for (int k = 0; k < 3; ++k) isInside = isInside && orientation(corner(t, k), corner(t, k + 1), {x, y}) >= 0;
+    bool isInside = isWide(t);
+    for (int k = 0; k < 3; ++k) {
+      const Place a = corner(t, k), b = corner(t, k + 1);
+      // On an edge between two triangles roundings may take a place out of both.
+      const double hair = 1e-15 * std::hypot(b[0] - a[0], b[1] - a[1]) * (std::fabs(x) + std::fabs(y));
+      isInside = isInside && orientation(a, b, {x, y}) >= -hair;
+    }
     if (!isInside) continue;
     const double apart = std::fabs(height({t, x, y}) - z);
     if (apart > most) continue;

@@ -60,11 +60,13 @@ class BorderDistance {
   [[nodiscard]] double height(const SurfacePlace& place) const;
   /// So thin, or so small, that doubles say little of it.
   [[nodiscard]] bool isNeedle(std::uint32_t triangle) const;
-  /// The triangle over or under a place of the plan whose height is nearest, if it differs by at most `most`.
+  /// The triangle over or under a place of the plan whose height is nearest, if it differs by at most `most`; none
+  /// that is hardly wider than roundings.
   [[nodiscard]] std::optional<std::uint32_t> find(double x, double y, double z, double most) const;
 
  private:
   [[nodiscard]] std::array<double, 2> corner(std::uint32_t triangle, int k) const;
+  [[nodiscard]] bool isWide(std::uint32_t triangle) const;
   [[nodiscard]] double heightOn(const Border& border, double x, double y) const;
   template <class Counts>
   [[nodiscard]] Distance leastOf(const SurfacePlace& from, double most, const Counts& counts) const;

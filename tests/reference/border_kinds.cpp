@@ -12,18 +12,23 @@ namespace {
 
 constexpr double kHair = 1e-7;    // of heights and shares
 constexpr double kBeside = 1e-6;  // how far to the right of the border is "beside"
-constexpr double kCloser = 1e-3;  // of that: what differs there has another limit than what doubles see
+constexpr double kCloser = 1e-3;  // of that: what differs there, or as much closer, has another limit than doubles see
+constexpr double kLeaning = 1e-11;  // what leans by less from its foot to its top is an upright wall that was rounded
 
 /// Heights of a triangle straight over a place of the plan.
 struct HeightRange {
   double lowest = 0, highest = 0;
 };
 
+double squaredPlanLength(const Vec3& p, const Vec3& q) { return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y); }
+
 /// Where an upright triangle or any other one is cut by the upright line at (x, y), which upright ones need meet only
 /// within `reach`.
 std::optional<HeightRange> heightsAt(const std::array<Vec3, 3>& t, double x, double y, double reach) {
   const double area = (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x);
-  if (area == 0) {
+  const double longest =
+      std::max({squaredPlanLength(t[0], t[1]), squaredPlanLength(t[1], t[2]), squaredPlanLength(t[2], t[0])});
+  if (area * area <= kLeaning * kLeaning * longest) {
     HeightRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int k = 0; k < 3; ++k) {
       const Vec3 &p = t[k], &q = t[(k + 1) % 3];
@@ -118,7 +123,8 @@ std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec
     const auto isSure = [&](double beside) {
       return reaches(middle, kHair, beside) == isWall && reaches(middle, -kHair, beside) == isWall;
     };
-    if ((end - begin) * length > 10 * kBeside && isSure(kBeside) && isSure(kCloser * kBeside))
+    if ((end - begin) * length > 10 * kBeside && isSure(kBeside) && isSure(kCloser * kBeside) &&
+        isSure(kCloser * kCloser * kBeside))
       kind = isWall ? BorderKind::Wall : BorderKind::Ledge;
     if (!stretches.empty() && stretches.back().kind == kind)
       stretches.back().end = end;

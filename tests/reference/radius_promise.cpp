@@ -82,7 +82,9 @@ SurfacePlace RadiusPromise::nearBorder(double which, double along, double how) c
   // From inside the triangle to a place by the border, and from there in some direction.
   const SurfacePlace there{t, x + 1e-3 * (start.x - x), y + 1e-3 * (start.y - y)};
   const double angle = 7919 * along, length = 1.6 * how * radius_;
-  return before_.walk(there, there.x + length * std::cos(angle), there.y + length * std::sin(angle)).end;
+  const BorderDistance::Walk way =
+      before_.walk(there, there.x + length * std::cos(angle), there.y + length * std::sin(angle));
+  return way.isDoubtful ? there : way.end;  // over a needle one can come to a place that is not on the triangle there
 }
 
 void RadiusPromise::lookAt(const SurfacePlace& place, RadiusTally& tally) const {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/agents/agent_edits.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <utility>
 
+#include "ui/base/translated.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 QString nameOf(const NamedAgent& agent) { return QString::fromStdString(agent.name); }
 
 std::vector<NamedAgent>::iterator find(DocumentState& state, int id) {

@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <exception>
+#include <string_view>
 
 #include "footfall/text.hpp"
 
@@ -12,6 +13,11 @@ namespace footfall::ui {
 /// Translated where there is a translation, with the arguments in their places; patterns come to the translators
 /// through translations/update.sh.
 QString coreText(const Text& text);
+
+/// A name that stays what it is in all languages.
+inline QString untranslated(std::string_view name) {
+  return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
 
 /// What an exception says: translated for Footfall's own errors, as it is for others.
 QString coreText(const std::exception& error);

@@ -8,27 +8,27 @@ namespace footfall::ui {
 namespace {
 
 constexpr qsizetype kMost = 10;
-const auto kKey = QStringLiteral("recentFiles");
+const auto kFilesKey = QStringLiteral("recentFiles");
 
 }  // namespace
 
 RecentFiles::RecentFiles(QObject* parent) : QObject(parent) {}
 
-QStringList RecentFiles::paths() const { return QSettings().value(kKey).toStringList(); }
+QStringList RecentFiles::paths() const { return QSettings().value(kFilesKey).toStringList(); }
 
 void RecentFiles::add(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   QStringList paths = this->paths();
   paths.removeAll(absolute);
   paths.prepend(absolute);
-  QSettings().setValue(kKey, QStringList(paths.mid(0, kMost)));
+  QSettings().setValue(kFilesKey, QStringList(paths.mid(0, kMost)));
   emit changed();
 }
 
 void RecentFiles::remove(const QString& path) {
   QStringList paths = this->paths();
   if (paths.removeAll(path) == 0) return;
-  QSettings().setValue(kKey, paths);
+  QSettings().setValue(kFilesKey, paths);
   emit changed();
 }
 

@@ -17,7 +17,7 @@ const auto kService = QStringLiteral("org.freedesktop.portal.Desktop");
 const auto kPath = QStringLiteral("/org/freedesktop/portal/desktop");
 const auto kInterface = QStringLiteral("org.freedesktop.portal.Settings");
 const auto kGroup = QStringLiteral("org.freedesktop.appearance");
-const auto kKey = QStringLiteral("color-scheme");
+const auto kSchemeKey = QStringLiteral("color-scheme");
 const auto kLastAnswer = QStringLiteral("systemColours");
 
 // Without an address, asking for the bus would start one.
@@ -46,7 +46,7 @@ SystemColours::SystemColours(QObject* parent)
   bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
               SLOT(portalChanged(QString, QString, QDBusVariant)));
   QDBusMessage question = QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
-  question << kGroup << kKey;
+  question << kGroup << kSchemeKey;
   auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
   connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher] {
     const QDBusPendingReply<QDBusVariant> reply = *watcher;
@@ -56,7 +56,7 @@ SystemColours::SystemColours(QObject* parent)
 }
 
 void SystemColours::portalChanged(const QString& group, const QString& key, const QDBusVariant& value) {
-  if (group == kGroup && key == kKey) take(value.variant());
+  if (group == kGroup && key == kSchemeKey) take(value.variant());
 }
 
 void SystemColours::take(const QVariant& value) {

@@ -18,7 +18,7 @@ struct Language {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::Language)
 };
 
-const auto kKey = QStringLiteral("language");
+const auto kLanguageKey = QStringLiteral("language");
 const auto kFolder = QStringLiteral(":/translations");
 const auto kPrefix = QStringLiteral("footfall_");
 
@@ -49,11 +49,11 @@ QStringList languages() {
 }
 
 QString chosenLanguage() {
-  const QString code = QSettings().value(kKey).toString();
+  const QString code = QSettings().value(kLanguageKey).toString();
   return languages().contains(code) ? code : QString();
 }
 
-void chooseLanguage(const QString& code) { QSettings().setValue(kKey, code); }
+void chooseLanguage(const QString& code) { QSettings().setValue(kLanguageKey, code); }
 
 void loadTranslations(const QString& forced) {
   const QString code = forced.isEmpty() ? chosenLanguage() : forced;

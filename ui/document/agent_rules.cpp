@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/agent_rules.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -11,11 +10,10 @@
 
 #include "core/pipeline/block_structure.hpp"
 #include "footfall/agent.hpp"
+#include "ui/base/translated.hpp"
 
 namespace footfall::ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 // Twelve digits: 40 and not 40.000000000000007, which is what a change of scale and back would leave.
 double rounded(double value) {

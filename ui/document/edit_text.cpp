@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/edit_text.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 
 #include "core/filters/descriptor_text.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
+#include "ui/base/translated.hpp"
 
 namespace footfall::ui {
 namespace {
-
-QString tr(const char* text, const char* comment = nullptr, int n = -1) {
-  return QCoreApplication::translate("footfall::ui", text, comment, n);
-}
 
 // In the middle of a sentence.
 QString inside(std::string_view label) {

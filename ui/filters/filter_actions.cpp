@@ -15,11 +15,7 @@
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {
-namespace {
-
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
-}  // namespace
+namespace {}  // namespace
 
 void fillFilterMenu(QMenu& menu, const std::function<void(const FilterDescriptor&)>& use) {
   menu.setToolTipsVisible(true);
@@ -29,7 +25,7 @@ void fillFilterMenu(QMenu& menu, const std::function<void(const FilterDescriptor
     kind = filter.kind;
     QAction* action = menu.addAction(filterText(filter.label));
     action->setToolTip(filterText(filter.help));
-    action->setData(text(filter.name));
+    action->setData(untranslated(filter.name));
     QObject::connect(action, &QAction::triggered, &menu, [use, &filter] { use(filter); });
   }
 }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filters/filter_edits.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <utility>
 
+#include "ui/base/translated.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 bool contains(const FilterIds& ids, int id) { return std::ranges::find(ids, id) != ids.end(); }
 

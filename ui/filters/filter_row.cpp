@@ -24,11 +24,9 @@ constexpr int kUnitLetters = 9;    // and of the unit behind it, so that fields 
 constexpr int kGroupLetters = 8;   // of the width of a field of a group, at least
 constexpr std::size_t kMostGroups = 24;
 
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
 QString helpOf(const FilterDescriptor& filter) {
   QString help = QStringLiteral("<b>%1</b> (%2)<p>%3</p>")
-                     .arg(filterText(filter.label), text(filter.name), filterText(filter.help));
+                     .arg(filterText(filter.label), untranslated(filter.name), filterText(filter.help));
   if (!filter.precondition.empty())
     help += FilterRow::tr("<p><i>Needs:</i> %1</p>").arg(filterText(filter.precondition));
   return help + FilterRow::tr("<p><i>Effect:</i> %1</p>").arg(filterText(filter.effect));
@@ -174,7 +172,7 @@ void FilterRow::addParameters(QVBoxLayout* layout) {
 
 NumberField* FilterRow::makeNumber(const ParameterDescriptor& parameter, std::size_t index, QWidget* parent) {
   auto* field = new NumberField(parameter, parent);
-  field->setObjectName(text(parameter.name));
+  field->setObjectName(untranslated(parameter.name));
   connect(field, &NumberField::valueEdited, this,
           [this, index, field](double value) { emit valueEdited(id_, index, value, field->editSession()); });
   connect(field, &NumberField::problemChanged, this, &FilterRow::showError);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filters/filter_tools.hpp"
 
-#include <QCoreApplication>
 #include <QUndoView>
 #include <nlohmann/json.hpp>
 
 #include "ui/agents/agents_panel.hpp"
+#include "ui/base/translated.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/run/stale_badge.hpp"
 #include "ui/view/feature_host.hpp"
@@ -16,8 +16,6 @@ namespace {
 constexpr int kAgentKeys = 9;
 
 // In the context that lupdate finds for functions that belong to no class.
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
-
 void addListCommands(const FeatureHost& host, FilterList& list) {
   CommandRegistry& commands = host.commands;
   for (const FilterActions::Entry& entry : list.actions().entries())

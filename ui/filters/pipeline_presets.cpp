@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filters/pipeline_presets.hpp"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -10,6 +9,7 @@
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/translated.hpp"
 #include "ui/document/document.hpp"
 
 namespace footfall::ui {
@@ -17,8 +17,6 @@ namespace {
 
 constexpr const char* kEnding = ".pipeline";
 constexpr qsizetype kLongestName = 80;
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 std::string encoded(const QString& path) { return QFile::encodeName(path).toStdString(); }
 

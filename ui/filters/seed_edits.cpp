@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/filters/seed_edits.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "ui/base/number_text.hpp"
+#include "ui/base/translated.hpp"
 
 namespace footfall::ui {
 namespace {
 
 constexpr std::size_t kNumbers = 3;  // of a seed
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 bool isReachable(const FilterEntry& entry) { return entry.step.filter->type == FilterType::Reachable; }
 

@@ -13,7 +13,7 @@
 namespace footfall::ui {
 namespace {
 
-const QString kOverlay = QStringLiteral("seeds");
+const QString kSeedsOverlay = QStringLiteral("seeds");
 constexpr double kGrabPixels = 10;
 constexpr double kGrain = 1e-5;  // of the extent, at most
 constexpr double kLift = 10;     // grains over what was clicked: enough where floors slope by up to 86 degrees
@@ -148,7 +148,7 @@ void SeedTool::ended() {
 void SeedTool::draw() {
   const std::vector<Vec3> seeds = shown_ ? seedsOf(document_, filter_) : std::vector<Vec3>();
   if (seeds.empty()) {
-    view_.removeOverlay(kOverlay);
+    view_.removeOverlay(kSeedsOverlay);
     return;
   }
   ViewOverlay overlay;
@@ -158,7 +158,7 @@ void SeedTool::draw() {
     overlay.marks.push_back({at, seedColour(), i == hovered_ || i == dragged_ ? 16.0F : 12.0F});
     if (seeds.size() <= kMostLabels) overlay.labels.push_back({at, countText(i + 1)});
   }
-  view_.setOverlay(kOverlay, std::move(overlay));
+  view_.setOverlay(kSeedsOverlay, std::move(overlay));
 }
 
 }  // namespace footfall::ui

@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-const QString kOverlay = QStringLiteral("difference");
+const QString kDifferenceOverlay = QStringLiteral("difference");
 constexpr int kAlpha = 215;
 constexpr std::size_t kMostDrawn = 40'000;  // triangles: overlays are sent to the graphics card with every frame
 
@@ -169,8 +169,8 @@ void CompareFeature::draw() {
   const auto& difference = watch_->difference();
   std::vector<Legend::Note> notes;
   if (!difference) {
-    view_.removeOverlay(kOverlay);
-    view_.cameraController().setSelectionBounds(kOverlay, std::nullopt);
+    view_.removeOverlay(kDifferenceOverlay);
+    view_.cameraController().setSelectionBounds(kDifferenceOverlay, std::nullopt);
   } else {
     ViewOverlay overlay;
     overlay.throughWalls = true;
@@ -193,7 +193,7 @@ void CompareFeature::draw() {
       const DifferentRegion& region = difference->regions[static_cast<std::size_t>(chosenRegion_)];
       overlay.lines.push_back({edgesOfBox(region.lower, region.upper), colours[region.mesh], 2, QColor(Qt::white)});
     }
-    view_.setOverlay(kOverlay, std::move(overlay));
+    view_.setOverlay(kDifferenceOverlay, std::move(overlay));
     const CompareWriter write = writer();
     notes = {{appearedColour(), appearedText(*difference, write)}, {wentColour(), wentText(*difference, write)}};
     if (count < triangles.size())
@@ -209,7 +209,7 @@ void CompareFeature::frame(int region) {
   chosenRegion_ = region;
   draw();
   const DifferentRegion& chosen = difference->regions[static_cast<std::size_t>(region)];
-  view_.cameraController().setSelectionBounds(kOverlay, SceneBox{chosen.lower, chosen.upper});
+  view_.cameraController().setSelectionBounds(kDifferenceOverlay, SceneBox{chosen.lower, chosen.upper});
   view_.cameraController().frame(chosen.lower, chosen.upper);
 }
 

@@ -16,7 +16,7 @@
 namespace footfall::ui {
 namespace {
 
-const QString kOverlay = QStringLiteral("measure");
+const QString kMeasureOverlay = QStringLiteral("measure");
 constexpr double kSnapPixels = 8;
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
@@ -218,7 +218,7 @@ void MeasureTool::ended() {
 
 void MeasureTool::draw() {
   if (!shown_ || (places_.empty() && !hovered_)) {
-    view_.removeOverlay(kOverlay);
+    view_.removeOverlay(kMeasureOverlay);
     return;
   }
   ViewOverlay overlay;
@@ -242,7 +242,7 @@ void MeasureTool::draw() {
     if (hovered_->isVertex && (places_.empty() || isEnded_)) overlay.labels.push_back({hovered_->place, tr("vertex")});
   }
   overlay.lines.push_back(std::move(lines));
-  view_.setOverlay(kOverlay, std::move(overlay));
+  view_.setOverlay(kMeasureOverlay, std::move(overlay));
 }
 
 }  // namespace footfall::ui

@@ -3,8 +3,10 @@
 
 #include <QFile>
 #include <new>
+#include <utility>
 
 #include "core/base/worker_arena.hpp"
+#include "core/io/file_frame.hpp"
 #include "core/io/import.hpp"
 #include "core/io/write_targets.hpp"
 #include "ui/base/core_text.hpp"
@@ -12,15 +14,38 @@
 
 namespace footfall::ui {
 
+namespace {
+
+// Null: it is opened as any other.
+std::shared_ptr<const PackedEnvironment> tooLarge(const std::string& path, const ImportOptions& options,
+                                                  const PackedLimits& limits) {
+  if (lowerExtension(path) != kPackedExtension) return nullptr;
+  auto packed = std::make_shared<const PackedEnvironment>(path, options);
+  return packed->faceCount() > limits.whole ? packed : nullptr;
+}
+
+void takePart(OpenedPart opened, LoadedEnvironment& result) {
+  result.geometry = makeEnvironmentGeometry(opened.environment, std::nullopt, true, opened.part.whole);
+  result.environment = std::make_shared<const Environment>(std::move(opened.environment));
+  result.part = std::make_shared<const PackedPart>(std::move(opened.part));
+}
+
+}  // namespace
+
 EnvironmentLoader::EnvironmentLoader(QObject* parent) : QObject(parent) {}
 
-void EnvironmentLoader::load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre) {
+void EnvironmentLoader::load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre,
+                             const std::optional<PartPlace>& place) {
   const std::string name = QFile::encodeName(path).toStdString();
   work_.start(
       *this,
-      [options, centre, name](RunContext& context) {
+      [options, centre, name, place, limits = limits_](RunContext& context) {
         LoadedEnvironment result;
         result.options = options;
+        if (const auto packed = tooLarge(name, options, limits)) {
+          takePart(openPart(packed, limits, place, centre, context), result);
+          return result;
+        }
         result.environment = onThreads(0, [&](int) { return importEnvironment(name, options, &context); });
         context.checkCancelled();
         result.companions = companionFiles(name);

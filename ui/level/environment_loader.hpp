@@ -11,6 +11,7 @@
 
 #include "footfall/environment.hpp"
 #include "ui/base/latest_work.hpp"
+#include "ui/level/packed_part.hpp"
 #include "ui/view/render_geometry.hpp"
 
 namespace footfall::ui {
@@ -20,6 +21,8 @@ struct LoadedEnvironment {
   std::shared_ptr<const EnvironmentGeometry> geometry;
   ImportOptions options;                ///< as asked for
   std::vector<std::string> companions;  ///< companionFiles() of its file
+  /// Of a packed environment that is too large to be loaded: what of it `environment` is; null for all others.
+  std::shared_ptr<const PackedPart> part;
 };
 
 /// One load at a time: another one cancels it. Signals come on the thread that the loader lives on.
@@ -29,8 +32,11 @@ class EnvironmentLoader : public QObject {
  public:
   explicit EnvironmentLoader(QObject* parent = nullptr);
 
-  /// The geometry is made around `centre`, when one is given: that of the version before.
-  void load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre = std::nullopt);
+  /// The geometry is made around `centre`, when one is given: that of the version before. Of a packed environment that
+  /// is too large, the part at `place` is loaded; nothing: in its middle.
+  void load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre = std::nullopt,
+            const std::optional<PartPlace>& place = std::nullopt);
+  void setPackedLimits(const PackedLimits& limits) { limits_ = limits; }
   void cancel();
   [[nodiscard]] bool busy() const { return work_.busy(); }
 
@@ -42,6 +48,7 @@ class EnvironmentLoader : public QObject {
   void cancelled();
 
  private:
+  PackedLimits limits_;
   LatestWork work_;  // last: its thread ends before the rest goes
 };
 

@@ -16,7 +16,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr const char* kWatchSetting = "watchFile";
-constexpr const char* kOverlay = "parts";
+constexpr const char* kPartsOverlay = "parts";
 // Overlays are sent to the graphics card with every frame: larger parts are shown by their box alone.
 constexpr std::size_t kMostHighlighted = 20'000;
 constexpr int kHighlightAlpha = 110;
@@ -157,12 +157,12 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
   const auto bounds = environment && !parts.empty() ? boundsOf(*environment, parts) : std::nullopt;
   if (!bounds) {
     if (std::exchange(highlighted_, false))
-      view_.cameraController().setSelectionBounds(QLatin1String(kOverlay), std::nullopt);
-    view_.removeOverlay(QLatin1String(kOverlay));
+      view_.cameraController().setSelectionBounds(QLatin1String(kPartsOverlay), std::nullopt);
+    view_.removeOverlay(QLatin1String(kPartsOverlay));
     return;
   }
   highlighted_ = true;
-  view_.cameraController().setSelectionBounds(QLatin1String(kOverlay), SceneBox{bounds->lower, bounds->upper});
+  view_.cameraController().setSelectionBounds(QLatin1String(kPartsOverlay), SceneBox{bounds->lower, bounds->upper});
   ViewOverlay overlay;
   overlay.throughWalls = true;
   std::size_t triangles = 0;
@@ -179,7 +179,7 @@ void EnvironmentTools::highlight(const std::vector<std::uint32_t>& parts) {
     });
     overlay.surfaces.push_back(std::move(surface));
   }
-  view_.setOverlay(QLatin1String(kOverlay), std::move(overlay));
+  view_.setOverlay(QLatin1String(kPartsOverlay), std::move(overlay));
 }
 
 void EnvironmentTools::frame(const std::vector<std::uint32_t>& parts) {

@@ -21,6 +21,7 @@ void ImportEdits::showLevel() {
   const Vec3 &lower = loaded.geometry->lower, &upper = loaded.geometry->upper;
   panel_.setEnvironment(loaded.environment.get(), {upper.x - lower.x, upper.y - lower.y, upper.z - lower.z},
                         loaded.options.up.has_value(), loaded.options.metresPerUnit.has_value());
+  if (loaded.part) panel_.setPart(loaded.environment->triangles.size(), loaded.part->environment->faceCount());
   units_.setLevel(*loaded.environment);
 }
 

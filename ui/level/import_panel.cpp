@@ -132,6 +132,11 @@ void ImportPanel::setOptions(const ImportOptions& options) {
   showGuesses();
 }
 
+void ImportPanel::setPart(std::uint64_t triangles, std::uint64_t ofAll) {
+  counts_ = tr("Part: %1 of %2 triangles").arg(countText(triangles), countText(ofAll));
+  showFigures();
+}
+
 void ImportPanel::setEnvironment(const Environment* environment, const Vec3& size, bool upGiven, bool scaleGiven) {
   loaded_ = environment != nullptr;
   for (QWidget* widget :

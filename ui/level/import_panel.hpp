@@ -24,6 +24,8 @@ class ImportPanel : public QWidget {
   /// Null: nothing is loaded. `upGiven`, `scaleGiven`: its up axis, its scale is the user's word, and not the file's or
   /// a guess.
   void setEnvironment(const Environment* environment, const Vec3& size, bool upGiven, bool scaleGiven);
+  /// What is loaded is so many triangles of a larger environment.
+  void setPart(std::uint64_t triangles, std::uint64_t ofAll);
   void setUnits(const LevelUnits& units);
 
   [[nodiscard]] QComboBox* upBox() const { return up_; }

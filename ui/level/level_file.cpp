@@ -30,7 +30,16 @@ QString LevelFile::path() const {
 void LevelFile::open(const QString& path, const ImportOptions& options) { start(Reading::Another, path, options); }
 
 void LevelFile::reread(const ImportOptions& options) {
-  if (loaded_.environment && !busy()) start(Reading::Again, path(), options, loaded_.geometry->centre);
+  if (loaded_.environment && !busy()) start(Reading::Again, path(), options, loaded_.geometry->centre, place());
+}
+
+void LevelFile::showPart(const PartPlace& place) {
+  const bool isFree = reading_ == Reading::Nothing || reading_ == Reading::OtherPart;
+  if (loaded_.part && isFree) start(Reading::OtherPart, path(), loaded_.options, {}, place);
+}
+
+std::optional<PartPlace> LevelFile::place() const {
+  return loaded_.part ? std::optional(loaded_.part->place) : std::nullopt;
 }
 
 void LevelFile::cancel() {
@@ -38,10 +47,10 @@ void LevelFile::cancel() {
 }
 
 void LevelFile::start(Reading reading, const QString& path, const ImportOptions& options,
-                      const std::optional<Vec3>& centre) {
+                      const std::optional<Vec3>& centre, const std::optional<PartPlace>& place) {
   reading_ = reading;
   path_ = path;
-  loader_.load(path, options, centre);
+  loader_.load(path, options, centre, place);
 }
 
 void LevelFile::setOptions(const ImportOptions& options) {
@@ -49,7 +58,8 @@ void LevelFile::setOptions(const ImportOptions& options) {
   const bool sameMesh = options.up == loaded_.options.up && options.bothSides == loaded_.options.bothSides;
   const std::optional<double> scale = options.metresPerUnit ? options.metresPerUnit : fileScale_;
   if (!sameMesh || !scale || busy()) {
-    start(Reading::OtherOptions, path(), options);
+    // Turned to another axis, a place of the plan is nowhere.
+    start(Reading::OtherOptions, path(), options, {}, options.up == loaded_.options.up ? place() : std::nullopt);
     return;
   }
   // The scale changes no coordinate, so nothing is computed again.

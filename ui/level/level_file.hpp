@@ -16,6 +16,7 @@ enum class Reading {
   Nothing,       ///< none is
   Another,       ///< another file
   OtherOptions,  ///< the same file with other import options
+  OtherPart,     ///< another part of the same file, which is too large to be loaded as a whole
   Again          ///< the same file with the same options, as another program has saved it
 };
 
@@ -33,6 +34,10 @@ class LevelFile : public QObject {
   /// Other options for the file: it is read again where they make a difference to the mesh, else rescaled() follows at
   /// once. Nothing while another file is being read, which has options of its own.
   void setOptions(const ImportOptions& options);
+  /// Another part of a file of which a part is loaded (LoadedEnvironment::part), with the same options; nothing while
+  /// something else is being read.
+  void showPart(const PartPlace& place);
+  void setPackedLimits(const PackedLimits& limits) { loader_.setPackedLimits(limits); }
   void cancel();
 
   [[nodiscard]] bool busy() const { return loader_.busy(); }
@@ -62,7 +67,8 @@ class LevelFile : public QObject {
 
  private:
   void start(Reading reading, const QString& path, const ImportOptions& options,
-             const std::optional<Vec3>& centre = std::nullopt);
+             const std::optional<Vec3>& centre = std::nullopt, const std::optional<PartPlace>& place = std::nullopt);
+  [[nodiscard]] std::optional<PartPlace> place() const;
   void take(const LoadedEnvironment& loaded);
   void keepScale();
 

@@ -67,10 +67,10 @@ void PartLevel::work(EnvironmentPtr base) {
   work_.start(
       *this,
       [loaded = loaded_, rules = rules_, before = computed_ ? computed_ : base_, given = std::move(base),
-       centre = geometry_->centre](RunContext& context) {
+       centre = geometry_->centre, whole = geometry_->whole](RunContext& context) {
         const EnvironmentPtr made = given ? given : diffEnvironments(before, applyPartRules(loaded, rules), &context);
         context.checkCancelled();
-        return std::pair<EnvironmentPtr, GeometryPtr>(made, makeEnvironmentGeometry(*made, centre));
+        return std::pair<EnvironmentPtr, GeometryPtr>(made, makeEnvironmentGeometry(*made, centre, true, whole));
       },
       [this](const auto& made) { take(made.first, made.second); },
       [this](const std::exception& error) {

@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-const QString kOverlay = QStringLiteral("skipped");
+const QString kSkippedOverlay = QStringLiteral("skipped");
 constexpr double kShownAround = 1;  // metres around the corners
 
 }  // namespace
@@ -43,7 +43,7 @@ SkippedFeature::SkippedFeature(const FeatureHost& host, LevelView& view, LevelFi
     dock_->raise();
   });
   connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
-    if (!on) view_.removeOverlay(kOverlay);
+    if (!on) view_.removeOverlay(kSkippedOverlay);
   });
   // While the window goes, its docks still hide, and the view is gone by then.
   connect(&host.commands, &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
@@ -54,7 +54,7 @@ SkippedFeature::SkippedFeature(const FeatureHost& host, LevelView& view, LevelFi
 }
 
 void SkippedFeature::follow() {
-  view_.removeOverlay(kOverlay);
+  view_.removeOverlay(kSkippedOverlay);
   const auto environment = file_.environment();
   const SkippedElements& skipped = environment ? environment->skipped : SkippedElements{};
   panel_->show(skipped, [units = units_.units()](const Vec3& place) { return units.place(place); });
@@ -67,7 +67,7 @@ void SkippedFeature::frame(int row) {
   if (!environment || row < 0 || static_cast<std::size_t>(row) >= environment->skipped.listed.size()) return;
   const SkippedPolygon& polygon = environment->skipped.listed[static_cast<std::size_t>(row)];
   if (polygon.corners.empty()) {
-    view_.removeOverlay(kOverlay);
+    view_.removeOverlay(kSkippedOverlay);
     status_.say(StatusSubject::Note, tr("This polygon has no corners: it is nowhere in the level."));
     return;
   }
@@ -77,7 +77,7 @@ void SkippedFeature::frame(int row) {
   overlay.lines.push_back({{{a, b}}, selectedCellColour(), 3, outlineColour()});
   for (const Vec3& corner : polygon.corners) overlay.marks.push_back({corner, selectedCellColour(), 11});
   overlay.labels.push_back({a, coreText(skippedSource(polygon))});
-  view_.setOverlay(kOverlay, std::move(overlay));
+  view_.setOverlay(kSkippedOverlay, std::move(overlay));
   const double around = kShownAround / environment->metresPerUnit;
   view_.cameraController().frame(
       {std::min(a.x, b.x) - around, std::min(a.y, b.y) - around, std::min(a.z, b.z) - around},

@@ -6,12 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "footfall/errors.hpp"
+#include "ui/base/translated.hpp"
 #include "ui/view/feature_host.hpp"
 
 namespace footfall::ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 struct Entry {
   LengthUnit unit;

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kShownAround = 1.5;  // metres around what keeps two parts apart
+constexpr double kShownAroundLinks = 1.5;  // metres around what keeps two parts apart
 
 Json toJson(const std::optional<Vec3>& place) { return place ? Json{place->x, place->y, place->z} : Json(nullptr); }
 
@@ -112,7 +112,7 @@ void PathFeature::takeResult() {
     model_.setGround({});
   }
   const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
-  separation_->setMargin(kShownAround / metres);
+  separation_->setMargin(kShownAroundLinks / metres);
   panel_->setNotice(!file_.environment() ? tr("Open an environment first.")
                     : run                ? QString()
                                          : tr("There is no result to walk on yet."));

@@ -11,7 +11,7 @@
 namespace footfall::ui {
 namespace {
 
-const QString kOverlay = QStringLiteral("path");
+const QString kPathOverlay = QStringLiteral("path");
 constexpr double kGrabPixels = 10;
 constexpr double kArrowEvery = 56;  // pixels along the path
 constexpr double kArrowPixels = 9;
@@ -148,7 +148,7 @@ void PathTool::ended() { dragged_ = hovered_ = End::None; }
 
 void PathTool::draw() {
   if (!shown_ || (!model_.start() && !model_.target())) {
-    view_.removeOverlay(kOverlay);
+    view_.removeOverlay(kPathOverlay);
     return;
   }
   ViewOverlay overlay;
@@ -182,7 +182,7 @@ void PathTool::draw() {
       overlay.labels.push_back({nearest->position, atStart ? tr("Nearest walkable place") : tr("The way ends here")});
     }
   }
-  view_.setOverlay(kOverlay, std::move(overlay));
+  view_.setOverlay(kPathOverlay, std::move(overlay));
 }
 
 }  // namespace footfall::ui

@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-const QString kOverlay = QStringLiteral("separation");
+const QString kSeparationOverlay = QStringLiteral("separation");
 
 const std::optional<Separation>& separationOf(const PathModel& model) {
   static const std::optional<Separation> kNone;
@@ -88,13 +88,13 @@ void SeparationView::update() {
   setVisible(isKnown);
   refreshMend();
   if (!isKnown || !shown_) {
-    view_.removeOverlay(kOverlay);
+    view_.removeOverlay(kSeparationOverlay);
     return;
   }
   ViewOverlay overlay;
   overlay.throughWalls = true;
   addSeparation(overlay, *separation, write_);
-  view_.setOverlay(kOverlay, std::move(overlay));
+  view_.setOverlay(kSeparationOverlay, std::move(overlay));
 }
 
 }  // namespace footfall::ui

@@ -25,9 +25,9 @@ class StepMeshes {
     entries_.remove_if([&](const auto& entry) { return entry.first == prefix; });
     entries_.emplace_front(prefix, std::move(mesh));
     std::size_t bytes = 0;
-    for (const auto& entry : entries_) bytes += entry.second ? sizeOf(*entry.second) : 0;
+    for (const auto& entry : entries_) bytes += entry.second ? detail::sizeOf(*entry.second) : 0;
     while (entries_.size() > kEntries || (bytes > kMostBytes && entries_.size() > kLeastEntries)) {
-      bytes -= entries_.back().second ? sizeOf(*entries_.back().second) : 0;
+      bytes -= entries_.back().second ? detail::sizeOf(*entries_.back().second) : 0;
       entries_.pop_back();
     }
   }

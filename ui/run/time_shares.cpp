@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/run/time_shares.hpp"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/base/translated.hpp"
 #include "ui/document/edit_text.hpp"
 #include "ui/view/cell_colours.hpp"
 
@@ -13,8 +13,6 @@ namespace footfall::ui {
 namespace {
 
 constexpr std::size_t kNamed = 3;  // steps in a summary
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 QString percent(double share) { return QString::number(std::lround(share * 100)); }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int kSide = 92;
 constexpr double kReach = 32;  // pixels from the middle to the ends
 constexpr double kRadius = 9;  // of the discs
-constexpr double kDegreesPerPixel = 0.6;
+constexpr double kGizmoDegreesPerPixel = 0.6;
 
 /// One of the level's axes (Z up), with the sides of the view at its ends.
 struct Axis {
@@ -155,7 +155,7 @@ void AxisGizmo::mouseMoveEvent(QMouseEvent* event) {
     if (pressed_ && (event->pos() - *pressed_).manhattanLength() < QApplication::startDragDistance()) return;
     pressed_.reset();
     const QPoint way = event->pos() - std::exchange(last_, event->pos());
-    camera_.turnBy(-way.x() * kDegreesPerPixel, way.y() * kDegreesPerPixel);
+    camera_.turnBy(-way.x() * kGizmoDegreesPerPixel, way.y() * kGizmoDegreesPerPixel);
     return;
   }
   if (std::exchange(hovered_, endAt(event->position())) != hovered_) update();

@@ -8,10 +8,10 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kKeyShare = 0.08;        // of the distance to the pivot, with an arrow key
-constexpr double kKeyDegrees = 7.5;       // with Ctrl or Shift and an arrow key
-constexpr double kWheelFactor = 1.2;      // with a click of the wheel
-constexpr double kDegreesPerPixel = 0.4;  // of two fingers on a trackpad
+constexpr double kKeyShare = 0.08;              // of the distance to the pivot, with an arrow key
+constexpr double kKeyDegrees = 7.5;             // with Ctrl or Shift and an arrow key
+constexpr double kWheelFactor = 1.2;            // with a click of the wheel
+constexpr double kFingerDegreesPerPixel = 0.4;  // of two fingers on a trackpad
 
 }  // namespace
 
@@ -49,7 +49,7 @@ void steerByWheel(CameraController& camera, const QWheelEvent& event) {
     if (event.modifiers() & Qt::ShiftModifier) {
       camera.panBy(pixels);
     } else {
-      camera.turnBy(-pixels.x() * kDegreesPerPixel, pixels.y() * kDegreesPerPixel);
+      camera.turnBy(-pixels.x() * kFingerDegreesPerPixel, pixels.y() * kFingerDegreesPerPixel);
     }
     return;
   }

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/cell_colours.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "ui/base/number_text.hpp"
 #include "ui/base/palette.hpp"
+#include "ui/base/translated.hpp"
 
 namespace footfall::ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 double valueOf(const CellReport& cell, CellColouring colouring) {
   switch (colouring) {

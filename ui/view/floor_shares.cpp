@@ -25,19 +25,21 @@ Corners cornersOf(const std::vector<Vec3>& vertices, const Triangle& t) {
   return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
 }
 
-double cross(const Vec3& a, const Vec3& b, const Vec3& c) {
+double planCross(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 // Twice the area in the plan, above 0 where it faces up.
-double planArea(const Corners& p) { return cross(p[0], p[1], p[2]); }
+double planArea(const Corners& p) { return planCross(p[0], p[1], p[2]); }
 
 double areaOf(const Corners& p) { return detail::areaOf(p[0], p[1], p[2]); }
 
 double heightAt(const Corners& p, double x, double y) {
   const double area = planArea(p);
   const Vec3 at{x, y, 0};
-  return (cross(p[1], p[2], at) * p[0].z + cross(p[2], p[0], at) * p[1].z + cross(p[0], p[1], at) * p[2].z) / area;
+  return (planCross(p[1], p[2], at) * p[0].z + planCross(p[2], p[0], at) * p[1].z +
+          planCross(p[0], p[1], at) * p[2].z) /
+         area;
 }
 
 bool isInside(const Corners& piece, const Corners& floor) {
@@ -45,7 +47,7 @@ bool isInside(const Corners& piece, const Corners& floor) {
   if (!(std::abs(area) > 0)) return false;
   return std::ranges::all_of(piece, [&](const Vec3& p) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (cross(floor[k], floor[(k + 1) % 3], p) / area < -kInside) return false;
+      if (planCross(floor[k], floor[(k + 1) % 3], p) / area < -kInside) return false;
     }
     return true;
   });
@@ -69,7 +71,7 @@ double shareOf(const Corners& piece, const Corners& floor, double slack) {
     std::size_t left = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const Vec3 &p = polygon[i], &q = polygon[(i + 1) % size];
-      const double dp = facing * cross(a, b, p), dq = facing * cross(a, b, q);
+      const double dp = facing * planCross(a, b, p), dq = facing * planCross(a, b, q);
       if (dp >= 0 && left < kept.size()) kept[left++] = p;
       if ((dp > 0) == (dq > 0) || dp == 0 || dq == 0 || left == kept.size()) continue;
       const double t = dp / (dp - dq);
@@ -81,7 +83,7 @@ double shareOf(const Corners& piece, const Corners& floor, double slack) {
   double twice = 0;
   Vec3 middle;
   for (std::size_t i = 0; i < size; ++i) {
-    if (i >= 2) twice += cross(polygon[0], polygon[i - 1], polygon[i]);
+    if (i >= 2) twice += planCross(polygon[0], polygon[i - 1], polygon[i]);
     middle.x += polygon[i].x / static_cast<double>(size);
     middle.y += polygon[i].y / static_cast<double>(size);
   }

@@ -17,7 +17,7 @@ constexpr double kTouching = 1e-6;  // times the reach: less above a floor is th
 constexpr double kThinnestCover = 1e-9;        // of the floor's own area: what covers less cannot be seen
 constexpr std::size_t kMostPairs = 4'000'000;  // 64 MB; larger levels are left to the run
 
-double cross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
+double planCross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
 }  // namespace
 
@@ -102,9 +102,9 @@ HeadroomPreview::Polygon HeadroomPreview::overlap(const Pair& pair, double low, 
   const auto obstacle = cornersOf(environment_->vertices, environment_->triangles[pair.obstacle]);
   const Vec3 u{floor[1].x - floor[0].x, floor[1].y - floor[0].y, floor[1].z - floor[0].z};
   const Vec3 v{floor[2].x - floor[0].x, floor[2].y - floor[0].y, floor[2].z - floor[0].z};
-  const double area = cross(u.x, u.y, v.x, v.y);
-  const double obstacleArea = cross(obstacle[1].x - obstacle[0].x, obstacle[1].y - obstacle[0].y,
-                                    obstacle[2].x - obstacle[0].x, obstacle[2].y - obstacle[0].y);
+  const double area = planCross(u.x, u.y, v.x, v.y);
+  const double obstacleArea = planCross(obstacle[1].x - obstacle[0].x, obstacle[1].y - obstacle[0].y,
+                                        obstacle[2].x - obstacle[0].x, obstacle[2].y - obstacle[0].y);
   if (!(area > 0) || std::abs(obstacleArea) <= kThinnestCover * area) return {};  // a wall covers nothing
   const double slopeX = (u.z * v.y - v.z * u.y) / area;
   const double slopeY = (u.x * v.z - v.x * u.z) / area;
@@ -117,12 +117,12 @@ HeadroomPreview::Polygon HeadroomPreview::overlap(const Pair& pair, double low, 
   clip(polygon, [&](const Corner& c) { return high - c.height; });
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = floor[k], &b = floor[(k + 1) % 3];
-    clip(polygon, [&](const Corner& c) { return cross(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y); });
+    clip(polygon, [&](const Corner& c) { return planCross(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y); });
   }
   double covered = 0;
   for (std::size_t i = 1; i + 1 < polygon.size; ++i) {
     const Corner &o = polygon.corners[0], &a = polygon.corners[i], &b = polygon.corners[i + 1];
-    covered += cross(a.x - o.x, a.y - o.y, b.x - o.x, b.y - o.y);
+    covered += planCross(a.x - o.x, a.y - o.y, b.x - o.x, b.y - o.y);
   }
   if (std::abs(covered) <= kThinnestCover * area) return {};
   // Counter-clockwise, as the floor is: seen from above also where the obstacle faces down.
@@ -137,11 +137,11 @@ void HeadroomPreview::addShadow(NavigationMesh& mesh, const Pair& pair, double l
   const auto floor = cornersOf(floors_->vertices, floors_->triangles[pair.floor]);
   const Vec3 u{floor[1].x - floor[0].x, floor[1].y - floor[0].y, floor[1].z - floor[0].z};
   const Vec3 v{floor[2].x - floor[0].x, floor[2].y - floor[0].y, floor[2].z - floor[0].z};
-  const double area = cross(u.x, u.y, v.x, v.y);
+  const double area = planCross(u.x, u.y, v.x, v.y);
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const Corner& c : std::span(polygon.corners).first(polygon.size)) {
     const double dx = c.x - floor[0].x, dy = c.y - floor[0].y;
-    const double z = floor[0].z + (cross(dx, dy, v.x, v.y) * u.z + cross(u.x, u.y, dx, dy) * v.z) / area;
+    const double z = floor[0].z + (planCross(dx, dy, v.x, v.y) * u.z + planCross(u.x, u.y, dx, dy) * v.z) / area;
     mesh.vertices.push_back({c.x, c.y, z});
   }
   for (std::uint32_t i = 1; i + 1 < polygon.size; ++i) mesh.triangles.push_back({base, base + i, base + i + 1});

@@ -33,10 +33,8 @@ class LevelCamera : public Camera {
 }  // namespace
 
 LevelView::LevelView(QWidget* parent)
-    : QGLViewer(parent), cameraController_(*this, [this](const Ray& ray) {
-        const std::optional<SurfacePoint> seen = scene_.seenAlong(ray, viewDirection());
-        return seen ? std::optional(seen->point) : std::nullopt;
-      }) {
+    : QGLViewer(parent),
+      cameraController_(*this, [this](const Ray& ray) { return scene_.placeAlong(ray, viewDirection()); }) {
   setObjectName(QStringLiteral("levelView"));
   const Camera* const usual = camera();
   setCamera(new LevelCamera);  // belongs to QGLViewer
@@ -106,6 +104,11 @@ void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geomet
 void LevelView::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
   scene_.replaceEnvironment(geometry);
   cameraController_.replaceScene(std::move(geometry));
+  update();
+}
+
+void LevelView::setBackdrop(BackdropPtr backdrop) {
+  scene_.setBackdrop(std::move(backdrop));
   update();
 }
 
@@ -227,6 +230,14 @@ std::optional<SurfacePoint> LevelView::pick(const QPoint& place) const {
   const Vec3 centre = scene_.centre();
   found->point = {found->point.x + centre.x, found->point.y + centre.y, found->point.z + centre.z};
   return found;
+}
+
+Vec3 LevelView::placeInTheMiddle() const {
+  const std::optional<Vec3> seen = scene_.placeAlong(sightAt(*camera(), rect().center()), viewDirection());
+  const Vec pivot = camera()->pivotPoint();
+  const Vec3 place = seen.value_or(Vec3{pivot.x, pivot.y, pivot.z});
+  const Vec3 centre = scene_.centre();
+  return {place.x + centre.x, place.y + centre.y, place.z + centre.z};
 }
 
 std::optional<QPointF> LevelView::project(const Vec3& place) const {

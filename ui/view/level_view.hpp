@@ -47,6 +47,9 @@ class LevelView : public QGLViewer {
   /// Shows an environment that has changed, with the same centre; content, cells and camera stay.
   void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
   [[nodiscard]] std::shared_ptr<const EnvironmentGeometry> environmentGeometry() const { return scene_.environment(); }
+  /// Shows something around the environment, which is neither clicked nor part of any result; null: nothing.
+  void setBackdrop(BackdropPtr backdrop);
+  [[nodiscard]] const BackdropPtr& backdrop() const { return scene_.backdrop(); }
   void setContent(ViewContent content);
   [[nodiscard]] const ViewContent& content() const { return scene_.content(); }
 
@@ -100,6 +103,10 @@ class LevelView : public QGLViewer {
   [[nodiscard]] std::optional<SurfacePoint> pick(const QPoint& place) const;
   /// Where a place of the environment is in the view; nothing when it is behind the eye.
   [[nodiscard]] std::optional<QPointF> project(const Vec3& place) const;
+  /// From where the scene is drawn, and what is left of it.
+  [[nodiscard]] SceneCamera sceneCamera() const;
+  /// The place that is seen in the middle of the view, or else the camera's pivot; in the environment's coordinates.
+  [[nodiscard]] Vec3 placeInTheMiddle() const;
   /// What heights and cut plane leave, in the scene's coordinates.
   [[nodiscard]] ShownSpace shown() const { return scene_.shown(); }
 
@@ -154,7 +161,6 @@ class LevelView : public QGLViewer {
   void bindMouse();
   static ViewMouse toolMouse(const QMouseEvent& event);
   [[nodiscard]] QVector3D viewDirection() const;
-  [[nodiscard]] SceneCamera sceneCamera() const;
   void drawSlice();
   [[nodiscard]] OverlayRenderer::Look overlayLook() const;
   [[nodiscard]] qreal pixelRatio() const;

@@ -18,7 +18,7 @@ constexpr double kSame = 1e-6;      // of the step: what is not apart by more is
 constexpr double kShortest = 1e-3;  // of the step: stretches that are shorter cannot be seen
 constexpr double kStrip = 0.15;     // of the step
 constexpr double kRounded = 1e-9;   // of a value: how far a link may be beyond it by rounding
-constexpr std::size_t kMostPairs = 1'000'000;
+constexpr std::size_t kMostLinkPairs = 1'000'000;
 
 Vec3 middleOf(const Vec3& a, const Vec3& b) { return 0.5 * (a + b); }
 
@@ -126,7 +126,7 @@ void LinkPreview::findPairs(const Environment& environment, Poll poll) {
                             if (!obstacles.stand(from, to)) others_.push_back(*pair);
                             return true;
                           });
-    if (others_.size() <= kMostPairs) continue;
+    if (others_.size() <= kMostLinkPairs) continue;
     others_.clear();
     limits_ = values_;
     return;

@@ -13,7 +13,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kMostPairs = 2'000'000;
+constexpr std::size_t kMostNearPairs = 2'000'000;
 constexpr double kSteepest = 1.2;    // how much higher a floor is at most, by the way to it
 constexpr int kCapSides = 4;         // of the straight sides that stand for a quarter of a circle
 constexpr double kLeastArea = 1e-9;  // of the square of the distance: what is smaller cannot be seen
@@ -91,7 +91,7 @@ BorderStrips::BorderStrips(std::shared_ptr<const NavigationMesh> mesh, double li
       if (isInside && least <= limit) pairs_.push_back({i, t, static_cast<float>(least)});
       return true;
     });
-    if (pairs_.size() <= kMostPairs) continue;
+    if (pairs_.size() <= kMostNearPairs) continue;
     pairs_.clear();
     tooMany_ = true;
     return;

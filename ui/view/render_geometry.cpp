@@ -132,6 +132,11 @@ std::optional<std::vector<SurfaceVertex>> detailOf(const std::vector<SurfaceVert
   return detail;
 }
 
+std::vector<Vec3> detailExtremesOf(const std::vector<SurfaceVertex>& surface, const std::vector<Vec3>& extremes) {
+  const auto detail = detailOf(surface);
+  return detail ? extremePoints(*detail) : extremes;
+}
+
 void markCovers(EnvironmentGeometry& geometry, DisjointSets& sets) {
   std::vector<std::uint32_t> regions(geometry.surface.size() / 3);
   for (std::uint32_t t = 0; t < regions.size(); ++t)
@@ -183,7 +188,8 @@ std::vector<double> findFloors(const EnvironmentGeometry& geometry) {
 
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
                                                                    const std::optional<Vec3>& givenCentre,
-                                                                   bool withCovers) {
+                                                                   bool withCovers,
+                                                                   std::shared_ptr<const WholeBounds> whole) {
   auto geometry = std::make_shared<EnvironmentGeometry>();
   const std::vector<Vec3>& vertices = environment.vertices;
   Vec3 lower =
@@ -197,7 +203,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   }
   // Halves first: the sum of two large bounds may overflow.
   const Vec3 middle{lower.x / 2 + upper.x / 2, lower.y / 2 + upper.y / 2, lower.z / 2 + upper.z / 2};
-  const Vec3 centre = givenCentre.value_or(middle);
+  const Vec3 centre = whole ? whole->centre : givenCentre.value_or(middle);
   geometry->centre = centre;
   geometry->lower = {lower.x - centre.x, lower.y - centre.y, lower.z - centre.z};
   geometry->upper = {upper.x - centre.x, upper.y - centre.y, upper.z - centre.z};
@@ -214,9 +220,10 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
     addTriangle(geometry->surface, corners, centre, normal, wallPaint(), mayBeFloor && up > kWallNormalZ);
   }
 
-  geometry->extremes = extremePoints(geometry->surface);
-  const auto detail = detailOf(geometry->surface);
-  geometry->detailExtremes = detail ? extremePoints(*detail) : geometry->extremes;
+  if (!whole) {
+    geometry->extremes = extremePoints(geometry->surface);
+    geometry->detailExtremes = detailExtremesOf(geometry->surface, geometry->extremes);
+  }
 
   const auto isFloor = [&](std::uint32_t t) { return geometry->surface[std::size_t{3} * t].colour[3] == 0; };
   DisjointSets regions(environment.triangles.size());
@@ -236,7 +243,21 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
   geometry->coarse.surface = coarsened(geometry->surface, geometry->coarse.triangles);
   geometry->bothSides = environment.bothSides;
   geometry->floors = findFloors(*geometry);
+  if (whole) {
+    geometry->lower = whole->lower;
+    geometry->upper = whole->upper;
+    geometry->extremes = whole->extremes;
+    geometry->detailExtremes = whole->detailExtremes;
+    geometry->whole = std::move(whole);
+  }
   return geometry;
+}
+
+std::shared_ptr<const WholeBounds> makeWholeBounds(const Vec3& lower, const Vec3& upper, const Vec3& centre,
+                                                   const std::vector<SurfaceVertex>& surface) {
+  WholeBounds bounds{centre, lower - centre, upper - centre, extremePoints(surface), {}};
+  bounds.detailExtremes = detailExtremesOf(surface, bounds.extremes);
+  return std::make_shared<const WholeBounds>(std::move(bounds));
 }
 
 void setPaint(SurfaceVertex& vertex, const Paint& paint) {

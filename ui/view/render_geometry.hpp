@@ -62,6 +62,16 @@ struct CoarseSurface {
 
 void setPaint(SurfaceVertex& vertex, const Paint& paint);
 
+/// What an environment of which a part is shown takes up in all, around its own centre.
+struct WholeBounds {
+  Vec3 centre;
+  Vec3 lower, upper;                           ///< relative to the centre
+  std::vector<Vec3> extremes, detailExtremes;  ///< as of EnvironmentGeometry
+};
+/// `surface` stands for all of it.
+std::shared_ptr<const WholeBounds> makeWholeBounds(const Vec3& lower, const Vec3& upper, const Vec3& centre,
+                                                   const std::vector<SurfaceVertex>& surface);
+
 struct EnvironmentGeometry {
   Vec3 centre;        ///< of the bounds, in the environment's coordinates: the origin of everything here
   Vec3 lower, upper;  ///< bounds relative to the centre
@@ -77,7 +87,9 @@ struct EnvironmentGeometry {
   /// Heights (relative to the centre) at which there is much floor, from the lowest up: storeys, terraces, decks.
   std::vector<double> floors;
   bool bothSides = false;  ///< fronts and backs of triangles mean nothing
-  bool covered = false;    ///< some triangles are covers
+  /// Of a part, which then has its bounds and extremes; null for all others.
+  std::shared_ptr<const WholeBounds> whole;
+  bool covered = false;  ///< some triangles are covers
 
   [[nodiscard]] bool isCover(std::uint32_t triangle) const {
     const std::size_t vertex = std::size_t{3} * triangle;
@@ -114,9 +126,11 @@ struct NavigationMeshGeometry {
 };
 
 /// Around `centre`, or the middle of the bounds. Without `withCovers`, nothing is a cover, and it takes less time.
+/// `whole`: the environment is a part of that; its centre is the centre.
 std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environment& environment,
                                                                    const std::optional<Vec3>& centre = std::nullopt,
-                                                                   bool withCovers = true);
+                                                                   bool withCovers = true,
+                                                                   std::shared_ptr<const WholeBounds> whole = nullptr);
 
 /// Finds the layers of the triangles of the environment under a mesh; null for a mesh without layers. `shares`: what
 /// floorsUnder() says of it.

@@ -2,6 +2,7 @@
 #include "ui/view/scene_content.hpp"
 
 #include <unordered_map>
+#include <utility>
 
 #include "ui/view/coarse_geometry.hpp"
 
@@ -120,6 +121,7 @@ void SceneContent::makeBatches(SceneBatches& batches, const SceneContent& before
   makeEnvironmentBatches(batches, before);
   makeCoarseBatches(batches, before);
   makeFieldBatch(batches, before);
+  makeBackdropBatches(batches, before);
   std::vector<Geometry> removals;
   for (const ViewContent::Removed& removal : content.removed) removals.push_back(removal.before);
   removed = makeMeshes(batches, removals, false, before.removed, removed, level);
@@ -192,6 +194,24 @@ void SceneContent::makeCoarseBatches(SceneBatches& batches, const SceneContent& 
         std::make_shared<const std::vector<SurfaceVertex>>(paintedCoarse(environment->coarse, content, paints));
     coarse.painted[static_cast<std::size_t>(paints)] = make(painted, *painted);
   }
+}
+
+// Blocks come and go while the others stay.
+void SceneContent::makeBackdropBatches(SceneBatches& batches, const SceneContent& before) {
+  std::unordered_map<const BackdropPiece*, SceneBatchPtr> there;
+  for (const SceneContent* content : {static_cast<const SceneContent*>(this), &before}) {
+    there[content->coarseBackdrop.piece.get()] = content->coarseBackdrop.surface;
+    for (const BackdropBatch& block : content->backdropBlocks) there[block.piece.get()] = block.surface;
+  }
+  const auto make = [&](const BackdropPiecePtr& piece) {
+    const auto found = there.find(piece.get());
+    return BackdropBatch{piece, found != there.end() ? found->second : batches.makeSurface(piece, piece->surface)};
+  };
+  std::vector<BackdropBatch> blocks;
+  if (backdrop)
+    for (const BackdropPiecePtr& piece : backdrop->loaded) blocks.push_back(make(piece));
+  coarseBackdrop = backdrop && backdrop->coarse ? make(backdrop->coarse) : BackdropBatch{};
+  backdropBlocks = std::move(blocks);
 }
 
 void SceneContent::makeFieldBatch(SceneBatches& batches, const SceneContent& before) {

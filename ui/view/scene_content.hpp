@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "ui/view/backdrop.hpp"
 #include "ui/view/field_geometry.hpp"
 #include "ui/view/render_geometry.hpp"
 #include "ui/view/scene_batches.hpp"
@@ -24,8 +25,14 @@ struct CoarseBatches {
   std::array<SceneBatchPtr, 3> painted;  ///< by CoarsePaints; null without a result
 };
 
+struct BackdropBatch {
+  BackdropPiecePtr piece;
+  SceneBatchPtr surface;
+};
+
 struct SceneContent {
   std::shared_ptr<const EnvironmentGeometry> environment;
+  BackdropPtr backdrop;  ///< null for environments that are loaded as a whole
   ViewContent content;
   std::shared_ptr<const FieldGeometry> field;
   std::shared_ptr<const NavigationMeshGeometry> sources;
@@ -33,6 +40,8 @@ struct SceneContent {
   // Of the above, by SceneContent::makeBatches().
   SceneBatchPtr environmentSurface, environmentCreases;
   CoarseBatches coarse;
+  BackdropBatch coarseBackdrop;
+  std::vector<BackdropBatch> backdropBlocks;
   SceneBatchPtr fieldSurface;
   MeshBatches sourceMesh;
   /// Where there are many small meshes, each of these is made of several.
@@ -52,6 +61,7 @@ struct SceneContent {
   void makeEnvironmentBatches(SceneBatches& batches, const SceneContent& before);
   void makeCoarseBatches(SceneBatches& batches, const SceneContent& before);
   void makeFieldBatch(SceneBatches& batches, const SceneContent& before);
+  void makeBackdropBatches(SceneBatches& batches, const SceneContent& before);
 };
 
 }  // namespace footfall::ui

@@ -103,11 +103,19 @@ void ScenePainter::drawStill(const SceneContent& scene, const StillLook& look, c
     if (isOfWires(look.mode)) surfaces_.setOnlyPaint(Paint{hiddenLineFill()}, true);
     surfaces_.setFloors(look.floorPaint, look.drawn == SceneRule::Environment::Floors);
     surfaces_.draw(surface, look.offset);
+    if (scene.backdrop) {
+      surfaces_.setFloors(undecidedPaint(), look.drawn == SceneRule::Environment::Floors);
+      drawBackdrop(scene, look);
+    }
     surfaces_.endFloors();
     surfaces_.setOnlyPaint(std::nullopt);
     surfaces_.end();
   }
-  if (surfaces && isOfWires(look.mode)) surfaces_.drawWires(surface, look.camera, wireColour());
+  if (surfaces && isOfWires(look.mode)) {
+    surfaces_.drawWires(surface, look.camera, wireColour());
+    for (const BackdropBatch& block : scene.backdropBlocks)
+      surfaces_.drawWires(block.surface, look.camera, wireColour());
+  }
   if (look.creases) {
     lines_.begin(look.camera);
     lines_.draw(scene.environmentCreases, creaseColour(), 1.0F * look.camera.devicePixelRatio, 3e-5F);
@@ -115,6 +123,18 @@ void ScenePainter::drawStill(const SceneContent& scene, const StillLook& look, c
   }
   strokes_.setSides(true);
   strokes_.endClip();
+}
+
+// Nothing is known of its floors.
+void ScenePainter::drawBackdrop(const SceneContent& scene, const StillLook& look) {
+  const BackdropBatch& coarse = scene.coarseBackdrop;
+  if (look.hurried) {
+    surfaces_.draw(coarse.surface, look.offset);
+    return;
+  }
+  for (const auto& [first, count] : scene.backdrop->shownCoarse)
+    surfaces_.drawPart(coarse.surface, static_cast<int>(first), static_cast<int>(count), look.offset);
+  for (const BackdropBatch& block : scene.backdropBlocks) surfaces_.draw(block.surface, look.offset);
 }
 
 void ScenePainter::beginSurfaces(const SceneContent& scene, const SceneCamera& camera, float pale) {

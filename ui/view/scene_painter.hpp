@@ -26,8 +26,9 @@ struct StillLook {
   bool backs = true, covers = true, creases = false;
   bool dark = false;  ///< the theme that the background is of
   Paint floorPaint;
-  float offset = 0;  ///< steps of polygon offset behind what may come on top
-  float pale = 0;    ///< as for SurfacePainter::begin()
+  float offset = 0;      ///< steps of polygon offset behind what may come on top
+  float pale = 0;        ///< as for SurfacePainter::begin()
+  bool hurried = false;  ///< all of a backdrop coarse
   bool operator==(const StillLook&) const = default;
 };
 
@@ -61,6 +62,7 @@ class ScenePainter {
 
  private:
   void drawBackground();
+  void drawBackdrop(const SceneContent& scene, const StillLook& look);
   void beginSurfaces(const SceneContent& scene, const SceneCamera& camera, float pale = 0);
   void drawSurfaces(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts,
                     const SceneRule& rule);

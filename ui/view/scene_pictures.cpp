@@ -33,7 +33,7 @@ void ScenePictures::release() {
 
 PictureKey ScenePictures::keyOf(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts) const {
   PictureKey key;
-  key.still = {scene.environment, scene.content.environmentLayers, batches_.hiddenLayers(),
+  key.still = {scene.environment, scene.backdrop, scene.content.environmentLayers, batches_.hiddenLayers(),
                painter_.stillLook(scene, camera, parts)};
   key.parts = parts;
   if (isHeatMap(parts.mode)) {

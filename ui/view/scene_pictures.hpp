@@ -21,6 +21,7 @@ struct PictureKey {
   /// All that the environment alone depends on.
   struct Still {
     std::shared_ptr<const EnvironmentGeometry> environment;
+    BackdropPtr backdrop;
     std::shared_ptr<const EnvironmentLayers> layers;
     std::set<std::uint32_t> hidden;
     StillLook look;

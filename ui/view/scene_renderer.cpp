@@ -21,6 +21,7 @@ QString SceneRenderer::initialize() {
   scene_ = {};
   coming_.reset();
   coming().environment = known.environment;
+  coming().backdrop = known.backdrop;
   coming().content = known.content;
   coming().field = known.field;
   coming().sources = known.sources;
@@ -54,6 +55,8 @@ void SceneRenderer::setEnvironment(std::shared_ptr<const EnvironmentGeometry> ge
 void SceneRenderer::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry) {
   coming().environment = std::move(geometry);
 }
+
+void SceneRenderer::setBackdrop(BackdropPtr backdrop) { coming().backdrop = std::move(backdrop); }
 
 void SceneRenderer::setContent(ViewContent content) { coming().content = std::move(content); }
 
@@ -119,6 +122,7 @@ void SceneRenderer::takeComing(const PictureKey& key) {
 // Hurried, a large environment is drawn coarse, with what is on it as paint; all else without its lines.
 void SceneRenderer::drawDirectly(StillLook look, SceneParts parts, bool hurried) {
   const CoarseBatches& coarse = scene_.coarse;
+  look.hurried = hurried;
   if (hurried && coarse.plain && look.drawn == SceneRule::Environment::All && parts.walkable) {
     const bool vivid = parts.mode == ViewMode::RejectedBy;
     const bool allReasons = parts.removed && parts.plainRemovals == 0;

@@ -30,6 +30,8 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
   /// Shows an edit of the environment; the one before stays in sight until its buffers are full.
   void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
+  /// Shows a backdrop behind the environment (null: none); the one before stays in sight until its buffers are full.
+  void setBackdrop(BackdropPtr backdrop);
   void setContent(ViewContent content);
   void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
   void setCellColours(CellColours colours);

@@ -48,11 +48,16 @@ class SceneStrokes : public QOpenGLExtraFunctions {
   template <typename Prepare>
   void draw(QOpenGLShaderProgram& program, const SceneBatchPtr& batch, Prepare prepare) {
     if (!batch || batch->count == 0) return;
-    const DrawingSlice::Range range = slice_->take(batch->count);
+    drawPart(program, *batch, 0, batch->count, prepare);
+  }
+  /// The same for `count` of its primitives from `first` on.
+  template <typename Prepare>
+  void drawPart(QOpenGLShaderProgram& program, SceneBatch& batch, int first, int count, Prepare prepare) {
+    const DrawingSlice::Range range = slice_->take(count);
     if (range.count == 0) return;
     prepare();
-    batches_.useLayers(program, *batch);
-    batches_.draw(*batch, range.first, range.count);
+    batches_.useLayers(program, batch);
+    batches_.draw(batch, first + range.first, range.count);
   }
 
  private:

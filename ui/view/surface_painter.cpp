@@ -44,6 +44,11 @@ void SurfacePainter::draw(const SceneBatchPtr& batch, float offset) {
   strokes_.draw(program_, batch, [&] { strokes_.glPolygonOffset(offset, 4 * offset); });
 }
 
+void SurfacePainter::drawPart(const SceneBatchPtr& batch, int first, int count, float offset) {
+  if (batch && count > 0)
+    strokes_.drawPart(program_, *batch, first, count, [&] { strokes_.glPolygonOffset(offset, 4 * offset); });
+}
+
 void SurfacePainter::setOnlyPaint(const std::optional<Paint>& paint, bool unlit) {
   program_.setUniformValue("only", paint.has_value());
   program_.setUniformValue("unlit", unlit);

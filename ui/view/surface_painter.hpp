@@ -23,6 +23,8 @@ class SurfacePainter {
   void end();
   /// `offset`: steps of polygon offset away from the eye; coplanar surfaces with different triangles need one each.
   void draw(const SceneBatchPtr& batch, float offset);
+  /// The same for some of its triangles.
+  void drawPart(const SceneBatchPtr& batch, int first, int count, float offset);
 
   /// The paint of everything; nothing: each its own. `unlit`: without light and shade.
   void setOnlyPaint(const std::optional<Paint>& paint, bool unlit = false);

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "core/base/vector.hpp"
+#include "ui/base/namespaces.hpp"
+
 namespace footfall::ui {
 
 void ViewScene::setEnvironment(std::shared_ptr<const EnvironmentGeometry> environment) {
@@ -15,6 +18,11 @@ void ViewScene::setEnvironment(std::shared_ptr<const EnvironmentGeometry> enviro
 void ViewScene::replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> environment) {
   environment_ = std::move(environment);
   renderer_.replaceEnvironment(environment_);
+}
+
+void ViewScene::setBackdrop(BackdropPtr backdrop) {
+  backdrop_ = std::move(backdrop);
+  renderer_.setBackdrop(backdrop_);
 }
 
 void ViewScene::setContent(ViewContent content) {
@@ -49,6 +57,17 @@ PickedScene ViewScene::picked(const QVector3D& viewDirection) const {
 
 std::optional<SurfacePoint> ViewScene::seenAlong(const Ray& ray, const QVector3D& viewDirection) const {
   return environment_ ? pickSeen(ray, picked(viewDirection)) : std::nullopt;
+}
+
+std::optional<Vec3> ViewScene::placeAlong(const Ray& ray, const QVector3D& viewDirection) const {
+  const std::optional<SurfacePoint> seen = seenAlong(ray, viewDirection);
+  if (!backdrop_) return seen ? std::optional(seen->point) : std::nullopt;
+  const bool backs = sceneRule(parts_, content_, environment_.get(), viewDirection).backs;
+  const std::optional<double> met = meetBackdrop(ray, *backdrop_, shown(), backs);
+  if (!met) return seen ? std::optional(seen->point) : std::nullopt;
+  const Vec3 place = pointOn(ray, *met);
+  const bool isBefore = seen && dot(seen->point - ray.origin, ray.direction) < dot(place - ray.origin, ray.direction);
+  return isBefore ? seen->point : place;
 }
 
 std::optional<std::size_t> ViewScene::cellAlong(const Ray& ray, const QVector3D& viewDirection) const {

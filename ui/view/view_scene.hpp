@@ -24,6 +24,8 @@ class ViewScene {
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> environment);
   /// An edit of it, with the same centre; content and cells stay.
   void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> environment);
+  /// What lies around the environment; null: nothing.
+  void setBackdrop(BackdropPtr backdrop);
   void setContent(ViewContent content);
   /// All but the mode and whether one looks inside, which have setters of their own.
   void setParts(const SceneParts& parts);
@@ -35,6 +37,7 @@ class ViewScene {
   void setCells(std::shared_ptr<const CellGeometry> cells, CellColours colours);
 
   [[nodiscard]] const std::shared_ptr<const EnvironmentGeometry>& environment() const { return environment_; }
+  [[nodiscard]] const BackdropPtr& backdrop() const { return backdrop_; }
   [[nodiscard]] const ViewContent& content() const { return content_; }
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
   [[nodiscard]] const HeightRange& heights() const { return heights_; }
@@ -48,6 +51,8 @@ class ViewScene {
 
   // While the camera looks along `viewDirection`, which decides what is open:
   [[nodiscard]] std::optional<SurfacePoint> seenAlong(const Ray& ray, const QVector3D& viewDirection) const;
+  /// The place where the camera sees something, which may be of the backdrop.
+  [[nodiscard]] std::optional<Vec3> placeAlong(const Ray& ray, const QVector3D& viewDirection) const;
   /// Nothing where there is no cell, or none are shown.
   [[nodiscard]] std::optional<std::size_t> cellAlong(const Ray& ray, const QVector3D& viewDirection) const;
   /// In the environment's coordinates.
@@ -58,6 +63,7 @@ class ViewScene {
 
   SceneRenderer& renderer_;
   std::shared_ptr<const EnvironmentGeometry> environment_;
+  BackdropPtr backdrop_;
   ViewContent content_;
   SceneParts parts_;
   HeightRange heights_;

@@ -20,6 +20,7 @@
 #include "ui/base/theme.hpp"
 #include "ui/base/translations.hpp"
 #include "ui/level/level_look.hpp"
+#include "ui/level/packed_feature.hpp"
 #include "ui/view/view_hint.hpp"
 #include "ui/window/editor_window.hpp"
 #include "ui/window/window_placement.hpp"
@@ -111,6 +112,8 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
   });
   QObject::connect(&settle, &QTimer::timeout, &window, [&] {
     if (!window.cellWatch().upToDate() || !look->modes().upToDate() || window.controller().seeksMarginKinds()) return;
+    // A session's part of a large environment comes after the first one, and blocks after either.
+    if (window.file().busy() || window.controller().busy() || window.packed().busy()) return;
     settle.stop();
     // A session has a view of its own.
     if (options.top) window.view().cameraController().viewFromTop();

@@ -26,6 +26,7 @@
 #include "ui/level/import_edits.hpp"
 #include "ui/level/level_look.hpp"
 #include "ui/level/obstacle_features.hpp"
+#include "ui/level/packed_feature.hpp"
 #include "ui/level/skipped_feature.hpp"
 #include "ui/level/unit_tools.hpp"
 #include "ui/path/path_feature.hpp"
@@ -193,6 +194,7 @@ void EditorWindow::createFeatures() {
   new SkippedFeature(host, *view_, file_, *import_);
   new CompareFeature(host, *view_, *overlays_, document_, file_, controller_);
   new ParameterNotes(document_, file_, *messages_, this);
+  packed_ = new PackedFeature(host, *statusBar(), *view_, file_);
   exports_ = new ResultExport({.window = *this,
                                .document = document_,
                                .level = file_,
@@ -340,6 +342,11 @@ void EditorWindow::updateTitle() {
 void EditorWindow::setRemembering(bool on) {
   sessions_->setRemembering(on);
   exports_->setRemembering(on);
+}
+
+bool EditorWindow::idle() const {
+  return !file_.busy() && !controller_.busy() && !composer_.busy() && !packed_->busy() && !writer_->busy() &&
+         exports_->waiting().isEmpty();
 }
 
 void EditorWindow::setInteractive(bool on) { camera_->setInteractive(on); }

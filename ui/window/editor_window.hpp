@@ -43,6 +43,7 @@ namespace footfall::ui {
 class CameraTools;
 class EnvironmentTools;
 class LevelLook;
+class PackedFeature;
 
 /// Makes the parts of the editor, gives each what it uses, and arranges them in menus, bars and docks. Errors appear in
 /// the message bar, in the words of the exception, and leave everything as it was. Nothing here waits for a
@@ -80,10 +81,7 @@ class EditorWindow : public QMainWindow {
   /// Cells in the view, and the dock with the timeline.
   void setCellsShown(const CellsShown& shown) { cells_->setShown(shown); }
   /// Neither loading, running nor exporting, nor about to.
-  [[nodiscard]] bool idle() const {
-    return !file_.busy() && !controller_.busy() && !composer_.busy() && !writer_->busy() &&
-           exports_->waiting().isEmpty();
-  }
+  [[nodiscard]] bool idle() const;
 
   // What the program and the tests look at.
   [[nodiscard]] CommandRegistry& commands() { return commands_; }
@@ -106,6 +104,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] LoadPanel& loadPanel() { return cells_->panel(); }
   [[nodiscard]] RunThreads& runThreads() { return cells_->threads(); }
   [[nodiscard]] RunPlaces& runPlaces() { return cells_->places(); }
+  [[nodiscard]] PackedFeature& packed() { return *packed_; }
   [[nodiscard]] MessageBar& messageBar() { return *messages_; }
   [[nodiscard]] StatusLine& statusLine() { return *status_; }
   [[nodiscard]] ProgressDisplay& progressDisplay() { return *progress_; }
@@ -192,6 +191,7 @@ class EditorWindow : public QMainWindow {
   SessionFiles* sessions_ = nullptr;
   PipelineFiles* pipelines_ = nullptr;
   LevelOpening* opening_ = nullptr;
+  PackedFeature* packed_ = nullptr;
   ResultExport* exports_ = nullptr;
   WindowClosing* closing_ = nullptr;
   Welcome* welcome_ = nullptr;

@@ -126,7 +126,9 @@ void LevelOpening::take(Reading reading, const std::shared_ptr<const Environment
     uses_.messages.clear();
     uses_.status.setState({});
   }
+  const CameraPose pose = uses_.view.cameraController().pose();
   uses_.view.setEnvironment(loaded.geometry, isAnother || before->up != loaded.environment->up);
+  if (reading == Reading::OtherPart) uses_.view.cameraController().setPose(pose);  // with its pivot
   uses_.layout.legend().describe({});
   if (isAnother) takeDocument(before, *loaded.environment);
   uses_.composer.setLoaded(loaded.environment, loaded.geometry);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/palette_sources.hpp"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include "ui/base/command_palette.hpp"
@@ -10,6 +9,7 @@
 #include "ui/base/icon.hpp"
 #include "ui/base/installed_files.hpp"
 #include "ui/base/recent_files.hpp"
+#include "ui/base/translated.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/level_file.hpp"
 #include "ui/window/level_opening.hpp"
@@ -17,8 +17,6 @@
 
 namespace footfall::ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("footfall::ui", text); }
 
 std::vector<PaletteEntry> filterEntries(Document& document, const LevelFile& file) {
   std::vector<PaletteEntry> entries;

@@ -139,8 +139,8 @@ BorderDivider::BorderDivider(const WalkableState& state, const MarginSurface& su
 void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
   const MeshVertex &a = mesh_.vertices[surface_.beginVertex(side)], &b = mesh_.vertices[surface_.endVertex(side)];
   const PlanVector begin = surface_.begin(side), end = surface_.end(side);
-  if (begin.x == end.x && begin.y == end.y) {  // a point, for doubles
-    pieces.push_back({side, begin, end, isLedgeInDoubt_});
+  if (begin.x == end.x && begin.y == end.y) {  // a point, for doubles, does not count: it is what is next to it
+    pieces.push_back({side, begin, end, !isLedgeInDoubt_});
     return;
   }
   // The side of a bridge over a gap, on no face: nothing stands there, but at its ends, where borders begin that know
@@ -150,6 +150,14 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
     return;
   }
   kinds_.turnTo({a, b, surface_.face(side)}, {begin.x, begin.y, a.z}, {end.x, end.y, b.z});
+  const std::vector<EdgePiece> ledges =
+      without(without(kinds_.ledges([&](const CoverAlong& c) { return isBesideToRounding(kinds_, c.triangle); }),
+                      grazedWalls(kinds_)),
+              nearWalls(kinds_));
+  if (ledges.size() == 1 && ledges[0].begin == 0 && ledges[0].end == 1) {  // nothing is in doubt, however short it is
+    pieces.push_back({side, begin, end, true});
+    return;
+  }
   const double error = kDoubt * kinds_.frame().margin(), doubt = error / kinds_.frame().length();
   double at = 0;
   const auto placeAt = [&](double t) { return t == 0 ? begin : t == 1 ? end : begin + t * (end - begin); };
@@ -158,11 +166,7 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
     pieces.push_back({side, placeAt(at), placeAt(to), isLedge, at == 0 && to == 1 ? 0 : error});
     at = to;
   };
-  for (const EdgePiece& ledge : widened(
-           without(without(kinds_.ledges([&](const CoverAlong& c) { return isBesideToRounding(kinds_, c.triangle); }),
-                           grazedWalls(kinds_)),
-                   nearWalls(kinds_)),
-           isLedgeInDoubt_ ? doubt : 0, 2 * doubt)) {
+  for (const EdgePiece& ledge : widened(ledges, isLedgeInDoubt_ ? doubt : 0, 2 * doubt)) {
     add(ledge.begin, false);
     add(ledge.end, true);
   }

@@ -77,8 +77,8 @@ class SoupBuilder {
     rounded.triangles = state_.mesh->triangles;
     const Poll poll(context);
     auto topology = topologyOf(state_, poll);
-    markBorders(rounded, *topology);
-    result_.cases = repairRounding(rounded, exact, context);
+    const std::vector<Index> crowded = markBorders(rounded, *topology);
+    result_.cases = repairRounding(rounded, exact, context, crowded);
     if (result_.cases.anyBroken())
       topology = std::make_shared<Adjacency>(findEdges(rounded.triangles, rounded.vertices.size(), poll));
     settleBorders(rounded, *topology);

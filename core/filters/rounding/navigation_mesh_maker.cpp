@@ -145,9 +145,9 @@ SettledMesh settle(SplitParts parts, const std::vector<Vec3>& places, const std:
     return findEdges(made.mesh.triangles, made.mesh.vertices.size(), Poll(context));
   };
   std::vector<char> suspects = suspectsOf(rounded, sturdy);
-  markBorders(rounded, topology);
   const auto repair = [&context](SettledMesh& made, const std::vector<char>& kept) {
-    const RoundingCases cases = repairRounding(made.mesh, kept, context);
+    const std::vector<Index> crowded = markBorders(made.mesh, made.topology);
+    const RoundingCases cases = repairRounding(made.mesh, kept, context, crowded);
     for (const auto& [from, to] : cases.collapsed)
       made.moved.push_back({made.mesh.vertices[from], made.mesh.vertices[to]});
     return cases.anyBroken();
@@ -163,7 +163,6 @@ SettledMesh settle(SplitParts parts, const std::vector<Vec3>& places, const std:
     splitAgain(rounded, topology);
     topology = findAgain(settled);
     suspects.clear();
-    markBorders(rounded, topology);
     if (repair(settled, std::vector<char>(rounded.vertices.size(), 0))) topology = findAgain(settled);
   }
   dropSharedObstacles(rounded, topology);

@@ -130,9 +130,18 @@ void splitBorders(RoundedMesh& mesh, const std::vector<Border>& borders,
 
 }  // namespace
 
-void markBorders(RoundedMesh& mesh, const Adjacency& topology) {
+std::vector<Index> markBorders(RoundedMesh& mesh, const Adjacency& topology) {
   for (const Border& e : findBorders(mesh, topology))
     mesh.triangles[e.triangle].obstacleEdges |= static_cast<std::uint8_t>(1 << e.k);
+  std::vector<Index> crowded;
+  const auto beginOf = [&](Index side) { return mesh.triangles[side / 3].corners[side % 3]; };
+  for (Index e = 0; e < topology.edgeCount(); ++e) {
+    const auto sides = topology.sidesOf(e);
+    if (sides.size() < 2 || (sides.size() == 2 && beginOf(sides[0]) != beginOf(sides[1]))) continue;
+    for (const Index s : sides) crowded.push_back(s / 3);
+  }
+  sortOnce(crowded);
+  return crowded;
 }
 
 bool settleBorders(RoundedMesh& mesh, const Adjacency& topology) {

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 #include "core/base/geometry.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "core/filters/rounding/repaired_mesh.hpp"
+#include "core/filters/rounding/snapped_needles.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -19,49 +20,29 @@ namespace {
 // collapsed while another repair is possible.
 constexpr double kFoldedShare = 0x1p-44;
 
+// No edge goes farther from where it was than this share of the largest coordinate: four edges that rounding folded,
+// one behind the other. Vertices of needles are taken for touching an edge within the least reach, or if that does not
+// do within more, as far as the largest. A corner that rounding turned over is within 2^-51 of its triangle's edge.
+constexpr double kMostDrift = 0x1p-42;
+constexpr double kLeastReach = 0x1p-50, kMostReach = 0x1p-44;
+
 constexpr Index kTrianglesPerTask = 4096;
-
-/// The triangles around each vertex, in the order in which they came there. Only few vertices are ever asked for, so
-/// lists are made when they are.
-class Surroundings {
- public:
-  void build(const std::vector<MeshTriangle>& triangles, std::size_t vertexCount) {
-    first_.assign(vertexCount + 1, 0);
-    for (const MeshTriangle& t : triangles)
-      for (const Index v : t.corners) ++first_[v + 1];
-    for (std::size_t v = 0; v < vertexCount; ++v) first_[v + 1] += first_[v];
-    atStart_.resize(triangles.size() * 3);
-    std::vector<Index> next(first_.begin(), first_.end() - 1);
-    for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t)
-      for (const Index v : triangles[t].corners) atStart_[next[v]++] = t;
-  }
-  /// References stay valid.
-  std::vector<Index>& operator[](Index vertex) {
-    const auto [it, isNew] = lists_.try_emplace(vertex);
-    if (isNew) it->second.assign(atStart_.begin() + first_[vertex], atStart_.begin() + first_[vertex + 1]);
-    return it->second;
-  }
-
- private:
-  std::vector<Index> first_, atStart_;
-  std::unordered_map<Index, std::vector<Index>> lists_;
-};
 
 class RoundingRepair {
  public:
-  RoundingRepair(RoundedMesh& mesh, const std::vector<char>& sturdy) : mesh_(mesh), sturdy_(sturdy) {}
+  RoundingRepair(RoundedMesh& mesh, const std::vector<char>& sturdy) : rounded_(mesh), mesh_(mesh), sturdy_(sturdy) {}
 
-  RoundingCases run(RunContext& context) {
-    const auto count = static_cast<Index>(mesh_.triangles.size());
+  RoundingCases run(const std::vector<Index>& crowded, RunContext& context) {
+    const auto count = static_cast<Index>(rounded_.triangles.size());
     std::vector<char> broken(count);
     std::atomic<std::uint64_t> exact{0};
     tbb::parallel_for(tbb::blocked_range<Index>(0, count, kTrianglesPerTask), [&](const auto& range) {
       context.checkCancelled();
       std::uint64_t exactHere = 0;
       for (Index t = range.begin(); t != range.end(); ++t) {
-        const auto& c = mesh_.triangles[t].corners;
+        const auto& c = rounded_.triangles[t].corners;
         exactHere += sturdy_[c[0]] != 0 && sturdy_[c[1]] != 0 && sturdy_[c[2]] != 0;
-        broken[t] = static_cast<char>(!isUpright(t));
+        broken[t] = static_cast<char>(!mesh_.isUpright(t));
       }
       exact.fetch_add(exactHere, std::memory_order_relaxed);
     });
@@ -73,41 +54,89 @@ class RoundingRepair {
       this->count(t, cases);
       queue.push_back(t);
     }
-    if (queue.empty()) return cases;
-    alive_.assign(mesh_.triangles.size(), 1);
-    around_.build(mesh_.triangles, mesh_.vertices.size());
-    // A flip can be undone by a later one; after so many repairs only collapses are used, and each takes a vertex away.
-    std::size_t gentle = 16 * queue.size() + 1024;
-    while (!queue.empty()) {
-      context.checkCancelled();
-      const Index t = queue.back();
-      queue.pop_back();
-      if (alive_[t] == 0 || isUpright(t)) continue;
-      changed_.clear();
-      repair(t, gentle > 0);
-      if (gentle > 0) --gentle;
-      for (const Index c : changed_)
-        if (alive_[c] != 0 && !isUpright(c)) queue.push_back(c);
+    if (queue.empty() && crowded.empty()) return cases;
+    mesh_.start();
+    for (const Index t : crowded) {
+      if (!mesh_.isUpright(t) || !isBroken(t)) continue;
+      queue.push_back(t);
+      ++cases.crowded;
     }
-    compact();
+    if (cases.crowded != 0 || !repairEach(queue, context)) {
+      mesh_.undoAll();
+      collapsed_.clear();
+      snapAll(queue, context);
+    }
+    mesh_.compact();
     cases.collapsed = std::move(collapsed_);
     return cases;
   }
 
  private:
-  const Vec3& place(Index v) const { return mesh_.vertices[v]; }
-  [[nodiscard]] bool isUpright(Index t) const {
-    const auto& c = mesh_.triangles[t].corners;
-    const Vec3 &p = place(c[0]), &q = place(c[1]), &r = place(c[2]);
-    // Differences, products and the last difference lose at most 4 u (|l| + |r|) together, u = 2^-53, and the bound 2 u
-    // more; underflows lose less than 2^-1000. An overflow makes the bound infinite or NaN.
-    const double left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
-    if (left - right > (std::fabs(left) + std::fabs(right)) * 0x1p-50 + 0x1p-1000) return true;
-    return facing(p, q, r) > 0;
+  // One triangle after the other. False where that comes to no end, or drifts too far: nothing of it is to be kept.
+  bool repairEach(std::vector<Index> queue, RunContext& context) {
+    // A flip can be undone by a later one.
+    std::size_t left = 16 * queue.size() + 1024;
+    while (!queue.empty()) {
+      context.checkCancelled();
+      const Index t = queue.back();
+      queue.pop_back();
+      if (!mesh_.isAlive(t) || mesh_.isUpright(t)) continue;
+      changed_.clear();
+      if (left-- == 0 || !repair(t)) return false;
+      for (const Index c : changed_)
+        if (mesh_.isAlive(c) && !mesh_.isUpright(c)) queue.push_back(c);
+    }
+    return mesh_.isConforming();
   }
 
+  /// Turned over, or a needle that came to lie on the same side of an edge as another triangle.
+  [[nodiscard]] bool isBroken(Index t) {
+    if (!mesh_.isAlive(t)) return false;
+    if (!mesh_.isUpright(t)) return true;
+    return heightOver(t, extremeSides(mesh_[t].corners)[1]) <= kMostReach * mesh_.largest() && !mesh_.isConforming(t);
+  }
+
+  // What is about each triangle at once.
+  void snapAll(std::vector<Index> queue, RunContext& context) {
+    NeedleSnapper snapper(mesh_);
+    while (!queue.empty()) {
+      context.checkCancelled();
+      const Index t = queue.back();
+      queue.pop_back();
+      if (!isBroken(t)) continue;
+      changed_.clear();
+      const std::array<Index, 3> c = mesh_[t].corners;
+      const int shortest = extremeSides(c)[0];
+      if (!(isFolded(c[shortest], c[next(shortest)]) && collapse(c[shortest], c[next(shortest)])) && !snap(t, snapper))
+        takeOut(t);
+      enqueueChanged(queue);
+    }
+  }
+
+  bool snap(Index t, NeedleSnapper& snapper) {
+    for (double share = kLeastReach; share <= kMostReach; share *= 2)
+      for (;;) {
+        const NeedleSnapper::Outcome outcome = snapper.snap(t, share * mesh_.largest());
+        if (outcome == NeedleSnapper::Outcome::Done) return true;
+        if (outcome == NeedleSnapper::Outcome::Failed) break;
+        if (!collapse(snapper.together()[0], snapper.together()[1])) return false;
+        if (!isBroken(t)) return true;
+      }
+    return false;
+  }
+
+  void enqueueChanged(std::vector<Index>& queue) {
+    for (const Index c : changed_)
+      for (int k = 0; k < 3 && mesh_.isAlive(c); ++k)
+        mesh_.visitSide(mesh_[c].corners[k], mesh_[c].corners[next(k)], [&](Index t) {
+          if (isBroken(t)) queue.push_back(t);
+        });
+  }
+
+  [[nodiscard]] const Vec3& place(Index v) const { return mesh_.place(v); }
+
   void count(Index t, RoundingCases& cases) const {
-    const auto& c = mesh_.triangles[t].corners;
+    const auto& c = mesh_[t].corners;
     const Vec3 &p = place(c[0]), &q = place(c[1]), &r = place(c[2]);
     const int equal = (p == q) + (q == r) + (r == p);
     if (equal == 3)
@@ -129,93 +158,108 @@ class RoundingRepair {
     const double size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) * kFoldedShare;
     return squaredLength(a, b) <= size * size;
   }
-
-  // The triangle with the edge from a to b.
-  [[nodiscard]] Index across(Index a, Index b, int& k) {
-    for (const Index t : around_[a]) {
-      if (alive_[t] == 0) continue;
-      for (k = 0; k < 3; ++k)
-        if (mesh_.triangles[t].corners[k] == a && mesh_.triangles[t].corners[next(k)] == b) return t;
-    }
-    return -1;
+  // How far a triangle's corner is from the line of its longest edge, in the plan.
+  [[nodiscard]] double heightOver(Index t, int longest) const {
+    const auto& c = mesh_[t].corners;
+    const Vec3 &a = place(c[longest]), &b = place(c[next(longest)]), &p = place(c[previous(longest)]);
+    const double x = b.x - a.x, y = b.y - a.y, length = std::sqrt(x * x + y * y);
+    return length > 0 ? std::fabs(x * (p.y - a.y) - y * (p.x - a.x)) / length : 0;
   }
+  [[nodiscard]] bool mayDrift(double drift) const { return drift <= kMostDrift * mesh_.largest(); }
 
-  void repair(Index t, bool gentle) {
-    const MeshTriangle triangle = mesh_.triangles[t];
-    const auto& c = triangle.corners;
+  // The shortest and the longest one.
+  [[nodiscard]] std::array<int, 2> extremeSides(const std::array<Index, 3>& c) const {
     int longest = 0, shortest = 0;
     for (int k = 1; k < 3; ++k) {
       const double length = squaredLength(c[k], c[next(k)]);
       if (length > squaredLength(c[longest], c[next(longest)])) longest = k;
       if (length < squaredLength(c[shortest], c[next(shortest)])) shortest = k;
     }
-    if (gentle && !isFolded(c[shortest], c[next(shortest)])) {
-      int k = 0;
-      Index other = across(c[next(longest)], c[longest], k);
-      if ((triangle.obstacleEdges >> longest & 1) != 0) other = -1;
-      if (other >= 0 && (mesh_.triangles[other].obstacleEdges >> k & 1) != 0) other = -1;
-      if (other < 0) {
-        drop(t, longest);
-        return;
-      }
-      if (!isUpright(other)) {  // a needle beside a needle: the neighbour goes first
-        if (!flip(t, longest, other, k, false)) changed_.insert(changed_.end(), {t, other});
-        return;
-      }
-      // Where the neighbour is a needle too, one of the two new triangles may be turned over, and goes on from there.
-      if (flip(t, longest, other, k, true)) return;
+    return {shortest, longest};
+  }
+
+  bool repair(Index t) {
+    const MeshTriangle triangle = mesh_[t];
+    const auto& c = triangle.corners;
+    const auto [shortest, longest] = extremeSides(c);
+    if (isFolded(c[shortest], c[next(shortest)])) return collapse(c[shortest], c[next(shortest)]);
+    int k = 0;
+    Index other = mesh_.across(c[next(longest)], c[longest], k);
+    if ((triangle.obstacleEdges >> longest & 1) != 0) other = -1;
+    if (other >= 0 && (mesh_[other].obstacleEdges >> k & 1) != 0) other = -1;
+    if (other < 0) return drop(t, longest);
+    if (!mesh_.isUpright(other)) {  // a needle beside a needle: the neighbour goes first
+      if (!flip(t, longest, other, k, false)) changed_.insert(changed_.end(), {t, other});
+      return true;
     }
-    collapse(c[shortest], c[next(shortest)]);
+    // Where the neighbour is a needle too, one of the two new triangles may be turned over, and goes on from there.
+    return flip(t, longest, other, k, true);
   }
 
   // A triangle whose longest edge is a border: its other edges become the border.
-  void drop(Index t, int border) {
-    const MeshTriangle triangle = mesh_.triangles[t];
-    alive_[t] = 0;
-    if ((triangle.obstacleEdges >> border & 1) == 0) return;
-    for (const int k : {next(border), previous(border)}) markOpposite(triangle.corners[k], triangle.corners[next(k)]);
+  bool drop(Index t, int border) {
+    const MeshTriangle triangle = mesh_[t];
+    const double drift = mesh_.drift(t) + heightOver(t, border);
+    if (!mayDrift(drift)) return false;
+    mesh_.kill(t);
+    for (const int k : {next(border), previous(border)}) {
+      int there = 0;
+      const Index other = mesh_.across(triangle.corners[next(k)], triangle.corners[k], there);
+      if (other < 0) continue;
+      mesh_.setDrift(other, drift);
+      if ((triangle.obstacleEdges >> border & 1) != 0) mesh_.markObstacle(other, there);
+    }
+    return true;
+  }
+
+  // Where nothing else helps: what is left is a slit without width.
+  void takeOut(Index t) {
+    const MeshTriangle triangle = mesh_[t];
+    mesh_.kill(t);
+    for (int k = 0; k < 3; ++k) markOpposite(triangle.corners[k], triangle.corners[next(k)]);
   }
 
   void markOpposite(Index a, Index b) {
     int k = 0;
-    if (const Index other = across(b, a, k); other >= 0)
-      mesh_.triangles[other].obstacleEdges |= static_cast<std::uint8_t>(1 << k);
+    if (const Index other = mesh_.across(b, a, k); other >= 0) mesh_.markObstacle(other, k);
   }
 
   // Hands the corner opposite t's edge k to the neighbour there: the edge is turned. Unless forced, only if both new
-  // triangles face up.
+  // triangles face up. False, if forced, where that cannot be or drifts too far.
   bool flip(Index t, int k, Index other, int j, bool forced) {
-    const MeshTriangle x = mesh_.triangles[t], y = mesh_.triangles[other];
+    const MeshTriangle x = mesh_[t], y = mesh_[other];
     const Index a = x.corners[k], b = x.corners[next(k)], c = x.corners[previous(k)], d = y.corners[previous(j)];
-    if (c == d) return false;  // the same triangle seen from both sides
+    const double drift = std::max(mesh_.drift(t), mesh_.drift(other)) + heightOver(t, k);
+    if (c == d || !mayDrift(drift)) return false;  // the same triangle seen from both sides
     if (!forced && (facing(place(c), place(a), place(d)) <= 0 || facing(place(c), place(d), place(b)) <= 0))
       return false;
     const auto flag = [](const MeshTriangle& m, int edge) { return m.obstacleEdges >> edge & 1; };
     MeshTriangle p{{c, a, d}, y.face, 0}, q{{c, d, b}, y.face, 0};
     p.obstacleEdges = static_cast<std::uint8_t>(flag(x, previous(k)) | flag(y, next(j)) << 1);
     q.obstacleEdges = static_cast<std::uint8_t>(flag(y, previous(j)) << 1 | flag(x, next(k)) << 2);
-    mesh_.triangles[t] = p;
-    mesh_.triangles[other] = q;
-    if (!mesh_.layers.empty()) mesh_.layers[t] = mesh_.layers[other];
-    around_[d].push_back(t);
-    around_[c].push_back(other);
-    std::erase(around_[b], t);
-    std::erase(around_[a], other);
+    mesh_.replace(t, p);
+    mesh_.setLayer(t, other);
+    mesh_.replace(other, q);
+    for (const Index made : {t, other}) mesh_.setDrift(made, drift);
     changed_.insert(changed_.end(), {t, other});
     return true;
   }
 
-  void collapse(Index a, Index b) {
+  bool collapse(Index a, Index b) {
     if (sturdy_[b] != 0 && sturdy_[a] == 0) std::swap(a, b);
     if (sturdy_[a] == sturdy_[b] && b < a) std::swap(a, b);  // b goes to a
+    const std::vector<Index> ring = mesh_.around(b);
+    double drift = 0;
+    for (const Index t : ring)
+      if (mesh_.isAlive(t)) drift = std::max(drift, mesh_.drift(t));
+    drift += std::sqrt(squaredLength(a, b));
+    if (!mayDrift(drift)) return false;
     collapsed_.push_back({b, a});
-    const std::vector<Index> ring = around_[b];
     for (const Index t : ring) {
-      if (alive_[t] == 0) continue;
-      MeshTriangle& m = mesh_.triangles[t];
-      const bool folds = m.corners[0] == a || m.corners[1] == a || m.corners[2] == a;
-      if (!folds) continue;
-      alive_[t] = 0;
+      if (!mesh_.isAlive(t)) continue;
+      const MeshTriangle& m = mesh_[t];
+      if (std::find(m.corners.begin(), m.corners.end(), a) == m.corners.end()) continue;
+      mesh_.kill(t);
       for (int k = 0; k < 3; ++k)
         if ((m.obstacleEdges >> k & 1) != 0) {
           const Index u = m.corners[k] == b ? a : m.corners[k], v = m.corners[next(k)] == b ? a : m.corners[next(k)];
@@ -230,30 +274,19 @@ class RoundingRepair {
         }
     }
     for (const Index t : ring) {
-      if (alive_[t] == 0) continue;
-      for (Index& v : mesh_.triangles[t].corners)
-        if (v == b) v = a;
-      around_[a].push_back(t);
+      if (!mesh_.isAlive(t)) continue;
+      MeshTriangle moved = mesh_[t];
+      std::replace(moved.corners.begin(), moved.corners.end(), b, a);
+      mesh_.replace(t, moved);
+      mesh_.setDrift(t, drift);
       changed_.push_back(t);
     }
-    around_[b].clear();
+    return true;
   }
 
-  void compact() {
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (alive_[t] == 0) continue;
-      if (!mesh_.layers.empty()) mesh_.layers[kept] = mesh_.layers[t];
-      mesh_.triangles[kept++] = mesh_.triangles[t];
-    }
-    mesh_.triangles.resize(kept);
-    if (!mesh_.layers.empty()) mesh_.layers.resize(kept);
-  }
-
-  RoundedMesh& mesh_;
+  RoundedMesh& rounded_;
+  RepairedMesh mesh_;
   const std::vector<char>& sturdy_;
-  std::vector<char> alive_;
-  Surroundings around_;
   std::vector<Index> changed_;
   std::vector<std::array<Index, 2>> collapsed_;
 };
@@ -279,8 +312,9 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
   return places;
 }
 
-RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context) {
-  return RoundingRepair(mesh, sturdy).run(context);
+RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context,
+                             const std::vector<Index>& crowded) {
+  return RoundingRepair(mesh, sturdy).run(crowded, context);
 }
 
 }  // namespace footfall::detail

@@ -20,11 +20,12 @@ struct RoundingCases {
   std::uint64_t point = 0;      ///< case 3: all corners fell together
   std::uint64_t collinear = 0;  ///< case 4
   std::uint64_t flipped = 0;    ///< case 5
+  std::uint64_t crowded = 0;    ///< none of these, but a needle on the same side of an edge as another triangle
   /// Vertices that went, each with the one that stands for it, in the order in which they went.
   std::vector<std::array<Index, 2>> collapsed;
 
   /// Whether something had to be repaired.
-  [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped != 0; }
+  [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped + crowded != 0; }
 };
 
 /// A mesh with rounded vertices, in the environment's units.
@@ -36,12 +37,20 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
 
 /// Removes every triangle that is degenerate or turned over, by collapsing edges as short as rounding errors, by
 /// handing a corner that fell onto (or beyond) the opposite edge to the neighbour there, or, at the border, by dropping
-/// it; obstacle flags move to the neighbours (algorithm 3). Afterwards every triangle faces up, exactly. `sturdy[v]`:
-/// prefer to keep this vertex's place.
-RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context);
+/// it; obstacle flags move to the neighbours (algorithm 3). Where that comes to no end, because needles turned each
+/// other's corners over, edges are snapped to the vertices that they pass (snapped_needles.hpp). Afterwards every
+/// triangle faces up, exactly. `sturdy[v]`: prefer to keep this vertex's place. `crowded`: what markBorders() returned.
+///
+/// Nothing goes farther than 2^-42 of the largest coordinate: no edge is farther than that from the chain of edges that
+/// takes its place, and what went was no wider. Each repair adds to what those before it did to the same triangles the
+/// length of the edge that it collapses, how far the corner is from the edge onto which it fell, or how far edges are
+/// snapped, at most 2^-44; where one would add more, it is not made.
+RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy, RunContext& context,
+                             const std::vector<Index>& crowded = {});
 
 /// Sets the obstacle flag of every edge with a triangle on one side only, so that repairs carry along what is a border.
-void markBorders(RoundedMesh& mesh, const Adjacency& topology);
+/// Returns the triangles of edges with several on one side: floors that begin at one line overlap by a rounding.
+std::vector<Index> markBorders(RoundedMesh& mesh, const Adjacency& topology);
 
 /// After the repairs: borders lose that flag again; where repairs brought a border together with another edge by index,
 /// it is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.

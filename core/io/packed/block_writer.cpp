@@ -2,15 +2,18 @@
 #include "core/io/packed/block_writer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <span>
 
 #include "core/base/digest.hpp"
+#include "core/io/packed/coarse_faces.hpp"
 
 namespace footfall::detail {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::size_t kKeptCoarse = std::size_t{4} << 20;  // bytes in memory
 constexpr int kSlotBits = 17;
 constexpr std::uint32_t kSlots = 1U << kSlotBits;  // more than twice kBlockVertices
 static_assert(kSlots > 2 * kBlockVertices && kBlockVertices <= 65536);
@@ -44,9 +47,13 @@ Box boxOf(const std::vector<Vec3>& places) {
 
 }  // namespace
 
-BlockWriter::BlockWriter(const std::string& target, std::uint64_t vertices, bool hasParts, Poll poll)
+BlockWriter::BlockWriter(const std::string& target, std::uint64_t vertices, std::uint64_t faces, bool hasParts,
+                         Poll poll)
     : file_(target),
+      coarse_(target, kKeptCoarse),
       vertexCount_(vertices),
+      faceCount_(faces),
+      mostCoarse_(coarseFacesOf((faces + kBlockFaces - 1) / kBlockFaces)),
       hasParts_(hasParts),
       poll_(poll),
       isWritten_((vertices + 63) / 64),
@@ -125,6 +132,45 @@ void BlockWriter::writeBlock() {
   block.faces = static_cast<std::uint32_t>(faces_.size());
   block.sum = Digest().add(bytes_).value();
   file_.append(bytes_, poll_);
+  addCoarse(block);
+}
+
+void BlockWriter::addCoarse(PackedBlock& block) {
+  const std::vector<CoarseFace> faces = coarseFaces(places_, corners_, mostCoarse_);
+  block.coarse = static_cast<std::uint32_t>(faces.size());
+  const auto& [lower, upper] = block.box;
+  bytes_.clear();
+  for (const CoarseFace& face : faces) {
+    PackedCoarseFace packed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::array<double, 3> place{face[k].x, face[k].y, face[k].z};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        // Halves: a box may be longer than any double.
+        const double side = upper[axis] / 2 - lower[axis] / 2;
+        const double share = side > 0 ? (place[axis] / 2 - lower[axis] / 2) / side : 0;
+        packed[k][axis] = static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0)));
+      }
+    }
+    bytes_ += bytesOf(packed);
+  }
+  coarseSum_.add(bytes_);
+  coarse_.append(bytes_);
+}
+
+PackedCoarse BlockWriter::writeCoarse() {
+  constexpr std::uint64_t kAtOnce = std::uint64_t{1} << 20;
+  pad(file_, poll_);
+  PackedCoarse coarse;
+  coarse.offset = file_.size();
+  coarse.size = coarse_.size();
+  coarse.sum = coarseSum_.value();
+  std::string bytes;
+  for (std::uint64_t at = 0; at < coarse.size; at += kAtOnce) {
+    bytes.resize(static_cast<std::size_t>(std::min(kAtOnce, coarse.size - at)));
+    coarse_.read(at, bytes.data(), bytes.size());
+    file_.append(bytes, poll_);
+  }
+  return coarse;
 }
 
 void BlockWriter::addLoneVertices(const std::function<Vec3(std::uint32_t)>& vertexAt) {
@@ -140,14 +186,14 @@ void BlockWriter::addLoneVertices(const std::function<Vec3(std::uint32_t)>& vert
   flush();
 }
 
-PackedHeader BlockWriter::finish(const std::string& description, std::uint64_t faces,
-                                 const std::function<Vec3(std::uint32_t)>& vertexAt) {
+PackedHeader BlockWriter::finish(const std::string& description, const std::function<Vec3(std::uint32_t)>& vertexAt) {
   flush();
   addLoneVertices(vertexAt);
+  const PackedCoarse coarse = writeCoarse();
   PackedHeader header;
   std::copy(kPackedMagic.begin(), kPackedMagic.end(), header.magic.begin());
   header.vertices = vertexCount_;
-  header.faces = faces;
+  header.faces = faceCount_;
   header.blocks = table_.size();
   header.descriptionOffset = file_.size();
   header.descriptionSize = description.size();
@@ -155,7 +201,8 @@ PackedHeader BlockWriter::finish(const std::string& description, std::uint64_t f
   file_.append(description, poll_);
   pad(file_, poll_);
   header.tableOffset = file_.size();
-  const std::string_view table(reinterpret_cast<const char*>(table_.data()), table_.size() * sizeof(PackedBlock));
+  std::string table(reinterpret_cast<const char*>(table_.data()), table_.size() * sizeof(PackedBlock));
+  table += bytesOf(coarse);
   header.tableSum = Digest().add(table).value();
   file_.append(table, poll_);
   header.fileSize = file_.size();

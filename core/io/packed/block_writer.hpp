@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/digest.hpp"
 #include "core/io/output_files.hpp"
 #include "core/io/packed/packed_format.hpp"
 
@@ -22,14 +23,13 @@ struct PackedFace {
 
 class BlockWriter {
  public:
-  /// `vertices`: how many the environment has; `poll` must live as long.
-  BlockWriter(const std::string& target, std::uint64_t vertices, bool hasParts, Poll poll);
+  /// `vertices`, `faces`: how many the environment has; `poll` must live as long.
+  BlockWriter(const std::string& target, std::uint64_t vertices, std::uint64_t faces, bool hasParts, Poll poll);
 
   void add(const PackedFace& face);
   /// After the last face: writes the vertices of no face, whose places `vertexAt` gives, then what is left, and
-  /// renames. `faces`: how many were added.
-  PackedHeader finish(const std::string& description, std::uint64_t faces,
-                      const std::function<Vec3(std::uint32_t)>& vertexAt);
+  /// renames.
+  PackedHeader finish(const std::string& description, const std::function<Vec3(std::uint32_t)>& vertexAt);
 
  private:
   std::uint32_t localOf(std::uint32_t vertex, const Vec3& place);
@@ -37,9 +37,14 @@ class BlockWriter {
   void addLoneVertices(const std::function<Vec3(std::uint32_t)>& vertexAt);
   void orderOwnFirst();
   void writeBlock();
+  void addCoarse(PackedBlock& block);
+  PackedCoarse writeCoarse();
 
   GrowingFile file_;
-  std::uint64_t vertexCount_;
+  ScratchFile coarse_;  ///< PackedCoarseFaces
+  std::uint64_t vertexCount_, faceCount_;
+  std::size_t mostCoarse_;  ///< of a block
+  Digest coarseSum_;
   bool hasParts_;
   Poll poll_;
   std::vector<std::uint64_t> isWritten_;  ///< a bit for each vertex that a block owns

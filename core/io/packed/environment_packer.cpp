@@ -218,7 +218,7 @@ PackedCounts EnvironmentPacker::finish(const Environment& head) {
   std::vector<Run> runs = sortRuns(chunk);
   faces_.clear();
   const Poll poll(context_);
-  BlockWriter writer(target_, vertexCount_, !head.parts.empty(), poll);
+  BlockWriter writer(target_, vertexCount_, faceCount_, !head.parts.empty(), poll);
   std::uint64_t done = 0;
   const auto take = [&](const PackedFace& face) {
     writer.add(face);
@@ -234,8 +234,7 @@ PackedCounts EnvironmentPacker::finish(const Environment& head) {
     chunk = {};
     mergeRuns(runs, take);
   }
-  const PackedHeader header =
-      writer.finish(encodeDescription(head), faceCount_, [this](std::uint32_t v) { return vertex(v); });
+  const PackedHeader header = writer.finish(encodeDescription(head), [this](std::uint32_t v) { return vertex(v); });
   restart();
   sorted_.clear();
   return {header.vertices, header.faces, header.blocks, header.fileSize};

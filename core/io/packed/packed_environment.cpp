@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/packed/packed_environment.hpp"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <mutex>
 #include <string_view>
+#include <utility>
 
 #include "core/base/byte_stream.hpp"
 #include "core/base/digest.hpp"
 #include "core/base/parallel_ranges.hpp"
 #include "core/base/poll.hpp"
 #include "core/io/file_frame.hpp"
-#include "core/io/input_file.hpp"
 #include "core/io/packed/packed_description.hpp"
 #include "footfall/up_axis.hpp"
 
@@ -70,6 +65,19 @@ BlockFace faceOf(const BlockArrays& arrays, std::size_t block, std::size_t place
   BlockFace face{block, place, arrays.faces[place], arrays.parts.empty() ? 0 : arrays.parts[place], {}};
   for (std::size_t k = 0; k < 3; ++k)
     face.corners[k] = fromFileFrame(pointOf(arrays.places[arrays.corners[place][k]]), up);
+  return face;
+}
+
+CoarseFace coarseFaceOf(const PackedCoarseFace& packed, const Box& box, UpAxis up) {
+  CoarseFace face;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 3> place;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double share = packed[k][axis] / 65535.0;
+      place[axis] = (1 - share) * box.lower[axis] + share * box.upper[axis];
+    }
+    face[k] = fromFileFrame(pointOf(place), up);
+  }
   return face;
 }
 
@@ -147,95 +155,91 @@ Box boxOf(const BlockFace& face) {
   return box;
 }
 
-/// The file in memory, for reading.
-class PackedEnvironment::Mapping {
+/// Blocks that were read last, which are often wanted again.
+class PackedEnvironment::RecentBlocks {
  public:
-  explicit Mapping(const std::string& path) : path_(path) {
-    checkInputFile(path);
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    struct stat status {};
-    const bool isOpen = descriptor_ >= 0 && ::fstat(descriptor_, &status) == 0;
-    size_ = isOpen ? static_cast<std::uint64_t>(status.st_size) : 0;
-    // Nothing to map; the header is missed later.
-    if (isOpen && size_ < sizeof(PackedHeader)) return;
-    void* mapped = isOpen ? ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, descriptor_, 0) : MAP_FAILED;
-    if (mapped == MAP_FAILED) {
-      const int error = errno;
-      if (descriptor_ >= 0) ::close(descriptor_);
-      failInput(path, 0, Text(FOOTFALL_TEXT("cannot be opened: %1"), std::strerror(error)),
-                FOOTFALL_TEXT("choose another file"));
+  /// Null: it is not here.
+  Bytes find(std::size_t block) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& kept) { return kept.first == block; });
+    return found == kept_.end() ? nullptr : found->second;
+  }
+  void keep(std::size_t block, const Bytes& bytes) {
+    const std::lock_guard lock(mutex_);
+    if (kept_.size() < kMost) {
+      kept_.emplace_back(block, bytes);
+    } else {
+      kept_[next_] = {block, bytes};
     }
-    bytes_ = static_cast<const char*>(mapped);
+    next_ = (next_ + 1) % kMost;
   }
-  ~Mapping() {
-    if (bytes_ != nullptr) ::munmap(const_cast<char*>(bytes_), size_);
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  Mapping(const Mapping&) = delete;
-  Mapping& operator=(const Mapping&) = delete;
-
-  [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// Nothing of it need stay in memory; what is read again comes from the file.
-  void release() const {
-    if (bytes_ != nullptr) ::madvise(const_cast<char*>(bytes_), size_, MADV_DONTNEED);
-  }
-  /// Bytes that are in the file as it was opened. Those that were cut off since then cannot be read.
-  [[nodiscard]] std::string_view at(std::uint64_t offset, std::uint64_t size) const {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0 || static_cast<std::uint64_t>(status.st_size) < size_)
-      failInput(path_, 0, FOOTFALL_TEXT("it was cut off while it was open"), kPackAgain);
-    return {bytes_ + offset, static_cast<std::size_t>(size)};
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    kept_.clear();
+    next_ = 0;
   }
 
  private:
-  const std::string& path_;
-  int descriptor_ = -1;
-  std::uint64_t size_ = 0;
-  const char* bytes_ = nullptr;
+  static constexpr std::size_t kMost = 8;  // 4 MB
+
+  std::mutex mutex_;
+  std::vector<std::pair<std::size_t, Bytes>> kept_;
+  std::size_t next_ = 0;
 };
 
 PackedEnvironment::PackedEnvironment(const std::string& path, const ImportOptions& options)
-    : path_(path), file_(std::make_unique<Mapping>(path_)) {
+    : path_(path), file_(path), recent_(std::make_unique<RecentBlocks>()) {
   readHeader();
   readDescription(options);
   readTable();
-  isChecked_ = std::make_unique<std::atomic<bool>[]>(blocks_.size());
+  isTouched_ = std::make_unique<std::atomic<bool>[]>(blocks_.size());
 }
 
 PackedEnvironment::~PackedEnvironment() = default;
 
 void PackedEnvironment::failDamaged() const { failInput(path_, 0, FOOTFALL_TEXT("it is damaged"), kPackAgain); }
 
+void PackedEnvironment::read(std::uint64_t offset, char* bytes, std::size_t size) const {
+  if (file_.read(offset, bytes, size) != size)
+    failInput(path_, 0, FOOTFALL_TEXT("it was cut off while it was open"), kPackAgain);
+}
+
+std::string PackedEnvironment::bytesAt(std::uint64_t offset, std::uint64_t size) const {
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  read(offset, bytes.data(), bytes.size());
+  return bytes;
+}
+
 void PackedEnvironment::readHeader() {
   constexpr Pattern kTruncated = FOOTFALL_TEXT("the packed environment is cut off");
-  if (file_->size() < sizeof(PackedHeader)) {
+  if (file_.size() < sizeof(PackedHeader)) {
     failInput(path_, 0, FOOTFALL_TEXT("is no packed environment, or is cut off"), kPackAgain);
   }
-  const std::string_view bytes = file_->at(0, sizeof(PackedHeader));
+  const std::string bytes = bytesAt(0, sizeof(PackedHeader));
   std::memcpy(&header_, bytes.data(), sizeof(PackedHeader));
   if (!bytes.starts_with(kPackedMagic))
     failInput(path_, 0, FOOTFALL_TEXT("is no packed environment"),
               FOOTFALL_TEXT("give the file the extension of its real format"));
-  if (header_.version != kPackedVersion)
+  if (header_.version == 0 || header_.version > kPackedVersion)
     failInput(path_, 0,
-              Text(FOOTFALL_TEXT("is a packed environment of version %1, and this program reads version %2"),
+              Text(FOOTFALL_TEXT("is a packed environment of version %1, and this program reads versions up to %2"),
                    header_.version, kPackedVersion),
               FOOTFALL_TEXT("pack the original again with this program, or use the one that packed it"));
-  if (header_.ownSum != Digest().add(bytes.substr(0, kSummedHeader)).value()) failDamaged();
-  if (header_.fileSize > file_->size()) failInput(path_, 0, kTruncated, kPackAgain);
+  if (header_.ownSum != Digest().add(std::string_view(bytes).substr(0, kSummedHeader)).value()) failDamaged();
+  if (header_.fileSize > file_.size()) failInput(path_, 0, kTruncated, kPackAgain);
   const auto fits = [&](std::uint64_t offset, std::uint64_t size) {
-    return offset >= sizeof(PackedHeader) && offset <= file_->size() && size <= file_->size() - offset;
+    return offset >= sizeof(PackedHeader) && offset <= file_.size() && size <= file_.size() - offset;
   };
   constexpr std::uint64_t kMost = 0xffffffffU;
-  if (header_.fileSize != file_->size() || header_.vertices > kMost || header_.faces > kMost || header_.faces == 0 ||
-      header_.blocks > file_->size() / sizeof(PackedBlock) ||
-      !fits(header_.tableOffset, header_.blocks * sizeof(PackedBlock)) ||
+  if (header_.fileSize != file_.size() || header_.vertices > kMost || header_.faces > kMost || header_.faces == 0 ||
+      header_.blocks > file_.size() / sizeof(PackedBlock) ||
+      !fits(header_.tableOffset, tableSize(header_.blocks, header_.version)) ||
       !fits(header_.descriptionOffset, header_.descriptionSize))
     failDamaged();
 }
 
 void PackedEnvironment::readDescription(const ImportOptions& options) {
-  const std::string_view bytes = file_->at(header_.descriptionOffset, header_.descriptionSize);
+  const std::string bytes = bytesAt(header_.descriptionOffset, header_.descriptionSize);
   if (Digest().add(bytes).value() != header_.descriptionSum) failDamaged();
   try {
     head_ = decodeDescription(bytes);
@@ -253,23 +257,29 @@ void PackedEnvironment::readDescription(const ImportOptions& options) {
 }
 
 void PackedEnvironment::readTable() {
-  const std::string_view bytes = file_->at(header_.tableOffset, header_.blocks * sizeof(PackedBlock));
+  const std::string bytes = bytesAt(header_.tableOffset, tableSize(header_.blocks, header_.version));
   if (Digest().add(bytes).value() != header_.tableSum) failDamaged();
   blocks_.resize(static_cast<std::size_t>(header_.blocks));
-  if (!blocks_.empty()) std::memcpy(blocks_.data(), bytes.data(), bytes.size());
-  std::uint64_t vertices = 0, faces = 0, end = sizeof(PackedHeader);
-  for (const PackedBlock& block : blocks_) {
-    const bool isWithin = block.offset % kBlockAlignment == 0 && block.offset >= end && block.offset <= file_->size() &&
-                          block.size <= file_->size() - block.offset;
+  const std::size_t size = blocks_.size() * sizeof(PackedBlock);
+  if (!blocks_.empty()) std::memcpy(blocks_.data(), bytes.data(), size);
+  if (header_.version > 1) std::memcpy(&coarse_, bytes.data() + size, sizeof coarse_);
+  std::uint64_t vertices = 0, faces = 0, coarse = 0, end = sizeof(PackedHeader);
+  for (PackedBlock& block : blocks_) {
+    if (header_.version == 1) block.coarse = 0;
+    const bool isWithin = block.offset % kBlockAlignment == 0 && block.offset >= end && block.offset <= file_.size() &&
+                          block.size <= file_.size() - block.offset;
     if (!isWithin || block.vertices > kBlockVertices || block.faces > kBlockFaces ||
         block.ownVertices > block.vertices || !isFinite(block.box) ||
         block.size != blockSize(block.vertices, block.faces, !head_.parts.empty()))
       failDamaged();
     vertices += block.ownVertices;
     faces += block.faces;
+    coarse += block.coarse;
     end = block.offset + block.size;
   }
-  if (vertices != header_.vertices || faces != header_.faces) failDamaged();
+  if (vertices != header_.vertices || faces != header_.faces || coarse_.size != coarse * sizeof(PackedCoarseFace) ||
+      coarse_.offset > file_.size() || coarse_.size > file_.size() - coarse_.offset)
+    failDamaged();
 }
 
 Box PackedEnvironment::boxOf(std::size_t block) const {
@@ -279,7 +289,7 @@ Box PackedEnvironment::boxOf(std::size_t block) const {
 
 std::size_t PackedEnvironment::touchedBlocks() const {
   return static_cast<std::size_t>(
-      std::count_if(isChecked_.get(), isChecked_.get() + blocks_.size(), [](const auto& is) { return is.load(); }));
+      std::count_if(isTouched_.get(), isTouched_.get() + blocks_.size(), [](const auto& is) { return is.load(); }));
 }
 
 std::vector<std::size_t> PackedEnvironment::blocksTouching(const Box& box) const {
@@ -289,14 +299,36 @@ std::vector<std::size_t> PackedEnvironment::blocksTouching(const Box& box) const
   return found;
 }
 
-BlockArrays PackedEnvironment::arraysOf(const PackedBlock& block) const {
-  // Mapped pages hold the very arrays: their offsets are multiples of what their items need.
-  const char* at = file_->at(block.offset, block.size).data();
+void PackedEnvironment::forCoarseFaces(const std::function<void(std::size_t, const CoarseFace&)>& visit) const {
+  const std::string bytes = bytesAt(coarse_.offset, coarse_.size);
+  const char* at = bytes.data();
+  Digest sum;
+  for (const PackedBlock& block : blocks_) {
+    const std::size_t size = block.coarse * sizeof(PackedCoarseFace);
+    sum.add(std::string_view(at, size));
+    at += size;
+  }
+  if (header_.version > 1 && sum.value() != coarse_.sum) failDamaged();
+  at = bytes.data();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    for (std::uint32_t i = 0; i < blocks_[b].coarse; ++i) {
+      PackedCoarseFace packed;
+      std::memcpy(&packed, at, sizeof packed);
+      at += sizeof packed;
+      visit(b, coarseFaceOf(packed, blocks_[b].box, head_.up));
+    }
+  }
+}
+
+BlockArrays PackedEnvironment::arraysOf(const PackedBlock& block, const Bytes& bytes) const {
+  // These are the very arrays: their offsets are multiples of what their items need.
+  const char* at = reinterpret_cast<const char*>(bytes.get());
   const auto take = [&at]<class Item>(std::span<const Item>& items, std::size_t count) {
     items = {reinterpret_cast<const Item*>(at), count};
     at += count * sizeof(Item);
   };
   BlockArrays arrays;
+  arrays.owner = bytes;
   take(arrays.places, block.vertices);
   take(arrays.vertices, block.vertices);
   take(arrays.faces, block.faces);
@@ -305,10 +337,14 @@ BlockArrays PackedEnvironment::arraysOf(const PackedBlock& block) const {
   return arrays;
 }
 
-void PackedEnvironment::checkBlock(std::size_t number) const {
+BlockArrays PackedEnvironment::readBlock(std::size_t number) const {
   const PackedBlock& block = blocks_[number];
-  if (Digest().add(file_->at(block.offset, block.size)).value() != block.sum) failDamaged();
-  const BlockArrays arrays = arraysOf(block);
+  const auto size = static_cast<std::size_t>(block.size);
+  const std::shared_ptr<std::uint64_t[]> bytes(new std::uint64_t[size / sizeof(std::uint64_t) + 1]);
+  auto* const begin = reinterpret_cast<char*>(bytes.get());
+  read(block.offset, begin, size);
+  if (Digest().add(std::string_view(begin, size)).value() != block.sum) failDamaged();
+  BlockArrays arrays = arraysOf(block, bytes);
   const auto areBelow = [](const auto& numbers, std::uint64_t end) {
     return std::all_of(numbers.begin(), numbers.end(), [end](std::uint32_t number) { return number < end; });
   };
@@ -318,12 +354,15 @@ void PackedEnvironment::checkBlock(std::size_t number) const {
                 std::all_of(arrays.places.begin(), arrays.places.end(), isIn);
   for (const auto& corners : arrays.corners) isGood = isGood && areBelow(corners, block.vertices);
   if (!isGood) failDamaged();
-  isChecked_[number].store(true, std::memory_order_release);
+  isTouched_[number].store(true, std::memory_order_relaxed);
+  return arrays;
 }
 
 BlockArrays PackedEnvironment::block(std::size_t number) const {
-  if (!isChecked_[number].load(std::memory_order_acquire)) checkBlock(number);
-  return arraysOf(blocks_[number]);
+  if (const Bytes known = recent_->find(number)) return arraysOf(blocks_[number], known);
+  BlockArrays arrays = readBlock(number);
+  recent_->keep(number, arrays.owner);
+  return arrays;
 }
 
 void PackedEnvironment::forFaces(std::size_t number, const std::function<void(const BlockFace&)>& visit) const {
@@ -349,14 +388,21 @@ PackedFaces PackedEnvironment::facesTouching(const Box& box, RunContext* context
       blocksTouching(box), [&](const BlockFace& face) { return touch(detail::boxOf(face), box); }, context);
 }
 
-void PackedEnvironment::releasePages() const { file_->release(); }
+void PackedEnvironment::releasePages() const { recent_->clear(); }
 
-void PackedEnvironment::fill(std::size_t number, Environment& environment, std::atomic<std::uint64_t>* vertices,
-                             std::atomic<std::uint64_t>* faces) const {
-  const BlockArrays arrays = block(number);
-  for (std::size_t v = 0; v < blocks_[number].ownVertices; ++v) {
+std::vector<PackedEnvironment::Copy> PackedEnvironment::fill(std::size_t number, Environment& environment,
+                                                             std::atomic<std::uint64_t>* vertices,
+                                                             std::atomic<std::uint64_t>* faces) const {
+  const BlockArrays arrays = readBlock(number);
+  std::vector<Copy> copies;
+  for (std::size_t v = 0; v < arrays.vertices.size(); ++v) {
+    const Vec3 place = fromFileFrame(pointOf(arrays.places[v]), head_.up);
+    if (v >= blocks_[number].ownVertices) {
+      copies.push_back({arrays.vertices[v], place});
+      continue;
+    }
     if (!claim(vertices, arrays.vertices[v])) failDamaged();
-    environment.vertices[arrays.vertices[v]] = fromFileFrame(pointOf(arrays.places[v]), head_.up);
+    environment.vertices[arrays.vertices[v]] = place;
   }
   for (std::size_t f = 0; f < arrays.faces.size(); ++f) {
     if (!claim(faces, arrays.faces[f])) failDamaged();
@@ -364,13 +410,7 @@ void PackedEnvironment::fill(std::size_t number, Environment& environment, std::
     for (std::size_t k = 0; k < 3; ++k) triangle[k] = arrays.vertices[arrays.corners[f][k]];
     if (!arrays.parts.empty()) environment.partOf[arrays.faces[f]] = arrays.parts[f];
   }
-}
-
-/// A vertex that other blocks have, too, lies where they say.
-void PackedEnvironment::checkCopies(std::size_t number, const Environment& environment) const {
-  const BlockArrays arrays = block(number);
-  for (std::size_t v = blocks_[number].ownVertices; v < arrays.vertices.size(); ++v)
-    if (environment.vertices[arrays.vertices[v]] != fromFileFrame(pointOf(arrays.places[v]), head_.up)) failDamaged();
+  return copies;
 }
 
 Environment PackedEnvironment::readAll(RunContext* context) const {
@@ -380,16 +420,18 @@ Environment PackedEnvironment::readAll(RunContext* context) const {
   if (!head_.parts.empty()) environment.partOf.resize(environment.triangles.size());
   const auto vertices = std::make_unique<std::atomic<std::uint64_t>[]>(environment.vertices.size() / 64 + 1);
   const auto faces = std::make_unique<std::atomic<std::uint64_t>[]>(environment.triangles.size() / 64 + 1);
+  std::vector<std::vector<Copy>> copies(blocks_.size());
   std::atomic<std::size_t> done{0};
   forRanges(blocks_.size(), 1, [&](std::size_t i, std::size_t) {
-    fill(i, environment, vertices.get(), faces.get());
+    copies[i] = fill(i, environment, vertices.get(), faces.get());
     if (context == nullptr) return;
     context->checkCancelled();
     context->progress(static_cast<double>(done.fetch_add(1) + 1) / static_cast<double>(blocks_.size()));
   });
   forRanges(blocks_.size(), 1, [&](std::size_t i, std::size_t) {
     if (context != nullptr) context->checkCancelled();
-    checkCopies(i, environment);
+    for (const auto& [vertex, place] : copies[i])
+      if (environment.vertices[vertex] != place) failDamaged();
   });
   return environment;
 }

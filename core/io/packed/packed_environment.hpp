@@ -1,4 +1,4 @@
-// Reading packed environments: opened in milliseconds at any size, and mapped block by block as they are needed.
+// Reading packed environments: opened in milliseconds at any size, and read block by block as they are needed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,14 +11,17 @@
 #include <string>
 #include <vector>
 
+#include "core/io/input_file.hpp"
+#include "core/io/packed/coarse_faces.hpp"
 #include "core/io/packed/packed_format.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {
 
-/// The arrays of a block, in mapped memory.
+/// The arrays of a block.
 struct BlockArrays {
+  std::shared_ptr<const std::uint64_t[]> owner;   ///< of what the others look at
   std::span<const std::array<double, 3>> places;  ///< in the file's own frame
   std::span<const std::uint32_t> vertices;        ///< their numbers
   std::span<const std::uint32_t> faces;           ///< numbers
@@ -43,10 +46,8 @@ struct BlockFace {
 /// The box around the corners.
 Box boxOf(const BlockFace& face);
 
-/// A packed environment that is open. Blocks are checked (their check sum, and that all numbers are in range) when they
-/// are first touched. The file is mapped: whoever cuts it off while it is open is noticed when the next block is
-/// touched, but what is cut off, or written over in place, between that and the reading ends the process, as with every
-/// mapped file.
+/// A packed environment that is open. Blocks are checked (their check sum, and that all numbers are in range) whenever
+/// they are read: a file that is cut off or written over in place while it is open is told as damaged.
 ///
 /// All functions throw InputError "PATH: what; what to do" where the file is no packed environment, of another version,
 /// cut off or damaged. Any number of threads may use one object.
@@ -69,6 +70,9 @@ class PackedEnvironment {
   [[nodiscard]] Box boxOf(std::size_t block) const;
   /// How many blocks have been touched.
   [[nodiscard]] std::size_t touchedBlocks() const;
+  /// Calls visit(block, corners), Z up, for all coarse faces (coarseFaces()), one block after the other; as many as
+  /// blocks() says of each. A file of version 1 has none.
+  void forCoarseFaces(const std::function<void(std::size_t, const CoarseFace&)>& visit) const;
 
   /// The blocks with faces whose boxes touch this one (Z up, closed).
   [[nodiscard]] std::vector<std::size_t> blocksTouching(const Box& box) const;
@@ -87,24 +91,34 @@ class PackedEnvironment {
   [[nodiscard]] Environment readAll(RunContext* context = nullptr) const;
 
  private:
-  class Mapping;
+  class RecentBlocks;
+  using Bytes = std::shared_ptr<const std::uint64_t[]>;
+  /// A vertex that belongs to another block.
+  struct Copy {
+    std::uint32_t vertex = 0;
+    Vec3 place;
+  };
 
+  void read(std::uint64_t offset, char* bytes, std::size_t size) const;
+  [[nodiscard]] std::string bytesAt(std::uint64_t offset, std::uint64_t size) const;
   void readHeader();
   void readDescription(const ImportOptions& options);
   void readTable();
-  void checkBlock(std::size_t number) const;
-  [[nodiscard]] BlockArrays arraysOf(const PackedBlock& block) const;
-  void fill(std::size_t number, Environment& environment, std::atomic<std::uint64_t>* vertices,
-            std::atomic<std::uint64_t>* faces) const;
-  void checkCopies(std::size_t number, const Environment& environment) const;
+  [[nodiscard]] BlockArrays readBlock(std::size_t number) const;
+  [[nodiscard]] BlockArrays arraysOf(const PackedBlock& block, const Bytes& bytes) const;
+  /// Returns what must lie where other blocks say.
+  std::vector<Copy> fill(std::size_t number, Environment& environment, std::atomic<std::uint64_t>* vertices,
+                         std::atomic<std::uint64_t>* faces) const;
   [[noreturn]] void failDamaged() const;
 
   std::string path_;
-  std::unique_ptr<Mapping> file_;
+  InputFile file_;
+  std::unique_ptr<RecentBlocks> recent_;
   PackedHeader header_;
   Environment head_;
   std::vector<PackedBlock> blocks_;
-  std::unique_ptr<std::atomic<bool>[]> isChecked_;  ///< for each block
+  PackedCoarse coarse_;
+  std::unique_ptr<std::atomic<bool>[]> isTouched_;  ///< for each block
 };
 
 /// What importing does with a packed environment.

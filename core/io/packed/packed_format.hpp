@@ -7,8 +7,11 @@
 // - Blocks, each from a multiple of 64 on: coordinates (three doubles for each vertex), numbers of the vertices (32
 //   bits), numbers of the faces (32 bits), parts of the faces (32 bits; not there when the environment has no parts),
 //   corners (three numbers of 16 bits for each face, into the block's own vertices).
+// - From a multiple of 64 on, the coarse faces of all blocks, one block after the other (coarseFaces()): 18 bytes, a
+//   PackedCoarseFace, for each. Not in version 1.
 // - The description, encodeDescription(): what an environment says of itself apart from its geometry.
-// - From a multiple of 64 on, the table of blocks: 96 bytes, a PackedBlock, for each.
+// - From a multiple of 64 on, the table of blocks: 96 bytes, a PackedBlock, for each, and behind them 32 bytes, a
+//   PackedCoarse (not in version 1).
 //
 // A block has the faces that follow each other along a Hilbert curve through the middles of all faces, kBlockFaces of
 // them but for the last, and all vertices that they need. Coordinates are the file's own, in its own frame. Numbers are
@@ -26,12 +29,12 @@
 
 namespace footfall::detail {
 
-static_assert(std::endian::native == std::endian::little, "packed environments are mapped as they are");
+static_assert(std::endian::native == std::endian::little, "packed environments are read as they are");
 
 /// The line ends show what has changed them on its way.
 inline constexpr std::string_view kPackedMagic{"FFENV\r\n\x1a", 8};
-/// To be raised with each change of the bytes; others are refused.
-inline constexpr std::uint32_t kPackedVersion = 1;
+/// To be raised with each change of the bytes; later ones are refused.
+inline constexpr std::uint32_t kPackedVersion = 2;
 inline constexpr std::string_view kPackedExtension = "ffenv";
 /// Corners fit into 16 bits.
 inline constexpr std::uint32_t kBlockFaces = 16384, kBlockVertices = 3 * kBlockFaces;
@@ -60,10 +63,27 @@ inline constexpr std::size_t kSummedHeader = 104;
 struct PackedBlock {
   Box box;  ///< of all its vertices, in the file's frame
   std::uint64_t offset = 0, size = 0;
-  std::uint32_t vertices = 0, ownVertices = 0, faces = 0, reserved = 0;
+  std::uint32_t vertices = 0, ownVertices = 0, faces = 0;
+  std::uint32_t coarse = 0;  ///< coarse faces; 0 in version 1
   CheckSum sum{};
 };
 static_assert(sizeof(PackedBlock) == 96);
+
+/// Where the coarse faces of all blocks are. Its check sum is of the bytes of one block after the other.
+struct PackedCoarse {
+  std::uint64_t offset = 0, size = 0;
+  CheckSum sum{};
+};
+static_assert(sizeof(PackedCoarse) == 32);
+
+/// For each corner and axis a step of 65535 from the lower to the upper side of the block's box.
+using PackedCoarseFace = std::array<std::array<std::uint16_t, 3>, 3>;
+static_assert(sizeof(PackedCoarseFace) == 18);
+
+/// The bytes of the table and what follows it.
+constexpr std::uint64_t tableSize(std::uint64_t blocks, std::uint32_t version) {
+  return blocks * sizeof(PackedBlock) + (version > 1 ? sizeof(PackedCoarse) : 0);
+}
 
 /// The bytes that the arrays of a block take.
 constexpr std::uint64_t blockSize(std::uint64_t vertices, std::uint64_t faces, bool hasParts) {

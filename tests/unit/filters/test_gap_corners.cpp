@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/walkable_state.hpp"
 #include "core/base/disjoint_sets.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -116,6 +117,17 @@ struct ExactBorders {
     }
     for (Index& part : parts) part = sets.find(part);
   }
+
+  /// What hangs together with a border that links may have divided since.
+  [[nodiscard]] Index partOf(const BorderEdge3& whole) const {
+    const auto isSame = [](const Point3& p, const Point3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
+    const Rational dx = whole.to.x - whole.from.x, dy = whole.to.y - whole.from.y;
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+      const Rational x = borders[i].to.x - whole.from.x, y = borders[i].to.y - whole.from.y;
+      if (isSame(borders[i].from, whole.from) && dx * y == dy * x && dx * x + dy * y > 0) return parts[i];
+    }
+    return -1;
+  }
 };
 
 /// A place of `a` from which the definition holds with a margin to spare to the nearest place of `b`, which is no less
@@ -157,7 +169,9 @@ bool holdsSomewhere(const Environment& environment, const BorderEdge3& a, const 
 
 /// From above: all links over gaps are ones by the definition, on level borders from each side to the nearest place of
 /// the other one.
-/// From below: where it holds with a margin from both of two borders, their triangles are connected.
+/// From below: where it holds with a margin from both of two borders as they were before there was any link, their
+/// triangles are connected. A link divides borders where it ends, and to a part of one the nearest place may be
+/// another.
 bool agrees(const std::shared_ptr<const Environment>& environment, double step, double gap, double margin,
             Counts& counts) {
   const StatePtr state = runFilters(environment, gaps(step, gap));
@@ -186,14 +200,23 @@ bool agrees(const std::shared_ptr<const Environment>& environment, double step, 
   const RunResult result = run(environment, gaps(step, gap), nullptr);
   if (result.steps.back().note.str().find("undecided") != std::string::npos) return true;
   ++counts.decided;
-  for (std::size_t i = 0; i < exact.borders.size(); ++i)
-    for (std::size_t j = i + 1; j < exact.borders.size(); ++j) {
-      if (exact.parts[i] == exact.parts[j]) continue;
-      if (holdsSomewhere(*environment, exact.borders[i], exact.borders[j], step, gap, margin) ||
-          holdsSomewhere(*environment, exact.borders[j], exact.borders[i], step, gap, margin))
-        return fail("not connected", exact.borders[i].from, exact.borders[j].from);
+  RunContext context;
+  ExactFallbacks fallbacks;
+  const std::vector<BorderEdge3> borders =
+      ExactBorders(withMesh(runFilters(environment, minimalPipeline(kHeight)), context, fallbacks)).borders;
+  std::vector<Index> parts;
+  for (const BorderEdge3& border : borders) {
+    parts.push_back(exact.partOf(border));
+    if (parts.back() < 0) return fail("lost", border.from, border.to);
+  }
+  for (std::size_t i = 0; i < borders.size(); ++i)
+    for (std::size_t j = i + 1; j < borders.size(); ++j) {
+      if (parts[i] == parts[j]) continue;
+      if (holdsSomewhere(*environment, borders[i], borders[j], step, gap, margin) ||
+          holdsSomewhere(*environment, borders[j], borders[i], step, gap, margin))
+        return fail("not connected", borders[i].from, borders[j].from);
     }
-  counts.expected += exact.borders.size();
+  counts.expected += borders.size();
   return true;
 }
 

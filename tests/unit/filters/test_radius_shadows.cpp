@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -113,6 +114,28 @@ class TestRadiusShadows : public QObject {
     const Inspector inspector(environment, pipeline, runPipeline(environment, pipeline, context).mesh);
     const PlaceExplanation place = inspector.explain(*inspector.placeBelow({3.25, 0.75, 0.1}));
     QVERIFY(place.verdict == PlaceVerdict::TooNearLedge && place.limit == 1);
+  }
+
+  // A piece of border as short as roundings, between two ledges, is one: it was taken for a wall, which took a disc.
+  // Beside a wall it keeps away what the wall does.
+  void shortBordersAreWhatIsNextToThem() {
+    for (const double hair : {0x1p-50, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10}) {
+      Soup floor;
+      floor.triangle({0, 0, 0}, {10, 0, 0}, {10 + hair, hair, 0})
+          .triangle({0, 0, 0}, {10 + hair, hair, 0}, {10, 10, 0});
+      floor.triangle({0, 0, 0}, {10, 10, 0}, {0, 10, 0});
+      const auto left = [](const Soup& soup, const char* filter) {
+        return area(navigationMesh(runFilters(soup.environment(), kBefore + filter + "\n")));
+      };
+      QVERIFY(std::fabs(left(floor, "RadiusFilter 1 0") - 100) < 1e-8);
+      QVERIFY(std::fabs(left(floor, "RadiusFilter 1 0.25") - 9.5 * 9.5) < 1e-8);
+      QVERIFY(std::fabs(left(floor, "RadiusFilter 0 1") - 64) < 1e-8);
+      const Soup walled = Soup(floor).wall(-1, 0, 11, 0, -1, 3);
+      const double within = left(walled, "RadiusFilter 1 0");  // arcs may take a hundredth more
+      QVERIFY(within < 90 + 1e-8 && within > 90 - 0.001);
+      const double before = left(walled, "RadiusFilter 0 1");
+      QVERIFY2(before < 72 + 1e-8 && before > 72 - 0.001, qPrintable(QString::number(before, 'g', 12)));
+    }
   }
 
   void orderAndThreadsChangeNothing() {

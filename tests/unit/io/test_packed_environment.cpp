@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/base/digest.hpp"
+#include "core/base/vector.hpp"
 #include "core/io/packed/pack.hpp"
 #include "core/io/packed/packed_description.hpp"
 #include "core/io/packed/packed_environment.hpp"
@@ -153,8 +154,8 @@ class TestPackedEnvironment : public QObject {
     QVERIFY(message(good + 'x').contains("is damaged"));
     for (int size = 0; size < good.size(); size += 9973) QVERIFY(!message(good.left(size)).startsWith("no message"));
     QByteArray later = good;
-    later[8] = 2;
-    QVERIFY(message(later).contains("of version 2, and this program reads version 1"));
+    later[8] = 3;
+    QVERIFY(message(later).contains("of version 3, and this program reads versions up to 2"));
     QRandomGenerator random(1);
     for (int i = 0; i < 300; ++i) {
       QByteArray changed = good;
@@ -165,6 +166,93 @@ class TestPackedEnvironment : public QObject {
       if (messageOf<InputError>([&] { importEnvironment(file); }).isEmpty())
         QCOMPARE(differenceOf(*importEnvironment(path), *importEnvironment(file)), QString());
     }
+  }
+
+  void coarseFacesStandForBlocks() {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
+    packEnvironment(path, target, {}, nullptr);
+    const PackedEnvironment packed(target);
+    std::vector<std::size_t> counts(packed.blocks().size());
+    double area = 0;
+    packed.forCoarseFaces([&](std::size_t block, const CoarseFace& face) {
+      ++counts[block];
+      const Box box = packed.boxOf(block);
+      for (const Vec3& p : face) {
+        constexpr double kStep = 1e-6;
+        QVERIFY(p.x >= box.lower[0] - kStep && p.x <= box.upper[0] + kStep);
+        QVERIFY(p.y >= box.lower[1] - kStep && p.y <= box.upper[1] + kStep);
+        QVERIFY(p.z >= box.lower[2] - kStep && p.z <= box.upper[2] + kStep);
+      }
+      area += std::abs(normalOf(face[0], face[1], face[2]).z) / 2;
+    });
+    QCOMPARE(packed.touchedBlocks(), std::size_t{0});
+    double all = 0;
+    const auto whole = importEnvironment(path);
+    for (const Triangle& t : whole->triangles)
+      all += std::abs(normalOf(whole->vertices[t[0]], whole->vertices[t[1]], whole->vertices[t[2]]).z) / 2;
+    // Triangles of one size: they are moved together, and cover what they covered, with folds here and there.
+    QVERIFY2(area > 0.85 * all && area < 1.5 * all, qPrintable(QString("%1 of %2").arg(area).arg(all)));
+    for (std::size_t b = 0; b < counts.size(); ++b) {
+      QCOMPARE(counts[b], std::size_t{packed.blocks()[b].coarse});
+      QVERIFY(counts[b] <= 512 && (counts[b] > 64 || packed.blocks()[b].faces <= 512));
+    }
+  }
+
+  void largeFacesStandForThemselves() {
+    // A floor under many crumbs.
+    std::vector<Vec3> places{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}};
+    std::vector<std::array<std::uint16_t, 3>> corners{{0, 1, 2}};
+    for (int i = 0; i < 1000; ++i) {
+      const auto first = static_cast<std::uint16_t>(places.size());
+      for (const Vec3& p : {Vec3{0, 0, 1}, Vec3{0.1, 0, 1}, Vec3{0, 0.1, 1}})
+        places.push_back({p.x + i / 25, p.y, p.z});
+      corners.push_back({first, static_cast<std::uint16_t>(first + 1), static_cast<std::uint16_t>(first + 2)});
+    }
+    const std::vector<CoarseFace> faces = coarseFaces(places, corners, 10);
+    QCOMPARE(faces.size(), std::size_t{10});
+    QVERIFY(faces[0] == (CoarseFace{places[0], places[1], places[2]}));
+    QVERIFY(coarseFaces({}, {}, 10).empty());
+    const std::vector<Vec3> far{{-1e308, -1e308, 0}, {1e308, 0, 1e308}, {0, 1e308, -1e308}};
+    QCOMPARE(coarseFaces(far, std::vector(20, std::array<std::uint16_t, 3>{0, 1, 2}), 10).size(), std::size_t{10});
+  }
+
+  void filesOfTheFirstVersionAreRead() {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
+    packEnvironment(path, target, {}, nullptr);
+    QByteArray first = readAll(target);
+    PackedHeader header;
+    std::memcpy(&header, first.constData(), sizeof header);
+    first.chop(sizeof(PackedCoarse));  // which is last
+    header.version = 1;
+    header.fileSize = static_cast<std::uint64_t>(first.size());
+    header.tableSum =
+        Digest().add(std::string_view(first.constData(), header.fileSize).substr(header.tableOffset)).value();
+    std::memcpy(first.data(), &header, sizeof header);
+    seal(first);
+    const std::string old = folder.write("first.ffenv", first);
+    QCOMPARE(differenceOf(*importEnvironment(path), *importEnvironment(old)), QString());
+    int coarse = 0;
+    PackedEnvironment(old).forCoarseFaces([&](std::size_t, const CoarseFace&) { ++coarse; });
+    QCOMPARE(coarse, 0);
+    packEnvironment(old, folder.path("again.ffenv"), {}, nullptr);
+    QVERIFY(readAll(folder.path("again.ffenv")) == readAll(target));
+  }
+
+  void damagedCoarseFacesAreTold() {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
+    packEnvironment(path, target, {}, nullptr);
+    QByteArray bytes = readAll(target);
+    PackedHeader header;
+    std::memcpy(&header, bytes.constData(), sizeof header);
+    const auto coarse = static_cast<int>(read64(bytes, static_cast<int>(bytes.size() - sizeof(PackedCoarse))));
+    bytes[coarse + 100] = static_cast<char>(bytes[coarse + 100] ^ 1);
+    const PackedEnvironment packed(folder.write("bad.ffenv", bytes));
+    const QString message =
+        messageOf<InputError>([&] { packed.forCoarseFaces([](std::size_t, const CoarseFace&) {}); });
+    QVERIFY2(message.contains("is damaged"), qPrintable(message));
   }
 
   void sizesThatOverflow() {
@@ -192,6 +280,24 @@ class TestPackedEnvironment : public QObject {
     QCOMPARE(::truncate(target.c_str(), 4096), 0);
     const QString message = messageOf<InputError>([&] { static_cast<void>(packed.block(0)); });
     QVERIFY2(message.contains("cut off while it was open"), qPrintable(message));
+  }
+
+  void whatIsWrittenOverWhileItIsOpenIsNoticed() {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
+    packEnvironment(path, target, {}, nullptr);
+    const QByteArray good = readAll(target);
+    const PackedEnvironment packed(target);
+    const BlockArrays before = packed.block(0);
+    const std::vector<std::uint32_t> faces(before.faces.begin(), before.faces.end());
+    folder.write("waves.ffenv", QByteArray(good.size(), '\xff'));  // in place
+    // What was read stays what it was, also what is read again of it, until it is given back.
+    QVERIFY(std::equal(faces.begin(), faces.end(), before.faces.begin(), before.faces.end()));
+    QCOMPARE(packed.block(0).faces.size(), faces.size());
+    packed.releasePages();
+    for (std::size_t b = 0; b < packed.blocks().size(); ++b)
+      QVERIFY(messageOf<InputError>([&] { static_cast<void>(packed.block(b)); }).contains("is damaged"));
+    QVERIFY(messageOf<InputError>([&] { static_cast<void>(packed.readAll()); }).contains("is damaged"));
   }
 
   void cancellingAndAFullDiskLeaveNothing() {

@@ -1,0 +1,32 @@
+// Which blocks of a large environment the view wants in full.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "ui/view/camera_pose.hpp"
+#include "ui/view/scene_camera.hpp"
+
+namespace footfall::ui {
+
+struct BlockInView {
+  std::size_t block = 0;
+  std::uint64_t triangles = 0;
+  SceneBox box;  ///< in the scene's coordinates
+};
+
+/// How large a box is on the screen, in device pixels, along its longer side there; 0 where the camera does not see it,
+/// heights and the cut plane leave nothing of it, or it lies behind the eye.
+double pixelsOf(const SceneBox& box, const SceneCamera& camera);
+
+/// The blocks that are large enough on the screen to be seen in full, the largest first, then the nearest, as many as
+/// have `most` triangles together. Blocks that are loaded stay while they are a little smaller, so that a small move of
+/// the camera does not drop and read them again.
+std::vector<std::size_t> chooseBlocks(std::span<const BlockInView> blocks, const SceneCamera& camera,
+                                      std::uint64_t most, const std::set<std::size_t>& loaded);
+
+}  // namespace footfall::ui

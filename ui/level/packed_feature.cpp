@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/packed_feature.hpp"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "ui/base/core_text.hpp"
+#include "ui/base/number_text.hpp"
+#include "ui/view/appearance.hpp"
+#include "ui/view/box_edges.hpp"
+
+namespace footfall::ui {
+namespace {
+
+const QString kOverlay = QStringLiteral("part");
+constexpr std::chrono::milliseconds kRest{150};  // before blocks are read for where the camera is
+constexpr std::size_t kAtOnce = 8;               // blocks: some 10 ms, and then they are shown
+
+QString millions(std::uint64_t triangles) { return shortText(static_cast<double>(triangles) / 1e6, 3); }
+
+std::vector<BlockInView> blocksOf(const PackedPart& part) {
+  std::vector<BlockInView> blocks;
+  const PackedEnvironment& environment = *part.environment;
+  const Vec3& centre = part.whole->centre;
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
+    if (environment.blocks()[b].faces == 0 || isInPart(part, b)) continue;
+    const auto [lower, upper] = environment.boxOf(b);
+    blocks.push_back({b,
+                      environment.blocks()[b].faces,
+                      {{lower[0] - centre.x, lower[1] - centre.y, lower[2] - centre.z},
+                       {upper[0] - centre.x, upper[1] - centre.y, upper[2] - centre.z}}});
+  }
+  return blocks;
+}
+
+// Whether pieces of the blocks are the same, but for what belongs to the parts.
+bool isSameFile(const PackedPart& a, const PackedPart& b) {
+  const Environment &head = a.environment->head(), &other = b.environment->head();
+  return a.environment->tableSum() == b.environment->tableSum() && head.source == other.source && head.up == other.up &&
+         head.bothSides == other.bothSides && a.whole->centre == b.whole->centre;
+}
+
+// How far the view reaches to its farther sides, at the distance of a place.
+double seenAround(LevelView& view, const Vec3& place) {
+  const qglviewer::Camera& camera = *view.camera();
+  if (camera.type() == qglviewer::Camera::ORTHOGRAPHIC) {
+    qreal width = 0, height = 0;
+    camera.getOrthoWidthHeight(width, height);
+    return std::max(width, height);
+  }
+  const Vec3 eye = view.cameraController().pose().position;
+  const double away = std::hypot(place.x - eye.x, place.y - eye.y, place.z - eye.z);
+  return away * std::tan(camera.fieldOfView() / 2) * std::max(1.0, camera.aspectRatio());
+}
+
+}  // namespace
+
+PackedFeature::PackedFeature(const FeatureHost& host, QStatusBar& bar, LevelView& view, LevelFile& file)
+    : QObject(&host.window), view_(view), file_(file), messages_(host.messages), note_(host.status) {
+  setObjectName(QStringLiteral("packed"));
+  runHere_ = host.commands.add({QStringLiteral("pipeline.runHere"),
+                                CommandMenu::Pipeline,
+                                QStringLiteral("runs"),
+                                tr("Run on &what is looked at"),
+                                tr("Of an environment that is too large to run on: make the part in the middle of the "
+                                   "view the one that filters run on"),
+                                {QKeySequence(Qt::SHIFT | Qt::Key_F5)}},
+                               [this](bool) { runHere(); });
+  runHere_->setEnabled(false);
+  status_ = new QLabel(&bar);
+  status_->setObjectName(QStringLiteral("blocks"));
+  status_->setToolTip(tr("What the view shows in full of an environment that is too large to be loaded"));
+  status_->hide();
+  bar.addPermanentWidget(status_);
+  settling_.setSingleShot(true);
+  settling_.setInterval(kRest);
+  connect(&settling_, &QTimer::timeout, this, &PackedFeature::choose);
+  connect(&view_, &QOpenGLWidget::frameSwapped, this, &PackedFeature::followCamera);
+  connect(&file_, &LevelFile::opened, this, &PackedFeature::follow);
+  connect(&file_, &LevelFile::rereadDone, this, [this] { follow(Reading::Again); });
+  host.sections.add(
+      {QStringLiteral("part"), [this] { return savePlace(); }, [this](const std::string& text) { loadPlace(text); }});
+  connect(this, &PackedFeature::placeChanged, &host.sections, &SessionSections::changed);
+}
+
+void PackedFeature::follow(Reading reading) {
+  const std::shared_ptr<const PackedPart> before = std::exchange(part_, file_.loaded().part);
+  work_.stop();
+  wanted_.clear();
+  runHere_->setEnabled(part_ != nullptr);
+  status_->setVisible(part_ != nullptr);
+  if (!part_) {
+    loaded_.clear();
+    blocks_.clear();
+    settling_.stop();
+    status_->clear();
+    if (!before) return;
+    view_.setBackdrop(nullptr);
+    view_.removeOverlay(kOverlay);
+    return;
+  }
+  // Blocks at neither of the parts are what they were.
+  const bool isSame = before && isSameFile(*before, *part_);
+  std::erase_if(loaded_, [&](const auto& entry) {
+    return !isSame || touchesPart(*before, entry.first) || touchesPart(*part_, entry.first);
+  });
+  blocks_ = blocksOf(*part_);
+  show();
+  drawFrame();
+  settling_.start();
+  if (reading == Reading::Another) tellOfPart();
+  if (reading != Reading::OtherPart) return;
+  emit placeChanged();
+  if (part_->isSmaller)
+    note_.say(
+        StatusSubject::Note,
+        tr("What is looked at has more than %1 triangles: the part is smaller.").arg(countText(part_->limits.part)));
+}
+
+void PackedFeature::tellOfPart() {
+  messages_.showHint(tr("%1 has %2 million triangles. The view shows them coarse, and in full where you look; filters "
+                        "run on the part in the frame. All of it: footfall run --memory.")
+                         .arg(QFileInfo(file_.path()).fileName(), millions(part_->environment->faceCount())),
+                     tr("Run on what is looked at"), [this] { runHere(); });
+  messages_.setSubject(MessageSubject::Opening);
+}
+
+void PackedFeature::runHere() {
+  if (!part_) return;
+  const Vec3 place = view_.placeInTheMiddle();
+  file_.showPart({place.x, place.y, seenAround(view_, place)});
+}
+
+// --- Blocks
+
+void PackedFeature::followCamera() {
+  if (!part_) return;
+  const SceneCamera camera = view_.sceneCamera();
+  if (camera == seen_) return;
+  seen_ = camera;
+  settling_.start();
+}
+
+void PackedFeature::choose() {
+  if (!part_) return;
+  wanted_ = chooseBlocks(blocks_, view_.sceneCamera(), part_->limits.shown, loadedBlocks());
+  const std::size_t dropped = std::erase_if(
+      loaded_, [&](const auto& entry) { return std::ranges::find(wanted_, entry.first) == wanted_.end(); });
+  if (dropped > 0) show();
+  loadNext();
+}
+
+void PackedFeature::loadNext() {
+  std::vector<std::size_t> missing;
+  for (const std::size_t block : wanted_)
+    if (missing.size() < kAtOnce && !loaded_.contains(block)) missing.push_back(block);
+  if (missing.empty()) {
+    work_.stop();
+    return;
+  }
+  work_.start(
+      *this,
+      [part = part_, missing](RunContext& context) {
+        Pieces pieces;
+        for (const std::size_t block : missing) {
+          context.checkCancelled();
+          pieces[block] = makeBlockPiece(*part, block);
+        }
+        part->environment->releasePages();
+        return pieces;
+      },
+      [this](const Pieces& pieces) {
+        loaded_.insert(pieces.begin(), pieces.end());
+        show();
+        loadNext();
+      },
+      [this](const std::exception& error) {
+        wanted_.clear();  // not again before the camera moves
+        messages_.showErrorOf(MessageSubject::View, coreText(error));
+      });
+}
+
+std::set<std::size_t> PackedFeature::loadedBlocks() const {
+  std::set<std::size_t> blocks;
+  for (const auto& [block, piece] : loaded_) blocks.insert(block);
+  return blocks;
+}
+
+// --- In the view
+
+void PackedFeature::show() {
+  auto backdrop = std::make_shared<Backdrop>();
+  backdrop->coarse = part_->coarse;
+  backdrop->shownCoarse = shownCoarse();
+  for (const auto& [block, piece] : loaded_) backdrop->loaded.push_back(piece);
+  view_.setBackdrop(std::move(backdrop));
+  say();
+}
+
+std::vector<Backdrop::Range> PackedFeature::shownCoarse() const {
+  std::vector<Backdrop::Range> ranges;
+  for (std::size_t b = 0; b + 1 < part_->firstCoarse.size(); ++b) {
+    if (loaded_.contains(b)) continue;
+    for (std::size_t t = part_->firstCoarse[b]; t < part_->firstCoarse[b + 1]; ++t) {
+      if (part_->isCoarseInPart[t] != 0) continue;
+      if (!ranges.empty() && ranges.back().first + ranges.back().second == t) {
+        ++ranges.back().second;
+      } else {
+        ranges.emplace_back(t, 1);
+      }
+    }
+  }
+  return ranges;
+}
+
+void PackedFeature::drawFrame() {
+  const WholeBounds& whole = *part_->whole;
+  const PartPlace& place = part_->place;
+  const Vec3& centre = whole.centre;
+  const Vec3 lower{std::max(place.x - place.half, whole.lower.x + centre.x),
+                   std::max(place.y - place.half, whole.lower.y + centre.y), whole.lower.z + centre.z};
+  const Vec3 upper{std::min(place.x + place.half, whole.upper.x + centre.x),
+                   std::min(place.y + place.half, whole.upper.y + centre.y), whole.upper.z + centre.z};
+  ViewOverlay overlay;
+  overlay.lines.push_back({edgesOfBox(lower, upper), selectedCellColour(), 2, outlineColour()});
+  view_.setOverlay(kOverlay, std::move(overlay));
+}
+
+void PackedFeature::say() {
+  const PackedEnvironment& environment = *part_->environment;
+  std::uint64_t triangles = file_.environment()->triangles.size();
+  for (const auto& [block, piece] : loaded_) triangles += piece->triangles();
+  std::size_t inPart = 0, all = 0;
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
+    if (environment.blocks()[b].faces == 0) continue;
+    ++all;
+    inPart += isInPart(*part_, b) ? 1U : 0U;
+  }
+  status_->setText(tr("Coarse; in full: %1 of %2 blocks, %3 of %4 million triangles")
+                       .arg(countText(loaded_.size() + inPart), countText(all), millions(triangles),
+                            millions(environment.faceCount())));
+}
+
+// --- In sessions
+
+std::string PackedFeature::savePlace() const {
+  if (!part_) return "{}";
+  const PartPlace& place = part_->place;
+  return nlohmann::json{{"x", place.x}, {"y", place.y}, {"half", place.half}}.dump();
+}
+
+void PackedFeature::loadPlace(const std::string& text) {
+  if (text.empty()) return;
+  const nlohmann::json json = nlohmann::json::parse(text);
+  if (!json.contains("half")) return;
+  const PartPlace place{json.at("x").get<double>(), json.at("y").get<double>(), json.at("half").get<double>()};
+  // The level is still being taken.
+  QTimer::singleShot(0, this, [this, place] {
+    if (part_ && !(part_->place == place)) file_.showPart(place);
+  });
+}
+
+}  // namespace footfall::ui

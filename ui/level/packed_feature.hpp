@@ -1,0 +1,74 @@
+// Environments that are too large to be loaded: what the view shows of them, and which part runs go over.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLabel>
+#include <QObject>
+#include <QStatusBar>
+#include <QTimer>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ui/base/latest_work.hpp"
+#include "ui/level/block_choice.hpp"
+#include "ui/level/level_file.hpp"
+#include "ui/view/feature_host.hpp"
+#include "ui/view/level_view.hpp"
+
+namespace footfall::ui {
+
+/// Around the part that is the level, the view shows a coarse surface of everything, and in full the blocks that the
+/// camera and the heights look at, which are read in the background and dropped when they are not looked at any more.
+class PackedFeature : public QObject {
+  Q_OBJECT
+
+ public:
+  PackedFeature(const FeatureHost& host, QStatusBar& bar, LevelView& view, LevelFile& file);
+
+  /// Blocks are being read, or it is still to be found which ones are wanted.
+  [[nodiscard]] bool busy() const { return part_ && (work_.busy() || settling_.isActive()); }
+  /// Makes what is looked at the part that runs go over.
+  void runHere();
+  /// What is shown, as the status bar says it; empty for environments that are loaded.
+  [[nodiscard]] QString statusText() const { return status_->text(); }
+  /// The numbers of the blocks that are shown in full.
+  [[nodiscard]] std::set<std::size_t> loadedBlocks() const;
+
+ signals:
+  /// Runs go over another part.
+  void placeChanged();
+
+ private:
+  using Pieces = std::map<std::size_t, BackdropPiecePtr>;
+
+  void follow(Reading reading);
+  void tellOfPart();
+  void followCamera();
+  void choose();
+  void loadNext();
+  void show();
+  void drawFrame();
+  void say();
+  [[nodiscard]] std::vector<Backdrop::Range> shownCoarse() const;
+  [[nodiscard]] std::string savePlace() const;
+  void loadPlace(const std::string& text);
+
+  LevelView& view_;
+  LevelFile& file_;
+  MessageBar& messages_;
+  StatusLine& note_;
+  QAction* runHere_ = nullptr;
+  QLabel* status_ = nullptr;
+  std::shared_ptr<const PackedPart> part_;  ///< null: the environment is loaded
+  std::vector<BlockInView> blocks_;
+  Pieces loaded_;
+  std::vector<std::size_t> wanted_;
+  SceneCamera seen_;
+  QTimer settling_;  ///< runs until the camera has rested for a moment
+  LatestWork work_;  // last: its thread ends before the rest goes
+};
+
+}  // namespace footfall::ui

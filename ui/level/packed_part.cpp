@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level/packed_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "core/io/file_frame.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/up_axis.hpp"
+#include "ui/base/namespaces.hpp"
+
+namespace footfall::ui {
+namespace {
+
+bool touchInPlan(const Box& a, const Box& b) {
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (a.lower[axis] > b.upper[axis] || b.lower[axis] > a.upper[axis]) return false;
+  return true;
+}
+
+Box boxOf(const std::array<Vec3, 3>& corners) {
+  BlockFace face;
+  face.corners = corners;
+  return boxOf(face);
+}
+
+/// Of all blocks.
+Box boundsOf(const PackedEnvironment& environment) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  Box bounds{{kMost, kMost, kMost}, {-kMost, -kMost, -kMost}};
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
+    if (environment.blocks()[b].faces == 0) continue;
+    const Box box = environment.boxOf(b);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds.lower[axis] = std::min(bounds.lower[axis], box.lower[axis]);
+      bounds.upper[axis] = std::max(bounds.upper[axis], box.upper[axis]);
+    }
+  }
+  return bounds;
+}
+
+double middle(const Box& box, std::size_t axis) { return box.lower[axis] / 2 + box.upper[axis] / 2; }
+
+/// As if the triangles of a block were spread over its box.
+double estimatedFaces(const PackedEnvironment& environment, const PartPlace& place) {
+  const Box part = boxOf(place);
+  double faces = 0;
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
+    const Box box = environment.boxOf(b);
+    double share = 1;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double side = box.upper[axis] - box.lower[axis];
+      const double common = std::min(box.upper[axis], part.upper[axis]) - std::max(box.lower[axis], part.lower[axis]);
+      share *= common < 0 ? 0 : side > 0 ? std::min(1.0, common / side) : 1;
+    }
+    faces += share * environment.blocks()[b].faces;
+  }
+  return faces;
+}
+
+/// The square at a place that has no more than `most`, by the estimate.
+PartPlace fitted(const PackedEnvironment& environment, PartPlace place, std::size_t most) {
+  constexpr int kHalvings = 40;
+  if (estimatedFaces(environment, place) <= static_cast<double>(most)) return place;
+  double low = 0, high = place.half;
+  for (int i = 0; i < kHalvings; ++i) {
+    place.half = low / 2 + high / 2;
+    (estimatedFaces(environment, place) <= static_cast<double>(most) ? low : high) = place.half;
+  }
+  place.half = low;
+  return place;
+}
+
+/// A corner of a triangle of the block that is nearest to the middle of everything.
+PartPlace middlePlace(const PackedEnvironment& environment, const Box& bounds) {
+  PartPlace place{0, 0, std::max(bounds.upper[0] / 2 - bounds.lower[0] / 2, bounds.upper[1] / 2 - bounds.lower[1] / 2)};
+  double nearest = std::numeric_limits<double>::infinity();
+  std::size_t nearestBlock = 0;
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
+    if (environment.blocks()[b].faces == 0) continue;
+    const Box box = environment.boxOf(b);
+    const double away = std::hypot(middle(box, 0) - middle(bounds, 0), middle(box, 1) - middle(bounds, 1));
+    if (away >= nearest) continue;
+    nearest = away;
+    nearestBlock = b;
+  }
+  const BlockArrays arrays = environment.block(nearestBlock);
+  const auto& [x, y, z] = arrays.places[arrays.corners.front()[0]];
+  const Vec3 corner = fromFileFrame({x, y, z}, environment.head().up);
+  place.x = corner.x;
+  place.y = corner.y;
+  return place;
+}
+
+/// Nothing where there are more than `most`.
+std::optional<PackedFaces> facesAt(const PackedEnvironment& environment, const PartPlace& place, std::size_t most,
+                                   RunContext& context) {
+  const Box box = boxOf(place);
+  const std::vector<std::size_t> blocks = environment.blocksTouching(box);
+  std::size_t count = 0;
+  PackedFaces faces = environment.facesOf(
+      blocks, [&](const BlockFace& face) { return touchInPlan(boxOf(face), box) && ++count <= most; }, &context);
+  return count <= most ? std::optional(std::move(faces)) : std::nullopt;
+}
+
+/// Without a coarse surface (files of version 1), the boxes of blocks.
+void addBox(BackdropPiece& piece, const Box& box, const Vec3& centre) {
+  const auto corner = [&](unsigned i) {
+    return Vec3{(i & 1U) != 0 ? box.upper[0] : box.lower[0], (i & 2U) != 0 ? box.upper[1] : box.lower[1],
+                (i & 4U) != 0 ? box.upper[2] : box.lower[2]};
+  };
+  constexpr unsigned kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& side : kSides) {
+    addBackdropTriangle(piece, {corner(side[0]), corner(side[1]), corner(side[2])}, centre, false);
+    addBackdropTriangle(piece, {corner(side[0]), corner(side[2]), corner(side[3])}, centre, false);
+  }
+}
+
+/// Some of these reach the farthest.
+BackdropPiece boxesOf(const PackedEnvironment& environment, const Vec3& centre) {
+  BackdropPiece boxes;
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b)
+    if (environment.blocks()[b].faces > 0) addBox(boxes, environment.boxOf(b), centre);
+  return boxes;
+}
+
+void addCoarse(PackedPart& part, const Vec3& centre) {
+  const PackedEnvironment& environment = *part.environment;
+  const Box region = boxOf(part.place);
+  auto piece = std::make_shared<BackdropPiece>();
+  std::vector<std::size_t> counts(environment.blocks().size());
+  const auto add = [&](std::size_t block, const Box& box) {
+    const std::size_t now = piece->triangles();
+    part.isCoarseInPart.resize(now, touchInPlan(box, region) ? 1 : 0);
+    counts[block] = now;
+  };
+  environment.forCoarseFaces([&](std::size_t block, const CoarseFace& face) {
+    addBackdropTriangle(*piece, face, centre, environment.head().bothSides);
+    add(block, boxOf(face));
+  });
+  if (piece->surface.empty()) {
+    for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
+      if (environment.blocks()[b].faces == 0) continue;
+      addBox(*piece, environment.boxOf(b), centre);
+      add(b, environment.boxOf(b));
+    }
+  }
+  part.firstCoarse = {0};
+  for (const std::size_t end : counts) part.firstCoarse.push_back(std::max(part.firstCoarse.back(), end));
+  part.coarse = std::move(piece);
+}
+
+}  // namespace
+
+Box boxOf(const PartPlace& place) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  return {{place.x - place.half, place.y - place.half, -kMost}, {place.x + place.half, place.y + place.half, kMost}};
+}
+
+BackdropPiecePtr makeBlockPiece(const PackedPart& part, std::size_t block) {
+  auto piece = std::make_shared<BackdropPiece>();
+  const Box region = boxOf(part.place);
+  part.environment->forFaces(block, [&](const BlockFace& face) {
+    if (!touchInPlan(boxOf(face), region))
+      addBackdropTriangle(*piece, face.corners, part.whole->centre, part.environment->head().bothSides);
+  });
+  piece->surface.shrink_to_fit();
+  return piece;
+}
+
+bool isInPart(const PackedPart& part, std::size_t block) {
+  const Box region = boxOf(part.place), box = part.environment->boxOf(block);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (box.lower[axis] < region.lower[axis] || box.upper[axis] > region.upper[axis]) return false;
+  return true;
+}
+
+bool touchesPart(const PackedPart& part, std::size_t block) {
+  return touchInPlan(part.environment->boxOf(block), boxOf(part.place));
+}
+
+OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const PackedLimits& limits,
+                    const std::optional<PartPlace>& asked, const std::optional<Vec3>& givenCentre,
+                    RunContext& context) {
+  constexpr double kSmaller = 0.85;
+  constexpr int kTries = 40;
+  const Box bounds = boundsOf(*environment);
+  OpenedPart opened;
+  PackedPart& part = opened.part;
+  part.limits = limits;
+  const std::size_t most = asked ? limits.part : std::min(limits.first, limits.part);
+  // A place that had no more when a session was saved is taken as it is, whatever the estimate says.
+  constexpr std::size_t kDoubt = 2;
+  part.place = asked ? fitted(*environment, *asked, kDoubt * most)
+                     : fitted(*environment, middlePlace(*environment, bounds), most);
+  std::optional<PackedFaces> faces = facesAt(*environment, part.place, most, context);
+  for (int i = 0; !faces && i < kTries; ++i) {
+    part.place.half *= kSmaller;
+    faces = facesAt(*environment, part.place, most, context);
+  }
+  part.isSmaller = asked && part.place.half < asked->half;
+  if (!faces)
+    throw InputError(FOOTFALL_TEXT("%1: more than %2 triangles stand over one place; footfall run --memory takes them"),
+                     environment->head().source, most);
+  if (faces->soup.triangles.empty())
+    throw InputError(FOOTFALL_TEXT("%1: nothing stands at that place; look at another one"),
+                     environment->head().source);
+  opened.environment = environment->head();
+  opened.environment.vertices = std::move(faces->soup.vertices);
+  opened.environment.triangles = std::move(faces->soup.triangles);
+  opened.environment.partOf = std::move(faces->partOf);
+  // Exports say what they are of.
+  opened.environment.origin += " (a part: " + std::to_string(opened.environment.triangles.size()) + " of " +
+                               std::to_string(environment->faceCount()) + " triangles)";
+  part.environment = std::move(environment);
+  const Vec3 centre = givenCentre.value_or(Vec3{middle(bounds, 0), middle(bounds, 1), middle(bounds, 2)});
+  addCoarse(part, centre);
+  part.whole = makeWholeBounds({bounds.lower[0], bounds.lower[1], bounds.lower[2]},
+                               {bounds.upper[0], bounds.upper[1], bounds.upper[2]}, centre,
+                               boxesOf(*part.environment, centre).surface);
+  return opened;
+}
+
+}  // namespace footfall::ui
