@@ -24,17 +24,17 @@ constexpr int kUnitLetters = 9;    // and of the unit behind it, so that fields 
 constexpr int kGroupLetters = 8;   // of the width of a field of a group, at least
 constexpr std::size_t kMostGroups = 24;
 
+std::size_t fieldsFor(const FilterDescriptor& filter, std::size_t values) {
+  const std::size_t once = filter.parameters.size() - filter.repeats;
+  return std::min(values, once + kMostGroups * filter.repeats);
+}
+
 QString helpOf(const FilterDescriptor& filter) {
   QString help = QStringLiteral("<b>%1</b> (%2)<p>%3</p>")
                      .arg(filterText(filter.label), untranslated(filter.name), filterText(filter.help));
   if (!filter.precondition.empty())
     help += FilterRow::tr("<p><i>Needs:</i> %1</p>").arg(filterText(filter.precondition));
   return help + FilterRow::tr("<p><i>Effect:</i> %1</p>").arg(filterText(filter.effect));
-}
-
-std::size_t fieldsFor(const FilterDescriptor& filter, std::size_t values) {
-  const std::size_t once = filter.parameters.size() - filter.repeats;
-  return std::min(values, once + kMostGroups * filter.repeats);
 }
 
 QString helpOf(const ParameterDescriptor& parameter, bool hasDefault) {
