@@ -180,6 +180,21 @@ void expectKept(const Soup& soup, const std::string& pipeline, std::size_t trian
   QCOMPARE(kept, triangles);
 }
 
+/// Any soups, in cells of few triangles and of all, with each pipeline.
+bool checkSoups(const char* title, int count, const std::vector<std::string>& pipelines) {
+  return check(title, count, [&pipelines] {
+    const auto environment = (*anySoup()).environment();
+    if (environment->triangles.empty()) return;
+    const TemporaryFolder folder;
+    pack(*environment, folder.path("soup.ffenv"));
+    const PackedEnvironment opened(folder.path("soup.ffenv"));
+    for (const std::string& pipeline : pipelines) {
+      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
+      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
+    }
+  });
+}
+
 }  // namespace
 
 class TestTileJoin : public QObject {
@@ -210,19 +225,7 @@ class TestTileJoin : public QObject {
   void whatFailsLeavesNothing();
 };
 
-void TestTileJoin::soups() {
-  QVERIFY(check("tiles of soups", 120, [] {
-    const auto environment = (*anySoup()).environment();
-    if (environment->triangles.empty()) return;
-    const TemporaryFolder folder;
-    pack(*environment, folder.path("soup.ffenv"));
-    const PackedEnvironment opened(folder.path("soup.ffenv"));
-    for (const std::string& pipeline : kPipelines) {
-      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
-      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
-    }
-  }));
-}
+void TestTileJoin::soups() { QVERIFY(checkSoups("tiles of soups", 120, kPipelines)); }
 
 void TestTileJoin::soupsOfBothSides() {
   QVERIFY(check("tiles of soups, both sides up", 30, [] {
@@ -253,47 +256,13 @@ void TestTileJoin::soupsWithRoles() {
   }));
 }
 
-void TestTileJoin::steps() {
-  QVERIFY(check("steps between tiles of soups", 100, [] {
-    const auto environment = (*anySoup()).environment();
-    if (environment->triangles.empty()) return;
-    const TemporaryFolder folder;
-    pack(*environment, folder.path("soup.ffenv"));
-    const PackedEnvironment opened(folder.path("soup.ffenv"));
-    for (const std::string& pipeline : kStepPipelines) {
-      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
-      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
-    }
-  }));
-}
+void TestTileJoin::steps() { QVERIFY(checkSoups("steps between tiles of soups", 100, kStepPipelines)); }
 
 void TestTileJoin::stepsThenOverBorders() {
-  QVERIFY(check("steps, simplified and in layers, between tiles of soups", 100, [] {
-    const auto environment = (*anySoup()).environment();
-    if (environment->triangles.empty()) return;
-    const TemporaryFolder folder;
-    pack(*environment, folder.path("soup.ffenv"));
-    const PackedEnvironment opened(folder.path("soup.ffenv"));
-    for (const std::string& pipeline : kLinkedPipelines) {
-      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
-      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
-    }
-  }));
+  QVERIFY(checkSoups("steps, simplified and in layers, between tiles of soups", 100, kLinkedPipelines));
 }
 
-void TestTileJoin::gaps() {
-  QVERIFY(check("gaps between tiles of soups", 60, [] {
-    const auto environment = (*anySoup()).environment();
-    if (environment->triangles.empty()) return;
-    const TemporaryFolder folder;
-    pack(*environment, folder.path("soup.ffenv"));
-    const PackedEnvironment opened(folder.path("soup.ffenv"));
-    for (const std::string& pipeline : kGapPipelines) {
-      const QString difference = differenceOf(opened, pipeline, {1, 3, 1000});
-      if (!difference.isEmpty()) RC_FAIL(toText(*environment) + difference.toStdString());
-    }
-  }));
-}
+void TestTileJoin::gaps() { QVERIFY(checkSoups("gaps between tiles of soups", 60, kGapPipelines)); }
 
 void TestTileJoin::samples_data() {
   QTest::addColumn<QString>("name");
@@ -485,6 +454,10 @@ void TestTileJoin::globalFiltersAreNamed() {
       messageFor("SimplificationFilter true 0.01").contains("SimplificationFilter keeps to a bound of memory exactly"));
   QCOMPARE(messageFor("AreaFilter 1\nAreaFilter 2"), QString());
   QCOMPARE(messageFor("AreaFilter 1\nSimplificationFilter\nLayerSubdivisionFilter"), QString());
+  const std::string simplified = "StepFilter 0.4 0\nSimplificationFilter\nLayerSubdivisionFilter\n";
+  QCOMPARE(messageFor(simplified.c_str()), QString());
+  QVERIFY(
+      messageFor((simplified + "SimplificationFilter").c_str()).startsWith("line 6: a second SimplificationFilter"));
   for (const char* step : {"AreaFilter 1", "SlopeFilter 30"})
     QVERIFY(messageFor((std::string("SimplificationFilter\n") + step).c_str())
                 .contains("stands behind a filter that needs all cells"));
