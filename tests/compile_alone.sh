@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # compile_alone.sh: does each file of the editor and of the programs include all that it needs? The preset release
-# compiles several of them as one (FOOTFALL_UNITY), where one lends its includes to the next. Nothing is generated,
-# only looked at; the library has the same from the preset fuzz.
+# compiles several of them as one (FOOTFALL_UNITY), where one lends its includes to the next. Headers of libraries that are
+# precompiled count as included. Nothing is generated, only looked at. Wants what installer/test.sh has installed.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 # shellcheck source=installer/common.sh
@@ -11,7 +11,7 @@ say "compiling each file of the editor and of the programs by itself"
 build="${repository}/build/alone"
 mkdir -p "${repository}/build"
 quietly "${build}.log" cmake -S "${repository}" -B "${build}" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DFOOTFALL_UNITY=OFF \
-  -DFOOTFALL_TESTS=OFF -DFOOTFALL_PYTHON=OFF -DFOOTFALL_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+  -DFOOTFALL_TESTS=OFF -DFOOTFALL_PYTHON=OFF -DFOOTFALL_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_AUTOGEN_ORIGIN_DEPENDS=OFF
 headers=()
 while read -r target; do headers+=("${target}"); done < <(ninja -C "${build}" -t targets all | sed -n 's/: .*//; /cmake_pch.hxx.gch$/p')
 quietly "${build}.log" cmake --build "${build}" -j "$(build_jobs)" --target footfall_ui_autogen "${headers[@]}"

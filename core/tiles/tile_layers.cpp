@@ -8,9 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/base/background_release.hpp"
 #include "core/base/box_tree.hpp"
@@ -37,7 +40,9 @@ Tree::Bounds boundsOf(const PlanTriangle& p) {
 }
 
 /// All pairs that overlap in the plan, of a triangle of the one tile and one of the other.
-std::vector<Pair> overlapsBetween(const TileUnion& made, std::size_t tile, RunContext& context) {
+// Nothing where there are more than `most`.
+std::optional<std::vector<Pair>> overlapsBetween(const TileUnion& made, std::size_t tile, std::uint64_t most,
+                                                 RunContext& context) {
   const WalkableMesh& mesh = made.mesh();
   std::vector<Index> own, others;
   for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
@@ -51,16 +56,19 @@ std::vector<Pair> overlapsBetween(const TileUnion& made, std::size_t tile, RunCo
     std::vector<Pair> found;
   };
   tbb::enumerable_thread_specific<Local> locals([&] { return Local{MeshGeometry(made.kernel(), mesh.vertices), {}}; });
+  std::atomic<std::uint64_t> count = 0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), kPerTask), [&](const auto& range) {
     Local& local = locals.local();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    for (std::size_t i = range.begin(); i != range.end() && count <= most; ++i) {
       context.checkCancelled();
       const PlanTriangle plan = planOf(own[i]);
       tree.visitOverlapping(boundsOf(plan), [&](Index o) {
-        if (local.geometry.overlap(plan, planOf(o))) local.found.push_back({own[i], o});
+        if (!local.geometry.overlap(plan, planOf(o)) || ++count > most) return;
+        local.found.push_back({own[i], o});
       });
     }
   });
+  if (count > most) return std::nullopt;
   std::vector<Pair> pairs;
   for (const Local& local : locals) pairs.insert(pairs.end(), local.found.begin(), local.found.end());
   return pairs;
@@ -105,7 +113,8 @@ class TileLayers {
 
  private:
   void requireMemory() const {
-    if (first_.back() > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()) / 3)
+    constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
+    if (first_.back() > kMost / 3 || pairs_.size() > kMost / 2)
       throw RunError(
           FOOTFALL_TEXT("the walkable area has more triangles than LayerSubdivisionFilter can number; leave "
                         "it out"));
@@ -131,7 +140,9 @@ class TileLayers {
         parts.push_back(partWithin(i, tile, tiles[j].box));
         parts.push_back(partWithin(j, stage_.store.read(tiles[j].number), tiles[i].box));
         const TileUnion made = unionOf(std::move(parts));
-        addPairs(made, overlapsBetween(made, i, context_));
+        const auto found = overlapsBetween(made, i, stage_.memory / kOfPair, context_);
+        if (!found) stage_.failTooLittle(2 * stage_.memory);
+        addPairs(made, *found);
       }
       findOverlapsWithin(i, tile);
       returnFreedMemory();

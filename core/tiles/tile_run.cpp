@@ -366,11 +366,12 @@ class TileFolder : public TileStore {
 
   /// Leaves the folder with its index.
   void finish(TileSet& set) {
+    std::error_code ignored;  // what the index does not name does no harm
     for (const TileEntry& entry : entries_) {
       if (entry.triangles > 0)
         set.tiles.push_back(entry);
       else
-        std::filesystem::remove(std::filesystem::path(folder_) / entry.file);
+        std::filesystem::remove(std::filesystem::path(folder_) / entry.file, ignored);
     }
     written_.add(kTileIndex);
     writeFileSafely((std::filesystem::path(folder_) / kTileIndex).string(), formatTileIndex(set));

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/view/appearance.hpp"
@@ -91,6 +93,7 @@ void PackedFeature::follow(Reading reading) {
   const std::shared_ptr<const PackedPart> before = std::exchange(part_, file_.loaded().part);
   work_.stop();
   wanted_.clear();
+  damaged_.clear();
   runHere_->setEnabled(part_ != nullptr);
   status_->setVisible(part_ != nullptr);
   if (!part_) {
@@ -157,7 +160,7 @@ void PackedFeature::choose() {
 void PackedFeature::loadNext() {
   std::vector<std::size_t> missing;
   for (const std::size_t block : wanted_)
-    if (missing.size() < kAtOnce && !loaded_.contains(block)) missing.push_back(block);
+    if (missing.size() < kAtOnce && !loaded_.contains(block) && !damaged_.contains(block)) missing.push_back(block);
   if (missing.empty()) {
     work_.stop();
     return;
@@ -165,16 +168,24 @@ void PackedFeature::loadNext() {
   work_.start(
       *this,
       [part = part_, missing](RunContext& context) {
-        Pieces pieces;
+        Blocks blocks;
         for (const std::size_t block : missing) {
           context.checkCancelled();
-          pieces[block] = makeBlockPiece(*part, block);
+          try {
+            blocks.pieces[block] = makeBlockPiece(*part, block);
+          } catch (const InputError& error) {
+            blocks.damaged.insert(block);
+            blocks.problem = coreText(error);
+          }
         }
         part->environment->releasePages();
-        return pieces;
+        return blocks;
       },
-      [this](const Pieces& pieces) {
-        loaded_.insert(pieces.begin(), pieces.end());
+      [this](const Blocks& blocks) {
+        if (!blocks.damaged.empty() && damaged_.empty())
+          messages_.showErrorOf(MessageSubject::View, blocks.problem);  // once a file
+        damaged_.insert(blocks.damaged.begin(), blocks.damaged.end());
+        loaded_.insert(blocks.pieces.begin(), blocks.pieces.end());
         show();
         loadNext();
       },
@@ -195,16 +206,17 @@ std::set<std::size_t> PackedFeature::loadedBlocks() const {
 void PackedFeature::show() {
   auto backdrop = std::make_shared<Backdrop>();
   backdrop->coarse = part_->coarse;
-  backdrop->shownCoarse = shownCoarse();
+  backdrop->shownCoarse = coarseRanges([this](std::size_t block) { return !loaded_.contains(block); });
+  backdrop->coarseAlone = coarseRanges([](std::size_t) { return true; });
   for (const auto& [block, piece] : loaded_) backdrop->loaded.push_back(piece);
   view_.setBackdrop(std::move(backdrop));
   say();
 }
 
-std::vector<Backdrop::Range> PackedFeature::shownCoarse() const {
+std::vector<Backdrop::Range> PackedFeature::coarseRanges(const std::function<bool(std::size_t)>& isShown) const {
   std::vector<Backdrop::Range> ranges;
   for (std::size_t b = 0; b + 1 < part_->firstCoarse.size(); ++b) {
-    if (loaded_.contains(b)) continue;
+    if (!isShown(b)) continue;
     for (std::size_t t = part_->firstCoarse[b]; t < part_->firstCoarse[b + 1]; ++t) {
       if (part_->isCoarseInPart[t] != 0) continue;
       if (!ranges.empty() && ranges.back().first + ranges.back().second == t) {

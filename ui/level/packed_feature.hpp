@@ -43,6 +43,11 @@ class PackedFeature : public QObject {
 
  private:
   using Pieces = std::map<std::size_t, BackdropPiecePtr>;
+  struct Blocks {
+    Pieces pieces;
+    std::set<std::size_t> damaged;
+    QString problem;  ///< of one that is damaged
+  };
 
   void follow(Reading reading);
   void tellOfPart();
@@ -52,7 +57,8 @@ class PackedFeature : public QObject {
   void show();
   void drawFrame();
   void say();
-  [[nodiscard]] std::vector<Backdrop::Range> shownCoarse() const;
+  /// The coarse triangles beside the part, of the blocks that are shown by them.
+  [[nodiscard]] std::vector<Backdrop::Range> coarseRanges(const std::function<bool(std::size_t)>& isShown) const;
   [[nodiscard]] std::string savePlace() const;
   void loadPlace(const std::string& text);
 
@@ -65,6 +71,7 @@ class PackedFeature : public QObject {
   std::shared_ptr<const PackedPart> part_;  ///< null: the environment is loaded
   std::vector<BlockInView> blocks_;
   Pieces loaded_;
+  std::set<std::size_t> damaged_;
   std::vector<std::size_t> wanted_;
   SceneCamera seen_;
   QTimer settling_;  ///< runs until the camera has rested for a moment

@@ -78,16 +78,16 @@ PartPlace fitted(const PackedEnvironment& environment, PartPlace place, std::siz
 PartPlace middlePlace(const PackedEnvironment& environment, const Box& bounds) {
   PartPlace place{0, 0, std::max(bounds.upper[0] / 2 - bounds.lower[0] / 2, bounds.upper[1] / 2 - bounds.lower[1] / 2)};
   double nearest = std::numeric_limits<double>::infinity();
-  std::size_t nearestBlock = 0;
+  std::optional<std::size_t> nearestBlock;
   for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
     if (environment.blocks()[b].faces == 0) continue;
     const Box box = environment.boxOf(b);
     const double away = std::hypot(middle(box, 0) - middle(bounds, 0), middle(box, 1) - middle(bounds, 1));
-    if (away >= nearest) continue;
+    if (nearestBlock && !(away < nearest)) continue;
     nearest = away;
     nearestBlock = b;
   }
-  const BlockArrays arrays = environment.block(nearestBlock);
+  const BlockArrays arrays = environment.block(nearestBlock.value());
   const auto& [x, y, z] = arrays.places[arrays.corners.front()[0]];
   const Vec3 corner = fromFileFrame({x, y, z}, environment.head().up);
   place.x = corner.x;

@@ -33,6 +33,7 @@ struct Backdrop {
 
   BackdropPiecePtr coarse;               ///< of all blocks
   std::vector<Range> shownCoarse;        ///< triangles of it that are drawn
+  std::vector<Range> coarseAlone;        ///< the same while nothing is drawn in full
   std::vector<BackdropPiecePtr> loaded;  ///< blocks in full
 };
 using BackdropPtr = std::shared_ptr<const Backdrop>;

@@ -128,12 +128,9 @@ void ScenePainter::drawStill(const SceneContent& scene, const StillLook& look, c
 // Nothing is known of its floors.
 void ScenePainter::drawBackdrop(const SceneContent& scene, const StillLook& look) {
   const BackdropBatch& coarse = scene.coarseBackdrop;
-  if (look.hurried) {
-    surfaces_.draw(coarse.surface, look.offset);
-    return;
-  }
-  for (const auto& [first, count] : scene.backdrop->shownCoarse)
+  for (const auto& [first, count] : look.hurried ? scene.backdrop->coarseAlone : scene.backdrop->shownCoarse)
     surfaces_.drawPart(coarse.surface, static_cast<int>(first), static_cast<int>(count), look.offset);
+  if (look.hurried) return;
   for (const BackdropBatch& block : scene.backdropBlocks) surfaces_.draw(block.surface, look.offset);
 }
 

@@ -240,7 +240,8 @@ void EditorWindow::connectLevel() {
 
 void EditorWindow::connectRuns() {
   connect(&controller_, &RunController::finished, &composer_.parts(), &PartLevel::setComputed);
-  connect(&controller_, &RunController::started, view_, [this] { view_->setComputing(true); });
+  for (const auto changed : {&RunController::started, &RunController::statusChanged})
+    connect(&controller_, changed, view_, [this] { view_->setComputing(controller_.busy()); });
   for (const auto ended : {&RunController::finished, &RunController::cancelled})
     connect(&controller_, ended, view_, [this] { view_->setComputing(false); });
   connect(&controller_, &RunController::failed, view_, [this] { view_->setComputing(false); });

@@ -16,7 +16,8 @@ namespace footfall::ui {
 
 LevelOpening::LevelOpening(const Uses& uses) : QObject(&uses.window), uses_(uses) {
   connect(&uses_.file, &LevelFile::started, this, [this] {
-    if (uses_.file.reading() != Reading::Again) uses_.messages.finish(MessageSubject::Opening);
+    const Reading reading = uses_.file.reading();
+    if (reading != Reading::Again && reading != Reading::OtherPart) uses_.messages.finish(MessageSubject::Opening);
   });
   connect(&uses_.file, &LevelFile::arrived, this, &LevelOpening::take);
   connect(&uses_.file, &LevelFile::failed, &uses_.messages, [&messages = uses.messages](const QString& message) {

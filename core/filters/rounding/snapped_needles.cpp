@@ -180,7 +180,8 @@ double NeedleSnapper::shapeOf(const Outline& loop, std::size_t i) const {
   const Vec3 &a = mesh_.place(loop[(i + count - 1) % count].from), &b = mesh_.place(loop[i].from),
              &c = mesh_.place(loop[(i + 1) % count].from);
   const PlanOffset ab = between(a, b), bc = between(b, c), ac = between(a, c);
-  return cross(ab, ac) / std::max({dot(ab, ab), dot(bc, bc), dot(ac, ac)});
+  const double shape = cross(ab, ac) / std::max({dot(ab, ab), dot(bc, bc), dot(ac, ac)});
+  return std::isfinite(shape) ? shape : 0;  // three at one place, or beyond what doubles can say
 }
 
 // Cuts off ears, the best shaped one first.

@@ -16,7 +16,7 @@ namespace {
 using Corners = std::array<std::uint16_t, 3>;
 
 constexpr std::uint64_t kAllCoarse = 1U << 17U;  // a picture that is drawn at once
-constexpr std::uint64_t kLeast = 16, kMost = 512;
+constexpr std::uint64_t kLeast = 16;
 constexpr double kMostOfArea = 0.3;
 
 double areaIn(std::span<const Vec3> places, const Corners& corners) {
@@ -105,7 +105,8 @@ std::vector<Corners> clustered(std::span<const Vec3> places, std::span<const Cor
 }  // namespace
 
 std::size_t coarseFacesOf(std::uint64_t blocks) {
-  return static_cast<std::size_t>(std::clamp(kAllCoarse / std::max<std::uint64_t>(blocks, 1), kLeast, kMost));
+  return static_cast<std::size_t>(
+      std::clamp(kAllCoarse / std::max<std::uint64_t>(blocks, 1), kLeast, kMostCoarseFaces));
 }
 
 std::vector<CoarseFace> coarseFaces(std::span<const Vec3> places, std::span<const Corners> corners, std::size_t most) {

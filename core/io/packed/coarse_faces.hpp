@@ -15,6 +15,9 @@ namespace footfall::detail {
 /// Corners of a triangle, in the coordinates of the block that it stands for.
 using CoarseFace = std::array<Vec3, 3>;
 
+/// For one block.
+inline constexpr std::uint64_t kMostCoarseFaces = 512;
+
 /// How many triangles stand for each block, of so many: fewer where there are more, so that all of them stay a few.
 std::size_t coarseFacesOf(std::uint64_t blocks);
 

@@ -268,7 +268,7 @@ void PackedEnvironment::readTable() {
     if (header_.version == 1) block.coarse = 0;
     const bool isWithin = block.offset % kBlockAlignment == 0 && block.offset >= end && block.offset <= file_.size() &&
                           block.size <= file_.size() - block.offset;
-    if (!isWithin || block.vertices > kBlockVertices || block.faces > kBlockFaces ||
+    if (!isWithin || block.vertices > kBlockVertices || block.faces > kBlockFaces || block.coarse > kMostCoarseFaces ||
         block.ownVertices > block.vertices || !isFinite(block.box) ||
         block.size != blockSize(block.vertices, block.faces, !head_.parts.empty()))
       failDamaged();
