@@ -197,20 +197,17 @@ class TileMaker {
     for (const Index v : outside_) vertices.push_back(mesh_.vertices[v]);
     std::vector<char> exact;
     const std::vector<Vec3> places = roundVertices(kernel_, vertices, exact, context);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      tile_.outside.push_back(
-          {places[i], sourceOf(vertices[i].face), exact[i] != 0 ? std::string() : textOf(vertices[i])});
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      TileBorder name = borderOf(kernel_, vertices[i], exact[i] != 0, -1, sourceOf(vertices[i].face));
+      tile_.outside.push_back({places[i], name.face, std::move(name.exact)});
+    }
   }
 
   [[nodiscard]] std::uint32_t sourceOf(Index face) const { return sources_[source_.inputTriangles[face]]; }
-  [[nodiscard]] std::string textOf(const MeshVertex& vertex) const {
-    const std::array<mpq_class, 3> place = kernel_.exactPosition(vertex.point, vertex.face);
-    return place[0].get_str() + ' ' + place[1].get_str() + ' ' + place[2].get_str();
-  }
 
   // All floors at a vertex of two tiles touch floors of both: either cell has them all, and so the same first one.
   void addBorder(Index number, const MeshVertex& vertex) {
-    tile_.borders.push_back({number, sourceOf(vertex.face), tile_.exact[number] != 0 ? std::string() : textOf(vertex)});
+    tile_.borders.push_back(borderOf(kernel_, vertex, tile_.exact[number] != 0, number, sourceOf(vertex.face)));
   }
 
   const PlanKernel& kernel_;

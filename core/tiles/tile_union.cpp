@@ -59,7 +59,7 @@ void TileUnion::makeKernel(const Grid& grid, RunContext& context) {
     const TileGeometry& geometry = part.triangles.geometry;
     firstCorner.push_back(vertices.size());
     vertices.insert(vertices.end(), geometry.corners.begin(), geometry.corners.end());
-    if (!geometry.heights.empty()) heights = geometry.heights;
+    if (geometry.heights.size() > heights.size()) heights = geometry.heights;  // others are the first of these
   }
   SoupView soup(vertices, triangles, numbers);
   soup.grid = grid;

@@ -215,8 +215,9 @@ bool NeedleSnapper::isConforming() {
     for (int k = 0; k < 3; ++k) {
       const Index a = made.triangle.corners[k], b = made.triangle.corners[next(k)];
       if (!sides.insert({a, b}).second) return false;
-      int there = 0;
-      if (const Index other = mesh_.across(a, b, there); other >= 0 && gone.count(other) == 0) return false;
+      bool isFree = true;
+      mesh_.visitSide(a, b, [&](Index other) { isFree = isFree && gone.count(other) != 0; });
+      if (!isFree) return false;
     }
   return true;
 }
