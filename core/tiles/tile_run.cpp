@@ -47,9 +47,9 @@ Grid gridOf(const PackedEnvironment& environment, const std::vector<PartRole>& r
         if (!isIgnored(f))
           for (const std::uint16_t corner : block.corners[f]) include(block.places[corner]);
     }
-    if (i % kReleased == kReleased - 1) environment.releasePages();
+    if (i % kReleased == kReleased - 1) environment.forgetBlocks();
   }
-  environment.releasePages();
+  environment.forgetBlocks();
   return grid;
 }
 
@@ -175,7 +175,7 @@ class TileRun {
                                   const RegionSums::Inspect& inspect, CellSize& size) {
     size.faces = kDoesNotFit;
     const std::optional<CellFaces> cell = collector_.collect(own, fits, context_, nullptr, reach_);
-    environment_.releasePages();
+    environment_.forgetBlocks();
     if (!cell) return std::nullopt;
     size = {cell->faces.faceNumbers.size(), cell->floors};
     result_.largestCell = std::max(result_.largestCell, size.faces);

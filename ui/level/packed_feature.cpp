@@ -178,7 +178,7 @@ void PackedFeature::loadNext() {
             blocks.problem = coreText(error);
           }
         }
-        part->environment->releasePages();
+        part->environment->forgetBlocks();
         return blocks;
       },
       [this](const Blocks& blocks) {

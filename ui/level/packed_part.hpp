@@ -61,7 +61,8 @@ struct OpenedPart {
   Environment environment;
 };
 /// The part at a place (nothing: in the middle), smaller where it would have more triangles than the limit. `centre`:
-/// of the scene, else the middle of the environment. Throws as PackedEnvironment does, and Cancelled.
+/// of the scene, else the middle of the environment. Throws as PackedEnvironment does, InputError where nothing or too
+/// much stands at the place, and Cancelled.
 OpenedPart openPart(std::shared_ptr<const detail::PackedEnvironment> environment, const PackedLimits& limits,
                     const std::optional<PartPlace>& place, const std::optional<Vec3>& centre, RunContext& context);
 

@@ -388,7 +388,7 @@ PackedFaces PackedEnvironment::facesTouching(const Box& box, RunContext* context
       blocksTouching(box), [&](const BlockFace& face) { return touch(detail::boxOf(face), box); }, context);
 }
 
-void PackedEnvironment::releasePages() const { recent_->clear(); }
+void PackedEnvironment::forgetBlocks() const { recent_->clear(); }
 
 std::vector<PackedEnvironment::Copy> PackedEnvironment::fill(std::size_t number, Environment& environment,
                                                              std::atomic<std::uint64_t>* vertices,

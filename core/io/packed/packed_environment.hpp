@@ -84,7 +84,7 @@ class PackedEnvironment {
                                     const std::function<bool(const BlockFace&)>& isWanted,
                                     RunContext* context = nullptr) const;
   /// Gives the memory of all blocks back; they are read again when they are needed.
-  void releasePages() const;
+  void forgetBlocks() const;
   /// The faces whose own boxes touch this one (Z up, closed). Touches blocksTouching() alone.
   [[nodiscard]] PackedFaces facesTouching(const Box& box, RunContext* context = nullptr) const;
   /// The whole environment, bit by bit the one that was packed.

@@ -294,7 +294,7 @@ class TestPackedEnvironment : public QObject {
     // What was read stays what it was, also what is read again of it, until it is given back.
     QVERIFY(std::equal(faces.begin(), faces.end(), before.faces.begin(), before.faces.end()));
     QCOMPARE(packed.block(0).faces.size(), faces.size());
-    packed.releasePages();
+    packed.forgetBlocks();
     for (std::size_t b = 0; b < packed.blocks().size(); ++b)
       QVERIFY(messageOf<InputError>([&] { static_cast<void>(packed.block(b)); }).contains("is damaged"));
     QVERIFY(messageOf<InputError>([&] { static_cast<void>(packed.readAll()); }).contains("is damaged"));
